@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Runs a command with the project's tools: this machine's own where they are new enough, otherwise those
+# of a Debian 13 tool root. Usage: enter.sh COMMAND [ARGUMENT...]. SPDX-License-Identifier: Apache-2.0
+set -euo pipefail
+environment=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+project=$(cd "$environment/../.." && pwd -P)
+
+say() { printf 'stepfabric: %s\n' "$*" >&2; }
+
+. "$environment/native_tools.sh"
+. "$environment/tool_root.sh"
+
+# The host's folders that a command inside the root must see under their own names: everything that
+# a user keeps files in, but none of the folders in which programs and their settings lie.
+visible_host_folders() {
+  local entry
+  for entry in /*; do
+    case $entry in
+      /bin|/boot|/dev|/etc|/lib*|/lost+found|/proc|/run|/sbin|/sys|/usr|/var) continue ;;
+    esac
+    [ -d "$entry" ] && [ ! -L "$entry" ] && echo "$entry"
+  done
+  for entry in "$project" "$PWD"; do
+    case $entry in
+      /usr/*|/var/*|/etc/*|/run/*) echo "$entry" ;;
+    esac
+  done
+}
+
+# The environment inside: a fixed path and language, and what a user sets on purpose.
+inner_environment() {
+  local name
+  echo "PATH=/usr/sbin:/usr/bin:/sbin:/bin"
+  echo "LANG=C.UTF-8"
+  for name in HOME USER TERM COLUMNS CI NO_COLOR CTEST_OUTPUT_ON_FAILURE CCACHE_DIR CCACHE_MAXSIZE \
+    XDG_CACHE_HOME TMPDIR STEPFABRIC_BUILD_DIR STEPFABRIC_JOBS; do
+    [ -n "${!name-}" ] && echo "$name=${!name}"
+  done
+  return 0
+}
+
+enter_with_bubblewrap() {
+  local root=$1 folder setting
+  shift
+  local arguments=(--bind "$root" / --dev-bind /dev /dev --proc /proc --tmpfs /run --die-with-parent)
+  while read -r folder; do arguments+=(--bind "$folder" "$folder"); done < <(visible_host_folders)
+  arguments+=(--chdir "$PWD" --clearenv)
+  while read -r setting; do
+    arguments+=(--setenv "${setting%%=*}" "${setting#*=}")
+  done < <(inner_environment)
+  exec bwrap "${arguments[@]}" -- "$@"
+}
+
+enter_with_proot() {
+  local root=$1 folder setting
+  shift
+  local arguments=(-r "$root" -b /dev -b /proc -w "$PWD")
+  local settings=()
+  while read -r folder; do arguments+=(-b "$folder"); done < <(visible_host_folders)
+  while read -r setting; do settings+=("$setting"); done < <(inner_environment)
+  exec env -i "${settings[@]}" "$(command -v proot)" "${arguments[@]}" "$@"
+}
+
+if [ "${STEPFABRIC_TOOLS:-}" != root ] && native_tools_suffice; then
+  exec "$@"
+fi
+
+root=$(tool_root_path)
+[ -d "$root" ] || make_tool_root "$root" || exit 1
+
+command -v bwrap >/dev/null || need_host_packages bubblewrap || true
+if command -v bwrap >/dev/null && bwrap --bind "$root" / --dev-bind /dev /dev --proc /proc true 2>/dev/null; then
+  enter_with_bubblewrap "$root" "$@"
+fi
+command -v proot >/dev/null || need_host_packages proot || true
+if command -v proot >/dev/null && proot -r "$root" -b /dev -b /proc true 2>/dev/null; then
+  say "this machine refuses bubblewrap's mounts; entering the tool root with proot (slower system calls)"
+  enter_with_proot "$root" "$@"
+fi
+say "the tool root in $root cannot be entered here: both bubblewrap and proot were refused."
+say "Use a Debian 13 machine or container and install the packages of tools/environment/packages.txt there."
+exit 1
