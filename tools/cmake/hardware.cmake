@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+# add_testbench(NAME [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL
+#   test bench NAME.vhd of the current folder, run against all of rtl/.
+# add_verilated_model(TARGET TOP entity [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
+#   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with
+#   the header V<entity>.h.
+file(GLOB_RECURSE rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.vhd)
+find_program(VERILATOR verilator REQUIRED)
+find_program(GHDL ghdl REQUIRED)
+execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
+  OUTPUT_VARIABLE verilator_root OUTPUT_STRIP_TRAILING_WHITESPACE)
+
+function(add_testbench name)
+  cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT" "GENERICS;LABELS")
+  if(NOT argument_TIMEOUT)
+    set(argument_TIMEOUT 300)
+  endif()
+  list(TRANSFORM argument_GENERICS PREPEND -g)
+  file(GLOB_RECURSE bench_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/*.vhd)
+  add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh
+    ${CMAKE_BINARY_DIR}/testbench/${name} ${name} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT}
+    LABELS "testbench;${argument_LABELS}" SKIP_RETURN_CODE 77)
+endfunction()
+
+function(add_verilated_model target)
+  cmake_parse_arguments(PARSE_ARGV 1 argument "TRACE" "TOP;CONTROL" "GENERICS;FILES;VERILATOR_ARGUMENTS")
+  set(directory ${CMAKE_BINARY_DIR}/models/${target})
+  set(library ${directory}/lib${target}.a)
+  set(arguments ${argument_VERILATOR_ARGUMENTS})
+  if(argument_TRACE)
+    list(APPEND arguments --trace-fst)
+  endif()
+  set(control)
+  if(argument_CONTROL)
+    get_filename_component(control ${argument_CONTROL} ABSOLUTE)
+    list(APPEND arguments ${control})
+  endif()
+  list(TRANSFORM argument_GENERICS PREPEND -g)
+  set(extra)
+  foreach(file IN LISTS argument_FILES)
+    get_filename_component(file ${file} ABSOLUTE)
+    list(APPEND extra ${file})
+  endforeach()
+  add_custom_command(OUTPUT ${library}
+    COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh ${directory} ${target} ${argument_TOP}
+      ${rtl_files} ${extra} -- ${argument_GENERICS} -- ${arguments}
+    DEPENDS ${rtl_files} ${extra} ${control} ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh
+    COMMENT "Verilating ${argument_TOP}" VERBATIM)
+  add_custom_target(${target}_build DEPENDS ${library})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_build)
+  target_include_directories(${target} SYSTEM INTERFACE ${directory}/verilated
+    ${verilator_root}/include ${verilator_root}/include/vltstd)
+  target_link_libraries(${target} INTERFACE ${library} pthread)
+  if(argument_TRACE)
+    target_link_libraries(${target} INTERFACE z)
+  endif()
+endfunction()

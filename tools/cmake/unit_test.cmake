@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+# add_unit_test(NAME SOURCES file... LIBRARIES target... LABELS label... TIMEOUT seconds): one googletest
+# program, registered with ctest as one test.
+find_package(GTest REQUIRED)
+
+function(add_unit_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;ARGUMENTS")
+  add_executable(${name} ${argument_SOURCES})
+  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR} ${CMAKE_SOURCE_DIR}/firmware)
+  target_link_libraries(${name} PRIVATE strict_warnings ${argument_LIBRARIES} GTest::gmock_main)
+  target_compile_definitions(${name} PRIVATE PROJECT_DIRECTORY="${CMAKE_SOURCE_DIR}")
+  if(NOT argument_TIMEOUT)
+    set(argument_TIMEOUT 300)
+  endif()
+  if(NOT argument_LABELS)
+    set(argument_LABELS unit)
+  endif()
+  add_test(NAME ${name} COMMAND ${name} ${argument_ARGUMENTS} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT} LABELS "${argument_LABELS}")
+endfunction()

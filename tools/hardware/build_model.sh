@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Makes a Verilated model of one entity: VHDL -> (GHDL) -> Verilog -> (Verilator) -> static library.
+# Usage: build_model.sh DIRECTORY NAME ENTITY file.vhd... -- [-gGENERIC=VALUE...] -- [VERILATOR_ARGUMENT...]
+set -euo pipefail
+directory=$1 name=$2 entity=$3
+shift 3
+files=() generics=()
+while [ "$1" != -- ]; do files+=("$1"); shift; done
+shift
+while [ "$1" != -- ]; do generics+=("$1"); shift; done
+shift
+
+rm -rf "$directory/work"
+mkdir -p "$directory/work" "$directory/verilated"
+cd "$directory"
+ghdl -i --std=08 --workdir=work "${files[@]}"
+ghdl -m --std=08 --workdir=work "$entity" > ghdl.log || { cat ghdl.log; exit 1; }
+ghdl synth --std=08 --workdir=work --out=verilog "${generics[@]}" "$entity" > "$entity.v" 2> synth.log ||
+  { cat synth.log; exit 1; }
+
+# The netlist has no delays and many helper nets: names and unused nets are of no interest, all else is.
+export OBJCACHE=${OBJCACHE-$(command -v ccache || true)}
+verilator --cc --build -j 2 --Mdir verilated --prefix "V$entity" --top-module "$entity" \
+  -O3 --x-assign fast --x-initial fast --assert --no-timing \
+  -Wno-DECLFILENAME -Wno-UNUSEDSIGNAL -Wno-UNOPTFLAT -Wno-fatal -Werror-CASEINCOMPLETE -Werror-WIDTH \
+  -Werror-LATCH -CFLAGS "-O2 -fPIC" "$@" "$entity.v" > verilator.log 2>&1 || { cat verilator.log; exit 1; }
+
+rm -f "lib$name.a"
+(cd verilated && ar rcsT "../V.tmp.a" "V${entity}__ALL.a" libverilated.a && cd .. &&
+  printf 'create lib%s.a\naddlib verilated/V%s__ALL.a\naddlib verilated/libverilated.a\nsave\nend\n' \
+    "$name" "$entity" | ar -M)
+rm -f V.tmp.a
