@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// register_generator: from register descriptions to VHDL, C++ and Markdown, or a check that those are fresh.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "register_generator/description.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// Writes the file, or with `check` only compares. Returns false if it is stale (or could not be written).
+bool settle(const fs::path& file, const std::string& text, bool check) {
+  if (fs::exists(file) && contents(file) == text) return true;
+  if (check) {
+    fmt::print(stderr, "{} is stale: run the target `generate`\n", file.string());
+    return false;
+  }
+  fs::create_directories(file.parent_path());
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  fmt::print("{}\n", file.string());
+  return stream.good();
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  CLI::App app{"Writes VHDL, C++ and Markdown from register descriptions."};
+  fs::path project;
+  bool check = false;
+  app.add_option("--project", project, "The project's folder")->required()->check(CLI::ExistingDirectory);
+  app.add_flag("--check", check, "Write nothing; fail if a generated file is stale");
+  CLI11_PARSE(app, argument_count, arguments);
+
+  bool good = true;
+  try {
+    for (const auto& entry : fs::recursive_directory_iterator(project / "rtl")) {
+      if (entry.path().extension() != ".toml") continue;
+      const auto peripheral = register_generator::load(entry.path());
+      const std::string source = fs::relative(entry.path(), project).generic_string();
+      const std::string stem = peripheral.name + "_registers";
+      good &= settle(project / "rtl/registers" / (stem + ".vhd"), vhdl_file(peripheral, source), check);
+      good &= settle(project / "firmware/drivers/registers" / (stem + ".hpp"),
+                     cpp_file(peripheral, source), check);
+      good &= settle(project / "rtl/registers" / (peripheral.name + ".md"),
+                     markdown_file(peripheral, source), check);
+    }
+  } catch (const register_generator::DescriptionError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  return good ? 0 : 1;
+}
