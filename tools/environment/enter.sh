@@ -58,6 +58,7 @@ enter_with_proot() {
   local settings=()
   while read -r folder; do arguments+=(-b "$folder"); done < <(visible_host_folders)
   while read -r setting; do settings+=("$setting"); done < <(inner_environment)
+  settings+=("PATH=$environment/proot_bin:/usr/sbin:/usr/bin:/sbin:/bin")
   exec env -i "${settings[@]}" "$(command -v proot)" "${arguments[@]}" "$@"
 }
 
