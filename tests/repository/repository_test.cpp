@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules of the tree that a text search can check: the layout, file headers, forbidden VHDL.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path project = PROJECT_DIRECTORY;
+
+std::string contents(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+bool lies_in_a_hidden_or_build_folder(const fs::path& relative) {
+  const std::string first = relative.begin()->string();
+  return first == "build" || first == ".git" || first == ".cache" || first == "report";
+}
+
+// All files of the tree, but for build products, as paths relative to the project.
+std::vector<fs::path> files(const std::set<std::string>& extensions, const fs::path& below = "") {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(project / below)) {
+    const fs::path relative = fs::relative(entry.path(), project);
+    if (!entry.is_regular_file() || lies_in_a_hidden_or_build_folder(relative)) continue;
+    if (extensions.contains(relative.extension().string())) found.push_back(relative);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+const std::set<std::string> source_extensions{".vhd", ".cpp", ".hpp", ".c",  ".h",    ".S",
+                                              ".sh",  ".cmake", ".toml", ".ld", ".vlt"};
+
+bool is_generated(const fs::path& relative) {
+  return relative.string().find("registers/") != std::string::npos &&
+         relative.stem().string().ends_with("_registers");
+}
+
+TEST(repository, every_source_file_names_its_licence_at_the_top) {
+  for (const fs::path& file : files(source_extensions)) {
+    std::istringstream text(contents(project / file));
+    std::string line;
+    bool found = false;
+    for (int i = 0; i < 3 && std::getline(text, line); ++i) {
+      found |= line.find("SPDX-License-Identifier: Apache-2.0") != std::string::npos;
+    }
+    EXPECT_TRUE(found) << file << " has no SPDX line within its first three lines";
+  }
+}
+
+TEST(repository, every_folder_of_sources_explains_itself_in_a_readme) {
+  std::set<fs::path> folders;
+  for (const fs::path& file : files({".vhd", ".cpp", ".hpp", ".gcode", ".csv"})) {
+    folders.insert(file.parent_path());
+  }
+  for (const fs::path& folder : folders) {
+    const bool explained = fs::exists(project / folder / "README.md") ||
+                           fs::exists(project / folder.parent_path() / "README.md");
+    EXPECT_TRUE(explained) << folder << " has no README.md, nor has the folder above it";
+  }
+}
+
+TEST(repository, every_entity_has_a_test_bench) {
+  std::set<std::string> benches;
+  for (const fs::path& file : files({".vhd"}, "testbench")) benches.insert(file.stem().string());
+  const std::regex entity(R"((?:^|\n)entity (\w+) is)");
+  for (const fs::path& file : files({".vhd"}, "rtl")) {
+    if (is_generated(file)) continue;
+    const std::string text = contents(project / file);
+    for (std::sregex_iterator match(text.begin(), text.end(), entity), end; match != end; ++match) {
+      const std::string name = (*match)[1];
+      EXPECT_TRUE(benches.contains(name + "_tb")) << file << ": entity " << name << " has no bench";
+    }
+  }
+}
+
+TEST(repository, every_test_bench_is_run_by_ctest) {
+  for (const fs::path& file : files({".vhd"}, "testbench")) {
+    if (!file.stem().string().ends_with("_tb")) continue;
+    const std::string list = contents(project / file.parent_path() / "CMakeLists.txt");
+    EXPECT_NE(list.find(file.stem().string()), std::string::npos)
+        << file << " is not in the CMakeLists.txt beside it";
+  }
+}
+
+// What GHDL 5.0.1 synthesises wrongly or not at all, as far as text can tell.
+TEST(repository, the_hardware_uses_no_construct_that_synthesis_gets_wrong) {
+  const std::vector<std::pair<std::regex, std::string>> forbidden{
+      {std::regex(R"('-')"), "don't-care literal: comes out as z"},
+      {std::regex(R"('X'|'Z'|'U')"), "metavalue: comes out as z"},
+      {std::regex(R"(\b(minimum|maximum)\s*\()"), "minimum/maximum: invalid Verilog for signed"},
+      {std::regex(R"(\brem\b)"), "rem: wrong for signed"},
+      {std::regex(R"(shared variable)"), "shared variable: no tool infers the same memory"},
+      {std::regex(R"(\b(altsyncram|altpll|EHXPLLL|DP16KD)\b)"), "vendor primitive outside boards/"}};
+  for (const fs::path& file : files({".vhd"}, "rtl")) {
+    std::istringstream text(contents(project / file));
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+      const std::string code = line.substr(0, line.find("--"));
+      for (const auto& [pattern, why] : forbidden) {
+        EXPECT_FALSE(std::regex_search(code, pattern)) << file << ":" << number << ": " << why;
+      }
+    }
+  }
+}
+
+TEST(repository, lines_are_at_most_110_columns_wide) {
+  for (const fs::path& file : files({".vhd", ".cpp", ".hpp"})) {
+    if (is_generated(file)) continue;
+    std::istringstream text(contents(project / file));
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+      const auto columns = std::ranges::count_if(
+          line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
+      EXPECT_LE(columns, 110) << file << ":" << number;
+    }
+  }
+}
+
+TEST(repository, nothing_names_a_folder_of_somebodys_machine) {
+  const std::regex personal(R"((^|[^A-Za-z0-9_.])/(home|root|work|Users)/)");
+  std::set<std::string> extensions = source_extensions;
+  extensions.insert({".md", ".txt", ".json"});
+  for (const fs::path& file : files(extensions)) {
+    std::istringstream text(contents(project / file));
+    std::string line;
+    for (int number = 1; std::getline(text, line); ++number) {
+      EXPECT_FALSE(std::regex_search(line, personal)) << file << ":" << number << ": " << line;
+    }
+  }
+}
+
+TEST(repository, the_firmware_logic_includes_no_hardware) {
+  const std::regex hardware(R"(#include "(drivers|platform|sim)/)");
+  for (const char* folder : {"firmware/units", "firmware/gcode", "firmware/motion",
+                             "firmware/thermal", "firmware/host_link"}) {
+    for (const fs::path& file : files({".cpp", ".hpp"}, folder)) {
+      EXPECT_FALSE(std::regex_search(contents(project / file), hardware)) << file;
+    }
+  }
+}
+
+}  // namespace
