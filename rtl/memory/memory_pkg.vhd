@@ -1,0 +1,33 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The requests to the two ports of the tightly coupled memory; the data comes in the next clock.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+package memory_pkg is
+
+  -- Read of one instruction word. While `enable` is low the port keeps its last data.
+  type instruction_request_t is record
+    enable : std_ulogic;
+    -- Address of the word; the memory looks only at as many low bits as it has words.
+    address : unsigned(31 downto 2);
+  end record;
+
+  -- Read or write of one data word. While `enable` is low the port keeps its last data; what it shows
+  -- after a write is undefined.
+  type memory_request_t is record
+    enable : std_ulogic;
+    -- Byte lanes to write, bit 0 for data(7 downto 0); a read has none.
+    write_bytes : std_ulogic_vector(3 downto 0);
+    address : unsigned(31 downto 2);
+    data : std_ulogic_vector(31 downto 0);
+  end record;
+
+  constant instruction_request_idle : instruction_request_t := (
+    enable => '0', address => (others => '0'));
+  constant memory_request_idle : memory_request_t := (
+    enable => '0', write_bytes => (others => '0'), address => (others => '0'),
+    data => (others => '0'));
+
+end package;
