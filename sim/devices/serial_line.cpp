@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bits on the wire in both directions; every bit time is counted from its start bit, so none drifts.
+#include "sim/devices/serial_line.hpp"
+
+#include <algorithm>
+
+namespace devices {
+
+namespace {
+constexpr unsigned frame_bits = 10;  // start, 8 data, stop
+}
+
+SerialLine::SerialLine(sim::ClockRate rate, std::uint32_t baud, sim::InputPins& inputs,
+                       const SerialFaults& faults)
+    : rate_(rate), baud_(baud), inputs_(inputs), faults_(faults), random_(faults.seed) {
+  inputs_.receive = true;
+}
+
+void SerialLine::send(sim::Clock now, std::string_view bytes) {
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  if (!sending_ && !waiting_.empty()) {
+    start_frame(now);
+  }
+  schedule();
+}
+
+sim::Clock SerialLine::after_half_bits(sim::Clock start, unsigned half_bits) const {
+  const std::uint64_t per_half_bit = std::uint64_t{2} * baud_;
+  return start + (std::uint64_t{half_bits} * rate_.hertz() + per_half_bit / 2) / per_half_bit;
+}
+
+void SerialLine::schedule() { next_wake_ = std::min(send_at_, receive_at_); }
+
+void SerialLine::start_frame(sim::Clock now) {
+  std::uint8_t byte = waiting_.front();
+  waiting_.pop_front();
+  if (faults_.corrupted_bytes > 0 &&
+      std::bernoulli_distribution(faults_.corrupted_bytes)(random_)) {
+    byte = static_cast<std::uint8_t>(byte ^ (1U << (random_() % 8)));
+    ++bytes_corrupted_;
+  }
+  send_frame_ = static_cast<std::uint16_t>((byte << 1) | (1U << (frame_bits - 1)));
+  sending_ = true;
+  sent_bits_ = 0;
+  send_start_ = now;
+  drive_next_bit(now);
+}
+
+// Drives the bit that begins now and asks for the next time at which the level changes.
+void SerialLine::drive_next_bit(sim::Clock now) {
+  if (sent_bits_ == frame_bits) {
+    ++bytes_sent_;
+    if (waiting_.empty()) {
+      sending_ = false;
+      send_at_ = sim::never;
+      if (listener_ != nullptr) {
+        listener_->all_sent(now);
+      }
+    } else {
+      start_frame(now);
+    }
+    return;
+  }
+  const bool level = (send_frame_ >> sent_bits_ & 1) != 0;
+  inputs_.receive = level;
+  do {
+    ++sent_bits_;
+  } while (sent_bits_ < frame_bits && ((send_frame_ >> sent_bits_ & 1) != 0) == level);
+  send_at_ = after_half_bits(send_start_, 2 * sent_bits_);
+}
+
+void SerialLine::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {
+  transmit_level_ = pins.transmit();
+  if (!receiving_ && !transmit_level_) {
+    receiving_ = true;
+    received_bits_ = 0;
+    receive_frame_ = 0;
+    receive_start_ = now;
+    receive_at_ = after_half_bits(now, 1);
+    schedule();
+  }
+}
+
+void SerialLine::sample_bit(sim::Clock now) {
+  if (transmit_level_) {
+    receive_frame_ = static_cast<std::uint16_t>(receive_frame_ | 1U << received_bits_);
+  }
+  ++received_bits_;
+  if (received_bits_ < frame_bits) {
+    receive_at_ = after_half_bits(receive_start_, 2 * received_bits_ + 1);
+    return;
+  }
+  receiving_ = false;
+  receive_at_ = sim::never;
+  if ((receive_frame_ & 1U) != 0 || (receive_frame_ >> (frame_bits - 1) & 1U) == 0) {
+    ++framing_errors_;
+    return;
+  }
+  ++bytes_received_;
+  if (listener_ != nullptr) {
+    listener_->byte_received(now, static_cast<std::uint8_t>(receive_frame_ >> 1));
+  }
+}
+
+void SerialLine::wake(sim::Clock now) {
+  if (receive_at_ <= now) {
+    sample_bit(now);
+  }
+  if (send_at_ <= now) {
+    drive_next_bit(now);
+  }
+  schedule();
+}
+
+}  // namespace devices
