@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one seam to the hardware: words at addresses, and registers as typed values.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace platform {
+
+// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a host test.
+std::uint32_t bus_read(std::uint32_t address);
+void bus_write(std::uint32_t address, std::uint32_t value);
+
+// `Register` is a struct of drivers/registers/; the forms with an index are for arrays of registers.
+template <class Register>
+Register read() {
+  return Register::decode(bus_read(Register::address));
+}
+
+template <class Register>
+Register read(std::size_t index) {
+  return Register::decode(bus_read(Register::address_of(index)));
+}
+
+template <class Register>
+void write(const Register& value) {
+  bus_write(Register::address, value.encode());
+}
+
+template <class Register>
+void write(std::size_t index, const Register& value) {
+  bus_write(Register::address_of(index), value.encode());
+}
+
+}  // namespace platform
