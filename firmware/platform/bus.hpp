@@ -7,11 +7,13 @@
 
 namespace platform {
 
-// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a host test.
+// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a host
+// test.
 std::uint32_t bus_read(std::uint32_t address);
 void bus_write(std::uint32_t address, std::uint32_t value);
 
-// `Register` is a struct of drivers/registers/; the forms with an index are for arrays of registers.
+// `Register` is a struct of drivers/registers/; the forms with an index are for arrays of
+// registers.
 template <class Register>
 Register read() {
   return Register::decode(bus_read(Register::address));

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Driver of the step generator: the order of register accesses that hands a segment over whole.
+#include "drivers/step_generator.hpp"
+
+#include <algorithm>
+
+#include "drivers/registers/step_generator_registers.hpp"
+#include "platform/bus.hpp"
+
+namespace drivers {
+namespace {
+
+namespace registers = ::registers::step_generator;
+
+std::uint32_t low_word(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+std::uint32_t high_word(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32); }
+
+std::uint64_t joined(std::uint32_t low, std::uint32_t high) {
+  return (std::uint64_t{high} << 32) | low;
+}
+
+std::uint32_t magnitude(std::int32_t value) {
+  const auto word = static_cast<std::uint32_t>(value);
+  return value < 0 ? 0u - word : word;
+}
+
+std::uint32_t backward_axes(const motion::Segment& segment) {
+  std::uint32_t backward = 0;
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    if (segment.steps[axis] < 0) backward |= 1u << axis;
+  }
+  return backward;
+}
+
+// The path: only with the first segment of a line, the step generator keeps it for the others.
+void write_line(const motion::Segment& segment, std::size_t hardware_axes) {
+  platform::write(registers::SegmentLineTicks{segment.line_ticks});
+  for (std::size_t axis = 0; axis < hardware_axes; ++axis) {
+    const std::uint32_t steps = axis < units::axis_count ? magnitude(segment.steps[axis]) : 0;
+    platform::write(axis, registers::SegmentSteps{steps});
+  }
+}
+
+// The course of the rate along it.
+void write_course(const motion::Segment& segment) {
+  const auto acceleration = static_cast<std::uint64_t>(segment.acceleration);
+  const auto jerk = static_cast<std::uint64_t>(segment.jerk);
+  platform::write(registers::SegmentTicks{segment.ticks});
+  platform::write(registers::SegmentRateLow{low_word(segment.rate)});
+  platform::write(registers::SegmentRateHigh{high_word(segment.rate)});
+  platform::write(registers::SegmentAccelerationLow{low_word(acceleration)});
+  platform::write(registers::SegmentAccelerationHigh{high_word(acceleration)});
+  platform::write(registers::SegmentJerkLow{low_word(jerk)});
+  platform::write(registers::SegmentJerkHigh{high_word(jerk)});
+}
+
+// Whether anything was refused since the last call.
+bool refused() {
+  if (platform::read<registers::Errors>().encode() == 0) return false;
+  platform::write(registers::Command{.clear_errors = true});
+  return true;
+}
+
+}  // namespace
+
+void StepGenerator::configure(const units::PerAxis<GuardTimings>& guards,
+                              std::uint32_t rate_floor) {
+  hardware_axes_ = platform::read<registers::Build>().axes;
+  const std::size_t axes = std::min(hardware_axes_, units::axis_count);
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const GuardTimings& guard = guards[axis];
+    platform::write(axis, registers::PulseGuard{.high = guard.high, .low = guard.low});
+    platform::write(axis, registers::DirectionGuard{.setup = guard.direction_setup,
+                                                    .hold = guard.direction_hold});
+  }
+  platform::write(registers::RateFloor{rate_floor});
+  permit_motion(true);
+}
+
+std::uint32_t StepGenerator::queue_depth() const {
+  return platform::read<registers::Build>().queue_depth;
+}
+
+std::uint32_t StepGenerator::free_segments() const {
+  return platform::read<registers::Status>().free;
+}
+
+std::uint32_t StepGenerator::queued_segments() const {
+  return platform::read<registers::Status>().level;
+}
+
+bool StepGenerator::append(const motion::Segment& segment) {
+  const auto status = platform::read<registers::Status>();
+  if (status.free == 0 || status.stopped) return false;
+  platform::write(registers::SegmentFlags{.backward = backward_axes(segment),
+                                          .continues_line = segment.continues_line,
+                                          .ends_motion = segment.ends_motion,
+                                          .stop_mask = segment.stop_mask});
+  if (!segment.continues_line) write_line(segment, hardware_axes_);
+  write_course(segment);
+  platform::write(registers::SegmentCommit{});
+  return !refused();
+}
+
+void StepGenerator::permit_motion(bool permitted) {
+  auto control = platform::read<registers::Control>();
+  control.run = permitted;
+  platform::write(control);
+}
+
+void StepGenerator::flush() { platform::write(registers::Command{.flush = true}); }
+
+bool StepGenerator::moving() const { return platform::read<registers::Status>().moving; }
+
+bool StepGenerator::idle() const { return platform::read<registers::Status>().idle; }
+
+StepGenerator::Snapshot StepGenerator::snapshot() {
+  platform::write(registers::Command{.snapshot = true});
+  Snapshot result;
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    result.positions[axis] = platform::read<registers::SnapshotPosition>(axis).steps;
+  }
+  result.clock = joined(platform::read<registers::SnapshotTimeLow>().clocks,
+                        platform::read<registers::SnapshotTimeHigh>().clocks);
+  return result;
+}
+
+bool StepGenerator::set_position(units::Axis axis, std::int32_t steps) {
+  platform::write(units::index_of(axis), registers::Position{steps});
+  return !refused();
+}
+
+void StepGenerator::stop() { platform::write(registers::Command{.stop = true}); }
+
+StepGenerator::Stop StepGenerator::stop_state() const {
+  Stop result;
+  result.stopped = platform::read<registers::Status>().stopped;
+  if (!result.stopped) return result;
+  const auto cause = platform::read<registers::StopCause>();
+  result.end_stops = static_cast<std::uint8_t>(cause.end_stops);
+  result.emergency_input = cause.emergency_input;
+  result.software = cause.software;
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    result.positions[axis] = platform::read<registers::StopPosition>(axis).steps;
+  }
+  result.clock = joined(platform::read<registers::StopTimeLow>().clocks,
+                        platform::read<registers::StopTimeHigh>().clocks);
+  return result;
+}
+
+void StepGenerator::acknowledge_stop() {
+  platform::write(registers::Command{.acknowledge_stop = true});
+}
+
+void StepGenerator::enable_motor(units::Axis axis, bool enabled) {
+  auto motors = platform::read<registers::MotorEnable>();
+  const std::uint32_t mask = 1u << units::index_of(axis);
+  motors.axes = enabled ? motors.axes | mask : motors.axes & ~mask;
+  platform::write(motors);
+}
+
+bool StepGenerator::motor_enabled(units::Axis axis) const {
+  return ((platform::read<registers::MotorEnable>().axes >> units::index_of(axis)) & 1u) != 0;
+}
+
+void StepGenerator::enable_queue_interrupt(std::uint32_t threshold) {
+  auto control = platform::read<registers::Control>();
+  control.queue_threshold = threshold;
+  control.queue_interrupt_enable = true;
+  platform::write(control);
+}
+
+void StepGenerator::disable_queue_interrupt() {
+  auto control = platform::read<registers::Control>();
+  control.queue_interrupt_enable = false;
+  platform::write(control);
+}
+
+void StepGenerator::enable_stop_interrupt(bool enabled) {
+  auto control = platform::read<registers::Control>();
+  control.stop_interrupt_enable = enabled;
+  platform::write(control);
+}
+
+StepGenerator::Counters StepGenerator::counters() const {
+  Counters result;
+  result.segments = platform::read<registers::SegmentsExecuted>().count;
+  result.underruns = platform::read<registers::Underruns>().count;
+  result.stall_clocks = platform::read<registers::Stalls>().clocks;
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    result.axis_stall_clocks[axis] = platform::read<registers::AxisStalls>(axis).clocks;
+  }
+  result.max_level = platform::read<registers::MaxLevel>().segments;
+  return result;
+}
+
+}  // namespace drivers

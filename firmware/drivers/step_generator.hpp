@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Driver of the step generator: hands over segments, reads positions, stops motion.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "drivers/guard_timings.hpp"
+#include "motion/segment.hpp"
+#include "units/axes.hpp"
+
+namespace drivers {
+
+class StepGenerator {
+ public:
+  using Positions = units::PerAxis<std::int32_t>;  // in steps = pulses given, forward less backward
+
+  struct Snapshot {
+    Positions positions{};
+    std::uint64_t clock{};  // clocks since reset
+  };
+
+  struct Stop {
+    bool stopped{};  // the rest is valid only if so
+    std::uint8_t end_stops{};
+    bool emergency_input{};
+    bool software{};
+    Positions positions{};
+    std::uint64_t clock{};
+  };
+
+  struct Counters {
+    std::uint32_t segments{};  // begun
+    std::uint32_t underruns{};  // queue empty at the end of a segment without ends_motion
+    std::uint32_t stall_clocks{};  // by which the guards have delayed the common base
+    units::PerAxis<std::uint32_t> axis_stall_clocks{};
+    std::uint32_t max_level{};  // of the queue
+  };
+
+  // Sets every axis' guard and the rate floor (2^-32 ticks per clock, below 1/2), and permits
+  // motion. To be called once, at rest.
+  void configure(const units::PerAxis<GuardTimings>& guards, std::uint32_t rate_floor);
+
+  std::uint32_t queue_depth() const;
+  std::uint32_t free_segments() const;
+  std::uint32_t queued_segments() const;
+
+  // Appends a segment to the queue. False, and nothing done, if the queue is full, a stop waits for
+  // its acknowledgement, or the segment cannot be executed (see motion/segment.hpp for the ranges).
+  // Motion starts at once when the generator is at rest and motion is permitted.
+  [[nodiscard]] bool append(const motion::Segment& segment);
+
+  // Permits motion to start from rest, or only collects segments. Does not interrupt motion.
+  void permit_motion(bool permitted);
+  // Forgets the queue; the segment being executed is finished.
+  void flush();
+
+  bool moving() const;
+  // Nothing executed, nothing queued, and every pulse finished.
+  bool idle() const;
+
+  // Positions of all axes at one instant.
+  Snapshot snapshot();
+  // Only when idle: false, and nothing done, otherwise.
+  [[nodiscard]] bool set_position(units::Axis axis, std::int32_t steps);
+
+  // Emergency stop: no step from now on, the queue is flushed. Holds until acknowledge_stop().
+  void stop();
+  // The stop that waits for its acknowledgement, whether by end stop, input or software.
+  Stop stop_state() const;
+  // Permits motion again; without effect while the emergency stop input is active.
+  void acknowledge_stop();
+
+  void enable_motor(units::Axis axis, bool enabled);
+  bool motor_enabled(units::Axis axis) const;
+
+  // Interrupt while at most `threshold` segments are queued.
+  void enable_queue_interrupt(std::uint32_t threshold);
+  void disable_queue_interrupt();
+  // Interrupt while a stop waits for its acknowledgement.
+  void enable_stop_interrupt(bool enabled);
+
+  Counters counters() const;
+
+ private:
+  std::size_t hardware_axes_ = units::axis_count;  // may be more than the firmware moves
+};
+
+}  // namespace drivers
