@@ -29,6 +29,7 @@ package bus_pkg is
 
   type bus_request_array_t is array (natural range <>) of bus_request_t;
   type bus_response_array_t is array (natural range <>) of bus_response_t;
+  type bus_address_array_t is array (natural range <>) of unsigned(31 downto 0);
 
   constant bus_request_idle : bus_request_t := (
     strobe => '0', write => '0', address => (others => '0'), select_bytes => (others => '0'),

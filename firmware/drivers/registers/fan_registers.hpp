@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of `fan`. Generated from rtl/thermal/fan.toml: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Fan: one pulse-width modulated output.
+namespace registers::fan {
+
+inline constexpr std::uint32_t base = 0xF0007000u;
+
+// How much of the time the fan is on. Taken over at the start of a period.
+struct Duty {
+  static constexpr std::uint32_t address = base + 0x0u;
+  // On for so many of the 255 slots of a period: 0 is off, 255 is always on.
+  std::uint32_t slots{};
+
+  static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .slots = (word & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (slots & 0xFFu);
+  }
+};
+
+// How long a period is.
+struct Period {
+  static constexpr std::uint32_t address = base + 0x4u;
+  // Clocks of one slot, a 255th of a period; 0 acts as 1.
+  std::uint32_t slot_cycles{};
+
+  static constexpr Period decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .slot_cycles = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (slot_cycles & 0xFFFFFFu);
+  }
+};
+
+}  // namespace registers::fan

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of `uart`. Generated from rtl/serial/uart.toml: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Serial line with FIFOs: 8 data bits, no parity, 1 stop bit, at least 4 clocks per bit.
+namespace registers::uart {
+
+inline constexpr std::uint32_t base = 0xF0001000u;
+
+// Speed of the line. A write restarts both directions; the FIFOs keep their contents.
+struct BaudRate {
+  static constexpr std::uint32_t address = base + 0x0u;
+  // Bits per clock in 2^-32: baud rate * 2^32 / clock frequency, at most 2^30. 0 is off.
+  std::uint32_t increment{};
+
+  static constexpr BaudRate decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .increment = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return increment;
+  }
+};
+
+// What the line is doing. The three flags stay until they are cleared.
+struct Status {
+  static constexpr std::uint32_t address = base + 0x4u;
+  // Received bytes that wait to be read.
+  std::uint32_t receive_level{};
+  // Bytes that may be written now.
+  std::uint32_t transmit_space{};
+  // Everything written has left, the last stop bit included.
+  bool transmit_idle{};
+  // A received byte was lost because the FIFO was full.
+  bool overrun{};
+  // A byte without a stop bit came and was dropped.
+  bool framing_error{};
+  // The line was low for a whole frame.
+  bool break_condition{};
+
+  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .receive_level = (word & 0xFFFu),
+      .transmit_space = ((word >> 12u) & 0xFFFu),
+      .transmit_idle = ((word >> 24u) & 0x1u) != 0,
+      .overrun = ((word >> 25u) & 0x1u) != 0,
+      .framing_error = ((word >> 26u) & 0x1u) != 0,
+      .break_condition = ((word >> 27u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (receive_level & 0xFFFu) |
+           (transmit_space & 0xFFFu) << 12u |
+           (transmit_idle ? 1u : 0u) << 24u |
+           (overrun ? 1u : 0u) << 25u |
+           (framing_error ? 1u : 0u) << 26u |
+           (break_condition ? 1u : 0u) << 27u;
+  }
+};
+
+// Clears those flags of `status` whose bit is written as 1.
+struct Clear {
+  static constexpr std::uint32_t address = base + 0x8u;
+  // Clear `overrun`.
+  bool overrun{};
+  // Clear `framing_error`.
+  bool framing_error{};
+  // Clear `break_condition`.
+  bool break_condition{};
+
+  static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .overrun = (word & 0x1u) != 0,
+      .framing_error = ((word >> 1u) & 0x1u) != 0,
+      .break_condition = ((word >> 2u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (overrun ? 1u : 0u) |
+           (framing_error ? 1u : 0u) << 1u |
+           (break_condition ? 1u : 0u) << 2u;
+  }
+};
+
+// Read: takes the oldest received byte. Write: sends a byte; without space it is dropped.
+struct Data {
+  static constexpr std::uint32_t address = base + 0xCu;
+  // The byte.
+  std::uint32_t byte{};
+  // Read: 1 if there was a byte. Write: ignored.
+  bool valid{};
+
+  static constexpr Data decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .byte = (word & 0xFFu),
+      .valid = ((word >> 8u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (byte & 0xFFu) |
+           (valid ? 1u : 0u) << 8u;
+  }
+};
+
+// When to interrupt. Both are levels: they end when the FIFO has been served.
+struct Interrupts {
+  static constexpr std::uint32_t address = base + 0x10u;
+  // Interrupt while at least so many bytes wait; 1 is for any, 0 never.
+  std::uint32_t receive_threshold{};
+  // Interrupt while at least so many bytes may be written; 0 never.
+  std::uint32_t transmit_threshold{};
+
+  static constexpr Interrupts decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .receive_threshold = (word & 0xFFFu),
+      .transmit_threshold = ((word >> 16u) & 0xFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (receive_threshold & 0xFFFu) |
+           (transmit_threshold & 0xFFFu) << 16u;
+  }
+};
+
+// How often bytes were lost.
+struct Overruns {
+  static constexpr std::uint32_t address = base + 0x14u;
+  // Lost bytes since reset, modulo 2^16.
+  std::uint32_t count{};
+
+  static constexpr Overruns decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .count = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (count & 0xFFFFu);
+  }
+};
+
+// How often a stop bit was missing.
+struct FramingErrors {
+  static constexpr std::uint32_t address = base + 0x18u;
+  // Framing errors since reset, modulo 2^16.
+  std::uint32_t count{};
+
+  static constexpr FramingErrors decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .count = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (count & 0xFFFFu);
+  }
+};
+
+// How often the line was low for a whole frame.
+struct Breaks {
+  static constexpr std::uint32_t address = base + 0x1Cu;
+  // Break conditions since reset, modulo 2^16.
+  std::uint32_t count{};
+
+  static constexpr Breaks decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .count = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (count & 0xFFFFu);
+  }
+};
+
+}  // namespace registers::uart

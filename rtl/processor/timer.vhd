@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Machine timer: a 64-bit count of clocks, and an interrupt from a deadline on.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.timer_registers_pkg.all;
+
+entity timer is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    request : in bus_request_t;
+    response : out bus_response_t;
+    -- Level: the deadline has come and no later one has been set.
+    timer_interrupt : out std_ulogic
+  );
+end entity;
+
+architecture rtl of timer is
+
+  signal from_software : timer_from_software_t;
+  signal to_software : timer_to_software_t;
+
+  signal now_cycles : unsigned(63 downto 0) := (others => '0');
+  -- High half of `now_cycles` one clock ago, which is when a read event's value was sampled.
+  signal earlier_high : unsigned(31 downto 0) := (others => '0');
+  signal deadline_cycles : unsigned(63 downto 0) := (others => '1');
+  signal reached : std_ulogic := '0';
+
+begin
+
+  registers : entity work.timer_registers
+    port map (
+      clk => clk,
+      reset => reset,
+      request => request,
+      response => response,
+      from_software => from_software,
+      to_software => to_software
+    );
+
+  to_software.time_low.cycles <= now_cycles(31 downto 0);
+  -- Off from the very clock in which a new deadline is acknowledged, so that none is taken twice.
+  timer_interrupt <= reached and not from_software.compare_high_written;
+
+  keep_time : process
+  begin
+    wait until rising_edge(clk);
+    now_cycles <= now_cycles + 1;
+    earlier_high <= now_cycles(63 downto 32);
+    reached <= '1' when now_cycles >= deadline_cycles else '0';
+    if from_software.time_low_read then
+      to_software.time_high.cycles <= earlier_high;
+    end if;
+    if from_software.compare_high_written then
+      deadline_cycles <= from_software.compare_high.cycles & from_software.compare_low.cycles;
+      reached <= '0';
+    end if;
+    if reset then
+      now_cycles <= (others => '0');
+      earlier_high <= (others => '0');
+      deadline_cycles <= (others => '1');
+      reached <= '0';
+      to_software.time_high.cycles <= (others => '0');
+    end if;
+  end process;
+
+end architecture;

@@ -1,0 +1,201 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Serial line to the host: registers, FIFOs, receiver and transmitter.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.uart_registers_pkg.all;
+
+entity uart is
+  generic (
+    -- Bytes, a power of two, at most 2048.
+    receive_depth : positive := 1024;
+    transmit_depth : positive := 512
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    request : in bus_request_t;
+    response : out bus_response_t;
+    -- The pins; `receive` is asynchronous.
+    receive : in std_ulogic;
+    transmit : out std_ulogic;
+    -- Levels: as many bytes wait, or as much space is free, as software has asked for.
+    receive_interrupt : out std_ulogic := '0';
+    transmit_interrupt : out std_ulogic := '0'
+  );
+end entity;
+
+architecture rtl of uart is
+
+  signal from_software : uart_from_software_t;
+  signal to_software : uart_to_software_t;
+
+  -- Both directions rest while the speed changes or is 0.
+  signal restart : std_ulogic := '1';
+
+begin
+
+  levels_fit_their_fields : assert receive_depth <= 2048 and transmit_depth <= 2048 severity failure;
+
+  registers : entity work.uart_registers
+    port map (
+      clk => clk,
+      reset => reset,
+      request => request,
+      response => response,
+      from_software => from_software,
+      to_software => to_software
+    );
+
+  settle_speed : process
+  begin
+    wait until rising_edge(clk);
+    restart <= '1' when from_software.baud_rate.increment = 0 else from_software.baud_rate_written;
+    if reset then
+      restart <= '1';
+    end if;
+  end process;
+
+  receive_direction : block
+    signal byte_received : std_ulogic;
+    signal framing_error : std_ulogic;
+    signal break_condition : std_ulogic;
+    signal overrun : std_ulogic;
+    signal received_data : std_ulogic_vector(7 downto 0);
+    signal full : std_ulogic;
+    signal oldest : std_ulogic_vector(7 downto 0);
+    signal oldest_valid : std_ulogic;
+    signal oldest_was_valid : std_ulogic := '0';
+    signal take : std_ulogic;
+    signal level : natural range 0 to receive_depth;
+  begin
+
+    receiver : entity work.uart_receiver
+      port map (
+        clk => clk,
+        reset => restart,
+        increment => from_software.baud_rate.increment,
+        receive => receive,
+        valid => byte_received,
+        framing_error => framing_error,
+        break_condition => break_condition,
+        data => received_data
+      );
+
+    received_bytes : entity work.fifo
+      generic map (width => 8, depth => receive_depth)
+      port map (
+        clk => clk,
+        reset => reset,
+        write_enable => byte_received,
+        write_data => received_data,
+        full => full,
+        read_enable => take,
+        read_data => oldest,
+        read_valid => oldest_valid,
+        level => level
+      );
+
+    overrun <= byte_received and full;
+    -- The read event comes a clock after software's look at the data: a byte that arrived in between was
+    -- not seen and stays.
+    take <= from_software.data_read and oldest_was_valid;
+    to_software.data <= (byte => unsigned(oldest), valid => oldest_valid);
+    to_software.status.receive_level <= to_unsigned(level, 12);
+
+    keep_count : process
+    begin
+      wait until rising_edge(clk);
+      oldest_was_valid <= oldest_valid;
+      receive_interrupt <= '1' when from_software.interrupts.receive_threshold /= 0
+        and level >= from_software.interrupts.receive_threshold else '0';
+
+      if from_software.clear_written then
+        to_software.status.overrun <= to_software.status.overrun and not from_software.clear.overrun;
+        to_software.status.framing_error <=
+          to_software.status.framing_error and not from_software.clear.framing_error;
+        to_software.status.break_condition <=
+          to_software.status.break_condition and not from_software.clear.break_condition;
+      end if;
+      if overrun then
+        to_software.status.overrun <= '1';
+        to_software.overruns.count <= to_software.overruns.count + 1;
+      end if;
+      if framing_error then
+        to_software.status.framing_error <= '1';
+        to_software.framing_errors.count <= to_software.framing_errors.count + 1;
+      end if;
+      if break_condition then
+        to_software.status.break_condition <= '1';
+        to_software.breaks.count <= to_software.breaks.count + 1;
+      end if;
+
+      if reset then
+        oldest_was_valid <= '0';
+        receive_interrupt <= '0';
+        to_software.status.overrun <= '0';
+        to_software.status.framing_error <= '0';
+        to_software.status.break_condition <= '0';
+        to_software.overruns.count <= (others => '0');
+        to_software.framing_errors.count <= (others => '0');
+        to_software.breaks.count <= (others => '0');
+      end if;
+    end process;
+
+  end block;
+
+  transmit_direction : block
+    signal next_byte : std_ulogic_vector(7 downto 0);
+    signal next_valid : std_ulogic;
+    signal taken : std_ulogic;
+    signal busy : std_ulogic;
+    signal level : natural range 0 to transmit_depth;
+    signal space : natural range 0 to transmit_depth;
+  begin
+
+    bytes_to_send : entity work.fifo
+      generic map (width => 8, depth => transmit_depth)
+      port map (
+        clk => clk,
+        reset => reset,
+        write_enable => from_software.data_written,
+        write_data => std_ulogic_vector(from_software.data.byte),
+        full => open,
+        read_enable => taken,
+        read_data => next_byte,
+        read_valid => next_valid,
+        level => level
+      );
+
+    transmitter : entity work.uart_transmitter
+      port map (
+        clk => clk,
+        reset => restart,
+        increment => from_software.baud_rate.increment,
+        data => next_byte,
+        valid => next_valid,
+        taken => taken,
+        busy => busy,
+        transmit => transmit
+      );
+
+    space <= transmit_depth - level;
+    to_software.status.transmit_space <= to_unsigned(space, 12);
+    to_software.status.transmit_idle <= '1' when level = 0 and busy = '0' else '0';
+
+    ask_for_more : process
+    begin
+      wait until rising_edge(clk);
+      transmit_interrupt <= '1' when from_software.interrupts.transmit_threshold /= 0
+        and space >= from_software.interrupts.transmit_threshold else '0';
+      if reset then
+        transmit_interrupt <= '0';
+      end if;
+    end process;
+
+  end block;
+
+end architecture;
