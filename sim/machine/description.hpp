@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A machine as its description file in firmware/machines tells it to the simulation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/devices/motor_driver.hpp"
+
+namespace machine {
+
+inline constexpr std::size_t axis_count = 4;  // x y z e, as in reports
+inline constexpr std::array<char, axis_count> axis_letters{'x', 'y', 'z', 'e'};
+
+struct AxisDescription {
+  double steps_per_mm{};
+  std::optional<double> travel_mm;  // from the end stop to the far end; an extruder has none
+  double max_speed_mm_s{};
+  double max_acceleration_mm_s2{};
+  double jerk_mm_s{};
+  std::optional<std::size_t> end_stop;
+  devices::DriverTiming driver;
+};
+
+struct HeaterDescription {
+  std::size_t sensor_channel{};
+  std::size_t heater_channel{};
+  double heater_watts{};
+  double max_c{};
+  double resistance_25c_ohms{};
+  double beta_k{};
+};
+
+struct ConverterDescription {
+  double capacitor_nf{};
+  double reference_low_ohms{};
+  double reference_high_ohms{};
+  double supply_v{};
+  double threshold_v{};
+};
+
+struct Description {
+  std::string name;
+  std::uint32_t baud{};
+  std::array<AxisDescription, axis_count> axes;
+  HeaterDescription hotend;
+  HeaterDescription bed;
+  ConverterDescription converter;
+};
+
+// Throws std::runtime_error with the file, the name of the entry and what is wrong with it.
+Description read_description(const std::filesystem::path& file);
+
+}  // namespace machine

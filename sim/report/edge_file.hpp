@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every rising step edge as a row of a CSV file: cycle,axis,direction,position.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "sim/devices/step_edge.hpp"
+
+namespace report {
+
+class EdgeFile : public devices::StepListener {
+ public:
+  // Throws std::runtime_error where the file cannot be written.
+  explicit EdgeFile(const std::filesystem::path& file);
+
+  void stepped(const devices::StepEdge& edge) override;
+  // Throws std::runtime_error where the disk did not take everything.
+  void close();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace report

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Step rates over time and the distribution of step intervals, per axis.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/devices/step_edge.hpp"
+#include "sim/simulation/clock_rate.hpp"
+
+namespace report {
+
+class StepStatistics : public devices::StepListener {
+ public:
+  static constexpr std::size_t axes = 4;
+  static constexpr double bucket_seconds = 0.1;
+  // Intervals from 1 us to 1 s in logarithmic bins.
+  static constexpr std::size_t bins_per_decade = 20;
+  static constexpr std::size_t bins = 6 * bins_per_decade;
+  using Histogram = std::array<std::uint64_t, bins>;
+
+  explicit StepStatistics(sim::ClockRate rate);
+
+  void stepped(const devices::StepEdge& edge) override;
+
+  // Steps per bucket of time.
+  const std::vector<std::array<std::uint32_t, axes>>& buckets() const { return buckets_; }
+  const std::array<Histogram, axes>& intervals() const { return intervals_; }
+  // 1 / the shortest interval between two edges; 0 where there are none.
+  double max_step_rate_hz(std::size_t axis) const;
+  static double bin_start_us(std::size_t bin);
+
+ private:
+  sim::ClockRate rate_;
+  sim::Clock bucket_clocks_;
+  std::vector<std::array<std::uint32_t, axes>> buckets_;
+  std::array<Histogram, axes> intervals_{};
+  std::array<sim::Clock, axes> last_edge_;
+  std::array<sim::Clock, axes> shortest_;
+};
+
+}  // namespace report

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading of ELF files with libelf.
+#include "sim/simulation/elf_image.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gelf.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+#include "sim/simulation/chip.hpp"
+
+namespace sim {
+
+namespace {
+
+class ElfFile {
+ public:
+  explicit ElfFile(const std::filesystem::path& path) : path_(path) {
+    elf_version(EV_CURRENT);
+    descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) {
+      fail(std::strerror(errno));
+    }
+    elf_ = elf_begin(descriptor_, ELF_C_READ, nullptr);
+    if (elf_ == nullptr || elf_kind(elf_) != ELF_K_ELF) {
+      fail("is not an ELF file");
+    }
+    if (gelf_getehdr(elf_, &header_) == nullptr || gelf_getclass(elf_) != ELFCLASS32 ||
+        header_.e_machine != EM_RISCV) {
+      fail("is not a program for 32-bit RISC-V");
+    }
+    if (header_.e_type != ET_EXEC) {
+      fail("is not an executable: link it to fixed addresses");
+    }
+  }
+  ElfFile(const ElfFile&) = delete;
+  ElfFile& operator=(const ElfFile&) = delete;
+  ~ElfFile() { release(); }
+
+  [[noreturn]] void fail(std::string_view what) {
+    release();
+    throw std::runtime_error(fmt::format("{}: {}", path_.string(), what));
+  }
+  Elf* elf() const { return elf_; }
+  const GElf_Ehdr& header() const { return header_; }
+
+ private:
+  void release() {
+    if (elf_ != nullptr) {
+      elf_end(elf_);
+      elf_ = nullptr;
+    }
+    if (descriptor_ >= 0) {
+      close(descriptor_);
+      descriptor_ = -1;
+    }
+  }
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  Elf* elf_ = nullptr;
+  GElf_Ehdr header_{};
+};
+
+std::vector<ElfSegment> segments_of(ElfFile& file) {
+  std::vector<ElfSegment> segments;
+  std::size_t count = 0;
+  elf_getphdrnum(file.elf(), &count);
+  std::size_t file_size = 0;
+  const char* content = elf_rawfile(file.elf(), &file_size);
+  for (std::size_t i = 0; i < count; ++i) {
+    GElf_Phdr header;
+    if (gelf_getphdr(file.elf(), static_cast<int>(i), &header) == nullptr) {
+      file.fail("has a damaged program header");
+    }
+    if (header.p_type != PT_LOAD || header.p_memsz == 0) {
+      continue;
+    }
+    if (content == nullptr || header.p_offset + header.p_filesz > file_size ||
+        header.p_filesz > header.p_memsz || header.p_memsz > 0x1000'0000) {
+      file.fail("is damaged: a segment lies beyond its end");
+    }
+    ElfSegment segment{static_cast<std::uint32_t>(header.p_paddr),
+                       std::vector<std::uint8_t>(header.p_memsz)};
+    std::memcpy(segment.bytes.data(), content + header.p_offset, header.p_filesz);
+    segments.push_back(std::move(segment));
+  }
+  if (segments.empty()) {
+    file.fail("holds nothing to load");
+  }
+  return segments;
+}
+
+void read_symbols(ElfFile& file, Elf_Scn* section, const GElf_Shdr& header, ElfImage& image) {
+  Elf_Data* data = elf_getdata(section, nullptr);
+  if (data == nullptr || header.sh_entsize == 0) {
+    return;
+  }
+  for (std::size_t i = 0; i < header.sh_size / header.sh_entsize; ++i) {
+    GElf_Sym symbol;
+    if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) {
+      continue;
+    }
+    const char* name = elf_strptr(file.elf(), header.sh_link, symbol.st_name);
+    if (name != nullptr && *name != '\0' && symbol.st_shndx != SHN_UNDEF) {
+      image.symbols[name] = static_cast<std::uint32_t>(symbol.st_value);
+    }
+  }
+}
+
+void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
+  GElf_Shdr header;
+  if (gelf_getshdr(section, &header) == nullptr) {
+    return;
+  }
+  if (header.sh_type == SHT_SYMTAB) {
+    read_symbols(file, section, header, image);
+  }
+  if ((header.sh_flags & SHF_ALLOC) == 0) {
+    return;
+  }
+  std::size_t names = 0;
+  elf_getshdrstrndx(file.elf(), &names);
+  const char* name = elf_strptr(file.elf(), names, header.sh_name);
+  const bool stack = name != nullptr && std::string_view(name).contains("stack");
+  const auto size = static_cast<std::uint32_t>(header.sh_size);
+  if ((header.sh_flags & SHF_WRITE) == 0) {
+    image.sizes.text_bytes += size;
+  } else if (header.sh_type != SHT_NOBITS) {
+    image.sizes.data_bytes += size;
+  } else if (!stack) {
+    image.sizes.bss_bytes += size;
+  }
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> ElfImage::symbol(const std::string& name) const {
+  const auto found = symbols.find(name);
+  return found == symbols.end() ? std::nullopt : std::optional(found->second);
+}
+
+ElfImage read_elf(const std::filesystem::path& path) {
+  ElfFile file(path);
+  ElfImage image;
+  image.entry = static_cast<std::uint32_t>(file.header().e_entry);
+  image.segments = segments_of(file);
+  Elf_Scn* section = nullptr;
+  while ((section = elf_nextscn(file.elf(), section)) != nullptr) {
+    read_section(file, section, image);
+  }
+  return image;
+}
+
+void load(const ElfImage& image, Chip& chip) {
+  for (const ElfSegment& segment : image.segments) {
+    const std::uint32_t end = segment.address + static_cast<std::uint32_t>(segment.bytes.size());
+    try {
+      // Segments may begin and end within a word.
+      for (std::uint32_t word = segment.address & ~3U; word < end; word += 4) {
+        std::uint32_t value = chip.read_memory(word);
+        for (std::uint32_t i = 0; i < 4; ++i) {
+          const std::uint32_t address = word + i;
+          if (address >= segment.address && address < end) {
+            value &= ~(0xffU << (8 * i));
+            value |= std::uint32_t{segment.bytes[address - segment.address]} << (8 * i);
+          }
+        }
+        chip.write_memory(word, value);
+      }
+    } catch (const std::out_of_range&) {
+      throw std::runtime_error(fmt::format(
+          "the program does not fit: it loads {} bytes at {:#010x}, which the chip's memory does not hold",
+          segment.bytes.size(), segment.address));
+    }
+  }
+}
+
+}  // namespace sim

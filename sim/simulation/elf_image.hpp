@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bare-metal program for the chip: what it loads where, its sizes and its symbols.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sim {
+
+class Chip;
+
+struct ElfSegment {
+  std::uint32_t address{};
+  std::vector<std::uint8_t> bytes;  // with the zeros that the file leaves out
+};
+
+struct ElfSizes {
+  std::uint32_t text_bytes{};  // code and constants
+  std::uint32_t data_bytes{};  // variables with initial values
+  std::uint32_t bss_bytes{};   // variables that start as zero, without the stack
+};
+
+struct ElfImage {
+  std::vector<ElfSegment> segments;
+  ElfSizes sizes;
+  std::uint32_t entry{};
+  std::map<std::string, std::uint32_t> symbols;
+
+  std::optional<std::uint32_t> symbol(const std::string& name) const;
+};
+
+// Throws std::runtime_error that says what is wrong with the file.
+ElfImage read_elf(const std::filesystem::path& file);
+
+// Writes the program into the chip's memory. Throws std::runtime_error where it does not fit.
+void load(const ElfImage& image, Chip& chip);
+
+}  // namespace sim
