@@ -1,0 +1,196 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The control and status registers of machine mode, with what traps and returns do to them.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity control_status_registers is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    -- A CSR instruction; the response comes in the same clock.
+    request : in csr_request_t;
+    response : out csr_response_t;
+    trap : in trap_t;
+    -- mret is executed in this clock.
+    trap_return : in std_ulogic;
+    -- An instruction is completed in this clock.
+    retire : in std_ulogic;
+    timer_interrupt : in std_ulogic;
+    external_interrupt : in std_ulogic;
+    interrupts : in std_ulogic_vector(15 downto 0);
+    -- An interrupt that mie lets through was there in the clock before: wfi ends.
+    awake : out std_ulogic;
+    -- ... and mstatus lets it through too.
+    interrupt_pending : out std_ulogic;
+    interrupt_cause : out std_ulogic_vector(4 downto 0);
+    -- Where the trap of this clock goes.
+    trap_target : out unsigned(31 downto 0);
+    -- mepc.
+    return_address : out unsigned(31 downto 0)
+  );
+end entity;
+
+architecture rtl of control_status_registers is
+
+  constant misa : word_t := x"40001100";  -- RV32, I and M.
+  constant writable_interrupts : word_t := x"ffff0880";
+
+  signal interrupt_enable, previous_interrupt_enable : std_ulogic;
+  signal enabled_interrupts, requested_interrupts : word_t;
+  signal trap_base : unsigned(31 downto 2);
+  signal trap_vectored : std_ulogic;
+  signal scratch, last_trap_value : word_t;
+  signal exception_address : unsigned(31 downto 2);
+  signal last_trap_cause : std_ulogic_vector(4 downto 0);
+  signal last_trap_was_interrupt : std_ulogic;
+  signal cycle_stopped, instructions_stopped : std_ulogic;
+  signal cycle, instructions : unsigned(63 downto 0);
+
+  signal read_data, write_data, status : word_t;
+  signal exists, write, writes_counter : std_ulogic;
+  signal cycle_event, instruction_event : std_ulogic;
+
+begin
+
+  status <= (12 => '1', 11 => '1', 7 => previous_interrupt_enable, 3 => interrupt_enable,
+             others => '0');
+  requested_interrupts <= (11 => external_interrupt, 7 => timer_interrupt,
+                           31 => interrupts(15), 30 => interrupts(14), 29 => interrupts(13),
+                           28 => interrupts(12), 27 => interrupts(11), 26 => interrupts(10),
+                           25 => interrupts(9), 24 => interrupts(8), 23 => interrupts(7),
+                           22 => interrupts(6), 21 => interrupts(5), 20 => interrupts(4),
+                           19 => interrupts(3), 18 => interrupts(2), 17 => interrupts(1),
+                           16 => interrupts(0), others => '0');
+
+  read : process (all)
+  begin
+    exists <= '1';
+    read_data <= (others => '0');
+    case request.address is
+      when x"300" => read_data <= status;
+      when x"301" => read_data <= misa;
+      when x"304" => read_data <= enabled_interrupts;
+      when x"305" => read_data <= std_ulogic_vector(trap_base) & '0' & trap_vectored;
+      when x"310" => null;  -- mstatush: little endian.
+      when x"320" => read_data(2) <= instructions_stopped; read_data(0) <= cycle_stopped;
+      when x"340" => read_data <= scratch;
+      when x"341" => read_data <= std_ulogic_vector(exception_address) & "00";
+      when x"342" => read_data(31) <= last_trap_was_interrupt; read_data(4 downto 0) <= last_trap_cause;
+      when x"343" => read_data <= last_trap_value;
+      when x"344" => read_data <= requested_interrupts;
+      when x"7a0" | x"7a1" => null;  -- tselect, tdata1: "there is no trigger".
+      when x"b00" | x"c00" => read_data <= std_ulogic_vector(cycle(31 downto 0));
+      when x"b80" | x"c80" => read_data <= std_ulogic_vector(cycle(63 downto 32));
+      when x"b02" | x"c02" => read_data <= std_ulogic_vector(instructions(31 downto 0));
+      when x"b82" | x"c82" => read_data <= std_ulogic_vector(instructions(63 downto 32));
+      when x"f11" | x"f12" | x"f13" | x"f14" | x"f15" => null;  -- Who made it: unnamed; hart 0.
+      when others =>
+        -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero; nothing else.
+        exists <= (request.address(11 downto 8) ?= x"b" and not (or request.address(6 downto 5)) and
+                   (or request.address(4 downto 2) or (and request.address(1 downto 0)))) or
+                  (request.address(11 downto 5) ?= "0011001" and
+                   (or request.address(4 downto 2) or (and request.address(1 downto 0))));
+    end case;
+  end process;
+
+  response.data <= read_data;
+  -- The upper two bits of an address say that it cannot be written.
+  response.legal <= exists and not (request.writes and (and request.address(11 downto 10)));
+
+  write <= request.enable and request.writes and exists;
+  write_data <= read_data or request.operand when request.operation = "10" else
+                read_data and not request.operand when request.operation = "11" else
+                request.operand;
+  writes_counter <= write and (request.address(11 downto 8) ?= x"b");
+
+  change : process
+  begin
+    wait until rising_edge(clk);
+    if write then
+      case request.address is
+        when x"300" =>
+          interrupt_enable <= write_data(3);
+          previous_interrupt_enable <= write_data(7);
+        when x"304" => enabled_interrupts <= write_data and writable_interrupts;
+        when x"305" =>
+          trap_base <= unsigned(write_data(31 downto 2));
+          trap_vectored <= write_data(0);
+        when x"320" =>
+          cycle_stopped <= write_data(0);
+          instructions_stopped <= write_data(2);
+        when x"340" => scratch <= write_data;
+        when x"341" => exception_address <= unsigned(write_data(31 downto 2));
+        when x"342" =>
+          last_trap_was_interrupt <= write_data(31);
+          last_trap_cause <= write_data(4 downto 0);
+        when x"343" => last_trap_value <= write_data;
+        when others => null;
+      end case;
+    end if;
+
+    if trap.enable then
+      previous_interrupt_enable <= interrupt_enable;
+      interrupt_enable <= '0';
+      exception_address <= trap.address(31 downto 2);
+      last_trap_was_interrupt <= trap.interrupt;
+      last_trap_cause <= trap.cause;
+      last_trap_value <= trap.value;
+    elsif trap_return then
+      interrupt_enable <= previous_interrupt_enable;
+      previous_interrupt_enable <= '1';
+    end if;
+
+    if reset then
+      interrupt_enable <= '0';
+      previous_interrupt_enable <= '0';
+      enabled_interrupts <= (others => '0');
+      trap_base <= (others => '0');
+      trap_vectored <= '0';
+      last_trap_was_interrupt <= '0';
+      last_trap_cause <= (others => '0');
+      cycle_stopped <= '0';
+      instructions_stopped <= '0';
+    end if;
+  end process;
+
+  trap_target <= trap_base & "00" when not (trap_vectored and trap.interrupt) else
+                 (trap_base + unsigned(trap.cause)) & "00";
+  return_address <= exception_address & "00";
+
+  cycle_event <= not cycle_stopped;
+  cycle_counter : entity work.event_counter
+    port map (
+      clk => clk,
+      reset => reset,
+      happens => cycle_event,
+      write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
+      write_high => writes_counter and (request.address(7 downto 0) ?= x"80"),
+      write_data => write_data,
+      count => cycle);
+
+  instruction_event <= retire and not instructions_stopped;
+  instruction_counter : entity work.event_counter
+    port map (
+      clk => clk,
+      reset => reset,
+      happens => instruction_event,
+      write_low => writes_counter and (request.address(7 downto 0) ?= x"02"),
+      write_high => writes_counter and (request.address(7 downto 0) ?= x"82"),
+      write_data => write_data,
+      count => instructions);
+
+  interrupt_control : entity work.interrupt_control
+    port map (
+      clk => clk,
+      requested => requested_interrupts,
+      enabled => enabled_interrupts,
+      forget => write or trap.enable or trap_return or reset,
+      pending => awake,
+      cause => interrupt_cause);
+  interrupt_pending <= awake and interrupt_enable;
+
+end architecture;

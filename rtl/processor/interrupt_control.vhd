@@ -1,0 +1,53 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Says which of the enabled interrupts is to be taken first.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity interrupt_control is
+  port (
+    clk : in std_ulogic;
+    -- mip and mie.
+    requested : in word_t;
+    enabled : in word_t;
+    -- mie or mstatus are about to change: what is known now is worth nothing in the next clock.
+    forget : in std_ulogic;
+    -- An enabled interrupt was requested in the clock before.
+    pending : out std_ulogic;
+    -- The first of them in the order external, timer, 16, 17, .. 31.
+    cause : out std_ulogic_vector(4 downto 0)
+  );
+end entity;
+
+architecture rtl of interrupt_control is
+
+  signal active : word_t;
+
+begin
+
+  active <= requested and enabled;
+
+  choose : process
+  begin
+    wait until rising_edge(clk);
+    pending <= '0';
+    if (or active) and not forget then
+      pending <= '1';
+      for index in 31 downto 16 loop
+        if active(index) then
+          cause <= std_ulogic_vector(to_unsigned(index, 5));
+        end if;
+      end loop;
+      if active(7) then
+        cause <= 5d"7";
+      end if;
+      if active(11) then
+        cause <= 5d"11";
+      end if;
+    end if;
+  end process;
+
+end architecture;

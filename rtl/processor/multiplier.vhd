@@ -1,0 +1,59 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Multiplies two words, signed or not: partial products in one clock, their sum in the next.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity multiplier is
+  port (
+    clk : in std_ulogic;
+    -- Takes the operands.
+    enable : in std_ulogic;
+    -- In the coding of funct3: "00" lower word; upper word of "01" signed by signed,
+    -- "10" signed by unsigned, "11" unsigned by unsigned.
+    operation : in std_ulogic_vector(1 downto 0);
+    first : in word_t;
+    second : in word_t;
+    -- In the clock after `enable`, and until the next.
+    result : out word_t
+  );
+end entity;
+
+architecture rtl of multiplier is
+
+  -- Half words as signed numbers of 17 bits: what an FPGA's multiplier takes.
+  signal first_high, first_low, second_high, second_low : signed(16 downto 0);
+  signal high_high, high_low, low_high, low_low : signed(33 downto 0);
+  signal upper_wanted : std_ulogic;
+
+  signal middle : signed(34 downto 0);
+  signal product : signed(63 downto 0);
+
+begin
+
+  first_low <= signed('0' & first(15 downto 0));
+  second_low <= signed('0' & second(15 downto 0));
+  first_high <= signed((first(31) and (operation(0) nand operation(1))) & first(31 downto 16));
+  second_high <= signed((second(31) and not operation(1)) & second(31 downto 16));
+
+  multiply_parts : process
+  begin
+    wait until rising_edge(clk);
+    if enable then
+      low_low <= first_low * second_low;
+      high_low <= first_high * second_low;
+      low_high <= first_low * second_high;
+      high_high <= first_high * second_high;
+      upper_wanted <= operation(0) or operation(1);
+    end if;
+  end process;
+
+  middle <= resize(high_low, 35) + resize(low_high, 35);
+  product <= (high_high(31 downto 0) & low_low(31 downto 0)) + (resize(middle, 48) & x"0000");
+  result <= std_ulogic_vector(product(63 downto 32)) when upper_wanted else
+            std_ulogic_vector(product(31 downto 0));
+
+end architecture;
