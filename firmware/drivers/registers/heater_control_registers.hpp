@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of `heater_control`. Generated from rtl/thermal/heater_control.toml: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Heater control: gates that open only while watchdog, sensor, limits and emergency stop allow it.
+namespace registers::heater_control {
+
+inline constexpr std::uint32_t base = 0xF0006000u;
+
+// Restarts the watchdog.
+struct Feed {
+  static constexpr std::uint32_t address = base + 0x0u;
+  enum class Key : std::uint32_t {
+    alive = 65261,
+  };
+  // Must be `alive`; anything else is ignored.
+  std::uint32_t key{};
+
+  static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .key = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (key & 0xFFFFu);
+  }
+};
+
+// Time without a feed after which all gates close.
+struct Watchdog {
+  static constexpr std::uint32_t address = base + 0x4u;
+  // In units of 1024 clocks, cut to the maximum that is built in; about a second after reset.
+  std::uint32_t ticks{};
+
+  static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .ticks = (word & 0xFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (ticks & 0xFFFFFu);
+  }
+};
+
+// Time without a valid conversion after which a channel's gate closes for good.
+struct SensorTimeout {
+  static constexpr std::uint32_t address = base + 0x8u;
+  // In units of 1024 clocks, cut to the maximum that is built in; about a second after reset.
+  std::uint32_t ticks{};
+
+  static constexpr SensorTimeout decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .ticks = (word & 0xFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (ticks & 0xFFFFFu);
+  }
+};
+
+// Shortest time that a gate keeps its level when it is modulated.
+struct Slot {
+  static constexpr std::uint32_t address = base + 0xCu;
+  // In clocks; 0 acts as 1.
+  std::uint32_t cycles{};
+
+  static constexpr Slot decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (cycles & 0xFFFFFFu);
+  }
+};
+
+// Clears the trips of channels whose duty is 0.
+struct Clear {
+  static constexpr std::uint32_t address = base + 0x10u;
+  enum class Key : std::uint32_t {
+    clear_trips = 49642,
+  };
+  // One bit per channel.
+  std::uint32_t channels{};
+  // Must be `clear_trips`; anything else is ignored.
+  std::uint32_t key{};
+
+  static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .channels = (word & 0xFu),
+      .key = ((word >> 16u) & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (channels & 0xFu) |
+           (key & 0xFFFFu) << 16u;
+  }
+};
+
+// How much of the time the channel heats. A request: the hardware decides.
+struct Duty {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x14u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Open for so many of 65535 slots, spread evenly.
+  std::uint32_t density{};
+
+  static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .density = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (density & 0xFFFFu);
+  }
+};
+
+// Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written.
+struct MinimumCount {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x24u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Clocks, as the temperature converter counts them; the largest number after reset.
+  std::uint32_t cycles{};
+
+  static constexpr MinimumCount decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// Largest thermistor count at which the channel may heat: too cold or open. Locks when written.
+struct MaximumCount {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x34u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Clocks, as the temperature converter counts them; 0 after reset.
+  std::uint32_t cycles{};
+
+  static constexpr MaximumCount decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// What the channel does, and what tripped it since its trips were cleared.
+struct Status {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x44u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // The gate is open now.
+  bool gate{};
+  // Nothing forbids to heat now.
+  bool permitted{};
+  // The minimum count is set, until reset.
+  bool minimum_locked{};
+  // The maximum count is set, until reset.
+  bool maximum_locked{};
+  // One of the trips below is latched: the gate stays closed.
+  bool tripped{};
+  // Software did not feed the watchdog in time.
+  bool watchdog_trip{};
+  // The sensor gave faulty conversions only for longer than the sensor time-out.
+  bool sensor_invalid_trip{};
+  // The sensor gave no conversion for longer than the sensor time-out.
+  bool sensor_stale_trip{};
+  // The thermistor count fell below the minimum.
+  bool too_hot_trip{};
+  // The thermistor count rose above the maximum.
+  bool too_cold_trip{};
+  // Heating was asked for before both limits were set.
+  bool limits_missing_trip{};
+  // The emergency stop input was active.
+  bool emergency_stop_trip{};
+
+  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .gate = (word & 0x1u) != 0,
+      .permitted = ((word >> 1u) & 0x1u) != 0,
+      .minimum_locked = ((word >> 2u) & 0x1u) != 0,
+      .maximum_locked = ((word >> 3u) & 0x1u) != 0,
+      .tripped = ((word >> 7u) & 0x1u) != 0,
+      .watchdog_trip = ((word >> 8u) & 0x1u) != 0,
+      .sensor_invalid_trip = ((word >> 9u) & 0x1u) != 0,
+      .sensor_stale_trip = ((word >> 10u) & 0x1u) != 0,
+      .too_hot_trip = ((word >> 11u) & 0x1u) != 0,
+      .too_cold_trip = ((word >> 12u) & 0x1u) != 0,
+      .limits_missing_trip = ((word >> 13u) & 0x1u) != 0,
+      .emergency_stop_trip = ((word >> 14u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (gate ? 1u : 0u) |
+           (permitted ? 1u : 0u) << 1u |
+           (minimum_locked ? 1u : 0u) << 2u |
+           (maximum_locked ? 1u : 0u) << 3u |
+           (tripped ? 1u : 0u) << 7u |
+           (watchdog_trip ? 1u : 0u) << 8u |
+           (sensor_invalid_trip ? 1u : 0u) << 9u |
+           (sensor_stale_trip ? 1u : 0u) << 10u |
+           (too_hot_trip ? 1u : 0u) << 11u |
+           (too_cold_trip ? 1u : 0u) << 12u |
+           (limits_missing_trip ? 1u : 0u) << 13u |
+           (emergency_stop_trip ? 1u : 0u) << 14u;
+  }
+};
+
+}  // namespace registers::heater_control

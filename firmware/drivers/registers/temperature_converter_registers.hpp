@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of `temperature_converter`. Generated from rtl/thermal/temperature_converter.toml: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Temperature converter: measures thermistors by the time that a capacitor takes to charge.
+namespace registers::temperature_converter {
+
+inline constexpr std::uint32_t base = 0xF0005000u;
+
+// How conversions are made; changes take effect with the next conversion.
+struct Control {
+  static constexpr std::uint32_t address = base + 0x0u;
+  // Convert all channels without end. When 0, all charge pins are high-impedance.
+  bool enable{};
+  // The two reference resistors are there: discharge through them too and measure them.
+  bool references{};
+  // Each charge is preceded by so many clocks more of charge through the high reference than the one before it.
+  std::uint32_t dither_cycles{};
+  // Charges per resistor and conversion, less one.
+  std::uint32_t more_charges{};
+
+  static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .enable = (word & 0x1u) != 0,
+      .references = ((word >> 1u) & 0x1u) != 0,
+      .dither_cycles = ((word >> 8u) & 0xFFu),
+      .more_charges = ((word >> 16u) & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (enable ? 1u : 0u) |
+           (references ? 1u : 0u) << 1u |
+           (dither_cycles & 0xFFu) << 8u |
+           (more_charges & 0xFFu) << 16u;
+  }
+};
+
+// Time to discharge the capacitor before each charge.
+struct Discharge {
+  static constexpr std::uint32_t address = base + 0x4u;
+  // In clocks.
+  std::uint32_t cycles{};
+
+  static constexpr Discharge decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (cycles & 0xFFFFFFu);
+  }
+};
+
+// Longest time that one charge may take.
+struct Timeout {
+  static constexpr std::uint32_t address = base + 0x8u;
+  // In clocks.
+  std::uint32_t cycles{};
+
+  static constexpr Timeout decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (cycles & 0xFFFFFFu);
+  }
+};
+
+// Time between conversions, with the capacitor discharged.
+struct Pause {
+  static constexpr std::uint32_t address = base + 0xCu;
+  // In clocks.
+  std::uint32_t cycles{};
+
+  static constexpr Pause decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (cycles & 0xFFFFFFu);
+  }
+};
+
+// Below this thermistor count the thermistor is taken as shorted.
+struct ShortLimit {
+  static constexpr std::uint32_t address = base + 0x10u;
+  // Sum of all charges of a conversion, in clocks.
+  std::uint32_t cycles{};
+
+  static constexpr ShortLimit decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// Outcome of the channel's newest conversion.
+struct Status {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x14u + 4u * static_cast<std::uint32_t>(index);
+  }
+  enum class State : std::uint32_t {
+    never = 0,
+    ok = 1,
+    open = 2,
+    shorted = 3,
+    stuck = 4,
+    time_out = 5,
+  };
+  // never: no conversion yet; open: only the thermistor timed out; stuck: the pin reads 1 after the discharge; time_out: no charge arrives at all.
+  std::uint32_t state{};
+  // Counts conversions, modulo 256. Unchanged after reading the counts, they belong together.
+  std::uint32_t conversions{};
+
+  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .state = (word & 0x7u),
+      .conversions = ((word >> 8u) & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (state & 0x7u) |
+           (conversions & 0xFFu) << 8u;
+  }
+};
+
+// Time since the channel's newest conversion.
+struct Age {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x24u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // In units of 1024 clocks; stays at its largest value.
+  std::uint32_t ticks{};
+
+  static constexpr Age decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .ticks = (word & 0xFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (ticks & 0xFFFFFu);
+  }
+};
+
+// Clocks of all charges through the thermistor.
+struct Thermistor {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x34u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Sum over the charges of the conversion.
+  std::uint32_t cycles{};
+
+  static constexpr Thermistor decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// Clocks of all charges through the low reference resistor.
+struct ReferenceLow {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x44u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Sum over the charges of the conversion; 0 without references.
+  std::uint32_t cycles{};
+
+  static constexpr ReferenceLow decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// Clocks of all charges through the high reference resistor.
+struct ReferenceHigh {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x54u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Sum over the charges of the conversion; 0 without references.
+  std::uint32_t cycles{};
+
+  static constexpr ReferenceHigh decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+}  // namespace registers::temperature_converter

@@ -1,0 +1,231 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Measures resistors by the time that a capacitor takes to charge through each of them to the threshold
+-- of an input pin. One sensor channel; knows no bus.
+
+-- One conversion is, for each resistor, a number of charges:
+--
+--   discharging  all pins drive 0 until the capacitor is empty
+--   precharging  the high reference drives 1 for a few clocks, a few more from charge to charge (dither)
+--   charging     one resistor drives 1; clocks are counted until `sense` reads 1
+--
+-- Without dither every charge would give the same count, and summing would gain no resolution. The
+-- precharge sets the same initial voltages for each resistor, so all sums stay proportional to their
+-- resistance (t = R C ln((V - V0) / (V - Vt))) and nothing needs to be corrected.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.temperature_converter_registers_pkg.all;
+use work.thermal_pkg.all;
+
+entity capacitor_timer is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    -- Convert without end; otherwise all pins are high-impedance.
+    enable : in std_ulogic;
+    -- The reference resistors are there.
+    references : in std_ulogic;
+    -- Charges per resistor, less one.
+    more_charges : in unsigned(7 downto 0);
+    dither_cycles : in unsigned(7 downto 0);
+    discharge_cycles : in unsigned(23 downto 0);
+    timeout_cycles : in unsigned(23 downto 0);
+    pause_cycles : in unsigned(23 downto 0);
+    -- A smaller thermistor count is a short.
+    short_limit : in unsigned(31 downto 0);
+    -- Per resistor (bit numbers in thermal_pkg): high-impedance where not enabled.
+    drive_enable : out std_ulogic_vector(resistors - 1 downto 0) := (others => '0');
+    drive_level : out std_ulogic_vector(resistors - 1 downto 0) := (others => '0');
+    -- The capacitor is being discharged: a sense pin that can drive may help.
+    discharging : out std_ulogic := '0';
+    -- The capacitor's voltage is above the threshold; synchronous to clk.
+    sense : in std_ulogic;
+    -- For one clock when a conversion has ended and all below is new.
+    updated : out std_ulogic := '0';
+    -- One of temperature_converter_status_state_*.
+    state : out unsigned(2 downto 0) := (others => '0');
+    thermistor_count : out unsigned(31 downto 0) := (others => '0');
+    reference_low_count : out unsigned(31 downto 0) := (others => '0');
+    reference_high_count : out unsigned(31 downto 0) := (others => '0')
+  );
+end entity;
+
+architecture rtl of capacitor_timer is
+
+  type phase_t is (off, pausing, emptying, precharging, charging, publishing);
+  signal phase : phase_t := off;
+
+  subtype pins_t is std_ulogic_vector(resistors - 1 downto 0);
+  subtype resistor_t is natural range 0 to resistors - 1;
+
+  -- Through which charges go now: low reference, high reference, thermistor.
+  signal resistor : resistor_t := thermistor;
+  signal charges_left : unsigned(7 downto 0) := (others => '0');
+  -- Of the present phase.
+  signal elapsed : unsigned(23 downto 0) := (others => '0');
+  signal precharge_cycles : unsigned(15 downto 0) := (others => '0');
+  signal sum : unsigned(31 downto 0) := (others => '0');
+  signal low_sum : unsigned(31 downto 0) := (others => '0');
+  signal high_sum : unsigned(31 downto 0) := (others => '0');
+  signal outcome : natural range 0 to 7 := 0;
+
+  function only(index : resistor_t) return pins_t is
+    variable pins : pins_t := (others => '0');
+  begin
+    for i in pins'range loop
+      if i = index then
+        pins(i) := '1';
+      end if;
+    end loop;
+    return pins;
+  end function;
+
+  function first_resistor(with_references : std_ulogic) return resistor_t is
+  begin
+    if with_references then
+      return reference_low;
+    end if;
+    return thermistor;
+  end function;
+
+begin
+
+  convert : process
+
+    procedure empty_the_capacitor is
+    begin
+      phase <= emptying;
+      elapsed <= (others => '0');
+      drive_level <= (others => '0');
+      drive_enable <= only(thermistor);
+      if references then
+        drive_enable <= (others => '1');
+      end if;
+      discharging <= '1';
+    end procedure;
+
+    procedure charge_through(index : resistor_t) is
+    begin
+      elapsed <= (others => '0');
+      drive_enable <= only(index);
+      drive_level <= only(index);
+      discharging <= '0';
+    end procedure;
+
+    procedure start_resistor(index : resistor_t) is
+    begin
+      resistor <= index;
+      charges_left <= more_charges;
+      precharge_cycles <= (others => '0');
+      sum <= (others => '0');
+      empty_the_capacitor;
+    end procedure;
+
+    procedure finish(result : natural range 0 to 7) is
+    begin
+      empty_the_capacitor;
+      outcome <= result;
+      phase <= publishing;
+    end procedure;
+
+  begin
+    wait until rising_edge(clk);
+    updated <= '0';
+    elapsed <= elapsed + 1;
+
+    case phase is
+      when off =>
+        low_sum <= (others => '0');
+        high_sum <= (others => '0');
+        if enable then
+          start_resistor(first_resistor(references));
+        end if;
+
+      when pausing =>
+        if elapsed >= pause_cycles then
+          low_sum <= (others => '0');
+          high_sum <= (others => '0');
+          start_resistor(first_resistor(references));
+        end if;
+
+      when emptying =>
+        if elapsed >= discharge_cycles then
+          if sense then
+            finish(temperature_converter_status_state_stuck);
+          elsif precharge_cycles /= 0 and references = '1' then
+            phase <= precharging;
+            charge_through(reference_high);
+          else
+            phase <= charging;
+            charge_through(resistor);
+          end if;
+        end if;
+
+      when precharging =>
+        if elapsed + 1 >= precharge_cycles then
+          phase <= charging;
+          charge_through(resistor);
+        end if;
+
+      when charging =>
+        if sense then
+          precharge_cycles <= precharge_cycles + dither_cycles;
+          charges_left <= charges_left - 1;
+          if charges_left /= 0 then
+            empty_the_capacitor;
+          elsif resistor = reference_low then
+            low_sum <= sum;
+            start_resistor(reference_high);
+          elsif resistor = reference_high then
+            high_sum <= sum;
+            start_resistor(thermistor);
+          elsif sum < short_limit then
+            finish(temperature_converter_status_state_shorted);
+          else
+            finish(temperature_converter_status_state_ok);
+          end if;
+        else
+          sum <= sum + 1;
+          if elapsed >= timeout_cycles then
+            if resistor = thermistor and references = '1' then
+              finish(temperature_converter_status_state_open);
+            else
+              finish(temperature_converter_status_state_time_out);
+            end if;
+          end if;
+        end if;
+
+      when publishing =>
+        updated <= '1';
+        state <= to_unsigned(outcome, state'length);
+        thermistor_count <= sum;
+        reference_low_count <= low_sum;
+        reference_high_count <= high_sum;
+        phase <= pausing;
+        elapsed <= (others => '0');
+    end case;
+
+    if reset = '1' or enable = '0' then
+      phase <= off;
+      drive_enable <= (others => '0');
+      discharging <= '0';
+      updated <= '0';
+    end if;
+    if reset then
+      state <= (others => '0');
+      thermistor_count <= (others => '0');
+      reference_low_count <= (others => '0');
+      reference_high_count <= (others => '0');
+    end if;
+  end process;
+
+  -- psl default clock is rising_edge(clk);
+  -- Two pins of opposite levels would drive current through two resistors and spoil the measurement.
+  -- psl pins_never_fight : assert always
+  --   (not (or (drive_enable and drive_level)) or not (or (drive_enable and not drive_level)));
+  -- psl absent_references_are_never_driven_in_a_charge : assert always
+  --   (references = '1' or (drive_enable(reference_low) and drive_level(reference_low)) = '0');
+
+end architecture;

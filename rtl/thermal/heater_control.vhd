@@ -1,0 +1,242 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Heater control: one guarded gate per heater, a watchdog over the software, limits that lock. Heater n is
+-- guarded by sensor n. All of it works with the processor hung.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.heater_control_registers_pkg.all;
+use work.thermal_pkg.all;
+
+entity heater_control is
+  generic (
+    clock_frequency_hz : positive := 50_000_000;
+    -- Heaters, each with its sensor.
+    channels : positive range 1 to 4 := 2;
+    -- Watchdog and sensor time-out after reset.
+    default_timeout_ms : positive := 1000;
+    -- Software cannot make them longer than this.
+    maximum_timeout_ms : positive := 3000
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    request : in bus_request_t;
+    response : out bus_response_t;
+    -- From the temperature converter.
+    readings : in sensor_reading_array_t(0 to channels - 1);
+    -- Closes all gates and trips all channels. Asynchronous.
+    emergency_stop : in std_ulogic;
+    gates : out std_ulogic_vector(channels - 1 downto 0);
+    -- A trip is latched on some channel.
+    interrupt : out std_ulogic := '0'
+  );
+end entity;
+
+architecture rtl of heater_control is
+
+  function ticks_of(milliseconds : positive) return tick_count_t is
+    constant ticks_per_s : natural := clock_frequency_hz / tick_cycles;
+  begin
+    return to_unsigned(ticks_per_s / 100 * milliseconds / 10, tick_count_bits);
+  end function;
+
+  constant maximum_timeout : tick_count_t := ticks_of(maximum_timeout_ms);
+
+  function limited(ticks : tick_count_t) return tick_count_t is
+  begin
+    if ticks > maximum_timeout then
+      return maximum_timeout;
+    end if;
+    return ticks;
+  end function;
+
+  signal from_software : heater_control_from_software_t;
+  signal to_software : heater_control_to_software_t;
+
+  signal tick : std_ulogic := '0';
+  signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
+  signal slot_start : std_ulogic := '0';
+  signal slot_phase : unsigned(23 downto 0) := (others => '0');
+
+  signal watchdog_timeout : tick_count_t := ticks_of(default_timeout_ms);
+  signal sensor_timeout : tick_count_t := ticks_of(default_timeout_ms);
+  -- Until the watchdog barks; 0 from reset on.
+  signal watchdog_ticks_left : tick_count_t := (others => '0');
+  signal watchdog_alive : std_ulogic := '0';
+  signal fed : std_ulogic;
+
+  signal clear : std_ulogic;
+  signal emergency_stop_synchronized : std_ulogic;
+  signal tripped : std_ulogic_vector(channels - 1 downto 0);
+
+begin
+
+  clock_is_at_least_4_mhz : assert clock_frequency_hz >= 4_000_000 severity failure;
+  timeouts_fit_their_registers : assert
+    clock_frequency_hz / tick_cycles / 1000 * maximum_timeout_ms < 2 ** tick_count_bits
+    and maximum_timeout_ms <= 5000 severity failure;
+  default_timeout_is_within_the_maximum : assert default_timeout_ms <= maximum_timeout_ms
+    severity failure;
+
+  make_ticks : process
+  begin
+    wait until rising_edge(clk);
+    tick <= '0';
+    if tick_phase = tick_cycles - 1 then
+      tick_phase <= 0;
+      tick <= '1';
+    else
+      tick_phase <= tick_phase + 1;
+    end if;
+    slot_start <= '0';
+    slot_phase <= slot_phase + 1;
+    if slot_phase + 1 >= from_software.slot.cycles then
+      slot_phase <= (others => '0');
+      slot_start <= '1';
+    end if;
+    if reset then
+      tick_phase <= 0;
+      slot_phase <= (others => '0');
+    end if;
+  end process;
+
+  fed <= '1' when from_software.feed_written = '1'
+    and from_software.feed.key = heater_control_feed_key_alive else '0';
+
+  clear <= '1' when from_software.clear_written = '1'
+    and from_software.clear.key = heater_control_clear_key_clear_trips else '0';
+
+  watch_software : process
+  begin
+    wait until rising_edge(clk);
+    if from_software.watchdog_written then
+      watchdog_timeout <= limited(from_software.watchdog.ticks);
+    end if;
+    if from_software.sensor_timeout_written then
+      sensor_timeout <= limited(from_software.sensor_timeout.ticks);
+    end if;
+    watchdog_alive <= '1' when watchdog_ticks_left /= 0 else '0';
+    if fed then
+      watchdog_ticks_left <= watchdog_timeout;
+    elsif tick = '1' and watchdog_ticks_left /= 0 then
+      watchdog_ticks_left <= watchdog_ticks_left - 1;
+    end if;
+    if reset then
+      watchdog_timeout <= ticks_of(default_timeout_ms);
+      sensor_timeout <= ticks_of(default_timeout_ms);
+      watchdog_ticks_left <= (others => '0');
+      watchdog_alive <= '0';
+    end if;
+  end process;
+
+  to_software.watchdog.ticks <= watchdog_timeout;
+  to_software.sensor_timeout.ticks <= sensor_timeout;
+
+  emergency_stop_pin : entity work.synchronizer
+    generic map (idle_level => '1')
+    port map (
+      clk => clk,
+      asynchronous(0) => emergency_stop,
+      synchronous(0) => emergency_stop_synchronized);
+
+  each_channel : for channel in 0 to to_software.status'high generate
+    present : if channel < channels generate
+      signal minimum_count : unsigned(31 downto 0) := (others => '1');
+      signal maximum_count : unsigned(31 downto 0) := (others => '0');
+      signal minimum_locked : std_ulogic := '0';
+      signal maximum_locked : std_ulogic := '0';
+      signal limits_set : std_ulogic;
+      signal clear_this : std_ulogic;
+      signal permitted : std_ulogic;
+      signal trips : heater_trips_t;
+    begin
+
+      lock_limits : process
+      begin
+        wait until rising_edge(clk);
+        if from_software.minimum_count_written(channel) = '1' and minimum_locked = '0' then
+          minimum_count <= from_software.minimum_count(channel).cycles;
+          minimum_locked <= '1';
+        end if;
+        if from_software.maximum_count_written(channel) = '1' and maximum_locked = '0' then
+          maximum_count <= from_software.maximum_count(channel).cycles;
+          maximum_locked <= '1';
+        end if;
+        if reset then
+          minimum_count <= (others => '1');
+          maximum_count <= (others => '0');
+          minimum_locked <= '0';
+          maximum_locked <= '0';
+        end if;
+      end process;
+
+      limits_set <= minimum_locked and maximum_locked;
+      clear_this <= clear and from_software.clear.channels(channel);
+
+      guard : entity work.heater_guard
+        port map (
+          clk => clk,
+          reset => reset,
+          tick => tick,
+          slot_start => slot_start,
+          duty => from_software.duty(channel).density,
+          watchdog_alive => watchdog_alive,
+          reading => readings(channel),
+          sensor_timeout_ticks => sensor_timeout,
+          minimum_count => minimum_count,
+          maximum_count => maximum_count,
+          limits_set => limits_set,
+          emergency_stop => emergency_stop_synchronized,
+          clear => clear_this,
+          gate => gates(channel),
+          permitted => permitted,
+          trips => trips);
+
+      tripped(channel) <= any_of(trips);
+
+      to_software.minimum_count(channel).cycles <= minimum_count;
+      to_software.maximum_count(channel).cycles <= maximum_count;
+      to_software.status(channel) <= (
+        gate => gates(channel),
+        permitted => permitted,
+        minimum_locked => minimum_locked,
+        maximum_locked => maximum_locked,
+        tripped => tripped(channel),
+        watchdog_trip => trips.watchdog,
+        sensor_invalid_trip => trips.sensor_invalid,
+        sensor_stale_trip => trips.sensor_stale,
+        too_hot_trip => trips.too_hot,
+        too_cold_trip => trips.too_cold,
+        limits_missing_trip => trips.limits_missing,
+        emergency_stop_trip => trips.emergency_stop);
+    end generate;
+
+    absent : if channel >= channels generate
+      to_software.minimum_count(channel).cycles <= (others => '1');
+      to_software.maximum_count(channel).cycles <= (others => '0');
+      to_software.status(channel) <= (others => '0');
+    end generate;
+  end generate;
+
+  report_trips : process
+  begin
+    wait until rising_edge(clk);
+    interrupt <= or tripped;
+    if reset then
+      interrupt <= '0';
+    end if;
+  end process;
+
+  registers : entity work.heater_control_registers
+    port map (
+      clk => clk,
+      reset => reset,
+      request => request,
+      response => response,
+      from_software => from_software,
+      to_software => to_software);
+
+end architecture;

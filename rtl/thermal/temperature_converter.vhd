@@ -1,0 +1,143 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Temperature converter: one capacitor timer per sensor channel behind one set of registers. The channels
+-- convert side by side, so that a cold or broken sensor never delays the readings of another.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.temperature_converter_registers_pkg.all;
+use work.thermal_pkg.all;
+
+entity temperature_converter is
+  generic (
+    -- Sensor channels.
+    channels : positive range 1 to 4 := 2
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    request : in bus_request_t;
+    response : out bus_response_t;
+    -- Three pins per channel, channel n at bits 3 n + 2 to 3 n: high reference, low reference, thermistor.
+    -- A pin is high-impedance where not enabled.
+    drive_enable : out std_ulogic_vector(resistors * channels - 1 downto 0);
+    drive_level : out std_ulogic_vector(resistors * channels - 1 downto 0);
+    -- Per channel: the capacitor is being discharged, a sense pin that can drive may pull it low.
+    discharging : out std_ulogic_vector(channels - 1 downto 0);
+    -- Per channel: the capacitor is above the threshold of its pin. Asynchronous.
+    sense : in std_ulogic_vector(channels - 1 downto 0);
+    -- To the heater control.
+    readings : out sensor_reading_array_t(0 to channels - 1)
+  );
+end entity;
+
+architecture rtl of temperature_converter is
+
+  signal from_software : temperature_converter_from_software_t;
+  signal to_software : temperature_converter_to_software_t;
+
+  signal sense_synchronized : std_ulogic_vector(channels - 1 downto 0);
+
+  signal tick : std_ulogic := '0';
+  signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
+
+begin
+
+  make_tick : process
+  begin
+    wait until rising_edge(clk);
+    tick <= '0';
+    if tick_phase = tick_cycles - 1 then
+      tick_phase <= 0;
+      tick <= '1';
+    else
+      tick_phase <= tick_phase + 1;
+    end if;
+    if reset then
+      tick_phase <= 0;
+    end if;
+  end process;
+
+  sense_pins : entity work.synchronizer
+    generic map (width => channels)
+    port map (
+      clk => clk,
+      asynchronous => sense,
+      synchronous => sense_synchronized);
+
+  each_channel : for channel in 0 to to_software.status'high generate
+    present : if channel < channels generate
+      constant first_pin : natural := resistors * channel;
+      signal updated : std_ulogic;
+      signal state : unsigned(2 downto 0);
+      signal conversions : unsigned(7 downto 0) := (others => '0');
+      signal age : tick_count_t := (others => '1');
+    begin
+
+      timer : entity work.capacitor_timer
+        port map (
+          clk => clk,
+          reset => reset,
+          enable => from_software.control.enable,
+          references => from_software.control.references,
+          more_charges => from_software.control.more_charges,
+          dither_cycles => from_software.control.dither_cycles,
+          discharge_cycles => from_software.discharge.cycles,
+          timeout_cycles => from_software.timeout.cycles,
+          pause_cycles => from_software.pause.cycles,
+          short_limit => from_software.short_limit.cycles,
+          drive_enable => drive_enable(first_pin + resistors - 1 downto first_pin),
+          drive_level => drive_level(first_pin + resistors - 1 downto first_pin),
+          discharging => discharging(channel),
+          sense => sense_synchronized(channel),
+          updated => updated,
+          state => state,
+          thermistor_count => to_software.thermistor(channel).cycles,
+          reference_low_count => to_software.reference_low(channel).cycles,
+          reference_high_count => to_software.reference_high(channel).cycles);
+
+      count_age : process
+      begin
+        wait until rising_edge(clk);
+        if updated then
+          age <= (others => '0');
+          conversions <= conversions + 1;
+        elsif tick = '1' and age /= (age'range => '1') then
+          age <= age + 1;
+        end if;
+        if reset then
+          age <= (others => '1');
+          conversions <= (others => '0');
+        end if;
+      end process;
+
+      to_software.status(channel).state <= state;
+      to_software.status(channel).conversions <= conversions;
+      to_software.age(channel).ticks <= age;
+
+      readings(channel).updated <= updated;
+      readings(channel).valid <= '1' when state = temperature_converter_status_state_ok else '0';
+      readings(channel).count <= to_software.thermistor(channel).cycles;
+    end generate;
+
+    absent : if channel >= channels generate
+      to_software.status(channel) <= (state => (others => '0'), conversions => (others => '0'));
+      to_software.age(channel).ticks <= (others => '1');
+      to_software.thermistor(channel).cycles <= (others => '0');
+      to_software.reference_low(channel).cycles <= (others => '0');
+      to_software.reference_high(channel).cycles <= (others => '0');
+    end generate;
+  end generate;
+
+  registers : entity work.temperature_converter_registers
+    port map (
+      clk => clk,
+      reset => reset,
+      request => request,
+      response => response,
+      from_software => from_software,
+      to_software => to_software);
+
+end architecture;
