@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# The target `firmware` of the host's build: <build>/firmware/firmware.elf, with size.txt and a map.
+# It comes after all folders, because it takes the sources that they have registered.
+include(ExternalProject)
+get_property(sources GLOBAL PROPERTY firmware_sources)
+list(JOIN sources "|" sources)
+
+ExternalProject_Add(firmware_image
+  SOURCE_DIR ${CMAKE_CURRENT_LIST_DIR}
+  BINARY_DIR ${CMAKE_BINARY_DIR}/firmware
+  PREFIX ${CMAKE_BINARY_DIR}/firmware_image
+  LIST_SEPARATOR "|"
+  CMAKE_ARGS
+    -DCMAKE_TOOLCHAIN_FILE=${CMAKE_CURRENT_LIST_DIR}/toolchain.cmake
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+    -DFIRMWARE_SOURCES=${sources}
+    -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
+  BUILD_ALWAYS ON
+  BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
+  INSTALL_COMMAND "")
+add_custom_target(firmware DEPENDS firmware_image)
