@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// One G-code command as a value: letter, code, parameters as fixed-point numbers, or a text.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace gcode {
+
+// Numbers are millionths of the unit written in the line: millimetres become nanometres.
+inline constexpr std::uint32_t millionths_per_unit = 1'000'000;
+
+// A number as it is written: magnitude = whole + millionths / 1'000'000. Kept in two 32-bit halves,
+// so that neither reading nor using it costs a 64-bit division.
+struct Number {
+  std::uint32_t whole;
+  std::uint32_t millionths;  // 0 .. 999'999
+  bool negative;
+};
+
+class Command {
+ public:
+  char letter{};  // 'G', 'M' or 'T'
+  std::uint16_t code{};  // 1 in G1
+  std::uint8_t subcode{};  // 2 in G38.2, 0 where none is written
+  std::string_view
+      text{};  // of M117, M118, M23 ...: a part of the parsed line, which must outlive it
+
+  bool is(char wanted_letter, std::uint16_t wanted_code) const {
+    return letter == wanted_letter && code == wanted_code;
+  }
+
+  // Parameters are asked for by their capital letter, whatever case the line has.
+  bool has(char parameter) const { return (present_ & bit(parameter)) != 0; }
+  bool has_parameters() const { return present_ != 0; }
+
+  // In millionths; empty where the parameter is absent or a flag without a number (G28 X).
+  // Within +-4'294'967'296'000'000.
+  std::optional<std::int64_t> value(char parameter) const {
+    if ((valued_ & bit(parameter)) == 0) return std::nullopt;
+    const Magnitude& magnitude = magnitudes_[index(parameter)];
+    return with_sign(
+        parameter, static_cast<std::int64_t>(std::uint64_t{magnitude.whole} * millionths_per_unit +
+                                             magnitude.millionths));
+  }
+
+  // The whole part, cut towards zero as Marlin reads an integer parameter; empty as for value().
+  std::optional<std::int64_t> integer(char parameter) const {
+    if ((valued_ & bit(parameter)) == 0) return std::nullopt;
+    return with_sign(parameter, std::int64_t{magnitudes_[index(parameter)].whole});
+  }
+
+  void set_flag(char parameter) { present_ |= bit(parameter); }
+  void set(char parameter, Number number) {
+    present_ |= bit(parameter);
+    valued_ |= bit(parameter);
+    negative_ |= number.negative ? bit(parameter) : 0;
+    magnitudes_[index(parameter)] = {number.whole, number.millionths};
+  }
+
+ private:
+  static constexpr std::size_t letter_count = 26;
+  static constexpr std::size_t index(char parameter) {
+    return static_cast<std::size_t>(parameter - 'A');
+  }
+  static constexpr std::uint32_t bit(char parameter) {
+    return parameter >= 'A' && parameter <= 'Z' ? std::uint32_t{1} << index(parameter) : 0;
+  }
+
+  std::int64_t with_sign(char parameter, std::int64_t magnitude) const {
+    return (negative_ & bit(parameter)) != 0 ? -magnitude : magnitude;
+  }
+
+  struct Magnitude {
+    std::uint32_t whole;
+    std::uint32_t millionths;
+  };
+
+  std::uint32_t present_{};
+  std::uint32_t valued_{};
+  std::uint32_t negative_{};
+  std::array<Magnitude, letter_count> magnitudes_{};
+};
+
+}  // namespace gcode

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns one line of G-code into a command, or says why and where it cannot.
+#pragma once
+
+#include <expected>
+#include <string_view>
+
+#include "gcode/command.hpp"
+#include "gcode/parse_error.hpp"
+
+namespace gcode {
+
+// `line` comes without line number, checksum and line end. It must outlive the command's text.
+std::expected<Command, ParseError> parse(std::string_view line);
+
+}  // namespace gcode

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands that act the moment they are received, ahead of all lines that wait.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace host_link {
+
+struct EmergencyCommand {
+  enum class Kind : std::uint8_t {
+    kill,  // M112: everything off, until a reset
+    cancel_wait,  // M108: end a wait for heat or for the user
+    quick_stop,  // M410: stop all motion, forget the planned moves
+    prompt_response,  // M876 S<n>: the user has pressed button n
+  };
+  Kind kind;
+  std::uint8_t value{};  // of M876: its S, otherwise 0
+};
+
+// The emergency command in a line's text (without line number and checksum), if it is one.
+std::optional<EmergencyCommand> emergency_in(std::string_view text);
+
+// Those that wait to be acted on: one of each kind, the most urgent first.
+class EmergencyQueue {
+ public:
+  void put(EmergencyCommand command);
+  std::optional<EmergencyCommand> next();
+
+ private:
+  std::uint8_t pending_{};  // a bit for each kind
+  std::uint8_t prompt_value_{};
+};
+
+}  // namespace host_link

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The serial conversation with the host: bytes in become lines that are accepted once and in order,
+// whole reply lines go out, and no host is left in silence.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "host_link/emergency.hpp"
+#include "host_link/line_numbering.hpp"
+#include "host_link/line_queue.hpp"
+#include "host_link/line_receiver.hpp"
+#include "host_link/transmit_queue.hpp"
+#include "units/quantity.hpp"
+
+namespace host_link {
+
+// What the firmware is at, for the busy messages.
+enum class Activity : std::uint8_t { idle, processing, paused_for_user, paused_for_input };
+
+// Counted since the start; for reports and tests.
+struct Statistics {
+  std::uint32_t accepted{};  // lines put into the queue
+  std::uint32_t resends{};  // Resend lines sent, repetitions included
+  std::uint32_t repeats{};  // accepted lines that the host sent again: answered, not run
+  std::uint32_t dropped{};  // too new or broken while a resend was awaited
+  std::uint32_t refused{};  // unnumbered lines refused with a notice
+};
+
+class HostLink {
+ public:
+  // From the uart. `now` is the time of the last of the bytes.
+  void receive(std::span<const char> bytes, units::Milliseconds now);
+  // The uart has seen a framing, noise or overrun error: the line that is being received is broken.
+  void receive_fault() { receiver_.spoil(); }
+
+  // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.
+  std::span<const char> to_send() const { return transmit_.front(); }
+  void sent(std::size_t count) { transmit_.drop(count); }
+
+  // The oldest accepted line, if none is in hand. It stays in hand, and its text valid, until
+  // finished(). The text may be empty (a numbered comment): it wants nothing but its ok.
+  std::optional<AcceptedLine> next_line();
+
+  // Sends the ok of the line in hand, followed by `report` (" T:20.00 ..." of M105). False if there
+  // is no room yet: nothing is sent then, the line stays in hand, call again after the next update.
+  bool finished(std::string_view report = {});
+
+  // Queues one reply line; the line end is added, bytes that a host cannot read become '?'. False
+  // if there is no room yet: nothing is sent then.
+  bool say(std::string_view line);
+
+  // To be called often (every few milliseconds): time-outs, busy messages, replies that had no
+  // room.
+  void update(units::Milliseconds now, Activity activity);
+
+  // A command that must not wait for the queue, once for each reception. Its line is queued as well
+  // (marked as acted on), since the host waits for its ok.
+  std::optional<EmergencyCommand> emergency() { return emergencies_.next(); }
+
+  // M113. Zero turns the busy messages off.
+  void set_busy_interval(units::Milliseconds interval) { busy_interval_ = interval; }
+  // "ok N<line> P<free planner places> B<free line places>" instead of "ok".
+  void set_advanced_ok(bool on) { advanced_ok_ = on; }
+  void set_planner_space(std::uint8_t free_places) { planner_space_ = free_places; }
+
+  // When the last byte came from the host.
+  units::Milliseconds last_heard() const { return last_heard_; }
+  const Statistics& statistics() const { return statistics_; }
+
+ private:
+  // Replies about lines that the queue never sees. They are counted, so that none is lost while the
+  // transmit queue is full.
+  enum class Notice : std::uint8_t { too_long, unprintable, queue_full, awaiting_resend };
+  static constexpr std::size_t notice_count = 4;
+
+  void handle(const ReceivedLine& line);
+  void handle_unnumbered(const ReceivedLine& line);
+  void handle_numbered(const ReceivedLine& line);
+  void accept(const ReceivedLine& line, std::string_view text, bool emergency);
+  void answer_ok();
+  void notify(Notice notice);
+  void request_resend(LineError error);
+  void discard_unfinished_line();
+  void rescue_waiting_host(Activity activity);
+  void keep_alive(Activity activity);
+  void send_owed();
+  bool send_resend();
+  bool send_notice(std::size_t notice);
+  bool idle(Activity activity) const;
+
+  LineReceiver receiver_;
+  LineNumbering numbering_;
+  LineQueue queue_;
+  TransmitQueue transmit_;
+  EmergencyQueue emergencies_;
+  Statistics statistics_;
+
+  units::Milliseconds now_{};
+  units::Milliseconds last_heard_{};
+  units::Milliseconds last_exchange_{};  // the last byte in or ok out
+  units::Milliseconds last_busy_{};
+  units::Milliseconds busy_interval_{2000};
+
+  std::array<std::uint8_t, notice_count> notices_owed_{};
+  std::uint8_t oks_owed_{};
+  LineError error_owed_{LineError::none};
+  bool resend_owed_{};
+  bool resend_when_room_{};  // a line was refused because the queue was full
+  std::uint8_t rescues_left_{};
+  std::uint8_t planner_space_{};
+  bool advanced_ok_{};
+  bool acted_on_emergency_{};
+};
+
+}  // namespace host_link

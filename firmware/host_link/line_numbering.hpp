@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides from number, checksum and history whether a framed line is taken, answered or asked for
+// again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "host_link/line_receiver.hpp"
+#include "units/quantity.hpp"
+
+namespace host_link {
+
+enum class LineError : std::uint8_t {
+  none,
+  wrong_checksum,
+  wrong_number,
+  no_checksum,
+  too_long,
+  unprintable,
+  unfinished,
+};
+
+// What follows "Error:" and precedes ", Last Line: N". Marlin's words where Marlin has the case;
+// all contain a phrase by which OctoPrint knows that a resend follows and nothing is fatal.
+std::string_view describe(LineError error);
+
+enum class Verdict : std::uint8_t {
+  accept,  // the line that was waited for, or the first of a new numbering
+  repeat,  // had been accepted before: wants its ok, not to be run
+  refuse,  // ask for a resend
+  ignore,  // drop without a word: a resend has just been asked for and will be asked for again
+};
+
+struct Judgement {
+  Verdict verdict;
+  LineError error{LineError::none};
+};
+
+class LineNumbering {
+ public:
+  // After a resend request, lines that cannot be the wanted one are ignored this long.
+  static constexpr units::Milliseconds resend_patience{1000};
+  // Repeats of old lines are explained by a resend request at most this long ago.
+  static constexpr units::Milliseconds resend_memory{10'000};
+  // A host that repeats the last line sooner than this has not been started anew.
+  static constexpr units::Milliseconds restart_pause{2000};
+
+  // Of a line with number or checksum. Changes nothing but the memory of unprintable lines.
+  Judgement judge(const ReceivedLine& line, units::Milliseconds now);
+  // The line judged `accept` is really taken.
+  void accepted(const ReceivedLine& line, units::Milliseconds now);
+  // M110 N<last> without number and checksum.
+  void restart_after(std::int32_t last);
+  // Something came that could not be used while a resend is awaited: ask again in due time.
+  void ignored() { ignored_since_resend_ = true; }
+  // A resend request is sent (or must be, as soon as there is room for the line).
+  void asked_for_resend(units::Milliseconds now);
+
+  std::int32_t last() const { return last_; }
+  std::int32_t wanted() const;
+  bool awaiting_resend() const { return awaiting_resend_; }
+  bool within_patience(units::Milliseconds now) const;
+  bool must_ask_again(units::Milliseconds now) const;
+
+ private:
+  struct Taken {
+    std::int32_t number;
+    std::uint32_t fingerprint;
+  };
+  static constexpr std::size_t history_length = 16;
+
+  Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now) const;
+  Judgement judge_number(const ReceivedLine& line, units::Milliseconds now) const;
+  bool taken_before(std::int32_t number, std::uint32_t fingerprint) const;
+  bool opened_with(std::int32_t number, std::uint32_t fingerprint) const;
+  bool asked_recently(units::Milliseconds now) const;
+  void forget();
+
+  std::array<Taken, history_length> history_{};
+  std::size_t history_size_{};
+  std::size_t history_next_{};
+  std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
+  std::optional<Taken> unprintable_{};
+  std::int32_t last_{};
+  units::Milliseconds last_taken_{};
+  units::Milliseconds asked_{};
+  bool ever_asked_{};
+  bool awaiting_resend_{};
+  bool ignored_since_resend_{};
+};
+
+// The last line number that an M110 sets: that after its own N, else that of its line.
+std::optional<std::int32_t> numbering_set_by(std::string_view text,
+                                             std::optional<std::int32_t> line_number);
+
+}  // namespace host_link

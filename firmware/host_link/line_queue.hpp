@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The accepted lines that wait to be executed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "host_link/line_receiver.hpp"
+
+namespace host_link {
+
+struct AcceptedLine {
+  std::string_view text;  // without line number and checksum; comments are still in it
+  std::optional<std::int32_t> number;  // empty for a line sent without one
+  bool emergency{};  // has been acted on when it was received: only its ok is due
+};
+
+class LineQueue {
+ public:
+  // Cura keeps 4 lines in flight, printcore 2.
+  static constexpr std::size_t capacity = 8;
+
+  std::size_t size() const { return size_; }
+  std::size_t room() const { return capacity - size_; }
+
+  // Needs room() != 0.
+  void put(std::string_view text, std::optional<std::int32_t> number, bool emergency);
+  // Needs size() != 0. The text is valid until drop().
+  AcceptedLine front() const;
+  void drop();
+
+ private:
+  struct Slot {
+    std::array<char, max_line_length> text;
+    std::int32_t number;
+    std::uint8_t length;
+    bool numbered;
+    bool emergency;
+  };
+  static_assert(max_line_length <= 255, "length of a slot fits its type");
+
+  std::array<Slot, capacity> slots_{};
+  std::size_t first_{};
+  std::size_t size_{};
+};
+
+}  // namespace host_link

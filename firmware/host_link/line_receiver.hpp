@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Assembles bytes to lines and reads what frames them: line number and checksum.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace host_link {
+
+// With number and checksum, without line end. Marlin's is 96.
+inline constexpr std::size_t max_line_length = 128;
+
+enum class Checksum : std::uint8_t { none, right, wrong };
+
+struct ReceivedLine {
+  std::string_view text;  // without number, checksum and blanks around; valid until the next put()
+  bool starts_with_n{};
+  std::optional<std::int32_t> number{};
+  Checksum checksum{};
+  bool too_long{};  // more than max_line_length: text is its beginning
+  bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
+  bool spoilt{};  // the uart saw an error in it
+  // Number or checksum is there: the host keeps it for a resend.
+  bool framed() const { return starts_with_n || checksum != Checksum::none; }
+};
+
+class LineReceiver {
+ public:
+  // A line when `byte` ends one: \n, \r or \r\n. Empty lines are lines.
+  std::optional<ReceivedLine> put(char byte);
+
+  // The line in progress is broken, whatever its checksum says.
+  void spoil() { spoilt_ = true; }
+
+  bool unfinished() const { return length_ != 0; }
+  // Whether the unfinished line has a number or a checksum.
+  bool unfinished_is_framed() const;
+  void discard();
+
+ private:
+  void put_into_line(char byte);
+  ReceivedLine finish() const;
+
+  std::array<char, max_line_length> buffer_{};
+  std::uint32_t length_{};  // counts on beyond the buffer
+  std::uint32_t first_star_{};
+  // The checksum is that after the last '*', so a '*' in a text does no harm.
+  std::uint32_t last_star_{};
+  std::uint16_t checksum_value_{};
+  std::uint8_t checksum_digits_{};
+  bool checksum_malformed_{};
+  std::uint8_t exclusive_or_{};
+  std::uint8_t exclusive_or_before_star_{};
+  bool star_seen_{};
+  bool unprintable_{};
+  bool spoilt_{};
+  bool after_carriage_return_{};
+};
+
+}  // namespace host_link

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The texts that hosts parse, made from plain values in the form of Marlin.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "host_link/text_line.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace host_link {
+
+// Sent once after a reset: hosts start their numbering anew when they see it.
+inline constexpr std::string_view greeting = "start";
+
+struct HeaterState {
+  units::Millicelsius temperature;
+  units::Millicelsius target;
+  std::uint8_t power{};  // 0 .. 127, as Marlin reports it
+};
+
+// " T:205.10 /205.00 B:60.00 /60.00 @:64 B@:0": after the "ok" of M105, or as a line of its own.
+TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed);
+
+// The line of M109 and M190 each second: the report and " W:3", the seconds that the temperature
+// must still hold, or " W:?" while it is not yet reached.
+TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
+                        std::optional<std::int32_t> seconds_left);
+
+// M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was asked for and the motors' steps.
+TextLine position_report(const units::PerAxis<units::Nanometers>& position,
+                         const units::PerAxis<units::Steps>& count);
+
+struct Capability {
+  std::string_view name;  // "AUTOREPORT_TEMP"
+  bool present;
+};
+
+struct FirmwareDescription {
+  std::string_view name;  // with version; no words that switch a host's quirks on (README)
+  std::string_view source_url;  // left out if empty
+  std::string_view machine;
+  std::uint8_t extruders;
+  std::span<const Capability> capabilities;
+};
+
+// M115, line by line: index 0 is the firmware, then one "Cap:NAME:1" each; empty behind the last.
+std::optional<TextLine> firmware_line(const FirmwareDescription& firmware, std::size_t index);
+
+// M119, line by line: a heading, then "x_min: open" or "x_min: TRIGGERED" each; empty behind the
+// last.
+struct EndStopState {
+  std::string_view name;  // "x_min"
+  bool triggered;
+};
+std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, std::size_t index);
+
+// echo:Unknown command: "G999"
+TextLine unknown_command(std::string_view command);
+// echo:Malformed number at column 4, not executed: "G1 X1.2.3"
+TextLine not_executed(std::string_view reason, std::uint32_t position, std::string_view command);
+// echo:Move beyond the end of X, not executed: "G1 X900"
+TextLine not_executed(std::string_view reason, std::string_view command);
+// Error:Printer halted. kill() called! (the last words after M112: hosts disconnect on it)
+inline constexpr std::string_view halted = "Error:Printer halted. kill() called!";
+
+}  // namespace host_link
