@@ -10,7 +10,8 @@ namespace units {
 
 enum class Axis : std::uint8_t { x, y, z, e };
 
-// Axes that G-code moves; the step generator may have more (a second extruder), which then stay idle.
+// Axes that G-code moves; the step generator may have more (a second extruder), which then stay
+// idle.
 inline constexpr std::size_t axis_count = 4;
 inline constexpr std::array<char, axis_count> axis_letters{'X', 'Y', 'Z', 'E'};
 
@@ -18,5 +19,30 @@ template <class Value>
 using PerAxis = std::array<Value, axis_count>;
 
 constexpr std::size_t index_of(Axis axis) { return static_cast<std::size_t>(axis); }
+
+// Some of the axes.
+class AxisSet {
+ public:
+  constexpr AxisSet() = default;
+
+  static constexpr AxisSet all() {
+    AxisSet set;
+    set.bits_ = (1u << axis_count) - 1;
+    return set;
+  }
+
+  constexpr bool contains(Axis axis) const { return (bits_ >> index_of(axis) & 1u) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr void insert(Axis axis) {
+    bits_ = static_cast<std::uint8_t>(bits_ | 1u << index_of(axis));
+  }
+  constexpr void remove(Axis axis) {
+    bits_ = static_cast<std::uint8_t>(bits_ & ~(1u << index_of(axis)));
+  }
+  constexpr bool operator==(const AxisSet&) const = default;
+
+ private:
+  std::uint8_t bits_{};
+};
 
 }  // namespace units

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The texts of motion faults.
+#include "motion/fault.hpp"
+
+namespace motion {
+
+std::string_view describe(Fault fault) {
+  switch (fault) {
+    case Fault::steps_per_meter_out_of_range:
+      return "steps per unit out of range";
+    case Fault::speed_out_of_range:
+      return "speed out of range";
+    case Fault::acceleration_out_of_range:
+      return "acceleration out of range";
+    case Fault::jerk_out_of_range:
+      return "jerk out of range";
+    case Fault::feedrate_out_of_range:
+      return "feedrate out of range";
+    case Fault::target_out_of_range:
+      return "target position out of range";
+    case Fault::line_too_long:
+      return "move too long";
+    case Fault::queue_full:
+      return "move queue full";
+    case Fault::end_stop_not_found:
+      return "end stop not found";
+    case Fault::end_stop_stuck:
+      return "end stop does not open";
+  }
+  return "unknown motion fault";
+}
+
+}  // namespace motion

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can go wrong in motion planning and homing, and how it is told to a person.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace motion {
+
+enum class Fault : std::uint8_t {
+  steps_per_meter_out_of_range,
+  speed_out_of_range,
+  acceleration_out_of_range,
+  jerk_out_of_range,
+  feedrate_out_of_range,
+  target_out_of_range,
+  line_too_long,
+  queue_full,
+  end_stop_not_found,
+  end_stop_stuck,
+};
+
+std::string_view describe(Fault fault);
+
+}  // namespace motion

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the machine's axes can do: filled from the machine description, changed by M92 and M201 to
+// M205.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+
+#include "motion/fault.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace motion {
+
+// How an axis finds its end stop.
+struct HomingParameters {
+  units::MicrometersPerSecond fast_speed{};
+  units::MicrometersPerSecond slow_speed{};
+  units::Nanometers back_off{};  // distance between the fast and the slow approach
+  std::uint8_t end_stop{};  // input of the end stop, 0 .. 7
+  bool towards_positive{};  // side of the axis on which the end stop lies
+  units::Nanometers position{};  // where the axis is when its end stop has just switched
+};
+
+struct AxisLimits {
+  units::StepsPerMeter steps_per_meter{};  // 80 steps/mm = 80 000; 62.745 steps/mm = 62 745
+  units::Nanometers travel{};  // positions 0 .. travel are allowed; 0: no bounds
+  units::MicrometersPerSecond max_speed{};
+  units::MicrometersPerSecondSquared max_acceleration{};
+  units::MicrometersPerSecond jerk{};  // largest change of speed without a ramp
+  std::optional<HomingParameters> homing{};
+};
+
+struct Limits {
+  units::PerAxis<AxisLimits> axes{};
+  units::MicrometersPerSecondSquared print_acceleration{};
+  units::MicrometersPerSecondSquared travel_acceleration{};
+  units::MicrometersPerSecondSquared retract_acceleration{};
+  units::MicrometersPerSecond min_print_speed{};
+  units::MicrometersPerSecond min_travel_speed{};
+
+  constexpr AxisLimits& of(units::Axis axis) { return axes[units::index_of(axis)]; }
+  constexpr const AxisLimits& of(units::Axis axis) const { return axes[units::index_of(axis)]; }
+};
+
+// Bounds of what the integer arithmetic of this folder covers, far beyond any printer.
+inline constexpr units::StepsPerMeter max_steps_per_meter{10'000'000};
+inline constexpr units::MicrometersPerSecond max_speed{10'000'000};
+inline constexpr units::MicrometersPerSecondSquared max_acceleration{100'000'000};
+
+// A value out of range changes nothing and is returned as the fault to report.
+using Accepted = std::expected<void, Fault>;
+
+// M92, more than 0. Only with an empty planner, and its position is to be set again afterwards.
+Accepted set_steps_per_meter(Limits& limits, units::Axis axis, units::StepsPerMeter value);
+// M203, more than 0.
+Accepted set_max_speed(Limits& limits, units::Axis axis, units::MicrometersPerSecond value);
+// M201, more than 0.
+Accepted set_max_acceleration(Limits& limits, units::Axis axis,
+                              units::MicrometersPerSecondSquared value);
+// M205 X Y Z E, 0 or more; 0: every change of speed is a ramp.
+Accepted set_jerk(Limits& limits, units::Axis axis, units::MicrometersPerSecond value);
+// M204 P, T, R, more than 0.
+Accepted set_print_acceleration(Limits& limits, units::MicrometersPerSecondSquared value);
+Accepted set_travel_acceleration(Limits& limits, units::MicrometersPerSecondSquared value);
+Accepted set_retract_acceleration(Limits& limits, units::MicrometersPerSecondSquared value);
+// M205 S, T, 0 or more.
+Accepted set_min_print_speed(Limits& limits, units::MicrometersPerSecond value);
+Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value);
+
+// The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
+std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
+                                        const units::PerAxis<units::Nanometers>& target);
+
+}  // namespace motion

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// One straight line as the planner sees it: its steps, and how fast it may be walked.
+#pragma once
+
+#include <cstdint>
+
+#include "motion/limits.hpp"
+#include "motion/scaled.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace motion {
+
+// Half the square of a speed, in nm um/s^2: the work of an acceleration (um/s^2) over a distance
+// (nm) is simply added. Speeds are kept in this form as long as possible.
+using SpecificEnergy =
+    units::Quantity<struct NanometerMicrometerPerSecondSquaredUnit, std::uint64_t>;
+
+// speed <= max_speed
+constexpr SpecificEnergy energy_of(units::MicrometersPerSecond speed) {
+  const auto count = static_cast<std::uint64_t>(speed.count());
+  return SpecificEnergy(count * count * 500);
+}
+
+// Displacement of each axis per length of path, in 2^-24.
+using Direction = units::PerAxis<std::int32_t>;
+inline constexpr int direction_fraction_bits = 24;
+
+// What the hardware that makes the steps can do.
+struct StepTiming {
+  units::Hertz clock{};
+  units::PerAxis<units::Hertz> max_step_rate{};  // by the drivers' pulse timing
+};
+
+struct Line {
+  units::PerAxis<std::int32_t> steps{};
+  std::uint32_t ticks{};  // the largest |steps|
+  std::uint8_t stop_mask{};  // end stops that end all motion
+  Scaled rate_of_root{};  // tick rate in ticks per clock = this * sqrt(energy)
+  SpecificEnergy work{};  // of the acceleration over the whole length
+  SpecificEnergy nominal{};  // energies of the speed asked for,
+  SpecificEnergy max_entry{};  // of the highest allowed at the start,
+  SpecificEnergy entry{};  // and of the planned one at the start
+  units::Microseconds nominal_time{};
+};
+
+// A displacement as the G-code asks for it, and in the steps that realise it.
+struct Displacement {
+  units::PerAxis<units::Nanometers> distance{};
+  units::PerAxis<std::int32_t> steps{};
+};
+
+// A line with its limits of speed, without those at its ends.
+struct LimitedLine {
+  Line line{};
+  Direction direction{};
+  units::MicrometersPerSecond speed{};
+};
+
+// Makes lines from displacements under the limits of the axes and of the step generator.
+class Geometry {
+ public:
+  Geometry(const Limits& limits, const StepTiming& timing);
+
+  // Not all steps are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true
+  // where steps are coarse; the pulse rate of no axis exceeds what its maximum speed and its driver
+  // allow.
+  LimitedLine limited_line(const Displacement& displacement,
+                           units::MicrometersPerSecond feedrate) const;
+
+ private:
+  struct Path {
+    Scaled length;  // nm
+    Direction direction;
+    units::MicrometersPerSecond feedrate;
+    units::MicrometersPerSecondSquared acceleration;
+  };
+  Path path_of(const Displacement& displacement, units::MicrometersPerSecond feedrate) const;
+  units::MicrometersPerSecondSquared limited_acceleration(const Path& path,
+                                                          Scaled ticks_per_length) const;
+
+  Limits limits_;
+  units::PerAxis<Scaled> time_per_step_{};  // at the highest rate, ms
+  units::PerAxis<Scaled> length_per_step_{};  // nm
+  Scaled rate_factor_{};  // ticks per clock of 1 tick/nm at an energy of 1
+  Scaled max_tick_acceleration_{};  // um/s^2 at 1 tick/nm that the segment's format can hold
+};
+
+// The highest speed, not above `speed`, at which no axis changes its speed by more than its jerk
+// when the path's direction changes by `change`. From and to rest, `change` is the direction
+// itself.
+units::MicrometersPerSecond jerk_limited_speed(const Direction& change, const Limits& limits,
+                                               units::MicrometersPerSecond speed);
+
+}  // namespace motion

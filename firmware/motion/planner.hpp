@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// From target positions to segments: keeps a ring of lines, finds the speeds at their junctions by
+// look-ahead, and hands lines over to the step generator as late as is safe.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <optional>
+
+#include "motion/fault.hpp"
+#include "motion/limits.hpp"
+#include "motion/line.hpp"
+#include "motion/profile.hpp"
+#include "motion/segment.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace motion {
+
+// A straight move to `target`, in absolute machine coordinates.
+struct LineMove {
+  units::PerAxis<units::Nanometers> target{};
+  // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do is
+  // slower.
+  units::MicrometersPerSecond feedrate{};
+  std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion
+};
+
+class Planner {
+ public:
+  static constexpr std::size_t capacity = 64;
+  // Motion from rest waits until this much of it is planned, or for at most this long, or for
+  // flush().
+  static constexpr units::Microseconds start_delay{100'000};
+  // Segments are handed over only while less than this is still to be executed: the rest stays
+  // plannable.
+  static constexpr units::Microseconds horizon{40'000};
+
+  Planner(const Limits& limits, const StepTiming& timing);
+
+  // Holds for lines appended from now on.
+  void set_limits(const Limits& limits);
+  const Limits& limits() const { return limits_; }
+
+  bool has_room() const { return count_ < capacity; }
+  // Nothing left to hand over (the step generator may still be busy).
+  bool empty() const { return count_ == 0 && next_phase_ == profile_.count; }
+  std::size_t lines() const { return count_; }
+
+  // A fault leaves everything as it was. A move of less than a step takes no room: it is part of
+  // the next one. Targets are not checked against the travel: see check_bounds.
+  std::expected<void, Fault> append(const LineMove& move, units::Microseconds now);
+
+  // Everything appended so far starts without waiting for more (M400, or before any wait for rest).
+  void flush() { flush_ = true; }
+
+  // The next segment, if one should be queued now. To be called while the step generator has room.
+  std::optional<Segment> next_segment(units::Microseconds now);
+
+  // Forgets all lines after the step generator was stopped; the position must then be set.
+  void clear();
+
+  // Where the last appended line ends.
+  const units::PerAxis<units::Nanometers>& position() const { return position_; }
+  // The same in steps; what the step generator's counters show when all is done (modulo 2^32).
+  const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
+
+  // Declares where the axes are; only while empty and at rest.
+  void set_position(const units::PerAxis<units::Nanometers>& position);
+  void set_position_steps(const units::PerAxis<std::int64_t>& steps);
+
+ private:
+  Line& line(std::size_t index) { return lines_[(first_ + index) % capacity]; }
+  void look_ahead();
+  bool may_hand_over(units::Microseconds now) const;
+  void hand_over_first(units::Microseconds now);
+
+  Limits limits_;
+  Geometry geometry_;
+  units::PerAxis<units::Nanometers> position_{};
+  units::PerAxis<std::int64_t> position_steps_{};
+
+  std::array<Line, capacity> lines_{};
+  std::size_t first_{};
+  std::size_t count_{};
+  std::size_t settled_{};  // lines before this index have entry speeds that look-ahead cannot raise
+  bool resting_{true};  // the last line handed over ends at rest
+  bool flush_{};
+  units::Microseconds waiting_since_{};
+  units::Microseconds planned_time_{};  // at least, of all lines in the ring
+  units::Microseconds busy_until_{};  // estimate, of what has been handed over
+
+  Line current_{};  // whose phases are being handed over
+  Profile profile_{};
+  std::size_t next_phase_{};
+};
+
+}  // namespace motion

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The course of a line's tick rate: up to three phases (accelerate, cruise, brake) in whole ticks.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "motion/line.hpp"
+#include "units/quantity.hpp"
+
+namespace motion {
+
+struct Phase {
+  std::uint32_t ticks{};
+  std::uint64_t rate{};  // as in Segment
+  std::int64_t acceleration{};  // as in Segment
+};
+
+struct Profile {
+  std::array<Phase, 3> phases{};
+  std::size_t count{};
+  units::Microseconds time{};
+};
+
+// The phases of a line from its planned entry to `exit`, which must be reachable: |exit - entry| <=
+// work.
+//
+// The ticks of the phases sum up to line.ticks. Phases begin and end with energies that differ by
+// no more than the line's work over their ticks, so the acceleration is never exceeded; the rate
+// with which one phase ends and that with which the next begins are the same but for 2^-29 and for
+// the one clock in which the hardware changes phase. The hardware adds before it integrates, so
+// after T clocks its phase is rate T + acceleration T (T - 1) / 2; starting with half an
+// acceleration more makes that the exact parabola. No rate is less than that in the middle of the
+// first tick from rest, sqrt(acceleration), unless the nominal one is.
+Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock);
+
+}  // namespace motion
