@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calling gnuplot as a program, with the script and its messages in a folder of their own.
+#include "sim/report/gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace report {
+
+namespace {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "stepfabric-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("cannot make a temporary folder for gnuplot");
+    }
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+std::string svg_of(const std::string& name, PictureSize size, const std::string& script) {
+  const TemporaryFolder folder;
+  const std::filesystem::path script_file = folder / "script", picture = folder / "picture.svg",
+                              messages = folder / "messages";
+  std::ofstream(script_file) << fmt::format(
+      "set terminal svg size {},{} dynamic enhanced name \"{}\" font \"Lato,DejaVu Sans,sans-serif,14\" "
+      "background \"#ffffff\"\nset output \"{}\"\n{}",
+      size.width, size.height, name, picture.string(), script);
+  const std::string command =
+      fmt::format("gnuplot '{}' > '{}' 2>&1", script_file.string(), messages.string());
+  if (std::system(command.c_str()) != 0) {
+    throw std::runtime_error(fmt::format("gnuplot failed: {}", contents(messages)));
+  }
+  const std::string svg = contents(picture);
+  const std::size_t begin = svg.find("<svg");
+  if (begin == std::string::npos) {
+    throw std::runtime_error(fmt::format("gnuplot drew nothing: {}", contents(messages)));
+  }
+  return svg.substr(begin);
+}
+
+}  // namespace report

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names of report.json.
+#include "sim/report/json_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Six digits after the point say everything here and keep files of two runs comparable.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json axis_json(const AxisResult& axis) {
+  return {{"steps_forward", axis.steps_forward},
+          {"steps_backward", axis.steps_backward},
+          {"final_position_steps", axis.final_position_steps},
+          {"final_position_mm", rounded(axis.final_position_mm)},
+          {"max_step_rate_hz", rounded(axis.max_step_rate_hz)},
+          {"illegal_pulses", axis.illegal_pulses},
+          {"disabled_pulses", axis.disabled_pulses},
+          {"slipped_steps", axis.slipped_steps},
+          {"frame_steps", axis.frame_steps},
+          {"peak_load", rounded(axis.peak_load)}};
+}
+
+Json temperature_json(const TemperatureResult& temperature) {
+  Json json{{"target_c", rounded(temperature.target_c)},
+            {"max_c", rounded(temperature.max_c)},
+            {"seconds_to_target", nullptr},
+            {"band_c", rounded(temperature.band_c)}};
+  if (temperature.seconds_to_target >= 0) {
+    json["seconds_to_target"] = rounded(temperature.seconds_to_target);
+  }
+  return json;
+}
+
+Json messages_json(const Results& results) {
+  Json messages = Json::array();
+  for (const Message& message : results.messages) {
+    messages.push_back({{"seconds", rounded(message.seconds)},
+                        {"file_line", message.file_line},
+                        {"error", message.error},
+                        {"text", message.text}});
+  }
+  return messages;
+}
+
+}  // namespace
+
+std::string to_json(const Results& results) {
+  Json json;
+  json["result"] = name_of(results.outcome);
+  json["fault"] = results.fault;
+  json["file"] = results.file;
+  json["machine"] = results.machine;
+  json["clock_hz"] = results.clock_hz;
+  json["cycles"] = results.cycles;
+  json["simulated_seconds"] = rounded(results.simulated_seconds);
+  json["wall_seconds"] = rounded(results.wall_seconds);
+  json["lines_sent"] = results.lines_sent;
+  json["resends"] = results.resends;
+  json["commands_executed"] = results.commands_executed;
+  json["commands_refused"] = results.commands_refused;
+  json["busy_replies"] = results.busy_replies;
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    json["axes"][axis_names[i]] = axis_json(results.axes[i]);
+  }
+  json["path"] = {{"max_deviation_mm", rounded(results.max_deviation_mm)},
+                  {"length_mm", rounded(results.length_mm)},
+                  {"points_reached", results.points_reached},
+                  {"points_missed", results.points_missed}};
+  json["queue"] = {{"underruns", results.underruns},
+                   {"guard_stalls_cycles", results.guard_stalls_cycles},
+                   {"max_depth", results.max_queue_depth}};
+  json["hotend"] = temperature_json(results.hotend);
+  json["bed"] = temperature_json(results.bed);
+  json["firmware"] = {{"text_bytes", results.firmware.text_bytes},
+                      {"data_bytes", results.firmware.data_bytes},
+                      {"bss_bytes", results.firmware.bss_bytes},
+                      {"stack_peak_bytes", results.firmware.stack_peak_bytes}};
+  json["processor"] = {{"busy_percent", rounded(results.processor_busy_percent)},
+                       {"instructions", results.instructions}};
+  json["serial"] = {{"bytes_corrupted", results.serial_bytes_corrupted}};
+  json["messages"] = messages_json(results);
+  json["messages_dropped"] = results.messages_dropped;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  std::error_code error;
+  if (!file.parent_path().empty()) {
+    std::filesystem::create_directories(file.parent_path(), error);
+  }
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) {
+    throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+  }
+}
+
+}  // namespace report

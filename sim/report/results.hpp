@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that a print's report says, as plain values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/report/message_log.hpp"
+#include "sim/report/step_statistics.hpp"
+#include "sim/report/temperature_record.hpp"
+#include "sim/report/tool_path.hpp"
+
+namespace report {
+
+enum class Outcome : std::uint8_t { completed, faulted, stopped };
+
+struct AxisResult {
+  std::uint64_t steps_forward{};
+  std::uint64_t steps_backward{};
+  std::int64_t final_position_steps{};
+  double final_position_mm{};
+  double max_step_rate_hz{};
+  std::uint64_t illegal_pulses{};
+  std::uint64_t disabled_pulses{};
+  std::uint64_t slipped_steps{};
+  std::uint64_t frame_steps{};
+  double peak_load{};
+};
+
+struct FirmwareResult {
+  std::uint64_t text_bytes{};
+  std::uint64_t data_bytes{};
+  std::uint64_t bss_bytes{};
+  std::uint64_t stack_peak_bytes{};
+};
+
+struct Results {
+  std::string file;
+  std::string machine;
+  Outcome outcome = Outcome::faulted;
+  std::string fault;  // empty unless faulted
+  std::uint32_t clock_hz{};
+  std::uint64_t cycles{};
+  double simulated_seconds{};
+  double wall_seconds{};
+  std::uint64_t lines_sent{};
+  std::uint64_t resends{};
+  std::uint64_t commands_executed{};
+  std::uint64_t commands_refused{};
+  std::uint64_t busy_replies{};
+  std::array<AxisResult, 4> axes{};
+  double max_deviation_mm{};
+  double length_mm{};
+  std::uint64_t points_reached{};
+  std::uint64_t points_missed{};
+  std::uint64_t underruns{};
+  std::uint64_t guard_stalls_cycles{};
+  std::uint64_t max_queue_depth{};
+  TemperatureResult hotend{};
+  TemperatureResult bed{};
+  FirmwareResult firmware;
+  double processor_busy_percent{};
+  std::uint64_t instructions{};
+  std::uint64_t serial_bytes_corrupted{};
+  std::vector<Message> messages;
+  std::uint64_t messages_dropped{};
+};
+
+// What only the pictures need.
+struct Courses {
+  std::vector<ToolPoint> path;
+  std::vector<TemperatureSample> hotend;
+  std::vector<TemperatureSample> bed;
+  std::vector<std::array<std::uint32_t, StepStatistics::axes>> steps;  // per bucket of time
+  std::array<StepStatistics::Histogram, StepStatistics::axes> intervals{};
+};
+
+constexpr const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::completed: return "completed";
+    case Outcome::faulted: return "faulted";
+    case Outcome::stopped: return "stopped";
+  }
+  return "";
+}
+
+inline constexpr std::array<const char*, 4> axis_names{"x", "y", "z", "e"};
+
+}  // namespace report
