@@ -10,7 +10,6 @@ use work.identity_registers_pkg.all;
 
 entity identity is
   generic (
-    clock_frequency_hz : positive := 50_000_000;
     memory_size_bytes : positive := 65_536;
     axes : positive := 5;
     queue_depth : positive := 16;
@@ -19,6 +18,8 @@ entity identity is
   );
   port (
     clk : in std_ulogic;
+    -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
+    clock_frequency_hz : in unsigned(31 downto 0);
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t
@@ -32,20 +33,22 @@ architecture rtl of identity is
   constant version_minor : natural := 1;
   constant version_patch : natural := 0;
 
-  constant to_software : identity_to_software_t := (
+  signal to_software : identity_to_software_t;
+
+begin
+
+  to_software <= (
     magic => (word => to_unsigned(identity_magic_word_stepfabric, 32)),
     version => (
       major => to_unsigned(version_major, 16),
       minor => to_unsigned(version_minor, 8),
       patch => to_unsigned(version_patch, 8)
     ),
-    clock => (frequency_hz => to_unsigned(clock_frequency_hz, 32)),
+    clock => (frequency_hz => clock_frequency_hz),
     memory => (size_bytes => to_unsigned(memory_size_bytes, 32)),
     motion => (axes => to_unsigned(axes, 8), queue_depth => to_unsigned(queue_depth, 16)),
     thermal => (sensors => to_unsigned(sensors, 8), heaters => to_unsigned(heaters, 8))
   );
-
-begin
 
   registers : entity work.identity_registers
     port map (

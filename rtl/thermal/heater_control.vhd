@@ -12,16 +12,17 @@ use work.thermal_pkg.all;
 
 entity heater_control is
   generic (
-    clock_frequency_hz : positive := 50_000_000;
     -- Heaters, each with its sensor.
     channels : positive range 1 to 4 := 2;
     -- Watchdog and sensor time-out after reset.
-    default_timeout_ms : positive := 1000;
+    default_timeout_s : positive range 1 to 5 := 1;
     -- Software cannot make them longer than this.
-    maximum_timeout_ms : positive := 3000
+    maximum_timeout_s : positive range 1 to 5 := 3
   );
   port (
     clk : in std_ulogic;
+    -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
+    clock_frequency_hz : in unsigned(31 downto 0);
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
@@ -37,21 +38,7 @@ end entity;
 
 architecture rtl of heater_control is
 
-  function ticks_of(milliseconds : positive) return tick_count_t is
-    constant ticks_per_s : natural := clock_frequency_hz / tick_cycles;
-  begin
-    return to_unsigned(ticks_per_s / 100 * milliseconds / 10, tick_count_bits);
-  end function;
-
-  constant maximum_timeout : tick_count_t := ticks_of(maximum_timeout_ms);
-
-  function limited(ticks : tick_count_t) return tick_count_t is
-  begin
-    if ticks > maximum_timeout then
-      return maximum_timeout;
-    end if;
-    return ticks;
-  end function;
+  signal ticks_per_s, default_timeout, maximum_timeout : tick_count_t;
 
   signal from_software : heater_control_from_software_t;
   signal to_software : heater_control_to_software_t;
@@ -61,8 +48,8 @@ architecture rtl of heater_control is
   signal slot_start : std_ulogic := '0';
   signal slot_phase : unsigned(23 downto 0) := (others => '0');
 
-  signal watchdog_timeout : tick_count_t := ticks_of(default_timeout_ms);
-  signal sensor_timeout : tick_count_t := ticks_of(default_timeout_ms);
+  signal watchdog_timeout : tick_count_t := (others => '0');
+  signal sensor_timeout : tick_count_t := (others => '0');
   -- Until the watchdog barks; 0 from reset on.
   signal watchdog_ticks_left : tick_count_t := (others => '0');
   signal watchdog_alive : std_ulogic := '0';
@@ -74,12 +61,13 @@ architecture rtl of heater_control is
 
 begin
 
-  clock_is_at_least_4_mhz : assert clock_frequency_hz >= 4_000_000 severity failure;
-  timeouts_fit_their_registers : assert
-    clock_frequency_hz / tick_cycles / 1000 * maximum_timeout_ms < 2 ** tick_count_bits
-    and maximum_timeout_ms <= 5000 severity failure;
-  default_timeout_is_within_the_maximum : assert default_timeout_ms <= maximum_timeout_ms
+  default_timeout_is_within_the_maximum : assert default_timeout_s <= maximum_timeout_s
     severity failure;
+
+  -- At most 100 MHz, so 5 s fit into a tick count.
+  ticks_per_s <= resize(clock_frequency_hz / tick_cycles, tick_count_bits);
+  default_timeout <= resize(ticks_per_s * default_timeout_s, tick_count_bits);
+  maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
 
   make_ticks : process
   begin
@@ -113,10 +101,12 @@ begin
   begin
     wait until rising_edge(clk);
     if from_software.watchdog_written then
-      watchdog_timeout <= limited(from_software.watchdog.ticks);
+      watchdog_timeout <= maximum_timeout when from_software.watchdog.ticks > maximum_timeout
+        else from_software.watchdog.ticks;
     end if;
     if from_software.sensor_timeout_written then
-      sensor_timeout <= limited(from_software.sensor_timeout.ticks);
+      sensor_timeout <= maximum_timeout when from_software.sensor_timeout.ticks > maximum_timeout
+        else from_software.sensor_timeout.ticks;
     end if;
     watchdog_alive <= '1' when watchdog_ticks_left /= 0 else '0';
     if fed then
@@ -125,8 +115,8 @@ begin
       watchdog_ticks_left <= watchdog_ticks_left - 1;
     end if;
     if reset then
-      watchdog_timeout <= ticks_of(default_timeout_ms);
-      sensor_timeout <= ticks_of(default_timeout_ms);
+      watchdog_timeout <= default_timeout;
+      sensor_timeout <= default_timeout;
       watchdog_ticks_left <= (others => '0');
       watchdog_alive <= '0';
     end if;

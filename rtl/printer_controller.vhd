@@ -1,0 +1,276 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The whole chip: processor and memory, and on the bus everything that must be exact.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.end_stops_registers_pkg.all;
+use work.fan_registers_pkg.all;
+use work.heater_control_registers_pkg.all;
+use work.identity_registers_pkg.all;
+use work.memory_pkg.all;
+use work.step_generator_registers_pkg.all;
+use work.temperature_converter_registers_pkg.all;
+use work.thermal_pkg.all;
+use work.timer_registers_pkg.all;
+use work.uart_registers_pkg.all;
+
+entity printer_controller is
+  generic (
+    -- RAM for the firmware with its data and stack; a power of two, 32 KiB to 256 KiB.
+    memory_size_bytes : positive := 65536;
+    -- X Y Z E0 E1.
+    axes : positive range 1 to 8 := 5;
+    -- Segments that wait in the step generator; a power of two.
+    queue_depth : positive := 32;
+    -- Temperature sensors, each with its heater: hotend, bed.
+    heaters : positive range 1 to 4 := 2
+  );
+  port (
+    -- The one clock, 4 to 100 MHz.
+    clk : in std_ulogic;
+    -- Its frequency: a constant on a board, chosen for each run in co-simulation.
+    clock_frequency_hz : in unsigned(31 downto 0);
+    -- Synchronous.
+    reset : in std_ulogic;
+    -- Serial line, idle high; asynchronous.
+    receive : in std_ulogic;
+    transmit : out std_ulogic;
+    -- Motor drivers, one bit per axis, all active high.
+    step : out std_ulogic_vector(axes - 1 downto 0);
+    direction : out std_ulogic_vector(axes - 1 downto 0);
+    motor_enable : out std_ulogic_vector(axes - 1 downto 0);
+    -- End stop switches and probes, one bit per input; asynchronous.
+    end_stop : in std_ulogic_vector(7 downto 0);
+    -- Stops motion and heat without software; asynchronous.
+    emergency_stop : in std_ulogic;
+    -- Per sensor: three resistor pins (high-impedance where not enabled) and the capacitor's level.
+    sensor_drive_enable : out std_ulogic_vector(resistors * heaters - 1 downto 0);
+    sensor_drive_level : out std_ulogic_vector(resistors * heaters - 1 downto 0);
+    sensor_discharging : out std_ulogic_vector(heaters - 1 downto 0);
+    sensor_sense : in std_ulogic_vector(heaters - 1 downto 0);
+    heater_gate : out std_ulogic_vector(heaters - 1 downto 0);
+    fan_gate : out std_ulogic;
+    -- A lamp: heat has been cut off until software clears the cause.
+    fault : out std_ulogic;
+    -- The processor waits for an interrupt; it has completed an instruction.
+    sleeping : out std_ulogic;
+    retired : out std_ulogic
+  );
+end entity;
+
+architecture rtl of printer_controller is
+
+  constant base_addresses : bus_address_array_t(0 to 7) := (
+    identity_address, uart_address, timer_address, step_generator_address, end_stops_address,
+    temperature_converter_address, heater_control_address, fan_address);
+
+  constant identity_slave : natural := 0;
+  constant uart_slave : natural := 1;
+  constant timer_slave : natural := 2;
+  constant step_generator_slave : natural := 3;
+  constant end_stops_slave : natural := 4;
+  constant temperature_converter_slave : natural := 5;
+  constant heater_control_slave : natural := 6;
+  constant fan_slave : natural := 7;
+
+  signal bus_request : bus_request_t;
+  signal bus_response : bus_response_t;
+  signal requests : bus_request_array_t(base_addresses'range);
+  signal responses : bus_response_array_t(base_addresses'range);
+
+  signal instruction_request : instruction_request_t;
+  signal instruction_data : std_ulogic_vector(31 downto 0);
+  signal memory_request : memory_request_t;
+  signal memory_data : std_ulogic_vector(31 downto 0);
+
+  signal timer_interrupt : std_ulogic;
+  signal uart_receive_interrupt, uart_transmit_interrupt : std_ulogic;
+  signal queue_interrupt, stop_interrupt : std_ulogic;
+  signal heater_interrupt : std_ulogic;
+  signal interrupts : std_ulogic_vector(15 downto 0);
+
+  signal end_stops_triggered : std_ulogic_vector(7 downto 0);
+  signal emergency_stop_synchronized : std_ulogic_vector(0 downto 0);
+  signal readings : sensor_reading_array_t(0 to heaters - 1);
+
+begin
+
+  fault <= heater_interrupt;
+
+  -- The lower the index, the higher the priority.
+  interrupts <= (
+    0 => uart_receive_interrupt,
+    1 => queue_interrupt,
+    2 => stop_interrupt,
+    3 => heater_interrupt,
+    4 => uart_transmit_interrupt,
+    others => '0');
+
+  cpu : entity work.processor
+    generic map (
+      memory_size_bytes => memory_size_bytes
+    )
+    port map (
+      clk => clk,
+      reset => reset,
+      instruction_request => instruction_request,
+      instruction_data => instruction_data,
+      memory_request => memory_request,
+      memory_data => memory_data,
+      bus_request => bus_request,
+      bus_response => bus_response,
+      timer_interrupt => timer_interrupt,
+      external_interrupt => '0',
+      interrupts => interrupts,
+      sleeping => sleeping,
+      retired => retired,
+      retirement => open
+    );
+
+  ram : entity work.memory
+    generic map (
+      size_bytes => memory_size_bytes
+    )
+    port map (
+      clk => clk,
+      instruction_request => instruction_request,
+      instruction_data => instruction_data,
+      data_request => memory_request,
+      data => memory_data
+    );
+
+  interconnect : entity work.bus_interconnect
+    generic map (
+      base_addresses => base_addresses
+    )
+    port map (
+      clk => clk,
+      reset => reset,
+      request => bus_request,
+      response => bus_response,
+      slave_requests => requests,
+      slave_responses => responses
+    );
+
+  identity_block : entity work.identity
+    generic map (
+      memory_size_bytes => memory_size_bytes,
+      axes => axes,
+      queue_depth => queue_depth,
+      sensors => heaters,
+      heaters => heaters
+    )
+    port map (
+      clk => clk,
+      clock_frequency_hz => clock_frequency_hz,
+      reset => reset,
+      request => requests(identity_slave),
+      response => responses(identity_slave)
+    );
+
+  serial_line : entity work.uart
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(uart_slave),
+      response => responses(uart_slave),
+      receive => receive,
+      transmit => transmit,
+      receive_interrupt => uart_receive_interrupt,
+      transmit_interrupt => uart_transmit_interrupt
+    );
+
+  machine_timer : entity work.timer
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(timer_slave),
+      response => responses(timer_slave),
+      timer_interrupt => timer_interrupt
+    );
+
+  end_stop_inputs : entity work.end_stops
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(end_stops_slave),
+      response => responses(end_stops_slave),
+      switches => end_stop,
+      triggered => end_stops_triggered
+    );
+
+  synchronize_emergency_stop : entity work.synchronizer
+    generic map (
+      width => 1
+    )
+    port map (
+      clk => clk,
+      asynchronous => (0 => emergency_stop),
+      synchronous => emergency_stop_synchronized
+    );
+
+  motion : entity work.step_generator
+    generic map (
+      axes => axes,
+      queue_depth => queue_depth
+    )
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(step_generator_slave),
+      response => responses(step_generator_slave),
+      end_stops => end_stops_triggered,
+      emergency_stop => emergency_stop_synchronized(0),
+      step => step,
+      direction => direction,
+      motor_enable => motor_enable,
+      moving => open,
+      queue_interrupt => queue_interrupt,
+      stop_interrupt => stop_interrupt
+    );
+
+  sensors : entity work.temperature_converter
+    generic map (
+      channels => heaters
+    )
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(temperature_converter_slave),
+      response => responses(temperature_converter_slave),
+      drive_enable => sensor_drive_enable,
+      drive_level => sensor_drive_level,
+      discharging => sensor_discharging,
+      sense => sensor_sense,
+      readings => readings
+    );
+
+  heat : entity work.heater_control
+    generic map (
+      channels => heaters
+    )
+    port map (
+      clk => clk,
+      clock_frequency_hz => clock_frequency_hz,
+      reset => reset,
+      request => requests(heater_control_slave),
+      response => responses(heater_control_slave),
+      readings => readings,
+      emergency_stop => emergency_stop,
+      gates => heater_gate,
+      interrupt => heater_interrupt
+    );
+
+  cooling_fan : entity work.fan
+    port map (
+      clk => clk,
+      reset => reset,
+      request => requests(fan_slave),
+      response => responses(fan_slave),
+      output => fan_gate
+    );
+
+end architecture;
