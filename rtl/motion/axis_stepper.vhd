@@ -1,0 +1,170 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- One axis: picks its steps from the common ticks (Bresenham), guards the driver's timing, counts pulses.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.step_generator_pkg.all;
+
+--               high      low
+--             |<---->|<-------->|
+--  step     __/------\__________/------\___
+--                                   |
+--  direction -----------X===============
+--             |<- hold ->|<- setup ->|     (the next rising edge comes after setup and low)
+entity axis_stepper is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    guard : in guard_t;
+
+    -- A line begins with the next clock, with these steps (0 .. line_ticks).
+    begin_line : in std_ulogic;
+    steps : in ticks_t;
+    backward : in std_ulogic;
+    -- Of the line that is executed: already the new value in the clock after begin_line.
+    line_ticks : in ticks_t;
+
+    -- The base has come to a tick. If the next tick brings a step which is not yet legal, `ready` is low.
+    due : in std_ulogic;
+    ready : out std_ulogic;
+    -- The tick is made; at least two clocks after the one before, and after begin_line.
+    tick : in std_ulogic;
+
+    step : out std_ulogic := '0';
+    -- 1 = negative.
+    direction : out std_ulogic := '0';
+    -- A pulse or the pause after it is not finished.
+    busy : out std_ulogic;
+
+    -- Rising edges of step, forward less backward. To be set only at rest.
+    position : out position_t := (others => '0');
+    set_position : in std_ulogic;
+    new_position : in position_t;
+
+    -- Clocks in which this axis was due but not ready.
+    stalls : out count_t := (others => '0')
+  );
+end entity;
+
+architecture rtl of axis_stepper is
+
+  signal line_steps : ticks_t := (others => '0');
+  signal wanted_direction : std_ulogic := '0';
+  signal line_begins : std_ulogic := '0';
+  signal ticked : std_ulogic := '0';
+  -- Error term after the next tick, and whether that tick brings a step.
+  signal error_term : ticks_t := (others => '0');
+  signal step_wanted : std_ulogic := '0';
+
+  -- Clocks left of the pulse (step = 1) or of the pause after it (step = 0).
+  signal pulse_left : guard_clocks_t := (others => '0');
+  -- Clocks left of the direction's set-up (setting_up = 1) or hold time.
+  signal direction_left : guard_clocks_t := (others => '0');
+  signal setting_up : std_ulogic := '0';
+  signal legal : std_ulogic;
+
+  function less_one(clocks : guard_clocks_t) return guard_clocks_t is
+  begin
+    if clocks = 0 then
+      return clocks;
+    end if;
+    return clocks - 1;
+  end function;
+
+begin
+
+  legal <= '1' when step = '0' and pulse_left = 0 and direction = wanted_direction and
+    (setting_up = '0' or direction_left = 0) else '0';
+  ready <= legal or not step_wanted;
+  busy <= '1' when step = '1' or pulse_left /= 0 else '0';
+
+  -- Works out the next tick in the clock after a tick.
+  share_ticks : process
+    variable sum : unsigned(31 downto 0);
+  begin
+    wait until rising_edge(clk);
+    line_begins <= begin_line;
+    ticked <= tick;
+    if begin_line then
+      line_steps <= steps;
+      if steps /= 0 then
+        wanted_direction <= backward;
+      end if;
+    end if;
+    if line_begins or ticked then
+      if line_begins then
+        sum := ("00" & line_ticks(30 downto 1)) + line_steps;
+      else
+        sum := ('0' & error_term) + line_steps;
+      end if;
+      step_wanted <= '0';
+      if sum >= line_ticks then
+        sum := sum - line_ticks;
+        step_wanted <= '1';
+      end if;
+      error_term <= sum(30 downto 0);
+    end if;
+    if reset then
+      line_begins <= '0';
+      ticked <= '0';
+      wanted_direction <= '0';
+    end if;
+  end process;
+
+  make_pulses : process
+  begin
+    wait until rising_edge(clk);
+
+    if pulse_left /= 0 then
+      pulse_left <= pulse_left - 1;
+    elsif step then
+      step <= '0';
+      pulse_left <= less_one(guard.low);
+    end if;
+
+    if direction_left /= 0 then
+      direction_left <= direction_left - 1;
+    elsif direction /= wanted_direction then
+      direction <= wanted_direction;
+      direction_left <= less_one(guard.direction_setup);
+      setting_up <= '1';
+    end if;
+
+    if tick and step_wanted then
+      step <= '1';
+      pulse_left <= less_one(guard.high);
+      direction_left <= less_one(guard.direction_hold);
+      setting_up <= '0';
+      if direction then
+        position <= position - 1;
+      else
+        position <= position + 1;
+      end if;
+    end if;
+
+    if set_position then
+      position <= new_position;
+    end if;
+    if due and not ready then
+      stalls <= stalls + 1;
+    end if;
+
+    if reset then
+      step <= '0';
+      direction <= '0';
+      pulse_left <= (others => '0');
+      direction_left <= (others => '0');
+      position <= (others => '0');
+      stalls <= (others => '0');
+    end if;
+
+    every_step_is_legal : assert reset = '1' or tick = '0' or step_wanted = '0' or legal = '1'
+      severity failure;
+    an_idle_axis_makes_no_step : assert reset = '1' or tick = '0' or step_wanted = '0' or line_steps /= 0
+      severity failure;
+  end process;
+
+end architecture;

@@ -1,0 +1,133 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Keeps segments in order, one memory per word, and has the next one ready as a whole.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.step_generator_pkg.all;
+
+entity segment_queue is
+  generic (
+    axes : positive range 1 to axis_limit := 5;
+    -- Segments that fit.
+    depth : positive range 2 to 255 := 32
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    -- Words of the segment behind the last one; lost while the queue is full.
+    write : in lane_write_t;
+    -- The segment that was written counts from now on.
+    append : in std_ulogic;
+    -- Forget all segments.
+    flush : in std_ulogic;
+
+    level : out natural range 0 to depth;
+    max_level : out natural range 0 to depth;
+    full : out std_ulogic;
+
+    -- The oldest segment, ready from two clocks after its commit or after the `take` before it.
+    head_valid : out std_ulogic := '0';
+    head : out segment_t;
+    head_steps : out ticks_array_t(axes - 1 downto 0);
+    -- Only with head_valid: the segment is consumed.
+    take : in std_ulogic
+  );
+end entity;
+
+architecture rtl of segment_queue is
+
+  type word_array_t is array (natural range <>) of std_ulogic_vector(31 downto 0);
+  signal words : word_array_t(steps_lane + axes - 1 downto 0);
+
+  subtype slot_t is natural range 0 to depth - 1;
+  signal first : slot_t := 0;
+  signal last : slot_t := 0;
+  signal count : natural range 0 to depth := 0;
+  signal highest_count : natural range 0 to depth := 0;
+  signal fetch : std_ulogic;
+
+  function slot_after(slot : slot_t) return slot_t is
+  begin
+    if slot = depth - 1 then
+      return 0;
+    end if;
+    return slot + 1;
+  end function;
+
+begin
+
+  level <= count;
+  max_level <= highest_count;
+  full <= '1' when count = depth else '0';
+  fetch <= '1' when count /= 0 and head_valid = '0' else '0';
+
+  lanes : for lane in words'range generate
+    signal memory : word_array_t(depth - 1 downto 0) := (others => (others => '0'));
+  begin
+    access_memory : process
+    begin
+      wait until rising_edge(clk);
+      if write.valid = '1' and write.lane = lane and count /= depth then
+        memory(last) <= write.data;
+      end if;
+      if fetch then
+        words(lane) <= memory(first);
+      end if;
+    end process;
+  end generate;
+
+  head.backward <= words(flags_lane)(axis_limit - 1 downto 0);
+  head.continues_line <= words(flags_lane)(continues_line_bit);
+  head.ends_motion <= words(flags_lane)(ends_motion_bit);
+  head.stop_mask <= words(flags_lane)(23 downto 16);
+  head.line_ticks <= unsigned(words(line_ticks_lane)(30 downto 0));
+  head.ticks <= unsigned(words(ticks_lane)(30 downto 0));
+  head.rate <= unsigned(words(rate_high_lane)) & unsigned(words(rate_low_lane));
+  head.acceleration <=
+    signed(words(acceleration_high_lane)) & signed(words(acceleration_low_lane));
+  head.jerk <= signed(words(jerk_high_lane)) & signed(words(jerk_low_lane));
+  steps : for axis in head_steps'range generate
+    head_steps(axis) <= unsigned(words(steps_lane + axis)(30 downto 0));
+  end generate;
+
+  count_segments : process
+    variable next_count : natural range 0 to depth;
+  begin
+    wait until rising_edge(clk);
+    next_count := count;
+    if append then
+      last <= slot_after(last);
+      next_count := next_count + 1;
+    end if;
+    if take then
+      first <= slot_after(first);
+      next_count := next_count - 1;
+      head_valid <= '0';
+    elsif fetch then
+      head_valid <= '1';
+    end if;
+    count <= next_count;
+    if next_count > highest_count then
+      highest_count <= next_count;
+    end if;
+
+    if reset or flush then
+      first <= 0;
+      last <= 0;
+      count <= 0;
+      head_valid <= '0';
+    end if;
+    if reset then
+      highest_count <= 0;
+    end if;
+
+    nothing_is_appended_to_a_full_queue : assert reset = '1' or append = '0' or count /= depth
+      severity failure;
+    nothing_is_taken_before_it_is_ready : assert reset = '1' or take = '0' or head_valid = '1'
+      severity failure;
+  end process;
+
+end architecture;

@@ -1,0 +1,163 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Judges the segment that software is writing: only a whole and executable one passes its commit.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.step_generator_pkg.all;
+
+entity segment_writer is
+  generic (
+    axes : positive range 1 to axis_limit := 5
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    -- The words: flags first, line_ticks before ticks and steps, the others in any order.
+    write : in lane_write_t;
+    -- All words are written: append the segment.
+    commit : in std_ulogic;
+    -- Forget what is written, and the line that a segment could continue.
+    flush : in std_ulogic;
+
+    queue_full : in std_ulogic;
+    stopped : in std_ulogic;
+
+    -- In the clock of `commit`.
+    accepted : out std_ulogic;
+    refused : out refusal_t
+  );
+end entity;
+
+architecture rtl of segment_writer is
+
+  subtype lane_set_t is std_ulogic_vector(steps_lane + axes - 1 downto 0);
+  constant all_lanes : lane_set_t := (others => '1');
+
+  -- What a continued line has already.
+  function lanes_of_line return lane_set_t is
+    variable lanes : lane_set_t := (others => '0');
+  begin
+    lanes(line_ticks_lane) := '1';
+    lanes(lane_set_t'high downto steps_lane) := (others => '1');
+    return lanes;
+  end function;
+
+  signal written : lane_set_t := (others => '0');
+  signal illegal : std_ulogic := '0';
+  signal continues_line : std_ulogic := '0';
+  -- Most that ticks and steps may be, once that is known.
+  signal limit : ticks_t := (others => '0');
+  signal limit_known : std_ulogic := '0';
+  signal ticks : ticks_t := (others => '0');
+  -- Ticks of the last committed line that no segment has yet.
+  signal line_left : ticks_t := (others => '0');
+  signal rate_is_half : std_ulogic := '0';
+  signal rate_low_is_zero : std_ulogic := '0';
+
+  signal complete : std_ulogic;
+  signal executable : std_ulogic;
+
+begin
+
+  complete <= '1' when written = all_lanes else '0';
+  executable <= not illegal and (not rate_is_half or rate_low_is_zero);
+
+  judge : process (all)
+  begin
+    accepted <= '0';
+    refused <= refusal_none;
+    if commit then
+      if stopped then
+        refused.while_stopped <= '1';
+      elsif queue_full then
+        refused.queue_full <= '1';
+      elsif not complete then
+        refused.incomplete <= '1';
+      elsif not executable then
+        refused.illegal <= '1';
+      else
+        accepted <= '1';
+      end if;
+    end if;
+  end process;
+
+  inspect : process
+    variable exceeds_limit : boolean;
+    variable is_zero : boolean;
+  begin
+    wait until rising_edge(clk);
+
+    if write.valid then
+      exceeds_limit := unsigned(write.data) > limit;
+      is_zero := unsigned(write.data) = 0;
+      case write.lane is
+        when flags_lane =>
+          written <= (others => '0');
+          written(flags_lane) <= not queue_full;
+          illegal <= '0';
+          continues_line <= write.data(continues_line_bit);
+          limit_known <= write.data(continues_line_bit);
+          if write.data(continues_line_bit) then
+            written <= lanes_of_line;
+            written(flags_lane) <= not queue_full;
+            limit <= line_left;
+          end if;
+        when line_ticks_lane =>
+          if not continues_line then
+            written(lane_set_t'high downto steps_lane) <= (others => '0');
+            written(ticks_lane) <= '0';
+            written(line_ticks_lane) <= not queue_full;
+            limit <= unsigned(write.data(30 downto 0));
+            limit_known <= '1';
+            if is_zero or write.data(31) = '1' then
+              illegal <= '1';
+            end if;
+          end if;
+        when ticks_lane =>
+          written(ticks_lane) <= limit_known and not queue_full;
+          ticks <= unsigned(write.data(30 downto 0));
+          if is_zero or exceeds_limit then
+            illegal <= '1';
+          end if;
+        when rate_low_lane =>
+          written(rate_low_lane) <= not queue_full;
+          rate_low_is_zero <= '1' when is_zero else '0';
+        when rate_high_lane =>
+          written(rate_high_lane) <= not queue_full;
+          rate_is_half <= write.data(31);
+          if write.data(31) = '1' and unsigned(write.data(30 downto 0)) /= 0 then
+            illegal <= '1';
+          end if;
+        when acceleration_low_lane to jerk_high_lane =>
+          written(write.lane) <= not queue_full;
+        when others =>
+          if not continues_line then
+            for axis in 0 to axes - 1 loop
+              if write.lane = steps_lane + axis then
+                written(steps_lane + axis) <= limit_known and not queue_full;
+                if exceeds_limit then
+                  illegal <= '1';
+                end if;
+              end if;
+            end loop;
+          end if;
+      end case;
+    end if;
+
+    if commit then
+      written <= (others => '0');
+      if accepted then
+        line_left <= limit - ticks;
+      end if;
+    end if;
+
+    if reset or flush then
+      written <= (others => '0');
+      line_left <= (others => '0');
+    end if;
+  end process;
+
+end architecture;

@@ -1,0 +1,244 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The step generator on the bus: from segments in registers to step, direction and enable pins.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
+
+entity step_generator is
+  generic (
+    axes : positive range 1 to axis_limit := 5;
+    -- Segments that fit into the queue.
+    queue_depth : positive range 2 to 255 := 32
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    request : in bus_request_t;
+    response : out bus_response_t;
+
+    -- Synchronous to clk, filtered, 1 = triggered.
+    end_stops : in std_ulogic_vector(7 downto 0);
+    emergency_stop : in std_ulogic;
+
+    step : out std_ulogic_vector(axes - 1 downto 0);
+    -- 1 = negative.
+    direction : out std_ulogic_vector(axes - 1 downto 0);
+    -- Of the motor drivers, 1 = enabled.
+    enable : out std_ulogic_vector(axes - 1 downto 0);
+
+    -- A segment is executed.
+    moving : out std_ulogic;
+    -- The queue is at or below its threshold.
+    queue_interrupt : out std_ulogic := '0';
+    -- A stop waits for its acknowledgement.
+    stop_interrupt : out std_ulogic := '0'
+  );
+end entity;
+
+architecture rtl of step_generator is
+
+  signal from_software : step_generator_from_software_t;
+  signal to_software : step_generator_to_software_t;
+
+  signal write : lane_write_t;
+  signal guards : guard_array_t(axes - 1 downto 0) := (others => guard_after_reset);
+  signal refused : refusal_t;
+  signal refusals : refusal_t := refusal_none;
+  signal position_refused : std_ulogic;
+  signal position_refusal : std_ulogic := '0';
+
+  signal level : natural range 0 to queue_depth;
+  signal max_level : natural range 0 to queue_depth;
+  signal idle : std_ulogic;
+  signal stopped : std_ulogic;
+  signal stop_cause : stop_cause_t;
+  signal segments : count_t;
+  signal underruns : count_t;
+  signal stalls : count_t;
+  signal axis_stalls : count_array_t(axes - 1 downto 0);
+  signal positions : position_array_t(axes - 1 downto 0);
+  signal stop_positions : position_array_t(axes - 1 downto 0);
+  signal snapshot_positions : position_array_t(axes - 1 downto 0);
+  signal stop_time : time_t;
+  signal snapshot_time : time_t;
+
+  signal set_position : std_ulogic_vector(axes - 1 downto 0);
+  signal new_position : position_t;
+
+  -- A bit of the register command, for the clock in which it is written.
+  signal command : step_generator_command_t;
+
+begin
+
+  registers : entity work.step_generator_registers
+    port map (
+      clk => clk, reset => reset, request => request, response => response,
+      from_software => from_software, to_software => to_software);
+
+  command <= from_software.command when from_software.command_written = '1' else (others => '0');
+
+  core : entity work.step_generator_core
+    generic map (axes => axes, queue_depth => queue_depth)
+    port map (
+      clk => clk, reset => reset, guards => guards, rate_floor => from_software.rate_floor.rate,
+      run => from_software.control.run, write => write,
+      commit => from_software.segment_commit_written, refused => refused,
+      flush => command.flush, level => level, max_level => max_level, moving => moving,
+      idle => idle, segments => segments, underruns => underruns, stalls => stalls,
+      axis_stalls => axis_stalls, end_stops => end_stops, emergency_stop => emergency_stop,
+      software_stop => command.stop, acknowledge_stop => command.acknowledge_stop,
+      stopped => stopped, stop_cause => stop_cause, stop_positions => stop_positions,
+      stop_time => stop_time, positions => positions, set_position => set_position,
+      new_position => new_position, position_refused => position_refused,
+      snapshot => command.snapshot, snapshot_positions => snapshot_positions,
+      snapshot_time => snapshot_time, step => step, direction => direction);
+
+  enable <= from_software.motor_enable.axes(axes - 1 downto 0);
+
+  -- Which word of the segment is written, and what.
+  gather_words : process (all)
+    procedure put(lane : lane_t; data : std_ulogic_vector(31 downto 0)) is
+    begin
+      write <= (valid => '1', lane => lane, data => data);
+    end procedure;
+  begin
+    write <= (valid => '0', lane => 0, data => (others => '0'));
+    if from_software.segment_flags_written then
+      put(flags_lane, x"00" & from_software.segment_flags.stop_mask & "000000" &
+        from_software.segment_flags.ends_motion & from_software.segment_flags.continues_line &
+        from_software.segment_flags.backward);
+    end if;
+    if from_software.segment_line_ticks_written then
+      put(line_ticks_lane, std_ulogic_vector(from_software.segment_line_ticks.ticks));
+    end if;
+    if from_software.segment_ticks_written then
+      put(ticks_lane, std_ulogic_vector(from_software.segment_ticks.ticks));
+    end if;
+    if from_software.segment_rate_low_written then
+      put(rate_low_lane, std_ulogic_vector(from_software.segment_rate_low.word));
+    end if;
+    if from_software.segment_rate_high_written then
+      put(rate_high_lane, std_ulogic_vector(from_software.segment_rate_high.word));
+    end if;
+    if from_software.segment_acceleration_low_written then
+      put(acceleration_low_lane, std_ulogic_vector(from_software.segment_acceleration_low.word));
+    end if;
+    if from_software.segment_acceleration_high_written then
+      put(acceleration_high_lane,
+        std_ulogic_vector(from_software.segment_acceleration_high.word));
+    end if;
+    if from_software.segment_jerk_low_written then
+      put(jerk_low_lane, std_ulogic_vector(from_software.segment_jerk_low.word));
+    end if;
+    if from_software.segment_jerk_high_written then
+      put(jerk_high_lane, std_ulogic_vector(from_software.segment_jerk_high.word));
+    end if;
+    for axis in 0 to axes - 1 loop
+      if from_software.segment_steps_written(axis) then
+        put(steps_lane + axis, std_ulogic_vector(from_software.segment_steps(axis).steps));
+      end if;
+    end loop;
+  end process;
+
+  new_position <= from_software.position(0).steps;
+  positions_from_software : for axis in 0 to axes - 1 generate
+    set_position(axis) <= from_software.position_written(axis);
+  end generate;
+
+  keep_settings : process
+  begin
+    wait until rising_edge(clk);
+    for axis in 0 to axes - 1 loop
+      if from_software.pulse_guard_written(axis) then
+        guards(axis).high <= from_software.pulse_guard(axis).high;
+        guards(axis).low <= from_software.pulse_guard(axis).low;
+      end if;
+      if from_software.direction_guard_written(axis) then
+        guards(axis).direction_setup <= from_software.direction_guard(axis).setup;
+        guards(axis).direction_hold <= from_software.direction_guard(axis).hold;
+      end if;
+    end loop;
+    if reset then
+      guards <= (others => guard_after_reset);
+    end if;
+  end process;
+
+  remember_errors : process
+  begin
+    wait until rising_edge(clk);
+    if command.clear_errors then
+      refusals <= refusal_none;
+      position_refusal <= '0';
+    end if;
+    if refused /= refusal_none then
+      refusals <= (
+        queue_full => refusals.queue_full or refused.queue_full,
+        incomplete => refusals.incomplete or refused.incomplete,
+        illegal => refusals.illegal or refused.illegal,
+        while_stopped => refusals.while_stopped or refused.while_stopped);
+    end if;
+    if position_refused then
+      position_refusal <= '1';
+    end if;
+    if reset then
+      refusals <= refusal_none;
+      position_refusal <= '0';
+    end if;
+  end process;
+
+  interrupt : process
+  begin
+    wait until rising_edge(clk);
+    queue_interrupt <= '0';
+    if level <= from_software.control.queue_threshold then
+      queue_interrupt <= from_software.control.queue_interrupt_enable;
+    end if;
+    stop_interrupt <= stopped and from_software.control.stop_interrupt_enable;
+    if reset then
+      queue_interrupt <= '0';
+      stop_interrupt <= '0';
+    end if;
+  end process;
+
+  to_software.build <= (
+    axes => to_unsigned(axes, 4), queue_depth => to_unsigned(queue_depth, 16));
+  to_software.status <= (
+    moving => moving, idle => idle, stopped => stopped, level => to_unsigned(level, 8),
+    free => to_unsigned(queue_depth - level, 8));
+  to_software.errors <= (
+    queue_full => refusals.queue_full, incomplete => refusals.incomplete,
+    illegal => refusals.illegal, while_stopped => refusals.while_stopped,
+    position => position_refusal);
+  to_software.snapshot_time_low.clocks <= snapshot_time(31 downto 0);
+  to_software.snapshot_time_high.clocks <= snapshot_time(63 downto 32);
+  to_software.stop_cause <= (
+    end_stops => stop_cause.end_stops, emergency_input => stop_cause.emergency_input,
+    software => stop_cause.software);
+  to_software.stop_time_low.clocks <= stop_time(31 downto 0);
+  to_software.stop_time_high.clocks <= stop_time(63 downto 32);
+  to_software.segments_executed.count <= segments;
+  to_software.underruns.count <= underruns;
+  to_software.max_level.segments <= to_unsigned(max_level, 16);
+  to_software.stalls.clocks <= stalls;
+
+  axes_to_software : for axis in 0 to axis_limit - 1 generate
+    present : if axis < axes generate
+      to_software.position(axis).steps <= positions(axis);
+      to_software.snapshot_position(axis).steps <= snapshot_positions(axis);
+      to_software.stop_position(axis).steps <= stop_positions(axis);
+      to_software.axis_stalls(axis).clocks <= axis_stalls(axis);
+    else generate
+      to_software.position(axis).steps <= (others => '0');
+      to_software.snapshot_position(axis).steps <= (others => '0');
+      to_software.stop_position(axis).steps <= (others => '0');
+      to_software.axis_stalls(axis).clocks <= (others => '0');
+    end generate;
+  end generate;
+
+end architecture;

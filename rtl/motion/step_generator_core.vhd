@@ -1,0 +1,163 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The step generator without its registers: queue, time base, axes and stops, wired together.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.step_generator_pkg.all;
+
+entity step_generator_core is
+  generic (
+    axes : positive range 1 to axis_limit := 5;
+    queue_depth : positive range 2 to 255 := 32
+  );
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    -- Settings, to be changed at rest.
+    guards : in guard_array_t(axes - 1 downto 0);
+    rate_floor : in unsigned(30 downto 0);
+    -- Motion may start from rest.
+    run : in std_ulogic;
+
+    -- The segment being written.
+    write : in lane_write_t;
+    commit : in std_ulogic;
+    refused : out refusal_t;
+    flush : in std_ulogic;
+    level : out natural range 0 to queue_depth;
+    max_level : out natural range 0 to queue_depth;
+
+    -- A segment is executed.
+    moving : out std_ulogic;
+    -- None is, none is queued, and every pulse is finished.
+    idle : out std_ulogic;
+    segments : out count_t;
+    underruns : out count_t;
+    stalls : out count_t;
+    axis_stalls : out count_array_t(axes - 1 downto 0);
+
+    -- Synchronous to clk, filtered, 1 = triggered.
+    end_stops : in std_ulogic_vector(7 downto 0);
+    emergency_stop : in std_ulogic;
+    software_stop : in std_ulogic;
+    acknowledge_stop : in std_ulogic;
+    stopped : out std_ulogic;
+    stop_cause : out stop_cause_t;
+    stop_positions : out position_array_t(axes - 1 downto 0);
+    stop_time : out time_t;
+
+    positions : out position_array_t(axes - 1 downto 0);
+    -- Only when idle, otherwise refused in the same clock.
+    set_position : in std_ulogic_vector(axes - 1 downto 0);
+    new_position : in position_t;
+    position_refused : out std_ulogic;
+    snapshot : in std_ulogic;
+    snapshot_positions : out position_array_t(axes - 1 downto 0);
+    snapshot_time : out time_t;
+
+    step : out std_ulogic_vector(axes - 1 downto 0);
+    -- 1 = negative.
+    direction : out std_ulogic_vector(axes - 1 downto 0)
+  );
+end entity;
+
+architecture rtl of step_generator_core is
+
+  signal now : time_t := (others => '0');
+  signal forget : std_ulogic;
+  signal append : std_ulogic;
+  signal queue_full : std_ulogic;
+
+  signal head_valid : std_ulogic;
+  signal head : segment_t;
+  signal head_steps : ticks_array_t(axes - 1 downto 0);
+  signal take : std_ulogic;
+  signal begin_line : std_ulogic;
+  signal line_ticks : ticks_t := (others => '0');
+
+  signal due : std_ulogic;
+  signal tick : std_ulogic;
+  signal ready : std_ulogic_vector(axes - 1 downto 0);
+  signal busy : std_ulogic_vector(axes - 1 downto 0);
+  signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
+
+  signal active_stop_mask : std_ulogic_vector(7 downto 0);
+  signal stop : std_ulogic;
+  signal stop_begins : std_ulogic;
+
+begin
+
+  forget <= flush or stop_begins;
+
+  writer : entity work.segment_writer
+    generic map (axes => axes)
+    port map (
+      clk => clk, reset => reset, write => write, commit => commit, flush => forget,
+      queue_full => queue_full, stopped => stopped, accepted => append, refused => refused);
+
+  queue : entity work.segment_queue
+    generic map (axes => axes, depth => queue_depth)
+    port map (
+      clk => clk, reset => reset, write => write, append => append, flush => forget,
+      level => level, max_level => max_level, full => queue_full, head_valid => head_valid,
+      head => head, head_steps => head_steps, take => take);
+
+  base : entity work.time_base
+    port map (
+      clk => clk, reset => reset, advance => '1', run => run, stop => stop,
+      rate_floor => rate_floor, head_valid => head_valid, head => head, take => take, due => due,
+      axes_ready => and ready, tick => tick, active => moving, stop_mask => active_stop_mask,
+      segments => segments, underruns => underruns, stalls => stalls);
+
+  begin_line <= take and not head.continues_line;
+
+  keep_line : process
+  begin
+    wait until rising_edge(clk);
+    now <= now + 1;
+    if begin_line then
+      line_ticks <= head.line_ticks;
+    end if;
+    if reset then
+      now <= (others => '0');
+    end if;
+  end process;
+
+  idle <= '1' when moving = '0' and level = 0 and (or busy) = '0' else '0';
+  allowed_position <= set_position when idle = '1' else (others => '0');
+  position_refused <= (or set_position) and not idle;
+
+  each_axis : for axis in 0 to axes - 1 generate
+    stepper : entity work.axis_stepper
+      port map (
+        clk => clk, reset => reset, guard => guards(axis), begin_line => begin_line,
+        steps => head_steps(axis), backward => head.backward(axis), line_ticks => line_ticks,
+        due => due, ready => ready(axis), tick => tick, step => step(axis),
+        direction => direction(axis), busy => busy(axis), position => positions(axis),
+        set_position => allowed_position(axis), new_position => new_position,
+        stalls => axis_stalls(axis));
+  end generate;
+
+  stops : entity work.stop_latch
+    port map (
+      clk => clk, reset => reset, active => moving, stop_mask => active_stop_mask,
+      end_stops => end_stops, emergency_stop => emergency_stop, software_stop => software_stop,
+      acknowledge => acknowledge_stop, stop => stop, stop_begins => stop_begins,
+      stopped => stopped, cause => stop_cause);
+
+  at_stop : entity work.position_latch
+    generic map (axes => axes)
+    port map (
+      clk => clk, capture => stop_begins, positions => positions, now => now,
+      captured_positions => stop_positions, captured_time => stop_time);
+
+  at_snapshot : entity work.position_latch
+    generic map (axes => axes)
+    port map (
+      clk => clk, capture => snapshot, positions => positions, now => now,
+      captured_positions => snapshot_positions, captured_time => snapshot_time);
+
+end architecture;

@@ -1,0 +1,100 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- What the parts of the step generator tell each other: segments, guard times, positions.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+package step_generator_pkg is
+
+  -- Axes that the registers have room for.
+  constant axis_limit : positive := 8;
+
+  -- Ticks and steps of a line.
+  subtype ticks_t is unsigned(30 downto 0);
+  type ticks_array_t is array (natural range <>) of ticks_t;
+
+  subtype position_t is signed(31 downto 0);
+  type position_array_t is array (natural range <>) of position_t;
+
+  -- Clocks since reset.
+  subtype time_t is unsigned(63 downto 0);
+
+  -- Event counters, modulo 2^32.
+  subtype count_t is unsigned(31 downto 0);
+  type count_array_t is array (natural range <>) of count_t;
+
+  -- Least times of one axis in clocks; 0 counts as 1.
+  subtype guard_clocks_t is unsigned(11 downto 0);
+  type guard_t is record
+    high : guard_clocks_t;
+    low : guard_clocks_t;
+    direction_setup : guard_clocks_t;
+    direction_hold : guard_clocks_t;
+  end record;
+  type guard_array_t is array (natural range <>) of guard_t;
+
+  -- After reset: slow enough for an A4988 at 50 MHz.
+  constant guard_after_reset : guard_t := (
+    high => to_unsigned(50, 12), low => to_unsigned(50, 12),
+    direction_setup => to_unsigned(10, 12), direction_hold => to_unsigned(10, 12));
+
+  -- A segment without its steps.
+  type segment_t is record
+    -- Direction of each axis, 1 = negative.
+    backward : std_ulogic_vector(axis_limit - 1 downto 0);
+    continues_line : std_ulogic;
+    ends_motion : std_ulogic;
+    stop_mask : std_ulogic_vector(7 downto 0);
+    line_ticks : ticks_t;
+    ticks : ticks_t;
+    -- In 2^-64 ticks per clock, at most 1/2 tick per clock.
+    rate : unsigned(63 downto 0);
+    -- In 2^-84 ticks per clock^2 and clock^3.
+    acceleration : signed(63 downto 0);
+    jerk : signed(63 downto 0);
+  end record;
+
+  -- A segment is stored as words side by side, one memory (lane) for each, so that all are read at once.
+  constant flags_lane : natural := 0;
+  constant line_ticks_lane : natural := 1;
+  constant ticks_lane : natural := 2;
+  constant rate_low_lane : natural := 3;
+  constant rate_high_lane : natural := 4;
+  constant acceleration_low_lane : natural := 5;
+  constant acceleration_high_lane : natural := 6;
+  constant jerk_low_lane : natural := 7;
+  constant jerk_high_lane : natural := 8;
+  -- And one for each axis from here on.
+  constant steps_lane : natural := 9;
+  subtype lane_t is natural range 0 to steps_lane + axis_limit - 1;
+
+  -- The flags word holds stop_mask from bit 16, backward from bit 0, and between them:
+  constant continues_line_bit : natural := 8;
+  constant ends_motion_bit : natural := 9;
+
+  -- One word that software writes.
+  type lane_write_t is record
+    valid : std_ulogic;
+    lane : lane_t;
+    data : std_ulogic_vector(31 downto 0);
+  end record;
+
+  -- Why a commit was refused; high for one clock.
+  type refusal_t is record
+    queue_full : std_ulogic;
+    incomplete : std_ulogic;
+    illegal : std_ulogic;
+    while_stopped : std_ulogic;
+  end record;
+  constant refusal_none : refusal_t := (others => '0');
+
+  -- Why motion was stopped.
+  type stop_cause_t is record
+    end_stops : std_ulogic_vector(7 downto 0);
+    emergency_input : std_ulogic;
+    software : std_ulogic;
+  end record;
+  constant stop_cause_none : stop_cause_t := (end_stops => x"00", others => '0');
+
+end package;
