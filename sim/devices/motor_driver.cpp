@@ -36,8 +36,8 @@ void MotorDriver::pins_changed(sim::Clock now, sim::OutputPins pins, sim::Output
   }
 }
 
-void MotorDriver::change_direction(sim::Clock now, bool forward) {
-  direction_ = forward ? 1 : -1;
+void MotorDriver::change_direction(sim::Clock now, bool backward) {
+  direction_ = backward ? -1 : 1;
   direction_changed_at_ = now;
   any_direction_change_ = true;
   if (any_rise_ && now - rose_at_ < direction_hold_) {

@@ -19,14 +19,14 @@ struct DriverTiming {
 };
 
 struct PulseCounts {
-  std::uint64_t forward{};   // all rising edges with the direction pin high
+  std::uint64_t forward{};   // all rising edges with the direction pin low
   std::uint64_t backward{};
   std::uint64_t illegal{};   // pulses that broke the timing; their steps are lost
   std::uint64_t disabled{};  // pulses while the driver was off; their steps are lost
   sim::Clock shortest_interval = sim::never;  // between rising edges
 };
 
-// Direction high moves the axis away from its end stop.
+// Direction low moves the axis away from its end stop.
 class MotorDriver : public sim::Device {
  public:
   MotorDriver(std::size_t axis_index, const DriverTiming& timing, sim::ClockRate rate,
@@ -41,7 +41,7 @@ class MotorDriver : public sim::Device {
   bool enabled() const { return enabled_; }
 
  private:
-  void change_direction(sim::Clock now, bool forward);
+  void change_direction(sim::Clock now, bool backward);
   void rise(sim::Clock now);
   void fall(sim::Clock now);
   void take_back_step();
@@ -53,7 +53,7 @@ class MotorDriver : public sim::Device {
   std::vector<StepListener*> listeners_;
   PulseCounts counts_;
   bool enabled_ = false;
-  int direction_ = -1;
+  int direction_ = 1;
   bool step_taken_ = false;  // by the last rising edge
   bool any_rise_ = false, any_fall_ = false, any_direction_change_ = false;
   sim::Clock rose_at_ = 0, fell_at_ = 0, direction_changed_at_ = 0;
