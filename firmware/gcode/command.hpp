@@ -26,8 +26,8 @@ class Command {
   char letter{};  // 'G', 'M' or 'T'
   std::uint16_t code{};  // 1 in G1
   std::uint8_t subcode{};  // 2 in G38.2, 0 where none is written
-  std::string_view
-      text{};  // of M117, M118, M23 ...: a part of the parsed line, which must outlive it
+  // Of M117, M118, M23 ..., or between quotes: a part of the parsed line, which must outlive it.
+  std::string_view text{};
 
   bool is(char wanted_letter, std::uint16_t wanted_code) const {
     return letter == wanted_letter && code == wanted_code;

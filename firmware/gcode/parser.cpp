@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// The line parser: one pass over the bytes, each looked at once or twice.
+#include "gcode/parser.hpp"
+
+#include "gcode/number.hpp"
+
+namespace gcode {
+namespace {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+// Independent of whether char is signed, which differs between the host and the target.
+constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+constexpr bool is_control(char c) {
+  return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == 0x7f;
+}
+constexpr char capital(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+constexpr bool is_letter(char c) { return capital(c) >= 'A' && capital(c) <= 'Z'; }
+
+// The rest of the line is a name or a message, whatever it looks like.
+bool takes_text(const Command& command) {
+  if (command.letter != 'M') return false;
+  switch (command.code) {
+    case 23:  // select a file
+    case 28:  // write a file
+    case 30:  // delete a file
+    case 32:  // print a file
+    case 33:  // long name of a file
+    case 117:  // show a message
+    case 118:  // send a message to the host
+    case 928:  // log to a file
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Parameters first, and a message from the first word without a number on: M0 S5 Change the
+// filament
+bool may_end_in_text(const Command& command) { return command.is('M', 0) || command.is('M', 1); }
+
+class LineParser {
+ public:
+  explicit LineParser(std::string_view line) : line_(line) {}
+
+  std::expected<Command, ParseError> parse() {
+    if (!skip_blanks_and_comments()) return failure();
+    if (at_end()) return fail(ParseFault::empty_line, position_);
+    if (!read_letter_and_code()) return failure();
+    skip_blanks();
+    if (takes_text(command_)) {
+      if (!read_text()) return failure();
+      return command_;
+    }
+    for (;;) {
+      if (!skip_blanks_and_comments()) return failure();
+      if (at_end()) return command_;
+      if (!read_parameter()) return failure();
+    }
+  }
+
+ private:
+  bool at_end() const { return position_ >= line_.size(); }
+  char here() const { return line_[position_]; }
+  bool at_digit() const { return !at_end() && is_digit(here()); }
+
+  // Remembers the error; false, so that a caller can return it at once.
+  bool set_error(ParseFault fault, std::size_t position) {
+    error_ = {fault, static_cast<std::uint32_t>(position)};
+    return false;
+  }
+  std::unexpected<ParseError> failure() const { return std::unexpected(error_); }
+  std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
+    set_error(fault, position);
+    return failure();
+  }
+
+  void skip_blanks() {
+    while (!at_end() && is_blank(here())) ++position_;
+  }
+
+  bool skip_blanks_and_comments() {
+    for (;;) {
+      skip_blanks();
+      if (at_end()) return true;
+      if (here() == ';') {
+        position_ = line_.size();
+        return true;
+      }
+      if (here() != '(') return true;
+      const std::size_t closing = line_.find(')', position_);
+      if (closing == std::string_view::npos) {
+        return set_error(ParseFault::unclosed_comment, position_);
+      }
+      position_ = closing + 1;
+    }
+  }
+
+  bool read_letter_and_code() {
+    const char letter = capital(here());
+    if (!is_printable(here())) return set_error(ParseFault::unprintable_byte, position_);
+    if (letter != 'G' && letter != 'M' && letter != 'T') {
+      return set_error(ParseFault::unknown_letter, position_);
+    }
+    command_.letter = letter;
+    ++position_;
+    skip_blanks();
+    if (!at_digit()) return set_error(ParseFault::missing_code, position_);
+    std::uint32_t code = 0;
+    if (!read_integer(code, 0xffff)) return set_error(ParseFault::code_overflow, position_);
+    command_.code = static_cast<std::uint16_t>(code);
+    if (!at_end() && here() == '.') {
+      ++position_;
+      std::uint32_t subcode = 0;
+      if (!at_digit() || !read_integer(subcode, 0xff)) {
+        return set_error(ParseFault::malformed_code, position_);
+      }
+      command_.subcode = static_cast<std::uint8_t>(subcode);
+    }
+    if (!at_end() && starts_number(here())) {
+      return set_error(ParseFault::malformed_code, position_);
+    }
+    return true;
+  }
+
+  bool read_integer(std::uint32_t& value, std::uint32_t largest) {
+    while (at_digit()) {
+      value = value * 10 + static_cast<std::uint32_t>(here() - '0');
+      if (value > largest) return false;
+      ++position_;
+    }
+    return true;
+  }
+
+  // To the end or to a comment; '*' and '(' belong to the text, as they do for Marlin.
+  bool read_text() {
+    const std::size_t start = position_;
+    std::size_t end = position_;
+    for (; !at_end() && here() != ';'; ++position_) {
+      if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
+      if (!is_blank(here())) end = position_ + 1;
+    }
+    command_.text = line_.substr(start, end - start);
+    return true;
+  }
+
+  bool read_quoted_text() {
+    const std::size_t quote = position_++;
+    const std::size_t closing = line_.find('"', position_);
+    if (closing == std::string_view::npos) return set_error(ParseFault::unclosed_quote, quote);
+    command_.text = line_.substr(position_, closing - position_);
+    for (; position_ < closing; ++position_) {
+      if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
+    }
+    position_ = closing + 1;
+    return true;
+  }
+
+  bool read_parameter() {
+    const std::size_t start = position_;
+    const char letter = capital(here());
+    if (!is_letter(here())) {
+      if (may_end_in_text(command_)) return read_text();
+      return set_error(
+          is_printable(here()) ? ParseFault::unexpected_character : ParseFault::unprintable_byte,
+          start);
+    }
+    ++position_;
+    skip_blanks();
+    const bool numeric = !at_end() && starts_number(here());
+    if (may_end_in_text(command_) && !numeric) {
+      position_ = start;
+      return read_text();
+    }
+    if (letter == 'G' || letter == 'M') return set_error(ParseFault::second_command, start);
+    if (command_.has(letter)) return set_error(ParseFault::duplicate_letter, start);
+    if (numeric) {
+      const std::expected<Number, ParseError> number = read_number(line_, position_);
+      if (!number) return set_error(number.error().fault, number.error().position);
+      command_.set(letter, *number);
+      return true;
+    }
+    command_.set_flag(letter);
+    return at_end() || here() != '"' || read_quoted_text();
+  }
+
+  std::string_view line_;
+  std::size_t position_{};
+  Command command_;
+  ParseError error_{};
+};
+
+}  // namespace
+
+std::expected<Command, ParseError> parse(std::string_view line) { return LineParser(line).parse(); }
+
+}  // namespace gcode
