@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// One heater with its sensor: control to the target, arrival, protections, and a latched fault.
+#include "thermal/heater_loop.hpp"
+
+#include <algorithm>
+
+namespace thermal {
+
+void HeaterLoop::set_target(units::Millicelsius target) {
+  const units::Millicelsius settled = std::clamp(target, off, highest_target());
+  if (settled == target_) return;
+  if (target_ == off || settled == off) controller_.reset();
+  target_ = settled;
+  arrival_.restart();
+  protection_.restart();
+}
+
+Duty HeaterLoop::update(const Temperature& measured, units::Milliseconds now) {
+  if (measured) {
+    faulty_since_.reset();
+    temperature_ = *measured;
+    duty_ = heat(*measured, now);
+  } else {
+    duty_ = wait_for_sensor(measured.error(), now);
+  }
+  last_update_ = now;
+  return duty_;
+}
+
+// One faulty conversion may be a disturbance: no heat meanwhile, and a fault if it lasts. A heater
+// that is off may lack its sensor: many a machine has no heated bed.
+Duty HeaterLoop::wait_for_sensor(Fault fault, units::Milliseconds now) {
+  if (!faulty_since_) faulty_since_ = now;
+  if (now - *faulty_since_ >= settings_.sensor_patience) {
+    temperature_.reset();
+    if (target_ != off) stop_with(fault);
+  }
+  return 0;
+}
+
+Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
+  if (measured > settings_.maximum) stop_with(Fault::max_temperature);
+  if (measured < settings_.minimum && target_ != off) stop_with(Fault::min_temperature);
+  if (const auto fault = protection_.update(target_, measured, duty_, now)) stop_with(*fault);
+  if (fault_ || target_ == off) return 0;
+  arrival_.update(target_, measured, now);
+  const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
+  return controller_.update(target_, measured, elapsed);
+}
+
+void HeaterLoop::stop_with(Fault fault) {
+  if (!fault_) fault_ = fault;
+  duty_ = 0;
+  target_ = off;
+  controller_.reset();
+  arrival_.restart();
+}
+
+void HeaterLoop::clear_fault() {
+  fault_.reset();
+  protection_.restart();
+}
+
+}  // namespace thermal
