@@ -284,6 +284,7 @@ begin
     wait until rising_edge(clk);
     writing.valid <= complete;
     writing.trapped <= trap.enable;
+    writing.interrupted <= trap.interrupt;
     writing.writes <= complete and executing.writes;
     writing.address <= trap.address;
     writing.instruction <= executing.instruction;
@@ -303,6 +304,7 @@ begin
     if reset then
       writing.valid <= '0';
       writing.trapped <= '0';
+      writing.interrupted <= '0';
       writing.writes <= '0';
     end if;
   end process;
@@ -325,6 +327,7 @@ begin
   retirement <= (
     valid => writing.valid,
     trap => writing.trapped,
+    interrupt => writing.interrupted,
     address => writing.address,
     instruction => writing.instruction,
     destination => writing.destination and (4 downto 0 => writing.writes),

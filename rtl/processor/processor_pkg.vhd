@@ -82,6 +82,7 @@ package processor_pkg is
   type writing_t is record
     valid : std_ulogic;
     trapped : std_ulogic;
+    interrupted : std_ulogic;
     address : unsigned(31 downto 0);
     instruction : word_t;
     writes : std_ulogic;
@@ -129,6 +130,7 @@ package processor_pkg is
     valid : std_ulogic;
     -- The instruction at `address` was not completed: an exception, or an interrupt before it.
     trap : std_ulogic;
+    interrupt : std_ulogic;
     address : unsigned(31 downto 0);
     instruction : word_t;
     -- The register that it wrote, 0 for none, and the value.

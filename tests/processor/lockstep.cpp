@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip and the instruction-set model side by side.
+#include "tests/processor/lockstep.hpp"
+
+#include <cstdio>
+
+namespace processor {
+namespace {
+
+template <class Event>
+std::string describe(const Event& event) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%s at %08x (%08x) x%u = %08x", event.trap ? "trap" : "completed",
+                event.address, event.instruction, event.destination, event.value);
+  return text;
+}
+
+bool reads_cycle(std::uint32_t instruction) {
+  const std::uint32_t address = instruction >> 20;
+  return (instruction & 0x7F) == 0x73 && (instruction >> 12 & 3) != 0 &&
+         (address == 0xB00 || address == 0xB80 || address == 0xC00 || address == 0xC80);
+}
+
+}  // namespace
+
+LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const LockstepSettings& settings) {
+  Chip chip(image);
+  chip.set_bus_wait(settings.bus_wait);
+  InstructionSetModel model(image, Chip::memory_size);
+  LockstepResult result;
+
+  while (result.instructions + result.traps < settings.max_instructions) {
+    const auto event = chip.next_retirement();
+    if (!event) {
+      result.difference = "the chip does nothing any more";
+      break;
+    }
+    // When an interrupt comes is the chip's affair; that it was due, and which, the model says.
+    auto interrupt = std::optional<Step>();
+    if (event->interrupt) {
+      interrupt = model.take_interrupt();
+      if (!interrupt) {
+        result.difference = "an interrupt that was not due: " + describe(*event);
+        break;
+      }
+    }
+    Step expected = interrupt ? *interrupt : model.step();
+    if (!event->trap && reads_cycle(event->instruction)) {
+      model.set_register(event->destination, event->value);
+      expected.value = event->value;
+    }
+    const bool same = event->trap == expected.trap && event->address == expected.address &&
+                      (event->trap || (event->instruction == expected.instruction &&
+                                       event->destination == expected.destination &&
+                                       event->value == expected.value));
+    if (!same) {
+      result.difference = "after " + std::to_string(result.instructions) + " instructions: chip " +
+                          describe(*event) + ", model " + describe(expected);
+      break;
+    }
+    ++(event->trap ? result.traps : result.instructions);
+    if (interrupt) ++result.interrupts;
+    if (settings.tohost_address != 0) {
+      result.tohost = chip.word(settings.tohost_address);
+      if (result.tohost != 0) break;
+    }
+  }
+  result.clocks = chip.clocks();
+  if (result.difference.empty() && chip.memory() != model.memory()) {
+    result.difference = "the memories differ at the end";
+  }
+  return result;
+}
+
+}  // namespace processor

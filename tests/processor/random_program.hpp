@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes programs of random instructions that end: forward jumps only, traps skip what raised them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace processor {
+
+struct RandomProgramSettings {
+  unsigned length = 1000;
+  // Of 1000 instructions, so many are words that may be anything but a jump or a store.
+  unsigned wild_per_mille = 30;
+  bool interrupts = true;
+};
+
+// The address at which it stores 1 when it has ended.
+inline constexpr std::uint32_t random_program_tohost = 0x8000FFF0;
+
+std::vector<std::uint8_t> random_program(std::uint32_t seed, const RandomProgramSettings& settings);
+
+}  // namespace processor
