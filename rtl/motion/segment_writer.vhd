@@ -119,7 +119,7 @@ begin
         when ticks_lane =>
           written(ticks_lane) <= limit_known and not queue_full;
           ticks <= unsigned(write.data(30 downto 0));
-          if is_zero or exceeds_limit then
+          if limit_known = '1' and (is_zero or exceeds_limit) then
             illegal <= '1';
           end if;
         when rate_low_lane =>
@@ -138,7 +138,7 @@ begin
             for axis in 0 to axes - 1 loop
               if write.lane = steps_lane + axis then
                 written(steps_lane + axis) <= limit_known and not queue_full;
-                if exceeds_limit then
+                if limit_known = '1' and exceeds_limit then
                   illegal <= '1';
                 end if;
               end if;

@@ -69,7 +69,7 @@ architecture rtl of step_generator_core is
   signal now : time_t := (others => '0');
   signal forget : std_ulogic;
   signal append : std_ulogic;
-  signal queue_full : std_ulogic;
+  signal full : std_ulogic;
 
   signal head_valid : std_ulogic;
   signal head : segment_t;
@@ -96,13 +96,13 @@ begin
     generic map (axes => axes)
     port map (
       clk => clk, reset => reset, write => write, commit => commit, flush => forget,
-      queue_full => queue_full, stopped => stopped, accepted => append, refused => refused);
+      queue_full => full, stopped => stopped, accepted => append, refused => refused);
 
   queue : entity work.segment_queue
     generic map (axes => axes, depth => queue_depth)
     port map (
       clk => clk, reset => reset, write => write, append => append, flush => forget,
-      level => level, max_level => max_level, full => queue_full, head_valid => head_valid,
+      level => level, max_level => max_level, full => full, head_valid => head_valid,
       head => head, head_steps => head_steps, take => take);
 
   base : entity work.time_base
