@@ -92,6 +92,8 @@ Step InstructionSetModel::step() {
   Step step;
   step.address = program_counter_;
   counter_written_ = false;
+  // As it was before the instruction, which may change it (as in the specification's Sail model).
+  const bool counts = (mcountinhibit_ & 4) == 0;
   std::uint32_t next = program_counter_ + 4;
   std::optional<Exception> exception;
   if (in_memory(program_counter_)) {
@@ -105,7 +107,7 @@ Step InstructionSetModel::step() {
     enter_trap(exception->cause, false, exception->value);
     return step;
   }
-  if (!counter_written_ && (mcountinhibit_ & 4) == 0) ++instret_;
+  if (!counter_written_ && counts) ++instret_;
   program_counter_ = next;
   return step;
 }

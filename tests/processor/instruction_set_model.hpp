@@ -28,6 +28,7 @@ class InstructionSetModel {
 
   // Executes the instruction at the program counter, or takes the exception that it raises.
   Step step();
+  bool interrupt_due() const { return interrupt_enable_ && (device_.interrupts() & mie_) != 0; }
   // Takes the interrupt that is due instead; nothing where none is.
   std::optional<Step> take_interrupt();
 

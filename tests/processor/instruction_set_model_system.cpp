@@ -29,8 +29,8 @@ void InstructionSetModel::enter_trap(std::uint32_t cause, bool interrupt, std::u
 }
 
 std::optional<Step> InstructionSetModel::take_interrupt() {
+  if (!interrupt_due()) return std::nullopt;
   const std::uint32_t active = device_.interrupts() & mie_;
-  if (!interrupt_enable_ || active == 0) return std::nullopt;
   const Step step{.trap = true, .address = program_counter_};
   enter_trap(first_interrupt(active), true, 0);
   return step;

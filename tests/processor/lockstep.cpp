@@ -3,6 +3,7 @@
 #include "tests/processor/lockstep.hpp"
 
 #include <cstdio>
+#include <random>
 
 namespace processor {
 namespace {
@@ -28,6 +29,7 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
   chip.set_bus_wait(settings.bus_wait);
   InstructionSetModel model(image, Chip::memory_size);
   LockstepResult result;
+  std::mt19937 random(settings.interrupt_seed);
 
   while (result.instructions + result.traps < settings.max_instructions) {
     const auto event = chip.next_retirement();
@@ -60,6 +62,12 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
     }
     ++(event->trap ? result.traps : result.instructions);
     if (interrupt) ++result.interrupts;
+    // Where one is due already, a second could come before or after the chip's choice.
+    if (settings.interrupt_seed != 0 && random() % 16 == 0 && !model.interrupt_due()) {
+      const std::uint32_t request = 1u << random() % 32;
+      chip.device().set_interrupts(chip.device().interrupts() | (request & TestDevice::interrupt_mask));
+      model.device().set_interrupts(chip.device().interrupts());
+    }
     if (settings.tohost_address != 0) {
       result.tohost = chip.word(settings.tohost_address);
       if (result.tohost != 0) break;

@@ -26,6 +26,8 @@ struct LockstepSettings {
   std::uint32_t tohost_address = 0;
   std::uint64_t max_instructions = 100'000;
   unsigned bus_wait = 1;
+  // Interrupts are requested from outside at random times; 0: none.
+  std::uint32_t interrupt_seed = 0;
 };
 
 // Every completed instruction and every trap is compared, and the whole memory at the end.

@@ -60,7 +60,7 @@ class Generator {
     emit(encode::branch(5, handler_register, 0, 20));
     emit(encode::store(2, 0, bus_base, 0x100));
     emit(encode::csr(2, handler_second, 0x344, 0));
-    emit(encode::branch(1, handler_second, 0, -4));
+    emit(encode::branch(1, handler_second, 0, -8));
     emit(encode::jump_and_link(0, 16));
     emit(encode::csr(2, handler_register, mepc, 0));
     emit(encode::add_immediate(handler_register, handler_register, 4));
@@ -83,7 +83,7 @@ class Generator {
 
   void add_instruction() {
     if (below(1000) < settings_.wild_per_mille) return emit(wild_word());
-    switch (below(20)) {
+    switch (below(settings_.interrupts ? 22 : 20)) {
       case 0: case 1: case 2: case 3: return add_operation();
       case 4: case 5: case 6: return add_immediate_operation();
       case 7: return emit(one_in(2) ? encode::load_upper(destination(), interesting_value())
@@ -161,9 +161,8 @@ class Generator {
       case 2: return emit(one_in(2) ? encode::fence() : encode::fence_i());
       case 3: case 4: case 5: return add_csr();
       case 6: return emit(encode::store(2, source(), bus_base, 0x100));
-      case 7: return emit(encode::csr(1 + below(2), destination(), mie, source()));
-      default:
-        return emit(encode::csr(one_in(3) ? 7 : 6, destination(), mstatus, 8));
+      case 7: return emit(encode::csr(one_in(4) ? 1 : 2, destination(), mie, source()));
+      default: return emit(encode::csr(one_in(4) ? 7 : 6, destination(), mstatus, 8));
     }
   }
 
