@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pins, clocks and memory of the Verilated chip.
+#include "sim/simulation/verilated_chip.hpp"
+
+#include <fmt/format.h>
+#include <verilated.h>
+
+#include <cstdint>
+
+#include "Vprinter_controller.h"
+#include "Vprinter_controller___024root.h"
+#include "sim/simulation/trace.hpp"
+
+// The model calls this where an assertion fails; it was made with VL_USER_STOP and VL_USER_FATAL.
+void vl_stop(const char* file, int line, const char*) VL_MT_UNSAFE {
+  throw sim::HardwareAssertion(
+      fmt::format("an assertion of the hardware failed, see its label above (netlist {}:{})", file, line));
+}
+
+void vl_fatal(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
+  throw sim::HardwareAssertion(fmt::format("the model of the chip failed: {} ({}:{})", message, file, line));
+}
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t memory_start = 0x8000'0000;
+constexpr int reset_clocks = 8;
+
+}  // namespace
+
+VerilatedChip::VerilatedChip(std::uint32_t clock_hz)
+    : context_(std::make_unique<VerilatedContext>()) {
+  permit_tracing(*context_);
+  model_ = std::make_unique<Vprinter_controller>(context_.get());
+  model_->clock_frequency_hz = clock_hz;
+  model_->reset = 1;
+  hold_reset();
+  outputs_ = sampled_outputs();
+}
+
+VerilatedChip::~VerilatedChip() = default;
+
+void VerilatedChip::hold_reset() {
+  model_->receive = inputs_.receive;
+  model_->end_stop = inputs_.end_stops;
+  model_->sensor_sense = inputs_.sense;
+  model_->emergency_stop = inputs_.emergency_stop;
+  for (int i = 0; i < reset_clocks; ++i) {
+    clock();
+  }
+}
+
+void VerilatedChip::clock() {
+  model_->clk = 1;
+  model_->eval();
+  model_->clk = 0;
+  model_->eval();
+}
+
+OutputPins VerilatedChip::sampled_outputs() const {
+  const Vprinter_controller& model = *model_;
+  constexpr unsigned channel_pins = 3, channel_mask = 7;
+  std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
+                       std::uint64_t{model.direction} << OutputPins::direction_bit |
+                       std::uint64_t{model.motor_enable} << OutputPins::enable_bit |
+                       std::uint64_t{model.transmit} << OutputPins::transmit_bit |
+                       std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
+                       std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
+                       std::uint64_t{model.fault} << OutputPins::fault_bit;
+  for (unsigned channel = 0; channel < sensor_count; ++channel) {
+    const std::uint64_t drive = model.sensor_drive_enable >> (channel_pins * channel) & channel_mask;
+    const std::uint64_t level = model.sensor_drive_level >> (channel_pins * channel) & channel_mask;
+    word |= (drive | level << OutputPins::sensor_level_bit)
+            << (OutputPins::sensor_bit + 8 * channel);
+  }
+  return {word};
+}
+
+void VerilatedChip::advance(Clock limit) {
+  if (!started_) {
+    started_ = true;
+    hold_reset();  // with the program in memory, so that nothing old has been fetched
+    model_->reset = 0;
+  }
+  Vprinter_controller& model = *model_;
+  model.receive = inputs_.receive;
+  model.end_stop = inputs_.end_stops;
+  model.sensor_sense = inputs_.sense;
+  model.emergency_stop = inputs_.emergency_stop;
+  const OutputPins before = outputs_;
+  while (now_ < limit) {
+    clock();
+    ++now_;
+    processor_.sleeping_clocks += model.sleeping;
+    processor_.instructions += model.retired;
+    if (trace_) {
+      trace_->record(now_);
+    }
+    outputs_ = sampled_outputs();
+    if (outputs_ != before) {
+      return;
+    }
+  }
+}
+
+std::uint32_t VerilatedChip::word_index(std::uint32_t address) {
+  using Root = Vprinter_controller___024root;
+  constexpr std::size_t words =
+      sizeof(Root::printer_controller__DOT__ram__DOT__lanes_n1_bytes) / sizeof(std::uint8_t);
+  const std::uint32_t index = (address - memory_start) / 4;
+  if (address < memory_start || index >= words) {
+    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
+  }
+  return index;
+}
+
+std::uint32_t VerilatedChip::read_memory(std::uint32_t address) const {
+  const std::uint32_t index = word_index(address);
+  const Vprinter_controller___024root& root = *model_->rootp;
+  return std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n1_bytes[index]} |
+         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n2_bytes[index]} << 8 |
+         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n3_bytes[index]} << 16 |
+         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n4_bytes[index]} << 24;
+}
+
+void VerilatedChip::write_memory(std::uint32_t address, std::uint32_t word) {
+  const std::uint32_t index = word_index(address);
+  Vprinter_controller___024root& root = *model_->rootp;
+  root.printer_controller__DOT__ram__DOT__lanes_n1_bytes[index] = static_cast<std::uint8_t>(word);
+  root.printer_controller__DOT__ram__DOT__lanes_n2_bytes[index] =
+      static_cast<std::uint8_t>(word >> 8);
+  root.printer_controller__DOT__ram__DOT__lanes_n3_bytes[index] =
+      static_cast<std::uint8_t>(word >> 16);
+  root.printer_controller__DOT__ram__DOT__lanes_n4_bytes[index] =
+      static_cast<std::uint8_t>(word >> 24);
+}
+
+QueueStatistics VerilatedChip::queue_statistics() const {
+  const Vprinter_controller___024root& root = *model_->rootp;
+  return {root.printer_controller__DOT__motion__DOT__core__DOT__underruns,
+          root.printer_controller__DOT__motion__DOT__core__DOT__stalls,
+          root.printer_controller__DOT__motion__DOT__core__DOT__level,
+          root.printer_controller__DOT__motion__DOT__core__DOT__max_level};
+}
+
+void VerilatedChip::trace_to(const std::string& file) { trace_ = make_trace(*model_, file); }
+
+}  // namespace sim

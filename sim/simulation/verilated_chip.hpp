@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip as Verilated model: with its source file the only place that knows the model's names.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+#include "sim/simulation/chip.hpp"
+
+class VerilatedContext;
+class Vprinter_controller;
+
+namespace sim {
+
+class Trace;
+
+// An assertion of the hardware has failed; the model printed its label.
+class HardwareAssertion : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The chip is in reset until the first advance(). Clocks in reset do not count.
+class VerilatedChip : public Chip {
+ public:
+  explicit VerilatedChip(std::uint32_t clock_hz);
+  ~VerilatedChip() override;
+
+  void advance(Clock limit) override;
+  std::uint32_t read_memory(std::uint32_t address) const override;
+  void write_memory(std::uint32_t address, std::uint32_t word) override;
+  QueueStatistics queue_statistics() const override;
+  ProcessorStatistics processor_statistics() const override { return processor_; }
+  void trace_to(const std::string& file) override;
+
+ private:
+  static std::uint32_t word_index(std::uint32_t address);
+  void hold_reset();
+  void clock();
+  OutputPins sampled_outputs() const;
+
+  std::unique_ptr<VerilatedContext> context_;
+  std::unique_ptr<Vprinter_controller> model_;
+  std::unique_ptr<Trace> trace_;
+  ProcessorStatistics processor_;
+  bool started_ = false;
+};
+
+}  // namespace sim
