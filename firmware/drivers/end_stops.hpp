@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The end stop switches: how they are wired, and which are triggered. Stopping motion is hardware's.
+#pragma once
+
+#include <cstdint>
+
+namespace drivers {
+
+// Bit n belongs to input n.
+struct EndStopSettings {
+  std::uint8_t enabled{};         // inputs that have a switch; others are never triggered
+  std::uint8_t active_low{};      // inputs that are triggered while their pin is low
+  std::uint16_t filter_cycles{};  // clocks for which a level must last; also delays the switch so long
+};
+
+class EndStops {
+ public:
+  void configure(const EndStopSettings& settings);
+
+  // What the step generator sees; a new setting shows after its filter time.
+  std::uint8_t triggered() const;
+  // Pin levels before and after the filter.
+  std::uint8_t raw_levels() const;
+  std::uint8_t filtered_levels() const;
+};
+
+}  // namespace drivers

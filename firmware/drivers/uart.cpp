@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The serial line's registers behind byte spans.
+#include "drivers/uart.hpp"
+
+#include <algorithm>
+
+#include "drivers/registers/uart_registers.hpp"
+#include "platform/bus.hpp"
+
+namespace drivers {
+
+namespace uart_registers = registers::uart;
+
+bool Uart::configure(std::uint32_t baud, units::Hertz clock) {
+  const auto bits_per_clock = increment(baud, clock);
+  if (!bits_per_clock) return false;
+  platform::write(uart_registers::BaudRate{.increment = *bits_per_clock});
+  return true;
+}
+
+std::size_t Uart::read(std::span<char> bytes) {
+  std::size_t count = 0;
+  while (count < bytes.size()) {
+    const auto data = platform::read<uart_registers::Data>();
+    if (!data.valid) break;
+    bytes[count++] = static_cast<char>(data.byte);
+  }
+  return count;
+}
+
+std::size_t Uart::write(std::span<const char> bytes) {
+  const std::size_t count = std::min(bytes.size(), transmit_space());
+  for (const char byte : bytes.first(count)) {
+    platform::write(uart_registers::Data{.byte = static_cast<unsigned char>(byte), .valid = true});
+  }
+  return count;
+}
+
+std::size_t Uart::receive_level() const {
+  return platform::read<uart_registers::Status>().receive_level;
+}
+
+std::size_t Uart::transmit_space() const {
+  return platform::read<uart_registers::Status>().transmit_space;
+}
+
+bool Uart::transmit_idle() const { return platform::read<uart_registers::Status>().transmit_idle; }
+
+UartErrors Uart::errors() const {
+  const auto status = platform::read<uart_registers::Status>();
+  return {
+    .overrun = status.overrun,
+    .framing_error = status.framing_error,
+    .break_condition = status.break_condition,
+  };
+}
+
+UartErrorCounts Uart::error_counts() const {
+  return {
+    .overruns = static_cast<std::uint16_t>(platform::read<uart_registers::Overruns>().count),
+    .framing_errors =
+      static_cast<std::uint16_t>(platform::read<uart_registers::FramingErrors>().count),
+    .breaks = static_cast<std::uint16_t>(platform::read<uart_registers::Breaks>().count),
+  };
+}
+
+void Uart::clear_errors() {
+  platform::write(
+    uart_registers::Clear{.overrun = true, .framing_error = true, .break_condition = true});
+}
+
+void Uart::interrupt_on(std::size_t receive_level, std::size_t transmit_space) {
+  platform::write(uart_registers::Interrupts{
+    .receive_threshold = static_cast<std::uint32_t>(receive_level),
+    .transmit_threshold = static_cast<std::uint32_t>(transmit_space),
+  });
+}
+
+}  // namespace drivers

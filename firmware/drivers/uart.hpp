@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The serial line to the host: bytes in, bytes out, nothing waits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "units/quantity.hpp"
+
+namespace drivers {
+
+// What went wrong on the line since the last Uart::clear_errors().
+struct UartErrors {
+  bool overrun{};        // bytes came faster than they were read, and were lost
+  bool framing_error{};  // a byte had no stop bit and was dropped
+  bool break_condition{};
+
+  constexpr bool any() const { return overrun || framing_error || break_condition; }
+};
+
+// How often it went wrong since reset, modulo 2^16.
+struct UartErrorCounts {
+  std::uint16_t overruns{};  // lost bytes
+  std::uint16_t framing_errors{};
+  std::uint16_t breaks{};
+};
+
+class Uart {
+ public:
+  // What the baud rate register needs for `baud`, rounded to nearest; nothing where that is less than
+  // 4 clocks per bit, or no speed at all.
+  static constexpr std::optional<std::uint32_t> increment(std::uint32_t baud, units::Hertz clock) {
+    if (clock.count() == 0) return std::nullopt;
+    const std::uint64_t bits_per_clock =
+      ((std::uint64_t{baud} << 32) + clock.count() / 2) / clock.count();
+    if (bits_per_clock == 0 || bits_per_clock > fastest_increment) return std::nullopt;
+    return static_cast<std::uint32_t>(bits_per_clock);
+  }
+
+  // Sets the speed; a frame under way in either direction is lost, bytes that wait are kept. False, with
+  // the line as it was, where the clock is too slow for it.
+  [[nodiscard]] bool configure(std::uint32_t baud, units::Hertz clock);
+
+  // Takes as many bytes as have come and as fit; returns how many.
+  std::size_t read(std::span<char> bytes);
+  // Hands over as many bytes as there is space for, from the first on; returns how many.
+  std::size_t write(std::span<const char> bytes);
+
+  std::size_t receive_level() const;
+  std::size_t transmit_space() const;
+  // Everything has left, the last stop bit included.
+  bool transmit_idle() const;
+
+  UartErrors errors() const;
+  UartErrorCounts error_counts() const;
+  void clear_errors();
+
+  // Interrupt while at least so many bytes wait, or while at least so much space is free; 0 is never.
+  void interrupt_on(std::size_t receive_level, std::size_t transmit_space);
+
+ private:
+  static constexpr std::uint64_t fastest_increment = std::uint64_t{1} << 30;
+};
+
+}  // namespace drivers

@@ -1,0 +1,263 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The serial line as software sees it: FIFOs, flags, counters and interrupts, over the bus.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_master_pkg.all;
+use work.bus_pkg.all;
+use work.serial_line_pkg.all;
+use work.uart_registers_pkg.all;
+
+entity uart_tb is
+end entity;
+
+architecture simulation of uart_tb is
+
+  constant clock_period : time := 10 ns;
+  constant clocks_per_bit : real := 4.0;
+  constant bit_time : time := clock_period * clocks_per_bit;
+  constant receive_depth : positive := 16;
+  constant transmit_depth : positive := 8;
+
+  constant baud_rate : unsigned(31 downto 0) := uart_address;
+  constant status : unsigned(31 downto 0) := uart_address + 4;
+  constant clear : unsigned(31 downto 0) := uart_address + 8;
+  constant data : unsigned(31 downto 0) := uart_address + 12;
+  constant interrupts : unsigned(31 downto 0) := uart_address + 16;
+  constant overruns : unsigned(31 downto 0) := uart_address + 20;
+  constant framing_errors : unsigned(31 downto 0) := uart_address + 24;
+  constant breaks : unsigned(31 downto 0) := uart_address + 28;
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal request : bus_request_t := bus_request_idle;
+  signal response : bus_response_t;
+  signal transmit : std_ulogic;
+  signal receive_interrupt : std_ulogic;
+  signal transmit_interrupt : std_ulogic;
+
+  -- The line comes from the bench or, looped back, from the transmitter.
+  signal looped_back : boolean := false;
+  signal sent : std_ulogic := '1';
+  signal receive : std_ulogic;
+
+begin
+
+  clk <= not clk after clock_period / 2;
+  receive <= transmit when looped_back else sent;
+
+  uart : entity work.uart
+    generic map (receive_depth => receive_depth, transmit_depth => transmit_depth)
+    port map (
+      clk => clk, reset => reset, request => request, response => response, receive => receive,
+      transmit => transmit, receive_interrupt => receive_interrupt,
+      transmit_interrupt => transmit_interrupt);
+
+  check : process
+    variable word : word_t;
+
+    procedure write (address : unsigned(31 downto 0); value : word_t) is
+    begin
+      bus_write(clk, request, response, address, value);
+    end procedure;
+    procedure read (address : unsigned(31 downto 0)) is
+    begin
+      bus_read(clk, request, response, address, word);
+    end procedure;
+
+    procedure check_status (
+      what : string; receive_level, transmit_space : natural;
+      transmit_idle, overrun, framing_error, break_condition : std_ulogic) is
+    begin
+      read(status);
+      status_is_as_expected : assert unsigned(word(11 downto 0)) = receive_level
+        and unsigned(word(23 downto 12)) = transmit_space and word(24) = transmit_idle
+        and word(25) = overrun and word(26) = framing_error and word(27) = break_condition
+        and word(31 downto 28) = "0000"
+        report what & ": status " & to_hstring(word) severity error;
+    end procedure;
+
+    procedure check_count (what : string; address : unsigned(31 downto 0); expected : natural) is
+    begin
+      read(address);
+      count_is_as_expected : assert unsigned(word) = expected
+        report what & ": " & to_hstring(word) severity error;
+    end procedure;
+
+    procedure check_data (expected : byte_t) is
+    begin
+      read(data);
+      gives_the_oldest_byte : assert word = x"00000" & "0001" & expected
+        report "data " & to_hstring(word) & ", expected " & to_hstring(expected) severity error;
+    end procedure;
+
+    procedure check_no_data is
+    begin
+      read(data);
+      says_that_there_is_no_byte : assert word(8) = '0' report "data " & to_hstring(word)
+        severity error;
+    end procedure;
+
+    procedure check_interrupts (what : string; expected_receive, expected_transmit : std_ulogic) is
+    begin
+      wait for 6 * clock_period;
+      interrupts_are_as_expected : assert receive_interrupt = expected_receive
+        and transmit_interrupt = expected_transmit report what severity error;
+    end procedure;
+
+    procedure is_off_until_it_has_a_speed is
+    begin
+      check_status("after reset", 0, transmit_depth, '1', '0', '0', '0');
+      send_byte(sent, x"55", bit_time);
+      write(data, x"00000041");
+      wait for 20 * bit_time;
+      check_status("without a speed", 0, transmit_depth - 1, '0', '0', '0', '0');
+      waits_with_sending : assert transmit = '1' report "sends without a speed" severity error;
+      check_no_data;
+    end procedure;
+
+    procedure sends_and_receives_through_the_fifos is
+    begin
+      looped_back <= true;
+      write(baud_rate, word_t(increment_for(clocks_per_bit)));
+      wait for 12 * bit_time;
+      check_data(x"41");
+      check_no_data;
+      for i in 0 to 5 loop
+        write(data, x"000000" & test_byte(i));
+      end loop;
+      wait for 70 * bit_time;
+      check_status("after six bytes", 6, transmit_depth, '1', '0', '0', '0');
+      for i in 0 to 5 loop
+        check_data(test_byte(i));
+      end loop;
+      check_no_data;
+    end procedure;
+
+    procedure drops_what_has_no_space is
+    begin
+      -- One byte goes on the line at once, so one more than the depth fits.
+      for i in 0 to transmit_depth + 3 loop
+        write(data, x"000000" & test_byte(i));
+      end loop;
+      check_status("full", 0, 0, '0', '0', '0', '0');
+      wait for (transmit_depth + 4) * 10 * bit_time;
+      check_status("sent", transmit_depth + 1, transmit_depth, '1', '0', '0', '0');
+      for i in 0 to transmit_depth loop
+        check_data(test_byte(i));
+      end loop;
+      check_no_data;
+    end procedure;
+
+    procedure counts_and_flags_overruns is
+    begin
+      looped_back <= false;
+      for i in 0 to receive_depth + 2 loop
+        send_byte(sent, test_byte(i), bit_time);
+      end loop;
+      wait for 5 * clock_period;
+      check_status("overrun", receive_depth, transmit_depth, '1', '1', '0', '0');
+      check_count("overruns", overruns, 3);
+      -- Clearing another flag leaves it.
+      write(clear, x"00000006");
+      check_status("not cleared", receive_depth, transmit_depth, '1', '1', '0', '0');
+      write(clear, x"00000001");
+      check_status("cleared", receive_depth, transmit_depth, '1', '0', '0', '0');
+      check_count("overruns", overruns, 3);
+      for i in 0 to receive_depth - 1 loop
+        check_data(test_byte(i));
+      end loop;
+      check_no_data;
+    end procedure;
+
+    procedure counts_and_flags_line_errors is
+    begin
+      send_byte(sent, x"41", bit_time, stop_level => '0');
+      sent <= '1';
+      wait for 2 * bit_time;
+      check_status("framing error", 0, transmit_depth, '1', '0', '1', '0');
+      sent <= '0';
+      wait for 30 * bit_time;
+      sent <= '1';
+      wait for 2 * bit_time;
+      check_status("break", 0, transmit_depth, '1', '0', '1', '1');
+      write(clear, x"00000002");
+      check_status("one cleared", 0, transmit_depth, '1', '0', '0', '1');
+      write(clear, x"00000004");
+      check_status("both cleared", 0, transmit_depth, '1', '0', '0', '0');
+      check_count("framing errors", framing_errors, 1);
+      check_count("breaks", breaks, 1);
+    end procedure;
+
+    procedure interrupts_at_its_thresholds is
+    begin
+      check_interrupts("both off", '0', '0');
+      write(interrupts, x"0008_0003");
+      check_interrupts("transmit FIFO empty", '0', '1');
+      send_byte(sent, x"01", bit_time);
+      send_byte(sent, x"02", bit_time);
+      check_interrupts("below the threshold", '0', '1');
+      send_byte(sent, x"03", bit_time);
+      check_interrupts("at the threshold", '1', '1');
+      read(data);
+      check_interrupts("served", '0', '1');
+      read(data);
+      read(data);
+      write(data, x"00000055");
+      write(data, x"00000055");
+      check_interrupts("a byte waits", '0', '0');
+      wait for 12 * bit_time;
+      check_interrupts("the byte is on the line", '0', '1');
+      write(interrupts, x"0000_0000");
+      check_interrupts("off again", '0', '0');
+      wait for 12 * bit_time;
+    end procedure;
+
+    -- Software polls in every phase to the arrival of bytes.
+    procedure loses_no_byte_to_a_poll_at_the_wrong_time is
+      variable received : natural;
+    begin
+      looped_back <= true;
+      for delay in 0 to 11 loop
+        for i in 0 to 3 loop
+          write(data, x"000000" & test_byte(i));
+        end loop;
+        wait for delay * clock_period;
+        received := 0;
+        for poll in 1 to 200 loop
+          read(data);
+          if word(8) then
+            gets_each_byte : assert word(7 downto 0) = test_byte(received)
+              report "poll got " & to_hstring(word) severity error;
+            received := received + 1;
+          end if;
+        end loop;
+        gets_all_bytes : assert received = 4 report to_string(received) & " bytes" severity error;
+      end loop;
+    end procedure;
+  begin
+    wait for 5 * clock_period;
+    wait until rising_edge(clk);
+    reset <= '0';
+    wait until rising_edge(clk);
+    is_off_until_it_has_a_speed;
+    sends_and_receives_through_the_fifos;
+    drops_what_has_no_space;
+    counts_and_flags_overruns;
+    counts_and_flags_line_errors;
+    interrupts_at_its_thresholds;
+    loses_no_byte_to_a_poll_at_the_wrong_time;
+    reset <= '1';
+    wait until rising_edge(clk);
+    reset <= '0';
+    wait until rising_edge(clk);
+    check_status("after reset", 0, transmit_depth, '1', '0', '0', '0');
+    check_count("overruns", overruns, 0);
+    check_count("framing errors", framing_errors, 0);
+    check_count("breaks", breaks, 0);
+    std.env.finish;
+  end process;
+
+end architecture;
