@@ -11,8 +11,8 @@ entity bus_interconnect is
   generic (
     -- Where the window of each slave begins, multiples of 4096.
     base_addresses : bus_address_array_t := (0 => x"F0000000", 1 => x"F0001000");
-    -- Clocks after which a slave that has not answered is given up, counted from the strobe. It must be
-    -- longer than the slowest slave.
+    -- Clocks that an access may take; a slave that takes longer is given up with an error. It must be
+    -- what the slowest slave takes at least.
     answer_limit_cycles : positive := 16
   );
   port (

@@ -43,6 +43,7 @@ begin
     );
 
   to_software.time_low.cycles <= now_cycles(31 downto 0);
+  to_software.compare_high.cycles <= deadline_cycles(63 downto 32);
   -- Off from the very clock in which a new deadline is acknowledged, so that none is taken twice.
   timer_interrupt <= reached and not from_software.compare_high_written;
 

@@ -39,6 +39,7 @@ package timer_registers_pkg is
   type timer_to_software_t is record
     time_low : timer_time_low_t;
     time_high : timer_time_high_t;
+    compare_high : timer_compare_high_t;
   end record;
 
 end package;
@@ -63,80 +64,80 @@ end entity;
 
 architecture rtl of timer_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal time_low_word : std_ulogic_vector(31 downto 0);
+  signal time_high_word : std_ulogic_vector(31 downto 0);
+  signal compare_low_word : std_ulogic_vector(31 downto 0);
   signal compare_low_stored : std_ulogic_vector(31 downto 0) := x"FFFFFFFF";
-  signal compare_high_stored : std_ulogic_vector(31 downto 0) := x"FFFFFFFF";
+  signal compare_high_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-      from_software.time_low_read <= '0';
-      from_software.compare_high_written <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.time_low.cycles);
-            from_software.time_low_read <= '1';
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.time_high.cycles);
-          end if;
-        when 2 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := compare_low_stored(31 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            compare_low_stored(31 downto 0) <= request.data(31 downto 0);
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := compare_high_stored(31 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            compare_high_stored(31 downto 0) <= request.data(31 downto 0);
-            from_software.compare_high_written <= '1';
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
-      from_software.time_low_read <= '0';
-      from_software.compare_high_written <= '0';
-      compare_low_stored <= x"FFFFFFFF";
-      compare_high_stored <= x"FFFFFFFF";
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
     end if;
   end process;
 
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 3 else '0';
+
+  writable <= '1' when (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 3) else '0';
+
+  time_low_word <= std_ulogic_vector(to_software.time_low.cycles)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  time_high_word <= std_ulogic_vector(to_software.time_high.cycles)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  compare_low_word <= compare_low_stored(31 downto 0)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  compare_high_word <= std_ulogic_vector(to_software.compare_high.cycles)
+    when request.address(11 downto 2) = 3 else (others => '0');
+
+  read_word <= time_low_word
+    or time_high_word
+    or compare_low_word
+    or compare_high_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 2 then
+      compare_low_stored <= written_data;
+    end if;
+    if reset then
+      compare_low_stored <= x"FFFFFFFF";
+    end if;
+  end process;
+
+  from_software.time_low_read <= '1' when reading = '1' and register_index = 0 else '0';
   from_software.compare_low.cycles <= unsigned(compare_low_stored(31 downto 0));
-
-  from_software.compare_high.cycles <= unsigned(compare_high_stored(31 downto 0));
-
+  from_software.compare_high_written <= '1' when writing = '1' and register_index = 3 else '0';
+  from_software.compare_high.cycles <= unsigned(written_data(31 downto 0));
 end architecture;

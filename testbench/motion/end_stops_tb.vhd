@@ -1,0 +1,131 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- End stops of either polarity trigger after their filter time, bounce unseen, and only where enabled.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_master_pkg.all;
+use work.bus_pkg.all;
+use work.end_stops_registers_pkg.all;
+
+entity end_stops_tb is
+end entity;
+
+architecture simulation of end_stops_tb is
+
+  constant clock_period : time := 10 ns;
+
+  constant status : unsigned(31 downto 0) := end_stops_address;
+  constant filter : unsigned(31 downto 0) := end_stops_address + 4;
+  constant polarity : unsigned(31 downto 0) := end_stops_address + 8;
+  constant enable : unsigned(31 downto 0) := end_stops_address + 12;
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal request : bus_request_t := bus_request_idle;
+  signal response : bus_response_t;
+  signal switches : std_ulogic_vector(7 downto 0) := x"00";
+  signal triggered : std_ulogic_vector(7 downto 0);
+
+begin
+
+  clk <= not clk after clock_period / 2;
+
+  end_stops : entity work.end_stops
+    port map (
+      clk => clk, reset => reset, request => request, response => response,
+      switches => switches, triggered => triggered);
+
+  check : process
+    -- Clocks from a pin to the output, besides the filter's: two to synchronise, one to judge.
+    constant fixed_delay_clocks : positive := 3;
+    variable word : word_t;
+
+    procedure write (address : unsigned(31 downto 0); value : natural) is
+    begin
+      bus_write(clk, request, response, address, value);
+    end procedure;
+
+    procedure wait_clocks (count : natural) is
+    begin
+      for i in 1 to count loop
+        wait until rising_edge(clk);
+      end loop;
+      wait until falling_edge(clk);
+    end procedure;
+
+    procedure check_status (raw, filtered, expected_triggered : std_ulogic_vector(7 downto 0)) is
+    begin
+      wait until rising_edge(clk);
+      bus_read(clk, request, response, status, word);
+      status_tells_each_stage : assert word = x"00" & expected_triggered & filtered & raw
+        report "status " & to_hstring(word) severity error;
+      output_is_what_the_status_tells : assert triggered = expected_triggered
+        report "triggered " & to_hstring(triggered) severity error;
+    end procedure;
+  begin
+    wait_clocks(2);
+    reset <= '0';
+    switches <= x"FF";
+    wait_clocks(300);
+    check_status(x"FF", x"FF", x"00");
+    nothing_is_triggered_before_it_is_enabled : assert triggered = x"00"
+      report to_hstring(triggered) severity error;
+    switches <= x"00";
+    wait_clocks(300);
+
+    write(enable, 16#F7#);
+    for cycles in 1 to 40 loop
+      write(filter, cycles);
+      wait_clocks(50);
+      switches <= x"5A";
+      wait_clocks(fixed_delay_clocks + cycles - 1);
+      is_not_early : assert triggered = x"00" report "early with " & to_string(cycles)
+        severity error;
+      wait_clocks(1);
+      is_exact : assert triggered = x"52" report "late with " & to_string(cycles) severity error;
+      switches <= x"00";
+      wait_clocks(fixed_delay_clocks + cycles - 1);
+      does_not_release_early : assert triggered = x"52" report "early with " & to_string(cycles)
+        severity error;
+      wait_clocks(1);
+      releases : assert triggered = x"00" report "late with " & to_string(cycles) severity error;
+    end loop;
+
+    -- A contact that bounces for a while is seen once, after it has come to rest.
+    write(filter, 30);
+    for bounce in 1 to 29 loop
+      switches(0) <= '1';
+      wait_clocks(bounce);
+      switches(0) <= '0';
+      wait_clocks(1);
+      does_not_bounce : assert triggered = x"00" report "bounced" severity error;
+    end loop;
+    switches(0) <= '1';
+    wait_clocks(30 + fixed_delay_clocks);
+    comes_to_rest : assert triggered = x"01" report "not seen" severity error;
+    switches(0) <= '0';
+    switches(1) <= '1';
+    wait_clocks(5);
+    check_status(x"02", x"01", x"01");
+    wait_clocks(40);
+    check_status(x"02", x"02", x"02");
+
+    -- Inverted inputs are triggered while low.
+    write(polarity, 16#0C#);
+    wait_clocks(2);
+    check_status(x"02", x"02", x"06");
+    switches <= x"0C";
+    wait_clocks(50);
+    check_status(x"0C", x"0C", x"00");
+
+    reset <= '1';
+    wait_clocks(1);
+    reset <= '0';
+    nothing_is_triggered_after_reset : assert triggered = x"00" report to_hstring(triggered)
+      severity error;
+    std.env.finish;
+  end process;
+
+end architecture;
