@@ -63,6 +63,10 @@ class LineParser {
  private:
   bool at_end() const { return position_ >= line_.size(); }
   char here() const { return line_[position_]; }
+  // Not substr(), which can throw.
+  std::string_view part(std::size_t start, std::size_t end) const {
+    return {line_.data() + start, end - start};
+  }
   bool at_digit() const { return !at_end() && is_digit(here()); }
 
   // Remembers the error; false, so that a caller can return it at once.
@@ -141,7 +145,7 @@ class LineParser {
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
       if (!is_blank(here())) end = position_ + 1;
     }
-    command_.text = line_.substr(start, end - start);
+    command_.text = part(start, end);
     return true;
   }
 
@@ -149,7 +153,7 @@ class LineParser {
     const std::size_t quote = position_++;
     const std::size_t closing = line_.find('"', position_);
     if (closing == std::string_view::npos) return set_error(ParseFault::unclosed_quote, quote);
-    command_.text = line_.substr(position_, closing - position_);
+    command_.text = part(position_, closing);
     for (; position_ < closing; ++position_) {
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
     }

@@ -3,6 +3,7 @@
 // whole reply lines go out, and no host is left in silence.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -71,25 +72,30 @@ class HostLink {
   const Statistics& statistics() const { return statistics_; }
 
  private:
-  // Replies about lines that the queue never sees. They are counted, so that none is lost while the
-  // transmit queue is full.
-  enum class Notice : std::uint8_t { too_long, unprintable, queue_full, awaiting_resend };
-  static constexpr std::size_t notice_count = 4;
+  // Told to the host about lines that are answered but not executed. They are counted, so that no
+  // answer is lost while the transmit queue is full.
+  enum class Notice : std::uint8_t { too_long, spoilt, unfinished, queue_full, awaiting_resend };
+  static constexpr std::size_t notice_count = 5;
+  static std::string_view describe(Notice notice);
 
   void handle(const ReceivedLine& line);
-  void handle_unnumbered(const ReceivedLine& line);
-  void handle_numbered(const ReceivedLine& line);
-  void accept(const ReceivedLine& line, std::string_view text, bool emergency);
-  void answer_ok();
+  void handle_plain(const ReceivedLine& line, bool emergency);
+  void handle_framed(const ReceivedLine& line, bool emergency);
+  void accept(const ReceivedLine& line, bool emergency);
+  bool in_numbered_session() const;
+
+  void answer_ok(std::optional<std::int32_t> number);
   void notify(Notice notice);
   void request_resend(LineError error);
-  void discard_unfinished_line();
+  void drop_owed_resend();
+  bool put_ok(std::optional<std::int32_t> number, std::string_view report);
+  bool put_notice(std::size_t index);
+  bool put_resend();
+  void send_owed();
+
+  void end_unfinished_line();
   void rescue_waiting_host(Activity activity);
   void keep_alive(Activity activity);
-  void send_owed();
-  bool send_resend();
-  bool send_notice(std::size_t notice);
-  bool idle(Activity activity) const;
 
   LineReceiver receiver_;
   LineNumbering numbering_;
@@ -100,19 +106,23 @@ class HostLink {
 
   units::Milliseconds now_{};
   units::Milliseconds last_heard_{};
-  units::Milliseconds last_exchange_{};  // the last byte in or ok out
+  units::Milliseconds last_framed_{};
+  units::Milliseconds last_exchange_{};  // a byte in, or an ok or Resend out
   units::Milliseconds last_busy_{};
   units::Milliseconds busy_interval_{2000};
 
   std::array<std::uint8_t, notice_count> notices_owed_{};
   std::uint8_t oks_owed_{};
-  LineError error_owed_{LineError::none};
   bool resend_owed_{};
-  bool resend_when_room_{};  // a line was refused because the queue was full
+  bool wait_for_room_{};  // that Resend is due to a full queue
+  LineError error_owed_{LineError::none};
   std::uint8_t rescues_left_{};
   std::uint8_t planner_space_{};
+  bool framed_seen_{};
   bool advanced_ok_{};
-  bool acted_on_emergency_{};
+  bool in_hand_{};
 };
+
+static_assert(sizeof(HostLink) <= 4096, "all of the link's memory");
 
 }  // namespace host_link

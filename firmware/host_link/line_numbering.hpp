@@ -21,6 +21,7 @@ enum class LineError : std::uint8_t {
   too_long,
   unprintable,
   unfinished,
+  spoilt,
 };
 
 // What follows "Error:" and precedes ", Last Line: N". Marlin's words where Marlin has the case;
@@ -69,6 +70,7 @@ class LineNumbering {
   struct Taken {
     std::int32_t number;
     std::uint32_t fingerprint;
+    bool operator==(const Taken&) const = default;
   };
   static constexpr std::size_t history_length = 16;
 
@@ -91,9 +93,5 @@ class LineNumbering {
   bool awaiting_resend_{};
   bool ignored_since_resend_{};
 };
-
-// The last line number that an M110 sets: that after its own N, else that of its line.
-std::optional<std::int32_t> numbering_set_by(std::string_view text,
-                                             std::optional<std::int32_t> line_number);
 
 }  // namespace host_link

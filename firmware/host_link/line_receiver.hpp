@@ -45,7 +45,6 @@ class LineReceiver {
 
   std::array<char, max_line_length> buffer_{};
   std::uint32_t length_{};  // counts on beyond the buffer
-  std::uint32_t first_star_{};
   // The checksum is that after the last '*', so a '*' in a text does no harm.
   std::uint32_t last_star_{};
   std::uint16_t checksum_value_{};

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of each received line.
+#include "host_link/host_link.hpp"
+
+#include "host_link/line_number.hpp"
+
+namespace host_link {
+namespace {
+
+constexpr units::Milliseconds session_memory{10'000};
+// So often is a host that waits for a lost reply woken; then it is taken to be gone or content.
+constexpr std::uint8_t rescues = 6;
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// G, M or T and a digit: not the remnant of a torn line.
+bool looks_like_command(std::string_view text) {
+  if (text.size() < 2 || !is_digit(text[1])) return false;
+  const char letter = text[0];
+  return letter == 'G' || letter == 'M' || letter == 'T' || letter == 'g' || letter == 'm' ||
+         letter == 't';
+}
+
+// Commands that hosts send between numbered lines and that only ask: safe even if they are
+// remnants.
+bool only_asks(std::string_view text) {
+  for (const std::string_view query : {"M105", "M114", "M115", "M119", "M27"}) {
+    if (!text.starts_with(query)) continue;
+    return text.size() == query.size() || !is_digit(text[query.size()]);
+  }
+  return false;
+}
+
+// May be executed as far as the link can tell.
+bool trusted(const ReceivedLine& line) {
+  return !line.spoilt && !line.too_long && (!line.framed() || line.checksum == Checksum::right);
+}
+
+}  // namespace
+
+void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
+  now_ = now;
+  if (bytes.empty()) return;
+  last_heard_ = now;
+  last_exchange_ = now;
+  for (const char byte : bytes) {
+    if (const std::optional<ReceivedLine> line = receiver_.put(byte)) handle(*line);
+  }
+}
+
+void HostLink::handle(const ReceivedLine& line) {
+  std::optional<EmergencyCommand> emergency;
+  if (trusted(line)) emergency = emergency_in(line.text);
+  if (emergency) emergencies_.put(*emergency);
+  if (line.framed()) {
+    handle_framed(line, emergency.has_value());
+  } else {
+    handle_plain(line, emergency.has_value());
+  }
+}
+
+void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
+  if (line.spoilt) return notify(Notice::spoilt);
+  if (line.too_long) return notify(Notice::too_long);
+  if (line.text.empty() || line.text.front() == ';') {
+    // A host without line numbers may wait for an answer even to an empty line. Among numbered
+    // lines it is a line end that noise has made, and an ok for it would be one too many.
+    if (!line.text.empty() || !in_numbered_session()) answer_ok(std::nullopt);
+    return;
+  }
+  if (numbering_.within_patience(now_) && !emergency && !only_asks(line.text)) {
+    // It stands where the wanted line should: perhaps its second half.
+    if (looks_like_command(line.text)) return notify(Notice::awaiting_resend);
+    numbering_.ignored();
+    ++statistics_.dropped;
+    return;
+  }
+  if (queue_.room() == 0) {
+    if (emergency) return answer_ok(std::nullopt);
+    return notify(Notice::queue_full);
+  }
+  if (sets_numbering(line.text)) {
+    if (const auto number = number_set_by(line.text)) numbering_.restart_after(*number);
+  }
+  accept(line, emergency);
+}
+
+void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
+  framed_seen_ = true;
+  last_framed_ = now_;
+  rescues_left_ = rescues;
+  const Judgement judgement = numbering_.judge(line, now_);
+  switch (judgement.verdict) {
+    case Verdict::accept:
+      if (line.too_long) {
+        // Whole and in order, but more than can be kept: the host must not send it for ever.
+        numbering_.accepted(line, now_);
+        drop_owed_resend();
+        return notify(Notice::too_long);
+      }
+      if (queue_.room() == 0) {
+        if (!line.number) return notify(Notice::queue_full);
+        ++statistics_.dropped;
+        return request_resend(LineError::none);
+      }
+      numbering_.accepted(line, now_);
+      drop_owed_resend();
+      return accept(line, emergency);
+    case Verdict::repeat:
+      ++statistics_.repeats;
+      return answer_ok(line.number);
+    case Verdict::refuse:
+      return request_resend(judgement.error);
+    case Verdict::ignore:
+      ++statistics_.dropped;
+      return numbering_.ignored();
+  }
+}
+
+void HostLink::accept(const ReceivedLine& line, bool emergency) {
+  ++statistics_.accepted;
+  queue_.put(line.text, line.number, emergency);
+}
+
+bool HostLink::in_numbered_session() const {
+  return framed_seen_ && now_ - last_framed_ < session_memory;
+}
+
+std::optional<AcceptedLine> HostLink::next_line() {
+  if (in_hand_ || queue_.size() == 0) return std::nullopt;
+  in_hand_ = true;
+  return queue_.front();
+}
+
+bool HostLink::finished(std::string_view report) {
+  if (!in_hand_) return true;
+  const std::optional<std::int32_t> number = queue_.front().number;
+  if (!put_ok(number, report)) return false;
+  queue_.drop();
+  in_hand_ = false;
+  send_owed();
+  return true;
+}
+
+void HostLink::update(units::Milliseconds now, Activity activity) {
+  now_ = now;
+  end_unfinished_line();
+  if (numbering_.must_ask_again(now) && !resend_owed_) request_resend(LineError::none);
+  rescue_waiting_host(activity);
+  send_owed();
+  keep_alive(activity);
+}
+
+}  // namespace host_link

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the link says by itself: oks, resend requests, notices, busy messages, and when.
+#include "host_link/host_link.hpp"
+#include "host_link/text_line.hpp"
+
+namespace host_link {
+namespace {
+
+// A framed line that rests is broken: at 9600 baud the gap between two bytes is 1 ms.
+constexpr units::Milliseconds framed_line_time_out{300};
+// An unnumbered one may be typed by hand, unless numbered lines have just been coming.
+constexpr units::Milliseconds plain_line_time_out{2000};
+constexpr units::Milliseconds rescue_interval{2000};
+// Kept free for the link's own replies: the largest, a resend request, has at most 95 bytes.
+constexpr std::size_t link_reserve = 96;
+
+constexpr std::uint8_t most_owed = 255;
+
+void count_up(std::uint8_t& owed, unsigned more) {
+  owed = static_cast<std::uint8_t>(owed + more < most_owed ? owed + more : most_owed);
+}
+
+std::string_view busy_reason(Activity activity) {
+  switch (activity) {
+    case Activity::idle:
+    case Activity::processing:
+      return "processing";
+    case Activity::paused_for_user:
+      return "paused for user";
+    case Activity::paused_for_input:
+      return "paused for input";
+  }
+  return "processing";
+}
+
+}  // namespace
+
+std::string_view HostLink::describe(Notice notice) {
+  switch (notice) {
+    case Notice::too_long:
+      return "Line too long, not executed";
+    case Notice::spoilt:
+      return "Line damaged on the serial line, not executed";
+    case Notice::unfinished:
+      return "Line not finished, not executed";
+    case Notice::queue_full:
+      return "Line sent without waiting for ok, not executed";
+    case Notice::awaiting_resend:
+      return "A damaged line is awaited again, line without number not executed";
+  }
+  return "";
+}
+
+bool HostLink::say(std::string_view line) { return transmit_.put_line({line}, link_reserve); }
+
+bool HostLink::put_ok(std::optional<std::int32_t> number, std::string_view report) {
+  TextLine ok;
+  ok.text("ok");
+  if (advanced_ok_) {
+    if (number) ok.text(" N").integer(*number);
+    ok.text(" P").integer(planner_space_);
+    // The place of the line that is being answered is free again.
+    ok.text(" B").integer(static_cast<std::int64_t>(queue_.room() + (in_hand_ ? 1 : 0)));
+  }
+  if (!transmit_.put_line({ok.view(), report})) return false;
+  last_exchange_ = now_;
+  last_busy_ = now_;
+  return true;
+}
+
+void HostLink::answer_ok(std::optional<std::int32_t> number) {
+  if (!put_ok(number, {})) count_up(oks_owed_, 1);
+}
+
+void HostLink::notify(Notice notice) {
+  ++statistics_.refused;
+  count_up(notices_owed_[static_cast<std::size_t>(notice)], 1);
+  send_owed();
+}
+
+void HostLink::request_resend(LineError error) {
+  numbering_.asked_for_resend(now_);
+  error_owed_ = error;
+  resend_owed_ = true;
+  if (queue_.room() == 0) wait_for_room_ = true;
+  send_owed();
+}
+
+// The wanted line has come before there was room to ask for it.
+void HostLink::drop_owed_resend() {
+  if (!resend_owed_) return;
+  resend_owed_ = false;
+  wait_for_room_ = false;
+  count_up(oks_owed_, 1);
+}
+
+bool HostLink::put_notice(std::size_t index) {
+  const std::string_view text = describe(static_cast<Notice>(index));
+  if (!transmit_.put_line({"echo:", text})) return false;
+  count_up(oks_owed_, notices_owed_[index]);
+  notices_owed_[index] = 0;
+  return true;
+}
+
+bool HostLink::put_resend() {
+  TextLine error;
+  if (error_owed_ != LineError::none) {
+    error.text("Error:").text(host_link::describe(error_owed_));
+    error.text(", Last Line: ").integer(numbering_.last());
+  }
+  TextLine resend;
+  resend.text("Resend: ").integer(numbering_.wanted());
+  constexpr std::string_view ok = "ok";
+  const std::size_t line_ends = 3;
+  if (transmit_.room() < error.view().size() + resend.view().size() + ok.size() + line_ends) {
+    return false;
+  }
+  if (!error.view().empty()) transmit_.put_line({error.view()});
+  transmit_.put_line({resend.view()});
+  transmit_.put_line({ok});
+  resend_owed_ = false;
+  wait_for_room_ = false;
+  numbering_.asked_for_resend(now_);
+  last_exchange_ = now_;
+  ++statistics_.resends;
+  return true;
+}
+
+void HostLink::send_owed() {
+  for (std::size_t index = 0; index < notice_count; ++index) {
+    if (notices_owed_[index] != 0 && !put_notice(index)) return;
+  }
+  // After an overrun the host is asked to go on only when half of the queue is free again.
+  const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
+  if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
+  for (; oks_owed_ != 0; --oks_owed_) {
+    if (!put_ok(std::nullopt, {})) return;
+  }
+}
+
+void HostLink::end_unfinished_line() {
+  if (!receiver_.unfinished()) return;
+  const units::Milliseconds silence = now_ - last_heard_;
+  if (receiver_.unfinished_is_framed()) {
+    if (silence < framed_line_time_out) return;
+    receiver_.discard();
+    if (numbering_.within_patience(now_)) return numbering_.ignored();
+    return request_resend(LineError::unfinished);
+  }
+  if (rescues_left_ == 0 || silence < plain_line_time_out) return;
+  receiver_.discard();
+  notify(Notice::unfinished);
+}
+
+// An ok or a Resend may be lost on its way, and a host without time-outs then waits for ever.
+void HostLink::rescue_waiting_host(Activity activity) {
+  const bool idle = activity == Activity::idle && queue_.size() == 0 && !receiver_.unfinished();
+  if (!idle || rescues_left_ == 0 || now_ - last_exchange_ < rescue_interval) return;
+  --rescues_left_;
+  if (numbering_.awaiting_resend()) {
+    request_resend(LineError::none);
+  } else {
+    answer_ok(std::nullopt);
+  }
+}
+
+void HostLink::keep_alive(Activity activity) {
+  if (activity == Activity::idle && queue_.size() == 0) {
+    last_busy_ = now_;
+    return;
+  }
+  if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_) return;
+  if (transmit_.put_line({"echo:busy: ", busy_reason(activity)})) last_busy_ = now_;
+}
+
+}  // namespace host_link

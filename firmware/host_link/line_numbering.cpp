@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The acceptance rules for framed lines; the README says which host needs which.
+#include "host_link/line_numbering.hpp"
+
+#include "host_link/line_number.hpp"
+
+namespace host_link {
+namespace {
+
+// FNV-1a (Fowler, Noll, Vo), 32 bits: tells whether a repeated number brings the same text.
+std::uint32_t fingerprint_of(std::string_view text) {
+  std::uint32_t hash = 2'166'136'261;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
+  return hash;
+}
+
+}  // namespace
+
+std::string_view describe(LineError error) {
+  switch (error) {
+    case LineError::none:
+      return "";
+    case LineError::wrong_checksum:
+      return "checksum mismatch";
+    case LineError::wrong_number:
+      return "Line Number is not Last Line Number+1";
+    case LineError::no_checksum:
+      return "No Checksum with line number";
+    case LineError::too_long:
+      return "format error: line too long";
+    case LineError::unprintable:
+      return "format error: byte outside ASCII";
+    case LineError::unfinished:
+      return "format error: line not finished";
+    case LineError::spoilt:
+      return "format error: serial line disturbed";
+  }
+  return "";
+}
+
+std::int32_t LineNumbering::wanted() const {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(last_) + 1);
+}
+
+bool LineNumbering::within_patience(units::Milliseconds now) const {
+  return awaiting_resend_ && now - asked_ < resend_patience;
+}
+
+bool LineNumbering::must_ask_again(units::Milliseconds now) const {
+  return awaiting_resend_ && ignored_since_resend_ && now - asked_ >= resend_patience;
+}
+
+bool LineNumbering::asked_recently(units::Milliseconds now) const {
+  return ever_asked_ && now - asked_ < resend_memory;
+}
+
+Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now) {
+  if (line.spoilt) return judge_broken(line, LineError::spoilt, now);
+  if (line.checksum != Checksum::right) {
+    if (line.too_long) return judge_broken(line, LineError::too_long, now);
+    return judge_broken(
+        line, line.checksum == Checksum::none ? LineError::no_checksum : LineError::wrong_checksum,
+        now);
+  }
+  if (line.unprintable) {
+    // One that comes twice alike is no noise: the host means it, and the parser may judge it.
+    const Taken seen{line.number.value_or(0), fingerprint_of(line.text)};
+    if (unprintable_ != seen) {
+      unprintable_ = seen;
+      return judge_broken(line, LineError::unprintable, now);
+    }
+  }
+  if (!line.starts_with_n) return {Verdict::accept};
+  if (!line.number) return judge_broken(line, LineError::wrong_number, now);
+  return judge_number(line, now);
+}
+
+// What cannot be the wanted line comes from the host's look-ahead or is a remnant of a line that
+// has been asked for again: a second Resend for it would send the host back twice.
+Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
+                                      units::Milliseconds now) const {
+  if (within_patience(now) && line.number != wanted()) return {Verdict::ignore};
+  return {Verdict::refuse, error};
+}
+
+Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) const {
+  const std::int32_t number = *line.number;
+  if (number == wanted() || sets_numbering(line.text)) return {Verdict::accept};
+  const std::uint32_t fingerprint = fingerprint_of(line.text);
+  const bool taken = taken_before(number, fingerprint);
+  if (number == 0 || number == 1) {
+    if (!taken && !opened_with(number, fingerprint)) return {Verdict::accept};
+    // The same opening again: the same job started anew, unless a Resend (perhaps with a spoilt
+    // number) or an echo explains it.
+    const bool explained =
+        asked_recently(now) || (number == last_ && now - last_taken_ < restart_pause);
+    if (!explained) return {Verdict::accept};
+  }
+  if (taken) return {Verdict::repeat};
+  if (within_patience(now)) return {Verdict::ignore};
+  return {Verdict::refuse, LineError::wrong_number};
+}
+
+void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) {
+  if (!line.number) return;
+  if (sets_numbering(line.text)) {
+    restart_after(number_set_by(line.text).value_or(*line.number));
+    last_taken_ = now;
+    return;
+  }
+  const std::int32_t number = *line.number;
+  const std::uint32_t fingerprint = fingerprint_of(line.text);
+  if (number != wanted()) forget();
+  if (number == 0 || number == 1) openings_[static_cast<std::size_t>(number)] = fingerprint;
+  history_[history_next_] = {number, fingerprint};
+  history_next_ = (history_next_ + 1) % history_length;
+  if (history_size_ < history_length) ++history_size_;
+  last_ = number;
+  last_taken_ = now;
+  awaiting_resend_ = false;
+  unprintable_.reset();
+}
+
+void LineNumbering::restart_after(std::int32_t last) {
+  forget();
+  last_ = last;
+  awaiting_resend_ = false;
+}
+
+void LineNumbering::asked_for_resend(units::Milliseconds now) {
+  asked_ = now;
+  ever_asked_ = true;
+  awaiting_resend_ = true;
+  ignored_since_resend_ = false;
+}
+
+bool LineNumbering::taken_before(std::int32_t number, std::uint32_t fingerprint) const {
+  for (std::size_t i = 0; i < history_size_; ++i) {
+    if (history_[i] == Taken{number, fingerprint}) return true;
+  }
+  return false;
+}
+
+bool LineNumbering::opened_with(std::int32_t number, std::uint32_t fingerprint) const {
+  return openings_[static_cast<std::size_t>(number)] == fingerprint;
+}
+
+void LineNumbering::forget() {
+  history_size_ = 0;
+  history_next_ = 0;
+  openings_ = {};
+  unprintable_.reset();
+}
+
+}  // namespace host_link

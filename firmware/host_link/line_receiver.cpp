@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Line assembly. Checksum and its digits are followed byte by byte, so that even a line that is
+// longer than the buffer is known to be whole or not.
+#include "host_link/line_receiver.hpp"
+
+#include <limits>
+
+#include "host_link/line_number.hpp"
+
+namespace host_link {
+namespace {
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+
+void trim(std::string_view& text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+}
+
+}  // namespace
+
+std::optional<ReceivedLine> LineReceiver::put(char byte) {
+  const bool line_feed_of_pair = byte == '\n' && after_carriage_return_;
+  after_carriage_return_ = byte == '\r';
+  if (line_feed_of_pair) return std::nullopt;
+  if (byte != '\n' && byte != '\r') {
+    put_into_line(byte);
+    return std::nullopt;
+  }
+  const ReceivedLine line = finish();
+  discard();
+  return line;
+}
+
+void LineReceiver::put_into_line(char byte) {
+  if (length_ < max_line_length) buffer_[length_] = byte;
+  if (byte == '*') {
+    star_seen_ = true;
+    last_star_ = length_;
+    exclusive_or_before_star_ = exclusive_or_;
+    checksum_value_ = 0;
+    checksum_digits_ = 0;
+    checksum_malformed_ = false;
+  } else if (star_seen_ && is_digit(byte) && checksum_digits_ < 3 && !checksum_malformed_) {
+    checksum_value_ = static_cast<std::uint16_t>(checksum_value_ * 10 + (byte - '0'));
+    ++checksum_digits_;
+  } else if (star_seen_ && is_blank(byte) && checksum_digits_ > 0) {
+    checksum_digits_ = 3;  // blanks may follow, digits no more
+  } else {
+    checksum_malformed_ = true;
+  }
+  exclusive_or_ = static_cast<std::uint8_t>(exclusive_or_ ^ static_cast<std::uint8_t>(byte));
+  if (!is_printable(byte)) unprintable_ = true;
+  if (length_ < std::numeric_limits<std::uint32_t>::max()) ++length_;
+}
+
+ReceivedLine LineReceiver::finish() const {
+  ReceivedLine line;
+  line.too_long = length_ > max_line_length;
+  line.unprintable = unprintable_;
+  line.spoilt = spoilt_;
+  std::string_view text(buffer_.data(), line.too_long ? max_line_length : length_);
+  if (star_seen_) {
+    const bool right = checksum_digits_ > 0 && !checksum_malformed_ &&
+                       checksum_value_ == exclusive_or_before_star_;
+    line.checksum = right ? Checksum::right : Checksum::wrong;
+    if (last_star_ < text.size()) text.remove_suffix(text.size() - last_star_);
+  }
+  trim(text);
+  if (!text.empty() && text.front() == 'N') {
+    line.starts_with_n = true;
+    text.remove_prefix(1);
+    line.number = take_line_number(text);
+    trim(text);
+  }
+  line.text = text;
+  return line;
+}
+
+bool LineReceiver::unfinished_is_framed() const {
+  return star_seen_ || (length_ > 0 && buffer_[0] == 'N');
+}
+
+void LineReceiver::discard() {
+  length_ = 0;
+  exclusive_or_ = 0;
+  star_seen_ = false;
+  checksum_malformed_ = false;
+  unprintable_ = false;
+  spoilt_ = false;
+}
+
+}  // namespace host_link

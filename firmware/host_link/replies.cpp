@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the reply texts.
+#include "host_link/replies.hpp"
+
+namespace host_link {
+namespace {
+
+constexpr unsigned millicelsius_digits = 3;
+constexpr unsigned nanometer_digits = 6;  // of a millimetre
+constexpr unsigned places = 2;
+
+void add_heater(TextLine& line, std::string_view name, const HeaterState& heater) {
+  line.text(name)
+      .decimal(heater.temperature.count(), millicelsius_digits, places)
+      .text(" /")
+      .decimal(heater.target.count(), millicelsius_digits, places);
+}
+
+void add_refused_command(TextLine& line, std::string_view command) {
+  line.text(", not executed: \"").text(command).character('"');
+}
+
+}  // namespace
+
+TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
+  TextLine line;
+  add_heater(line, " T:", hotend);
+  add_heater(line, " B:", bed);
+  return line.text(" @:").integer(hotend.power).text(" B@:").integer(bed.power);
+}
+
+TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
+                        std::optional<std::int32_t> seconds_left) {
+  TextLine line = temperature_report(hotend, bed);
+  line.text(" W:");
+  return seconds_left ? line.integer(*seconds_left) : line.character('?');
+}
+
+TextLine position_report(const units::PerAxis<units::Nanometers>& position,
+                         const units::PerAxis<units::Steps>& count) {
+  TextLine line;
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    line.character(units::axis_letters[axis]).character(':');
+    line.decimal(position[axis].count(), nanometer_digits, places).character(' ');
+  }
+  line.text("Count");
+  for (const units::Axis axis : {units::Axis::x, units::Axis::y, units::Axis::z}) {
+    const std::size_t index = units::index_of(axis);
+    line.character(' ').character(units::axis_letters[index]).character(':');
+    line.integer(count[index].count());
+  }
+  return line;
+}
+
+std::optional<TextLine> firmware_line(const FirmwareDescription& firmware, std::size_t index) {
+  TextLine line;
+  if (index == 0) {
+    // Cura takes the name up to a ';'.
+    line.text("FIRMWARE_NAME:").text(firmware.name).character(';');
+    if (!firmware.source_url.empty()) line.text(" SOURCE_CODE_URL:").text(firmware.source_url);
+    line.text(" PROTOCOL_VERSION:1.0 MACHINE_TYPE:").text(firmware.machine);
+    return line.text(" EXTRUDER_COUNT:").integer(firmware.extruders);
+  }
+  if (index > firmware.capabilities.size()) return std::nullopt;
+  const Capability& capability = firmware.capabilities[index - 1];
+  return line.text("Cap:").text(capability.name).text(capability.present ? ":1" : ":0");
+}
+
+std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, std::size_t index) {
+  TextLine line;
+  if (index == 0) return line.text("Reporting endstop status");
+  if (index > end_stops.size()) return std::nullopt;
+  const EndStopState& end_stop = end_stops[index - 1];
+  return line.text(end_stop.name).text(end_stop.triggered ? ": TRIGGERED" : ": open");
+}
+
+TextLine unknown_command(std::string_view command) {
+  TextLine line;
+  return line.text("echo:Unknown command: \"").text(command).character('"');
+}
+
+TextLine not_executed(std::string_view reason, std::uint32_t position, std::string_view command) {
+  TextLine line;
+  line.text("echo:").text(reason).text(" at column ").integer(position + std::int64_t{1});
+  add_refused_command(line, command);
+  return line;
+}
+
+TextLine not_executed(std::string_view reason, std::string_view command) {
+  TextLine line;
+  line.text("echo:").text(reason);
+  add_refused_command(line, command);
+  return line;
+}
+
+}  // namespace host_link

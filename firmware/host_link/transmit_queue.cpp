@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The byte ring of whole reply lines.
+#include "host_link/transmit_queue.hpp"
+
+#include <algorithm>
+
+namespace host_link {
+
+bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std::size_t spare) {
+  std::size_t length = 1;
+  for (const std::string_view part : parts) length += part.size();
+  if (length + spare > room()) return false;
+  for (const std::string_view part : parts) {
+    for (const char c : part) put(c >= ' ' && c <= '~' ? c : '?');
+  }
+  put('\n');
+  return true;
+}
+
+std::span<const char> TransmitQueue::front() const {
+  return {bytes_.data() + first_, std::min(size_, capacity - first_)};
+}
+
+void TransmitQueue::drop(std::size_t count) {
+  first_ = (first_ + count) % capacity;
+  size_ -= count;
+}
+
+void TransmitQueue::put(char c) {
+  bytes_[(first_ + size_) % capacity] = c;
+  ++size_;
+}
+
+}  // namespace host_link
