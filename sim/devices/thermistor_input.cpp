@@ -28,7 +28,7 @@ double normal_deviate(std::mt19937_64& random) {
 }  // namespace
 
 ThermistorInput::ThermistorInput(const ThermistorInputProperties& properties,
-                                 std::function<double()> celsius, std::uint64_t seed)
+                                 std::function<double(double)> celsius, std::uint64_t seed)
     : properties_(properties),
       celsius_(std::move(celsius)),
       random_(seed),
@@ -70,7 +70,7 @@ double ThermistorInput::thermistor_ohms(double seconds) {
   if (fault_ == SensorFault::open) return never;
   if (fault_ == SensorFault::shorted) return 0;
   if (seconds >= ohms_until_seconds_) {
-    ohms_ = properties_.thermistor.ohms(celsius_());
+    ohms_ = properties_.thermistor.ohms(celsius_(seconds));
     ohms_until_seconds_ = seconds + temperature_refresh_seconds;
   }
   return ohms_;

@@ -32,8 +32,8 @@ enum class SensorFault : std::uint8_t { none, open, shorted, sense_stuck_high, s
 // then.
 class ThermistorInput {
  public:
-  // `celsius` gives the temperature of the thermistor now.
-  ThermistorInput(const ThermistorInputProperties& properties, std::function<double()> celsius,
+  // `celsius` gives the temperature of the thermistor at a time in seconds.
+  ThermistorInput(const ThermistorInputProperties& properties, std::function<double(double)> celsius,
                   std::uint64_t seed);
 
   // Times never go back.
@@ -52,7 +52,7 @@ class ThermistorInput {
   double noisy_threshold();
 
   ThermistorInputProperties properties_;
-  std::function<double()> celsius_;
+  std::function<double(double)> celsius_;
   std::mt19937_64 random_;
   SensorFault fault_ = SensorFault::none;
   std::uint8_t drive_ = 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI
-// units.
+// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI units.
 #include "sim/plants/heated_block.hpp"
 
 #include <cmath>
@@ -23,29 +22,59 @@ HeatedBlock::HeatedBlock(const HeatedBlockProperties& properties, double ambient
   state_.fill(start_celsius - ambient_celsius);
 }
 
-void HeatedBlock::heat(double seconds, double watts) {
-  seconds_ += seconds;
-  heater_joules_ += watts * seconds;
-  const std::int64_t now_us = std::llround(seconds_ * us_per_s);
-  state_ = path_.after(state_, now_us - state_us_, watts);
-  state_us_ = now_us;
+void HeatedBlock::set_heater(double seconds, bool on) {
+  if (on == on_) return;
+  advance(seconds);
+  on_ = on;
 }
 
-void HeatedBlock::set_fan(double speed) {
+void HeatedBlock::set_fan(double seconds, double speed) {
   if (speed == fan_speed_) return;
+  advance(seconds);
   fan_speed_ = speed;
   path_ = ThermalPath(properties_.path, loss());
 }
 
-void HeatedBlock::set_extrusion(double cubic_mm_per_second) {
+void HeatedBlock::set_extrusion(double seconds, double cubic_mm_per_second) {
   if (cubic_mm_per_second == extrusion_) return;
+  advance(seconds);
   extrusion_ = cubic_mm_per_second;
   path_ = ThermalPath(properties_.path, loss());
+}
+
+void HeatedBlock::set_fault(double seconds, HeaterFault fault) {
+  advance(seconds);
+  fault_ = fault;
+}
+
+double HeatedBlock::celsius(double seconds) const { return ambient_celsius_ + state_at(seconds)[1]; }
+
+double HeatedBlock::sensor_celsius(double seconds) const {
+  return ambient_celsius_ + state_at(seconds)[2];
+}
+
+double HeatedBlock::heater_joules(double seconds) const {
+  return joules_ + watts() * (seconds - static_cast<double>(state_us_) / us_per_s);
+}
+
+double HeatedBlock::watts() const {
+  const bool heats = fault_ == HeaterFault::stuck_on || (fault_ == HeaterFault::none && on_);
+  return heats ? properties_.heater_watts : 0;
 }
 
 double HeatedBlock::loss() const {
   return properties_.loss_watts_per_kelvin + fan_speed_ * properties_.fan_loss_watts_per_kelvin +
          extrusion_ * plastic_joules_per_cubic_mm_kelvin;
+}
+
+HeatState HeatedBlock::state_at(double seconds) const {
+  return path_.after(state_, std::llround(seconds * us_per_s) - state_us_, watts());
+}
+
+void HeatedBlock::advance(double seconds) {
+  joules_ = heater_joules(seconds);
+  state_ = state_at(seconds);
+  state_us_ = std::llround(seconds * us_per_s);
 }
 
 }  // namespace plants

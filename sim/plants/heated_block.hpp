@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI
-// units.
+// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI units.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +9,45 @@
 namespace plants {
 
 struct HeatedBlockProperties {
+  double heater_watts{};
   ThermalPathProperties path;
-  double loss_watts_per_kelvin{};  // to the surroundings, in still air
+  double loss_watts_per_kelvin{};      // to the surroundings, in still air
   double fan_loss_watts_per_kelvin{};  // in addition, with the fan at full speed
 };
 
+enum class HeaterFault : std::uint8_t { none, stuck_on, stuck_off };
+
+// Times are in seconds since the start and never go back. A look at a temperature changes nothing, so the
+// course does not depend on how often one looks.
 class HeatedBlock {
  public:
-  HeatedBlock(const HeatedBlockProperties& properties, double ambient_celsius,
-              double start_celsius);
+  HeatedBlock(const HeatedBlockProperties& properties, double ambient_celsius, double start_celsius);
 
-  // Time passes with this power in the heater, however long: many short times and one long time
-  // that they add up to lead to the same temperatures.
-  void heat(double seconds, double watts);
-  // From now on; 0 to 1.
-  void set_fan(double speed);
-  // Plastic that comes in cold and leaves hot, from now on.
-  void set_extrusion(double cubic_mm_per_second);
+  void set_heater(double seconds, bool on);
+  // 0 to 1.
+  void set_fan(double seconds, double speed);
+  // Plastic that comes in cold and leaves hot.
+  void set_extrusion(double seconds, double cubic_mm_per_second);
+  // What the transistor does from now on, whatever its gate says.
+  void set_fault(double seconds, HeaterFault fault);
 
-  double celsius() const {
-    return ambient_celsius_ + state_[1];
-  }  // of the block: what the plastic feels
-  double sensor_celsius() const {
-    return ambient_celsius_ + state_[2];
-  }  // of the thermistor's bead
-  double seconds() const { return seconds_; }  // since the start
-  double heater_joules() const { return heater_joules_; }  // since the start
+  double celsius(double seconds) const;         // of the block: what the plastic feels
+  double sensor_celsius(double seconds) const;  // of the thermistor's bead
+  double heater_joules(double seconds) const;   // given off by the heater since the start
 
  private:
+  double watts() const;
   double loss() const;
+  HeatState state_at(double seconds) const;
+  void advance(double seconds);
 
   HeatedBlockProperties properties_;
   double ambient_celsius_;
   HeatState state_;
-  double seconds_ = 0;
-  std::int64_t state_us_ = 0;  // the time of state_: seconds_ in whole microseconds
-  double heater_joules_ = 0;
+  std::int64_t state_us_ = 0;  // the time of state_
+  double joules_ = 0;          // until then
+  bool on_ = false;
+  HeaterFault fault_ = HeaterFault::none;
   double fan_speed_ = 0;
   double extrusion_ = 0;
   ThermalPath path_;
