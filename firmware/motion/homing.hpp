@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the end stops of the axes of one G28, one axis after another: fast, back off, slow.
+// An end stop that is already pressed is released first.
 #pragma once
 
 #include <cstdint>
@@ -71,8 +72,8 @@ class Homing {
   std::uint8_t stop_mask() const;
   bool pressed(const HomingObservation& observation) const;
   units::Nanometers towards_end_stop(units::Nanometers distance) const;
-  HomingRequest next_axis();
   HomingRequest begin_axis(const HomingObservation& observation);
+  HomingRequest approach();
   HomingRequest move(State next, units::Nanometers distance, units::MicrometersPerSecond speed,
                      std::uint8_t mask);
   HomingRequest fail(Fault fault);

@@ -62,6 +62,9 @@ class Geometry {
  public:
   Geometry(const Limits& limits, const StepTiming& timing);
 
+  const Limits& limits() const { return limits_; }
+  units::Hertz clock() const { return clock_; }
+
   // Not all steps are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true
   // where steps are coarse; the pulse rate of no axis exceeds what its maximum speed and its driver
   // allow.
@@ -70,16 +73,19 @@ class Geometry {
 
  private:
   struct Path {
-    Scaled length;  // nm
+    Scaled length;  // nm, of X, Y and Z, or of E where that leads
+    bool extruder_leads;
     Direction direction;
     units::MicrometersPerSecond feedrate;
     units::MicrometersPerSecondSquared acceleration;
   };
   Path path_of(const Displacement& displacement, units::MicrometersPerSecond feedrate) const;
+  Scaled length_of_few_steps(const Line& line, const Path& path) const;
   units::MicrometersPerSecondSquared limited_acceleration(const Path& path,
                                                           Scaled ticks_per_length) const;
 
   Limits limits_;
+  units::Hertz clock_;
   units::PerAxis<Scaled> time_per_step_{};  // at the highest rate, ms
   units::PerAxis<Scaled> length_per_step_{};  // nm
   Scaled rate_factor_{};  // ticks per clock of 1 tick/nm at an energy of 1

@@ -42,7 +42,7 @@ class Planner {
 
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);
-  const Limits& limits() const { return limits_; }
+  const Limits& limits() const { return geometry_.limits(); }
 
   bool has_room() const { return count_ < capacity; }
   // Nothing left to hand over (the step generator may still be busy).
@@ -62,7 +62,8 @@ class Planner {
   // Forgets all lines after the step generator was stopped; the position must then be set.
   void clear();
 
-  // Where the last appended line ends.
+  // Where the last line with steps ends; moves of less than a step since then are still to be made
+  // good, so a caller that reckons on from the position asked for keeps that itself.
   const units::PerAxis<units::Nanometers>& position() const { return position_; }
   // The same in steps; what the step generator's counters show when all is done (modulo 2^32).
   const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
@@ -73,16 +74,19 @@ class Planner {
 
  private:
   Line& line(std::size_t index) { return lines_[(first_ + index) % capacity]; }
+  void append(const Displacement& displacement, const LineMove& move, units::Microseconds now);
   void look_ahead();
   bool may_hand_over(units::Microseconds now) const;
   void hand_over_first(units::Microseconds now);
 
-  Limits limits_;
+  StepTiming timing_;
   Geometry geometry_;
   units::PerAxis<units::Nanometers> position_{};
   units::PerAxis<std::int64_t> position_steps_{};
 
   std::array<Line, capacity> lines_{};
+  Direction last_direction_{};  // of the last appended line,
+  units::MicrometersPerSecond last_speed_{};  // and its nominal speed
   std::size_t first_{};
   std::size_t count_{};
   std::size_t settled_{};  // lines before this index have entry speeds that look-ahead cannot raise

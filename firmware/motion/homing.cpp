@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The states of homing one axis after another.
+#include "motion/homing.hpp"
+
+namespace motion {
+
+namespace {
+
+using Kind = HomingRequest::Kind;
+
+// How much farther than the travel, in fifths of it, the end stop is looked for.
+constexpr std::int64_t search_fifths = 6;
+
+}  // namespace
+
+void Homing::start(units::AxisSet axes, const Limits& limits) {
+  limits_ = limits;
+  remaining_ = axes;
+  state_ = State::begin_axis;
+}
+
+HomingRequest Homing::update(const HomingObservation& observation) {
+  if (state_ == State::idle || !observation.at_rest) return {};
+  switch (state_) {
+    case State::idle:
+      return {};
+    case State::begin_axis:
+      return begin_axis(observation);
+    case State::release:
+      if (pressed(observation)) return fail(Fault::end_stop_stuck);
+      return approach();
+    case State::approach:
+      if (!observation.stopped) return fail(Fault::end_stop_not_found);
+      return move(State::back_off, -towards_end_stop(parameters().back_off),
+                  parameters().fast_speed, 0);
+    case State::back_off:
+      if (pressed(observation)) return fail(Fault::end_stop_stuck);
+      return move(State::approach_slowly, towards_end_stop(parameters().back_off * 2),
+                  parameters().slow_speed, stop_mask());
+    case State::approach_slowly:
+      if (!observation.stopped) return fail(Fault::end_stop_not_found);
+      remaining_.remove(axis_);
+      state_ = State::begin_axis;
+      return {.kind = Kind::set_position, .axis = axis_, .position = parameters().position};
+  }
+  return {};
+}
+
+HomingRequest Homing::begin_axis(const HomingObservation& observation) {
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axis_ = static_cast<units::Axis>(i);
+    if (!remaining_.contains(axis_) || !limits_.of(axis_).homing) continue;
+    if (!pressed(observation)) return approach();
+    return move(State::release, -towards_end_stop(parameters().back_off), parameters().slow_speed,
+                0);
+  }
+  state_ = State::idle;
+  return {.kind = Kind::finished};
+}
+
+HomingRequest Homing::approach() {
+  const units::Nanometers farthest = limits_.of(axis_).travel * search_fifths / 5;
+  return move(State::approach, towards_end_stop(farthest), parameters().fast_speed, stop_mask());
+}
+
+HomingRequest Homing::move(State next, units::Nanometers distance,
+                           units::MicrometersPerSecond speed, std::uint8_t mask) {
+  state_ = next;
+  return {.kind = Kind::move,
+          .move = {.axis = axis_, .distance = distance, .speed = speed, .stop_mask = mask},
+          .axis = axis_};
+}
+
+HomingRequest Homing::fail(Fault fault) {
+  state_ = State::idle;
+  return {.kind = Kind::fault, .axis = axis_, .fault = fault};
+}
+
+const HomingParameters& Homing::parameters() const { return *limits_.of(axis_).homing; }
+
+std::uint8_t Homing::stop_mask() const {
+  return static_cast<std::uint8_t>(1u << parameters().end_stop);
+}
+
+bool Homing::pressed(const HomingObservation& observation) const {
+  return (observation.end_stops & stop_mask()) != 0;
+}
+
+units::Nanometers Homing::towards_end_stop(units::Nanometers distance) const {
+  return parameters().towards_positive ? distance : -distance;
+}
+
+}  // namespace motion

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Changes of the machine's limits at run time, each refused if out of range.
+#include "motion/limits.hpp"
+
+namespace motion {
+
+namespace {
+
+template <class Value>
+Accepted set(Value& place, Value value, Value least, Value most, Fault fault) {
+  if (value < least || value > most) return std::unexpected(fault);
+  place = value;
+  return {};
+}
+
+Accepted set_acceleration(units::MicrometersPerSecondSquared& place,
+                          units::MicrometersPerSecondSquared value) {
+  return set(place, value, units::MicrometersPerSecondSquared(1), max_acceleration,
+             Fault::acceleration_out_of_range);
+}
+
+Accepted set_speed(units::MicrometersPerSecond& place, units::MicrometersPerSecond value,
+                   std::int32_t least, Fault fault) {
+  return set(place, value, units::MicrometersPerSecond(least), max_speed, fault);
+}
+
+}  // namespace
+
+Accepted set_steps_per_meter(Limits& limits, units::Axis axis, units::StepsPerMeter value) {
+  return set(limits.of(axis).steps_per_meter, value, units::StepsPerMeter(1), max_steps_per_meter,
+             Fault::steps_per_meter_out_of_range);
+}
+
+Accepted set_max_speed(Limits& limits, units::Axis axis, units::MicrometersPerSecond value) {
+  return set_speed(limits.of(axis).max_speed, value, 1, Fault::speed_out_of_range);
+}
+
+Accepted set_max_acceleration(Limits& limits, units::Axis axis,
+                              units::MicrometersPerSecondSquared value) {
+  return set_acceleration(limits.of(axis).max_acceleration, value);
+}
+
+Accepted set_jerk(Limits& limits, units::Axis axis, units::MicrometersPerSecond value) {
+  return set_speed(limits.of(axis).jerk, value, 0, Fault::jerk_out_of_range);
+}
+
+Accepted set_print_acceleration(Limits& limits, units::MicrometersPerSecondSquared value) {
+  return set_acceleration(limits.print_acceleration, value);
+}
+
+Accepted set_travel_acceleration(Limits& limits, units::MicrometersPerSecondSquared value) {
+  return set_acceleration(limits.travel_acceleration, value);
+}
+
+Accepted set_retract_acceleration(Limits& limits, units::MicrometersPerSecondSquared value) {
+  return set_acceleration(limits.retract_acceleration, value);
+}
+
+Accepted set_min_print_speed(Limits& limits, units::MicrometersPerSecond value) {
+  return set_speed(limits.min_print_speed, value, 0, Fault::speed_out_of_range);
+}
+
+Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value) {
+  return set_speed(limits.min_travel_speed, value, 0, Fault::speed_out_of_range);
+}
+
+std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
+                                        const units::PerAxis<units::Nanometers>& target) {
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const auto axis = static_cast<units::Axis>(i);
+    const units::Nanometers travel = limits.axes[i].travel;
+    const bool bounded = homed.contains(axis) && travel > units::Nanometers(0);
+    if (bounded && (target[i] < units::Nanometers(0) || target[i] > travel)) return axis;
+  }
+  return std::nullopt;
+}
+
+}  // namespace motion

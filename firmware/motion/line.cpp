@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The geometry of lines: lengths, directions, and what the axes' limits make of speed and
+// acceleration.
+#include "motion/line.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace motion {
+
+namespace {
+
+constexpr std::size_t extruder = units::index_of(units::Axis::e);
+// Lines of so few ticks may count as long as their steps are: see limited_line.
+constexpr std::uint32_t few_ticks = 4;
+// E leads a line on which it moves this many times as far as X, Y and Z (as a power of 2):
+// direction_ fraction_bits leave room for it, and no axis limit of X, Y or Z matters there.
+constexpr int extruder_leads_bits = 5;
+// Acceleration of a segment, in ticks per clock^2: format and some room for it, see Segment.
+constexpr int max_acceleration_exponent = -22;
+constexpr SpecificEnergy max_work{std::uint64_t{1} << 60};
+
+template <class Integer>
+constexpr auto magnitude(Integer value) {
+  using Unsigned = std::make_unsigned_t<Integer>;
+  const auto bits = static_cast<Unsigned>(value);
+  return value < 0 ? static_cast<Unsigned>(0 - bits) : bits;
+}
+
+Scaled scaled(std::int32_t positive) { return Scaled::of(static_cast<std::uint32_t>(positive)); }
+
+// Of X, Y and Z, in nm. The squares of up to 31 bits are exact; longer distances are halved first.
+Scaled spatial_length(const units::PerAxis<units::Nanometers>& distance) {
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i < extruder; ++i) any |= magnitude(distance[i].count());
+  const int shift = std::max(0, static_cast<int>(std::bit_width(any)) - 31);
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < extruder; ++i) {
+    const std::uint64_t side = static_cast<std::uint32_t>(magnitude(distance[i].count()) >> shift);
+    sum += side * side;
+  }
+  return Scaled::of(sum, 2 * shift).square_root();
+}
+
+}  // namespace
+
+Geometry::Geometry(const Limits& limits, const StepTiming& timing)
+    : limits_(limits), clock_(timing.clock) {
+  const Scaled clock = Scaled::of(timing.clock.count());
+  // The step generator makes at most a tick every second clock.
+  const std::uint64_t highest_tick_rate = timing.clock.count() / 2;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const AxisLimits& axis = limits.axes[i];
+    if (axis.steps_per_meter.count() <= 0 || axis.max_speed.count() <= 0) continue;
+    const auto steps_per_meter = static_cast<std::uint64_t>(axis.steps_per_meter.count());
+    const auto speed = static_cast<std::uint64_t>(axis.max_speed.count());
+    const std::uint64_t axis_rate = std::max<std::uint64_t>(steps_per_meter * speed / 1'000'000, 1);
+    const std::uint64_t driver_rate = std::max(timing.max_step_rate[i].count(), 1u);
+    const std::uint64_t rate = std::min({axis_rate, driver_rate, highest_tick_rate});
+    time_per_step_[i] = Scaled::of(1'000) / Scaled::of(rate);
+    length_per_step_[i] = Scaled::of(1'000'000'000) / Scaled::of(steps_per_meter);
+  }
+  rate_factor_ = Scaled::of(2'000).square_root() / clock;
+  max_tick_acceleration_ =
+      clock * clock * Scaled::of(1, max_acceleration_exponent) / Scaled::of(1'000);
+}
+
+Geometry::Path Geometry::path_of(const Displacement& displacement,
+                                 units::MicrometersPerSecond feedrate) const {
+  const units::PerAxis<units::Nanometers>& distance = displacement.distance;
+  const Scaled spatial = spatial_length(distance);
+  const std::uint64_t extruded = magnitude(distance[extruder].count());
+  Path path{.length = spatial,
+            .extruder_leads = Scaled::of(extruded, -extruder_leads_bits) > spatial,
+            .direction = {},
+            .feedrate = feedrate,
+            .acceleration = {}};
+  if (path.extruder_leads) {
+    path.length = Scaled::of(extruded);
+    if (spatial != Scaled()) {
+      const Scaled speed = scaled(feedrate.count()) * path.length / spatial;
+      path.feedrate = units::MicrometersPerSecond(static_cast<std::int32_t>(
+          std::min<std::uint64_t>(speed.floor(), static_cast<std::uint32_t>(max_speed.count()))));
+    }
+  }
+  const bool prints = extruded != 0;
+  path.feedrate =
+      std::max(path.feedrate, prints ? limits_.min_print_speed : limits_.min_travel_speed);
+  path.acceleration = path.extruder_leads ? limits_.retract_acceleration
+                      : prints            ? limits_.print_acceleration
+                                          : limits_.travel_acceleration;
+  const Scaled inverse = Scaled::of(1) / path.length;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (distance[i].count() == 0) continue;
+    const Scaled part = Scaled::of(magnitude(distance[i].count())) * inverse;
+    const auto size = static_cast<std::int32_t>(part.floor(direction_fraction_bits));
+    path.direction[i] = distance[i].count() < 0 ? -size : size;
+  }
+  return path;
+}
+
+LimitedLine Geometry::limited_line(const Displacement& displacement,
+                                   units::MicrometersPerSecond feedrate) const {
+  const Path path = path_of(displacement, feedrate);
+  LimitedLine result{.line = {}, .direction = path.direction, .speed = path.feedrate};
+  Line& line = result.line;
+  line.steps = displacement.steps;
+  Scaled least_time;  // ms
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const std::uint32_t steps = magnitude(line.steps[i]);
+    if (steps == 0) continue;
+    line.ticks = std::max(line.ticks, steps);
+    least_time = std::max(least_time, Scaled::of(steps) * time_per_step_[i]);
+  }
+  Scaled length = path.length;
+  const Scaled least_length = scaled(result.speed.count()) * least_time;
+  if (least_length > length) {
+    // A line shorter than its rounded steps has them in too short a time. That is only a matter of
+    // rounding, and no reason to slow down: it counts as longer, but not as longer than its steps.
+    length = std::max(length, std::min(least_length, length_of_few_steps(line, path)));
+    if (least_length > length) {
+      const std::uint64_t speed = std::max<std::uint64_t>((length / least_time).floor(), 1);
+      result.speed = units::MicrometersPerSecond(static_cast<std::int32_t>(speed));
+    }
+  }
+  const Scaled ticks_per_length = Scaled::of(line.ticks) / length;
+  const Scaled acceleration = scaled(limited_acceleration(path, ticks_per_length).count());
+  const std::uint64_t work = (acceleration * length).floor();
+  line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
+  line.rate_of_root = rate_factor_ * ticks_per_length;
+  line.nominal = energy_of(result.speed);
+  const Scaled time = Scaled::of(1'000) * length / scaled(result.speed.count());
+  line.nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
+  return result;
+}
+
+Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
+  Scaled length;
+  if (line.ticks > few_ticks) return length;
+  const std::size_t axes = path.extruder_leads ? units::axis_count : extruder;
+  for (std::size_t i = 0; i < axes; ++i) {
+    length = std::max(length, Scaled::of(magnitude(line.steps[i])) * length_per_step_[i]);
+  }
+  return length;
+}
+
+units::MicrometersPerSecondSquared Geometry::limited_acceleration(const Path& path,
+                                                                  Scaled ticks_per_length) const {
+  auto acceleration = static_cast<std::uint32_t>(path.acceleration.count());
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const std::uint32_t part = magnitude(path.direction[i]);
+    const auto most = static_cast<std::uint64_t>(limits_.axes[i].max_acceleration.count())
+                      << direction_fraction_bits;
+    if (std::uint64_t{acceleration} * part > most) {
+      acceleration = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of(part)).floor());
+    }
+  }
+  if (Scaled::of(acceleration) * ticks_per_length > max_tick_acceleration_) {
+    acceleration = static_cast<std::uint32_t>((max_tick_acceleration_ / ticks_per_length).floor());
+  }
+  return units::MicrometersPerSecondSquared(
+      static_cast<std::int32_t>(std::max<std::uint32_t>(acceleration, 1)));
+}
+
+units::MicrometersPerSecond jerk_limited_speed(const Direction& change, const Limits& limits,
+                                               units::MicrometersPerSecond speed) {
+  auto limited = static_cast<std::uint32_t>(speed.count());
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const std::uint32_t part = magnitude(change[i]);
+    const auto most = static_cast<std::uint64_t>(limits.axes[i].jerk.count())
+                      << direction_fraction_bits;
+    if (std::uint64_t{limited} * part > most) {
+      limited = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of(part)).floor());
+    }
+  }
+  return units::MicrometersPerSecond(static_cast<std::int32_t>(limited));
+}
+
+}  // namespace motion

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Appending lines, look-ahead over the ring, and handing lines over.
+#include "motion/planner.hpp"
+
+#include <algorithm>
+
+#include "motion/steps.hpp"
+
+namespace motion {
+
+namespace {
+
+bool in_range(const units::PerAxis<units::Nanometers>& target) {
+  return std::ranges::all_of(target, [](units::Nanometers position) {
+    return position >= -max_position && position <= max_position;
+  });
+}
+
+Direction change_between(const Direction& before, const Direction& after) {
+  Direction change{};
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] = after[i] - before[i];
+  return change;
+}
+
+}  // namespace
+
+Planner::Planner(const Limits& limits, const StepTiming& timing)
+    : timing_(timing), geometry_(limits, timing) {}
+
+void Planner::set_limits(const Limits& limits) { geometry_ = Geometry(limits, timing_); }
+
+std::expected<void, Fault> Planner::append(const LineMove& move, units::Microseconds now) {
+  if (move.feedrate < units::MicrometersPerSecond(1)) {
+    return std::unexpected(Fault::feedrate_out_of_range);
+  }
+  if (!in_range(move.target)) return std::unexpected(Fault::target_out_of_range);
+  if (!has_room()) return std::unexpected(Fault::queue_full);
+
+  constexpr std::int64_t most_steps = 0x7FFF'FFFF;
+  Displacement displacement;
+  units::PerAxis<std::int64_t> target_steps = position_steps_;
+  bool moves = false;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (move.target[i] == position_[i]) continue;
+    target_steps[i] = steps_at(move.target[i], limits().axes[i].steps_per_meter);
+    const std::int64_t steps = target_steps[i] - position_steps_[i];
+    if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
+    displacement.distance[i] = move.target[i] - position_[i];
+    displacement.steps[i] = static_cast<std::int32_t>(steps);
+    moves |= steps != 0;
+  }
+  if (!moves) return {};
+  append(displacement, move, now);
+  position_ = move.target;
+  position_steps_ = target_steps;
+  return {};
+}
+
+void Planner::append(const Displacement& displacement, const LineMove& move,
+                     units::Microseconds now) {
+  const LimitedLine limited =
+      geometry_.limited_line(displacement, std::min(move.feedrate, max_speed));
+  Line& added = lines_[(first_ + count_) % capacity];
+  added = limited.line;
+  added.stop_mask = move.stop_mask;
+  if (count_ == 0) {
+    added.max_entry = energy_of(jerk_limited_speed(limited.direction, limits(), limited.speed));
+    added.entry = added.max_entry;
+    waiting_since_ = now;
+  } else {
+    const Direction change = change_between(last_direction_, limited.direction);
+    const units::MicrometersPerSecond shared = std::min(last_speed_, limited.speed);
+    added.max_entry = energy_of(jerk_limited_speed(change, limits(), shared));
+  }
+  last_direction_ = limited.direction;
+  last_speed_ = limited.speed;
+  planned_time_ += added.nominal_time;
+  ++count_;
+  look_ahead();
+}
+
+// The ring ends at rest. Backwards from there, no line may begin faster than it can brake for the
+// next one; then forwards, none faster than the line before can have accelerated to. A line that
+// begins as fast as its junction or its predecessor permit cannot gain from further lines, nor can
+// those before it.
+void Planner::look_ahead() {
+  std::size_t changed = count_ - 1;
+  SpecificEnergy exit{};
+  for (; changed > settled_; --changed) {
+    Line& here = line(changed);
+    const SpecificEnergy entry = std::min(here.max_entry, exit + here.work);
+    if (entry == here.entry && changed + 1 < count_) break;
+    here.entry = entry;
+    exit = entry;
+  }
+  for (std::size_t i = changed; i + 1 < count_; ++i) {
+    const SpecificEnergy reachable = line(i).entry + line(i).work;
+    Line& next = line(i + 1);
+    if (next.entry >= reachable) {
+      next.entry = reachable;
+      settled_ = i + 1;
+    } else if (next.entry == next.max_entry) {
+      settled_ = i + 1;
+    }
+  }
+}
+
+std::optional<Segment> Planner::next_segment(units::Microseconds now) {
+  if (next_phase_ == profile_.count) {
+    if (!may_hand_over(now)) return std::nullopt;
+    hand_over_first(now);
+  }
+  const Phase& phase = profile_.phases[next_phase_];
+  Segment segment{.steps = current_.steps,
+                  .line_ticks = current_.ticks,
+                  .ticks = phase.ticks,
+                  .continues_line = next_phase_ > 0,
+                  .rate = phase.rate,
+                  .acceleration = phase.acceleration,
+                  .stop_mask = current_.stop_mask};
+  ++next_phase_;
+  segment.ends_motion = resting_ && next_phase_ == profile_.count;
+  return segment;
+}
+
+bool Planner::may_hand_over(units::Microseconds now) const {
+  if (count_ == 0 || busy_until_ - now >= horizon) return false;
+  if (!resting_ || flush_) return true;
+  return !has_room() || planned_time_ >= start_delay || now - waiting_since_ >= start_delay;
+}
+
+void Planner::hand_over_first(units::Microseconds now) {
+  current_ = line(0);
+  profile_ = profile_of(current_, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock());
+  next_phase_ = 0;
+  busy_until_ = std::max(busy_until_, now) + profile_.time;
+  planned_time_ -= current_.nominal_time;
+  first_ = (first_ + 1) % capacity;
+  --count_;
+  settled_ = settled_ > 0 ? settled_ - 1 : 0;
+  resting_ = count_ == 0;
+  if (resting_) flush_ = false;
+}
+
+void Planner::clear() {
+  count_ = 0;
+  settled_ = 0;
+  resting_ = true;
+  flush_ = false;
+  planned_time_ = {};
+  busy_until_ = {};
+  profile_.count = 0;
+  next_phase_ = 0;
+}
+
+void Planner::set_position(const units::PerAxis<units::Nanometers>& position) {
+  position_ = position;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    position_steps_[i] = steps_at(position[i], limits().axes[i].steps_per_meter);
+  }
+}
+
+void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
+  position_steps_ = steps;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    position_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
+  }
+}
+
+}  // namespace motion

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cuts a line into its phases.
+#include "motion/profile.hpp"
+
+#include <algorithm>
+
+namespace motion {
+
+namespace {
+
+// Half a tick per clock in the segment's format, 2^-64: the hardware's bound.
+constexpr std::uint64_t highest_rate = std::uint64_t{1} << 63;
+constexpr int rate_fraction_bits = 64;
+constexpr int acceleration_fraction_bits = 84;
+constexpr std::uint64_t largest_acceleration = ~std::uint64_t{0} >> 1;
+// Rates add half an acceleration, which has this many more fraction bits.
+constexpr int half_acceleration_shift = acceleration_fraction_bits - rate_fraction_bits + 1;
+
+Scaled scaled(SpecificEnergy energy) { return Scaled::of(energy.count()); }
+
+// How many ticks, of the energy `per_tick` each, lie between two energies; rounded down.
+std::uint32_t ticks_between(SpecificEnergy low, SpecificEnergy high, Scaled per_tick) {
+  const std::uint64_t ticks = (scaled(high - low) / per_tick).floor();
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(ticks, 0x7FFF'FFFF));
+}
+
+// The fewest ticks in which `per_tick` bridges the difference.
+std::uint32_t ticks_needed(SpecificEnergy low, SpecificEnergy high, Scaled per_tick) {
+  return high <= low ? 0 : ticks_between(low, high, per_tick) + 1;
+}
+
+SpecificEnergy energy_of_ticks(std::uint32_t ticks, Scaled per_tick) {
+  return SpecificEnergy((Scaled::of(ticks) * per_tick).floor());
+}
+
+// Where the energy goes, and in which ticks.
+struct Course {
+  SpecificEnergy entry, peak, exit;
+  std::uint32_t accelerating, braking;
+};
+
+Course course_of(const Line& line, SpecificEnergy exit) {
+  const Scaled per_tick = scaled(line.work) / Scaled::of(line.ticks);
+  const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), line.nominal);
+  Course course{.entry = std::clamp(line.entry, least, line.nominal),
+                .peak = line.nominal,
+                .exit = std::clamp(exit, least, line.nominal),
+                .accelerating = 0,
+                .braking = 0};
+  course.accelerating = ticks_needed(course.entry, course.peak, per_tick);
+  course.braking = ticks_needed(course.exit, course.peak, per_tick);
+  if (std::uint64_t{course.accelerating} + course.braking <= line.ticks) return course;
+
+  // The nominal speed is not reached: the peak lies where both ramps meet, at the nearest tick.
+  const SpecificEnergy top = line.work + course.exit;
+  const SpecificEnergy gained = top > course.entry ? top - course.entry : SpecificEnergy();
+  const std::uint32_t half_ticks = ticks_between(SpecificEnergy(), gained, per_tick);
+  course.accelerating = std::min((half_ticks + 1) / 2, line.ticks);
+  course.braking = line.ticks - course.accelerating;
+  if (course.accelerating == 0) {
+    course.peak = course.entry;
+  } else if (course.braking == 0) {
+    course.peak = course.exit;
+  } else {
+    course.peak = std::min({course.entry + energy_of_ticks(course.accelerating, per_tick),
+                            course.exit + energy_of_ticks(course.braking, per_tick), line.nominal});
+  }
+  return course;
+}
+
+// Collects the phases of a profile.
+class Builder {
+ public:
+  Builder(const Line& line, units::Hertz clock) : line_(line), clock_(clock) {}
+
+  void add(std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to) {
+    if (ticks == 0) return;
+    Phase& phase = profile_.phases[profile_.count++];
+    phase.ticks = ticks;
+    phase.rate = rate_of(from);
+    if (from == to) {
+      clocks_ += clocks_of(ticks, phase.rate);
+      return;
+    }
+    clocks_ += clocks_of(ticks, phase.rate / 2 + rate_of(to) / 2);
+    // (rate^2 - rate^2) / (2 ticks)
+    const Scaled difference = scaled(std::max(from, to) - std::min(from, to));
+    const Scaled size = difference * line_.rate_of_root * line_.rate_of_root / Scaled::of(ticks);
+    const auto acceleration = static_cast<std::int64_t>(
+        std::min(size.half().floor(acceleration_fraction_bits), largest_acceleration));
+    phase.acceleration = to > from ? acceleration : -acceleration;
+    phase.rate += static_cast<std::uint64_t>(phase.acceleration >> half_acceleration_shift);
+  }
+
+  Profile profile() {
+    const Scaled time = Scaled::of(clocks_) * Scaled::of(1'000'000) / Scaled::of(clock_.count());
+    profile_.time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
+    return profile_;
+  }
+
+ private:
+  std::uint64_t rate_of(SpecificEnergy energy) const {
+    const Scaled rate = scaled(energy).square_root() * line_.rate_of_root;
+    return std::clamp<std::uint64_t>(rate.floor(rate_fraction_bits), 1, highest_rate);
+  }
+
+  static std::uint64_t clocks_of(std::uint32_t ticks, std::uint64_t mean_rate) {
+    return (Scaled::of(ticks, rate_fraction_bits) / Scaled::of(mean_rate)).floor();
+  }
+
+  const Line& line_;
+  units::Hertz clock_;
+  Profile profile_{};
+  std::uint64_t clocks_{};
+};
+
+}  // namespace
+
+Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock) {
+  const Course course = course_of(line, exit);
+  Builder builder(line, clock);
+  builder.add(course.accelerating, course.entry, course.peak);
+  builder.add(line.ticks - course.accelerating - course.braking, course.peak, course.peak);
+  builder.add(course.braking, course.peak, course.exit);
+  return builder.profile();
+}
+
+}  // namespace motion

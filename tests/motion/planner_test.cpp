@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// The planner with a step generator behind it: exactness, limits, look-ahead, when motion starts.
+#include "motion/planner.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "motion/steps.hpp"
+#include "tests/motion/machine.hpp"
+#include "tests/motion/print_run.hpp"
+
+namespace {
+
+using motion::LineMove;
+using motion_test::at;
+using motion_test::mendel;
+using motion_test::PrintRun;
+using motion_test::RunOptions;
+using motion_test::RunResult;
+using units::MicrometersPerSecond;
+using units::Microseconds;
+
+constexpr std::int64_t mm = 1'000'000;
+
+LineMove to(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t e, std::int32_t um_s) {
+  return {.target = at(x, y, z, e), .feedrate = MicrometersPerSecond(um_s)};
+}
+
+void expect_exact_and_within_limits(const RunResult& result) {
+  EXPECT_EQ(result.wrong_line_ends, 0u);
+  EXPECT_EQ(result.underruns, 0u);
+  EXPECT_LE(result.worst_deviation_steps, 1.0);
+  EXPECT_LE(result.worst_speed_excess, 1e-5);
+  EXPECT_LE(result.worst_acceleration_excess, 1e-5);
+  EXPECT_LE(result.worst_jump_excess_mm_s, 1e-3);
+}
+
+// Coordinates are rounded as a slicer writes them, or as given.
+std::vector<LineMove> arc(int segments, double length_mm, double radius_mm, std::int32_t um_s,
+                          std::int64_t resolution_nm = 1'000) {
+  std::vector<LineMove> moves;
+  for (int i = 1; i <= segments; ++i) {
+    const double angle = i * length_mm / radius_mm;
+    const double unit = 1e6 / static_cast<double>(resolution_nm);
+    const auto x = std::llround(radius_mm * std::sin(angle) * unit) * resolution_nm;
+    const auto y = std::llround(radius_mm * (1 - std::cos(angle)) * unit) * resolution_nm;
+    moves.push_back(to(x, y, 0, 0, um_s));
+  }
+  return moves;
+}
+
+TEST(planner, makes_the_steps_of_a_single_move_and_rests) {
+  PrintRun run(mendel(), {});
+  const RunResult result = run.run({to(100 * mm, 50 * mm, 0, 0, 100'000)});
+  EXPECT_THAT(result.final_steps, testing::ElementsAre(8'000, 4'000, 0, 0));
+  EXPECT_EQ(result.segments, 3u);
+  // At 100 mm/s; each ramp costs (v - v0)^2 / 2 a v: it starts with a jerk of 10 mm/s on X and ends
+  // with the speed in the middle of its last step.
+  const double last = std::sqrt(1'500 * std::hypot(100, 50) / 8'000);
+  const double ramps = std::pow(100 - 11.18, 2) + std::pow(100 - last, 2);
+  EXPECT_NEAR(result.seconds, std::hypot(100, 50) / 100 + ramps / (2 * 1'500 * 100), 0.0005);
+  expect_exact_and_within_limits(result);
+}
+
+TEST(planner, reaches_full_speed_on_tiny_segments) {
+  motion::Limits limits = mendel();
+  limits.travel_acceleration = units::MicrometersPerSecondSquared(3'000'000);
+  PrintRun run(limits, {});
+  const RunResult result = run.run(arc(1'200, 0.2, 20, 200'000));
+  expect_exact_and_within_limits(result);
+  EXPECT_EQ(result.rests, 1u);
+  EXPECT_LT(result.seconds, 1.30);  // ideal: 1.267
+  RecordProperty("seconds", std::to_string(result.seconds));
+  std::printf("arc of 1200 segments: %.3f s, top %.1f mm/s\n", result.seconds,
+              result.highest_speed_mm_s);
+}
+
+TEST(planner, slows_down_but_does_not_stop_when_lines_come_too_slowly) {
+  motion::Limits limits = mendel();
+  limits.travel_acceleration = units::MicrometersPerSecondSquared(3'000'000);
+  PrintRun run(limits, {.lines_per_second = 500});
+  const RunResult result = run.run(arc(1'200, 0.2, 20, 200'000));
+  expect_exact_and_within_limits(result);
+  std::printf("the same at 500 lines/s: %.3f s, %lu rests\n", result.seconds, result.rests);
+  EXPECT_LE(result.rests, 1u);
+}
+
+class RandomMoves : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RandomMoves, are_exact_and_keep_every_limit) {
+  std::mt19937_64 random(GetParam());
+  const auto within = [&](std::int64_t low, std::int64_t high) {
+    return std::uniform_int_distribution<std::int64_t>(low, high)(random);
+  };
+  motion::Limits limits = mendel();
+  limits.of(units::Axis::x).steps_per_meter = units::StepsPerMeter(62'745);
+  PrintRun run(limits, {.clock_hz = GetParam()});
+  std::vector<LineMove> moves;
+  std::int64_t x = 0, y = 0, z = 0, e = 0;
+  for (int i = 0; i < 400; ++i) {
+    const std::int64_t reach = i % 3 == 0 ? 20'000 : i % 3 == 1 ? 500'000 : 10 * mm;
+    if (within(0, 9) != 0) x += within(-reach, reach);
+    if (within(0, 9) != 0) y += within(-reach, reach);
+    if (within(0, 19) == 0) z += within(-reach / 10, reach / 10);
+    if (within(0, 4) != 0) e += within(-reach / 20, reach / 10);
+    moves.push_back(to(x, y, z, e, static_cast<std::int32_t>(within(1'000, 300'000))));
+  }
+  const RunResult result = run.run(moves);
+  expect_exact_and_within_limits(result);
+  EXPECT_LE(result.worst_rate_mismatch, 0.01);
+  std::printf("worst: %.3f steps, rates of phases %.2e, speed %.2e, acceleration %.2e\n",
+              result.worst_deviation_steps, result.worst_rate_mismatch, result.worst_speed_excess,
+              result.worst_acceleration_excess);
+}
+
+INSTANTIATE_TEST_SUITE_P(clocks, RandomMoves,
+                         testing::Values(4'000'000, 4'915'200, 8'000'000, 12'345'678));
+
+TEST(planner, starts_a_long_move_at_once_and_a_short_one_after_the_delay) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  ASSERT_TRUE(planner.append(to(20 * mm, 0, 0, 0, 50'000), Microseconds(5)));
+  EXPECT_TRUE(planner.next_segment(Microseconds(5)));
+
+  motion::Planner other(mendel(), motion_test::timing(4'000'000));
+  ASSERT_TRUE(other.append(to(1 * mm, 0, 0, 0, 50'000), Microseconds(5)));
+  EXPECT_FALSE(other.next_segment(Microseconds(100'000)));
+  EXPECT_TRUE(other.next_segment(Microseconds(100'005)));
+}
+
+TEST(planner, starts_at_once_when_flushed) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  ASSERT_TRUE(planner.append(to(100'000, 0, 0, 0, 50'000), Microseconds(0)));
+  EXPECT_FALSE(planner.next_segment(Microseconds(0)));
+  planner.flush();
+  std::optional<motion::Segment> last;
+  while (const auto segment = planner.next_segment(Microseconds(0))) last = segment;
+  ASSERT_TRUE(last);
+  EXPECT_TRUE(last->ends_motion);
+  EXPECT_TRUE(planner.empty());
+}
+
+TEST(planner, hands_over_no_more_than_the_horizon_needs) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  for (const LineMove& move : arc(60, 1, 20, 50'000)) ASSERT_TRUE(planner.append(move, {}));
+  planner.flush();
+  int segments = 0;
+  while (planner.next_segment({})) ++segments;
+  EXPECT_GE(segments, 2);  // 20 ms each
+  EXPECT_LE(segments, 6);
+}
+
+TEST(planner, collects_moves_of_less_than_a_step) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  for (int i = 1; i <= 3; ++i) {
+    ASSERT_TRUE(planner.append(to(2'000 * i, 0, 0, 0, 50'000), {}));
+    EXPECT_EQ(planner.lines(), 0u);
+  }
+  ASSERT_TRUE(planner.append(to(8'000, 0, 0, 0, 50'000), {}));
+  EXPECT_EQ(planner.lines(), 1u);
+  EXPECT_EQ(planner.position_steps()[0], 1);
+}
+
+TEST(planner, does_not_crawl_where_steps_are_coarser_than_segments) {
+  PrintRun run(mendel(), {});
+  const RunResult result = run.run(arc(3'000, 0.005, 20, 60'000, 1));
+  expect_exact_and_within_limits(result);
+  // The ring looks 0.7 mm ahead, which permits 46 mm/s: 0.33 s.
+  EXPECT_LT(result.seconds, 0.37);
+}
+
+TEST(planner, keeps_a_position_far_out_exact) {
+  motion::Limits limits = mendel();
+  PrintRun run(limits, {});
+  const std::int64_t far = 5'000'000 * mm;  // 5 km of filament
+  run.planner().set_position(at(0, 0, 0, far));
+  motion::Planner& planner = run.planner();
+  ASSERT_TRUE(planner.append(to(10 * mm, 0, 0, far + 1'234'567, 50'000), {}));
+  EXPECT_EQ(
+      planner.position_steps()[3],
+      motion_test::exact_steps(units::Nanometers(far + 1'234'567), units::StepsPerMeter(500'000)));
+}
+
+TEST(planner, refuses_what_it_cannot_do_and_stays_as_it_was) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  EXPECT_EQ(planner.append(to(mm, 0, 0, 0, 0), {}).error(), motion::Fault::feedrate_out_of_range);
+  EXPECT_EQ(planner.append(to(mm, 0, 0, 0, -5), {}).error(), motion::Fault::feedrate_out_of_range);
+  const std::int64_t beyond = motion::max_position.count() + 1;
+  EXPECT_EQ(planner.append(to(beyond, 0, 0, 0, 1), {}).error(), motion::Fault::target_out_of_range);
+  EXPECT_EQ(planner.append(to(INT64_MIN, 0, 0, 0, 1), {}).error(),
+            motion::Fault::target_out_of_range);
+  EXPECT_EQ(planner.append(to(0, 0, 0, 10'000'000 * mm, 1), {}).error(),
+            motion::Fault::line_too_long);
+  EXPECT_TRUE(planner.empty());
+  std::int64_t x = 0;
+  while (planner.has_room()) ASSERT_TRUE(planner.append(to(x += mm, 0, 0, 0, 50'000), {}));
+  EXPECT_EQ(planner.append(to(0, 0, 0, 0, 50'000), {}).error(), motion::Fault::queue_full);
+  EXPECT_EQ(planner.lines(), motion::Planner::capacity);
+  EXPECT_EQ(planner.position()[0].count(), x);
+}
+
+TEST(planner, forgets_everything_when_cleared) {
+  motion::Planner planner(mendel(), motion_test::timing(4'000'000));
+  for (const LineMove& move : arc(30, 1, 20, 50'000)) ASSERT_TRUE(planner.append(move, {}));
+  planner.flush();
+  ASSERT_TRUE(planner.next_segment({}));
+  planner.clear();
+  planner.set_position_steps({80, 160, 0, -500});
+  EXPECT_TRUE(planner.empty());
+  EXPECT_FALSE(planner.next_segment(Microseconds(1'000'000)));
+  EXPECT_EQ(planner.position(), at(1 * mm, 2 * mm, 0, -1 * mm));
+}
+
+}  // namespace
