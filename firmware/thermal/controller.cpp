@@ -54,13 +54,17 @@ Duty Controller::update(units::Millicelsius target, units::Millicelsius measured
   const std::int64_t derivative = gains_.duty_per_celsius_per_second * slope_per_s / milli;
   const std::int64_t demand = feed_forward + proportional - derivative + integral_ / integral_scale;
 
-  // An output at its end learns only what leads it back.
-  const bool may_grow = error < 0 ? demand > 0 : demand < full_duty;
+  // The integral learns from the error that is left after the one for which the slope already provides:
+  // nothing while the temperature comes in as planned, so that it does not overshoot.
+  const std::int64_t unexplained =
+      error - gains_.duty_per_celsius_per_second * slope_per_s / gains_.duty_per_celsius;
+  // And an output at its end learns only what leads it back.
+  const bool may_grow = unexplained < 0 ? demand > 0 : demand < full_duty;
   if (error > integral_band_millicelsius || error < -integral_band_millicelsius) {
     integral_ = 0;
   } else if (may_grow) {
     integral_ +=
-        gains_.duty_per_celsius_second * error * elapsed.count() * integral_scale / (milli * milli);
+        gains_.duty_per_celsius_second * unexplained * elapsed.count() * integral_scale / (milli * milli);
   }
   return static_cast<Duty>(std::clamp<std::int64_t>(demand, 0, full_duty));
 }
