@@ -119,6 +119,7 @@ void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
 
 void HostLink::accept(const ReceivedLine& line, bool emergency) {
   ++statistics_.accepted;
+  if (queue_.size() == 0) last_busy_ = now_;  // the host's wait begins
   queue_.put(line.text, line.number, emergency);
 }
 

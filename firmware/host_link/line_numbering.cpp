@@ -90,10 +90,10 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   const bool taken = taken_before(number, fingerprint);
   if (number == 0 || number == 1) {
     if (!taken && !opened_with(number, fingerprint)) return {Verdict::accept};
-    // The same opening again: the same job started anew, unless a Resend (perhaps with a spoilt
-    // number) or an echo explains it.
+    // The same opening again, after a pause: the same job started anew, unless a Resend whose number
+    // was spoilt on its way explains it.
     const bool explained =
-        asked_recently(now) || (number == last_ && now - last_taken_ < restart_pause);
+        asked_recently(now) || now - last_taken_ < restart_pause;
     if (!explained) return {Verdict::accept};
   }
   if (taken) return {Verdict::repeat};

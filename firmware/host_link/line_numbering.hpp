@@ -46,7 +46,7 @@ class LineNumbering {
   static constexpr units::Milliseconds resend_patience{1000};
   // Repeats of old lines are explained by a resend request at most this long ago.
   static constexpr units::Milliseconds resend_memory{10'000};
-  // A host that repeats the last line sooner than this has not been started anew.
+  // A host that repeats its first lines sooner than this has not been started anew.
   static constexpr units::Milliseconds restart_pause{2000};
 
   // Of a line with number or checksum. Changes nothing but the memory of unprintable lines.
