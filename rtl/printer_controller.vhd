@@ -96,9 +96,21 @@ architecture rtl of printer_controller is
   signal emergency_stop_synchronized : std_ulogic_vector(0 downto 0);
   signal readings : sensor_reading_array_t(0 to heaters - 1);
 
+  -- Nothing but a register stands behind an input pin: timing is simple on a board, and the model has no
+  -- logic to evaluate when an input changes between clocks.
+  signal reset_registered : std_ulogic := '1';
+  signal clock_frequency : unsigned(31 downto 0) := (others => '0');
+
 begin
 
   fault <= heater_interrupt;
+
+  register_inputs : process
+  begin
+    wait until rising_edge(clk);
+    reset_registered <= reset;
+    clock_frequency <= clock_frequency_hz;
+  end process;
 
   -- The lower the index, the higher the priority.
   interrupts <= (
@@ -115,7 +127,7 @@ begin
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
       memory_request => memory_request,
@@ -142,13 +154,13 @@ begin
       data => memory_data
     );
 
-  interconnect : entity work.bus_interconnect
+  fabric : entity work.bus_interconnect
     generic map (
       base_addresses => base_addresses
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => bus_request,
       response => bus_response,
       slave_requests => requests,
@@ -165,8 +177,8 @@ begin
     )
     port map (
       clk => clk,
-      clock_frequency_hz => clock_frequency_hz,
-      reset => reset,
+      clock_frequency_hz => clock_frequency,
+      reset => reset_registered,
       request => requests(identity_slave),
       response => responses(identity_slave)
     );
@@ -174,7 +186,7 @@ begin
   serial_line : entity work.uart
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(uart_slave),
       response => responses(uart_slave),
       receive => receive,
@@ -186,7 +198,7 @@ begin
   machine_timer : entity work.timer
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(timer_slave),
       response => responses(timer_slave),
       timer_interrupt => timer_interrupt
@@ -195,7 +207,7 @@ begin
   end_stop_inputs : entity work.end_stops
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(end_stops_slave),
       response => responses(end_stops_slave),
       switches => end_stop,
@@ -219,14 +231,14 @@ begin
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(step_generator_slave),
       response => responses(step_generator_slave),
       end_stops => end_stops_triggered,
       emergency_stop => emergency_stop_synchronized(0),
       step => step,
       direction => direction,
-      motor_enable => motor_enable,
+      enable => motor_enable,
       moving => open,
       queue_interrupt => queue_interrupt,
       stop_interrupt => stop_interrupt
@@ -238,7 +250,7 @@ begin
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(temperature_converter_slave),
       response => responses(temperature_converter_slave),
       drive_enable => sensor_drive_enable,
@@ -254,8 +266,8 @@ begin
     )
     port map (
       clk => clk,
-      clock_frequency_hz => clock_frequency_hz,
-      reset => reset,
+      clock_frequency_hz => clock_frequency,
+      reset => reset_registered,
       request => requests(heater_control_slave),
       response => responses(heater_control_slave),
       readings => readings,
@@ -267,7 +279,7 @@ begin
   cooling_fan : entity work.fan
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_registered,
       request => requests(fan_slave),
       response => responses(fan_slave),
       output => fan_gate

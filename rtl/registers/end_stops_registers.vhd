@@ -63,74 +63,82 @@ end entity;
 
 architecture rtl of end_stops_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal status_word : std_ulogic_vector(31 downto 0);
+  signal filter_word : std_ulogic_vector(31 downto 0);
   signal filter_stored : std_ulogic_vector(31 downto 0) := x"00000064";
+  signal polarity_word : std_ulogic_vector(31 downto 0);
   signal polarity_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal enable_word : std_ulogic_vector(31 downto 0);
   signal enable_stored : std_ulogic_vector(31 downto 0) := x"00000000";
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := to_software.status.raw;
-            word(15 downto 8) := to_software.status.filtered;
-            word(23 downto 16) := to_software.status.triggered;
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := filter_stored(15 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            filter_stored(15 downto 0) <= request.data(15 downto 0);
-          end if;
-        when 2 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := polarity_stored(7 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            polarity_stored(7 downto 0) <= request.data(7 downto 0);
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := enable_stored(7 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            enable_stored(7 downto 0) <= request.data(7 downto 0);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 3 else '0';
+
+  writable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3) else '0';
+
+  status_word <= "00000000" & to_software.status.triggered & to_software.status.filtered & to_software.status.raw
+    when request.address(11 downto 2) = 0 else (others => '0');
+  filter_word <= "0000000000000000" & filter_stored(15 downto 0)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  polarity_word <= "000000000000000000000000" & polarity_stored(7 downto 0)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  enable_word <= "000000000000000000000000" & enable_stored(7 downto 0)
+    when request.address(11 downto 2) = 3 else (others => '0');
+
+  read_word <= status_word
+    or filter_word
+    or polarity_word
+    or enable_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 1 then
+      filter_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 2 then
+      polarity_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 3 then
+      enable_stored <= written_data;
+    end if;
+    if reset then
       filter_stored <= x"00000064";
       polarity_stored <= x"00000000";
       enable_stored <= x"00000000";
@@ -138,9 +146,6 @@ begin
   end process;
 
   from_software.filter.cycles <= unsigned(filter_stored(15 downto 0));
-
   from_software.polarity.active_low <= polarity_stored(7 downto 0);
-
   from_software.enable.inputs <= enable_stored(7 downto 0);
-
 end architecture;

@@ -45,64 +45,75 @@ end entity;
 
 architecture rtl of fan_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal duty_word : std_ulogic_vector(31 downto 0);
   signal duty_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal period_word : std_ulogic_vector(31 downto 0);
   signal period_stored : std_ulogic_vector(31 downto 0) := x"00000001";
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := duty_stored(7 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            duty_stored(7 downto 0) <= request.data(7 downto 0);
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(23 downto 0) := period_stored(23 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            period_stored(23 downto 0) <= request.data(23 downto 0);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 1 else '0';
+
+  writable <= '1' when request.address(11 downto 2) <= 1 else '0';
+
+  duty_word <= "000000000000000000000000" & duty_stored(7 downto 0)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  period_word <= "00000000" & period_stored(23 downto 0)
+    when request.address(11 downto 2) = 1 else (others => '0');
+
+  read_word <= duty_word
+    or period_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 0 then
+      duty_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 1 then
+      period_stored <= written_data;
+    end if;
+    if reset then
       duty_stored <= x"00000000";
       period_stored <= x"00000001";
     end if;
   end process;
 
   from_software.duty.slots <= unsigned(duty_stored(7 downto 0));
-
   from_software.period.slot_cycles <= unsigned(period_stored(23 downto 0));
-
 end architecture;

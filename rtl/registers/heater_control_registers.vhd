@@ -119,265 +119,151 @@ end entity;
 
 architecture rtl of heater_control_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal watchdog_word : std_ulogic_vector(31 downto 0);
+  signal sensor_timeout_word : std_ulogic_vector(31 downto 0);
+  signal slot_word : std_ulogic_vector(31 downto 0);
   signal slot_stored : std_ulogic_vector(31 downto 0) := x"00000400";
+  signal duty_0_word : std_ulogic_vector(31 downto 0);
   signal duty_0_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_1_word : std_ulogic_vector(31 downto 0);
   signal duty_1_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_2_word : std_ulogic_vector(31 downto 0);
   signal duty_2_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_3_word : std_ulogic_vector(31 downto 0);
   signal duty_3_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal minimum_count_0_word : std_ulogic_vector(31 downto 0);
+  signal minimum_count_1_word : std_ulogic_vector(31 downto 0);
+  signal minimum_count_2_word : std_ulogic_vector(31 downto 0);
+  signal minimum_count_3_word : std_ulogic_vector(31 downto 0);
+  signal maximum_count_0_word : std_ulogic_vector(31 downto 0);
+  signal maximum_count_1_word : std_ulogic_vector(31 downto 0);
+  signal maximum_count_2_word : std_ulogic_vector(31 downto 0);
+  signal maximum_count_3_word : std_ulogic_vector(31 downto 0);
+  signal status_0_word : std_ulogic_vector(31 downto 0);
+  signal status_1_word : std_ulogic_vector(31 downto 0);
+  signal status_2_word : std_ulogic_vector(31 downto 0);
+  signal status_3_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-      from_software.feed_written <= '0';
-      from_software.watchdog_written <= '0';
-      from_software.sensor_timeout_written <= '0';
-      from_software.clear_written <= '0';
-      from_software.minimum_count_written <= (others => '0');
-      from_software.maximum_count_written <= (others => '0');
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
       written_data <= request.data;
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.feed_written <= '1';
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.watchdog.ticks);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.watchdog_written <= '1';
-          end if;
-        when 2 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.sensor_timeout.ticks);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.sensor_timeout_written <= '1';
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(23 downto 0) := slot_stored(23 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            slot_stored(23 downto 0) <= request.data(23 downto 0);
-          end if;
-        when 4 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.clear_written <= '1';
-          end if;
-        when 5 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := duty_0_stored(15 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            duty_0_stored(15 downto 0) <= request.data(15 downto 0);
-          end if;
-        when 6 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := duty_1_stored(15 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            duty_1_stored(15 downto 0) <= request.data(15 downto 0);
-          end if;
-        when 7 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := duty_2_stored(15 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            duty_2_stored(15 downto 0) <= request.data(15 downto 0);
-          end if;
-        when 8 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := duty_3_stored(15 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            duty_3_stored(15 downto 0) <= request.data(15 downto 0);
-          end if;
-        when 9 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.minimum_count(0).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.minimum_count_written(0) <= '1';
-          end if;
-        when 10 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.minimum_count(1).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.minimum_count_written(1) <= '1';
-          end if;
-        when 11 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.minimum_count(2).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.minimum_count_written(2) <= '1';
-          end if;
-        when 12 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.minimum_count(3).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.minimum_count_written(3) <= '1';
-          end if;
-        when 13 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.maximum_count(0).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.maximum_count_written(0) <= '1';
-          end if;
-        when 14 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.maximum_count(1).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.maximum_count_written(1) <= '1';
-          end if;
-        when 15 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.maximum_count(2).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.maximum_count_written(2) <= '1';
-          end if;
-        when 16 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.maximum_count(3).cycles);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.maximum_count_written(3) <= '1';
-          end if;
-        when 17 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.status(0).gate;
-            word(1) := to_software.status(0).permitted;
-            word(2) := to_software.status(0).minimum_locked;
-            word(3) := to_software.status(0).maximum_locked;
-            word(7) := to_software.status(0).tripped;
-            word(8) := to_software.status(0).watchdog_trip;
-            word(9) := to_software.status(0).sensor_invalid_trip;
-            word(10) := to_software.status(0).sensor_stale_trip;
-            word(11) := to_software.status(0).too_hot_trip;
-            word(12) := to_software.status(0).too_cold_trip;
-            word(13) := to_software.status(0).limits_missing_trip;
-            word(14) := to_software.status(0).emergency_stop_trip;
-          end if;
-        when 18 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.status(1).gate;
-            word(1) := to_software.status(1).permitted;
-            word(2) := to_software.status(1).minimum_locked;
-            word(3) := to_software.status(1).maximum_locked;
-            word(7) := to_software.status(1).tripped;
-            word(8) := to_software.status(1).watchdog_trip;
-            word(9) := to_software.status(1).sensor_invalid_trip;
-            word(10) := to_software.status(1).sensor_stale_trip;
-            word(11) := to_software.status(1).too_hot_trip;
-            word(12) := to_software.status(1).too_cold_trip;
-            word(13) := to_software.status(1).limits_missing_trip;
-            word(14) := to_software.status(1).emergency_stop_trip;
-          end if;
-        when 19 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.status(2).gate;
-            word(1) := to_software.status(2).permitted;
-            word(2) := to_software.status(2).minimum_locked;
-            word(3) := to_software.status(2).maximum_locked;
-            word(7) := to_software.status(2).tripped;
-            word(8) := to_software.status(2).watchdog_trip;
-            word(9) := to_software.status(2).sensor_invalid_trip;
-            word(10) := to_software.status(2).sensor_stale_trip;
-            word(11) := to_software.status(2).too_hot_trip;
-            word(12) := to_software.status(2).too_cold_trip;
-            word(13) := to_software.status(2).limits_missing_trip;
-            word(14) := to_software.status(2).emergency_stop_trip;
-          end if;
-        when 20 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.status(3).gate;
-            word(1) := to_software.status(3).permitted;
-            word(2) := to_software.status(3).minimum_locked;
-            word(3) := to_software.status(3).maximum_locked;
-            word(7) := to_software.status(3).tripped;
-            word(8) := to_software.status(3).watchdog_trip;
-            word(9) := to_software.status(3).sensor_invalid_trip;
-            word(10) := to_software.status(3).sensor_stale_trip;
-            word(11) := to_software.status(3).too_hot_trip;
-            word(12) := to_software.status(3).too_cold_trip;
-            word(13) := to_software.status(3).limits_missing_trip;
-            word(14) := to_software.status(3).emergency_stop_trip;
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
-      from_software.feed_written <= '0';
-      from_software.watchdog_written <= '0';
-      from_software.sensor_timeout_written <= '0';
-      from_software.clear_written <= '0';
-      from_software.minimum_count_written <= (others => '0');
-      from_software.maximum_count_written <= (others => '0');
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3)
+      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 20) else '0';
+
+  writable <= '1' when request.address(11 downto 2) <= 16 else '0';
+
+  watchdog_word <= "000000000000" & std_ulogic_vector(to_software.watchdog.ticks)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  sensor_timeout_word <= "000000000000" & std_ulogic_vector(to_software.sensor_timeout.ticks)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  slot_word <= "00000000" & slot_stored(23 downto 0)
+    when request.address(11 downto 2) = 3 else (others => '0');
+  duty_0_word <= "0000000000000000" & duty_0_stored(15 downto 0)
+    when request.address(11 downto 2) = 5 else (others => '0');
+  duty_1_word <= "0000000000000000" & duty_1_stored(15 downto 0)
+    when request.address(11 downto 2) = 6 else (others => '0');
+  duty_2_word <= "0000000000000000" & duty_2_stored(15 downto 0)
+    when request.address(11 downto 2) = 7 else (others => '0');
+  duty_3_word <= "0000000000000000" & duty_3_stored(15 downto 0)
+    when request.address(11 downto 2) = 8 else (others => '0');
+  minimum_count_0_word <= std_ulogic_vector(to_software.minimum_count(0).cycles)
+    when request.address(11 downto 2) = 9 else (others => '0');
+  minimum_count_1_word <= std_ulogic_vector(to_software.minimum_count(1).cycles)
+    when request.address(11 downto 2) = 10 else (others => '0');
+  minimum_count_2_word <= std_ulogic_vector(to_software.minimum_count(2).cycles)
+    when request.address(11 downto 2) = 11 else (others => '0');
+  minimum_count_3_word <= std_ulogic_vector(to_software.minimum_count(3).cycles)
+    when request.address(11 downto 2) = 12 else (others => '0');
+  maximum_count_0_word <= std_ulogic_vector(to_software.maximum_count(0).cycles)
+    when request.address(11 downto 2) = 13 else (others => '0');
+  maximum_count_1_word <= std_ulogic_vector(to_software.maximum_count(1).cycles)
+    when request.address(11 downto 2) = 14 else (others => '0');
+  maximum_count_2_word <= std_ulogic_vector(to_software.maximum_count(2).cycles)
+    when request.address(11 downto 2) = 15 else (others => '0');
+  maximum_count_3_word <= std_ulogic_vector(to_software.maximum_count(3).cycles)
+    when request.address(11 downto 2) = 16 else (others => '0');
+  status_0_word <= "00000000000000000" & to_software.status(0).emergency_stop_trip & to_software.status(0).limits_missing_trip & to_software.status(0).too_cold_trip & to_software.status(0).too_hot_trip & to_software.status(0).sensor_stale_trip & to_software.status(0).sensor_invalid_trip & to_software.status(0).watchdog_trip & to_software.status(0).tripped & "000" & to_software.status(0).maximum_locked & to_software.status(0).minimum_locked & to_software.status(0).permitted & to_software.status(0).gate
+    when request.address(11 downto 2) = 17 else (others => '0');
+  status_1_word <= "00000000000000000" & to_software.status(1).emergency_stop_trip & to_software.status(1).limits_missing_trip & to_software.status(1).too_cold_trip & to_software.status(1).too_hot_trip & to_software.status(1).sensor_stale_trip & to_software.status(1).sensor_invalid_trip & to_software.status(1).watchdog_trip & to_software.status(1).tripped & "000" & to_software.status(1).maximum_locked & to_software.status(1).minimum_locked & to_software.status(1).permitted & to_software.status(1).gate
+    when request.address(11 downto 2) = 18 else (others => '0');
+  status_2_word <= "00000000000000000" & to_software.status(2).emergency_stop_trip & to_software.status(2).limits_missing_trip & to_software.status(2).too_cold_trip & to_software.status(2).too_hot_trip & to_software.status(2).sensor_stale_trip & to_software.status(2).sensor_invalid_trip & to_software.status(2).watchdog_trip & to_software.status(2).tripped & "000" & to_software.status(2).maximum_locked & to_software.status(2).minimum_locked & to_software.status(2).permitted & to_software.status(2).gate
+    when request.address(11 downto 2) = 19 else (others => '0');
+  status_3_word <= "00000000000000000" & to_software.status(3).emergency_stop_trip & to_software.status(3).limits_missing_trip & to_software.status(3).too_cold_trip & to_software.status(3).too_hot_trip & to_software.status(3).sensor_stale_trip & to_software.status(3).sensor_invalid_trip & to_software.status(3).watchdog_trip & to_software.status(3).tripped & "000" & to_software.status(3).maximum_locked & to_software.status(3).minimum_locked & to_software.status(3).permitted & to_software.status(3).gate
+    when request.address(11 downto 2) = 20 else (others => '0');
+
+  read_word <= watchdog_word
+    or sensor_timeout_word
+    or slot_word
+    or duty_0_word
+    or duty_1_word
+    or duty_2_word
+    or duty_3_word
+    or minimum_count_0_word
+    or minimum_count_1_word
+    or minimum_count_2_word
+    or minimum_count_3_word
+    or maximum_count_0_word
+    or maximum_count_1_word
+    or maximum_count_2_word
+    or maximum_count_3_word
+    or status_0_word
+    or status_1_word
+    or status_2_word
+    or status_3_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 3 then
+      slot_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 5 then
+      duty_0_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 6 then
+      duty_1_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 7 then
+      duty_2_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 8 then
+      duty_3_stored <= written_data;
+    end if;
+    if reset then
       slot_stored <= x"00000400";
       duty_0_stored <= x"00000000";
       duty_1_stored <= x"00000000";
@@ -386,30 +272,34 @@ begin
     end if;
   end process;
 
+  from_software.feed_written <= '1' when writing = '1' and register_index = 0 else '0';
   from_software.feed.key <= unsigned(written_data(15 downto 0));
-
+  from_software.watchdog_written <= '1' when writing = '1' and register_index = 1 else '0';
   from_software.watchdog.ticks <= unsigned(written_data(19 downto 0));
-
+  from_software.sensor_timeout_written <= '1' when writing = '1' and register_index = 2 else '0';
   from_software.sensor_timeout.ticks <= unsigned(written_data(19 downto 0));
-
   from_software.slot.cycles <= unsigned(slot_stored(23 downto 0));
-
+  from_software.clear_written <= '1' when writing = '1' and register_index = 4 else '0';
   from_software.clear.channels <= written_data(3 downto 0);
   from_software.clear.key <= unsigned(written_data(31 downto 16));
-
   from_software.duty(0).density <= unsigned(duty_0_stored(15 downto 0));
   from_software.duty(1).density <= unsigned(duty_1_stored(15 downto 0));
   from_software.duty(2).density <= unsigned(duty_2_stored(15 downto 0));
   from_software.duty(3).density <= unsigned(duty_3_stored(15 downto 0));
-
+  from_software.minimum_count_written(0) <= '1' when writing = '1' and register_index = 9 else '0';
   from_software.minimum_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count_written(1) <= '1' when writing = '1' and register_index = 10 else '0';
   from_software.minimum_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count_written(2) <= '1' when writing = '1' and register_index = 11 else '0';
   from_software.minimum_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count_written(3) <= '1' when writing = '1' and register_index = 12 else '0';
   from_software.minimum_count(3).cycles <= unsigned(written_data(31 downto 0));
-
+  from_software.maximum_count_written(0) <= '1' when writing = '1' and register_index = 13 else '0';
   from_software.maximum_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count_written(1) <= '1' when writing = '1' and register_index = 14 else '0';
   from_software.maximum_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count_written(2) <= '1' when writing = '1' and register_index = 15 else '0';
   from_software.maximum_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count_written(3) <= '1' when writing = '1' and register_index = 16 else '0';
   from_software.maximum_count(3).cycles <= unsigned(written_data(31 downto 0));
-
 end architecture;

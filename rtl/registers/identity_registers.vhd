@@ -74,72 +74,72 @@ end entity;
 
 architecture rtl of identity_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal magic_word : std_ulogic_vector(31 downto 0);
+  signal version_word : std_ulogic_vector(31 downto 0);
+  signal clock_word : std_ulogic_vector(31 downto 0);
+  signal memory_word : std_ulogic_vector(31 downto 0);
+  signal motion_word : std_ulogic_vector(31 downto 0);
+  signal thermal_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.magic.word);
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(31 downto 16) := std_ulogic_vector(to_software.version.major);
-            word(15 downto 8) := std_ulogic_vector(to_software.version.minor);
-            word(7 downto 0) := std_ulogic_vector(to_software.version.patch);
-          end if;
-        when 2 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.clock.frequency_hz);
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.memory.size_bytes);
-          end if;
-        when 4 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := std_ulogic_vector(to_software.motion.axes);
-            word(31 downto 16) := std_ulogic_vector(to_software.motion.queue_depth);
-          end if;
-        when 5 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := std_ulogic_vector(to_software.thermal.sensors);
-            word(15 downto 8) := std_ulogic_vector(to_software.thermal.heaters);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
     end if;
   end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 5 else '0';
+
+  writable <= '0';
+
+  magic_word <= std_ulogic_vector(to_software.magic.word)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  version_word <= std_ulogic_vector(to_software.version.major) & std_ulogic_vector(to_software.version.minor) & std_ulogic_vector(to_software.version.patch)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  clock_word <= std_ulogic_vector(to_software.clock.frequency_hz)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  memory_word <= std_ulogic_vector(to_software.memory.size_bytes)
+    when request.address(11 downto 2) = 3 else (others => '0');
+  motion_word <= std_ulogic_vector(to_software.motion.queue_depth) & "00000000" & std_ulogic_vector(to_software.motion.axes)
+    when request.address(11 downto 2) = 4 else (others => '0');
+  thermal_word <= "0000000000000000" & std_ulogic_vector(to_software.thermal.heaters) & std_ulogic_vector(to_software.thermal.sensors)
+    when request.address(11 downto 2) = 5 else (others => '0');
+
+  read_word <= magic_word
+    or version_word
+    or clock_word
+    or memory_word
+    or motion_word
+    or thermal_word;
 
 end architecture;

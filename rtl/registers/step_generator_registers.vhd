@@ -206,10 +206,12 @@ package step_generator_registers_pkg is
 
   type step_generator_from_software_t is record
     control : step_generator_control_t;
+    control_written : std_ulogic;
     command : step_generator_command_t;
     command_written : std_ulogic;
     motor_enable : step_generator_motor_enable_t;
     rate_floor : step_generator_rate_floor_t;
+    rate_floor_written : std_ulogic;
     segment_flags : step_generator_segment_flags_t;
     segment_flags_written : std_ulogic;
     segment_line_ticks : step_generator_segment_line_ticks_t;
@@ -242,8 +244,10 @@ package step_generator_registers_pkg is
 
   type step_generator_to_software_t is record
     build : step_generator_build_t;
+    control : step_generator_control_t;
     status : step_generator_status_t;
     errors : step_generator_errors_t;
+    rate_floor : step_generator_rate_floor_t;
     position : step_generator_position_array_t;
     snapshot_position : step_generator_snapshot_position_array_t;
     snapshot_time_low : step_generator_snapshot_time_low_t;
@@ -281,637 +285,368 @@ end entity;
 
 architecture rtl of step_generator_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
-  signal control_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal build_word : std_ulogic_vector(31 downto 0);
+  signal control_word : std_ulogic_vector(31 downto 0);
+  signal status_word : std_ulogic_vector(31 downto 0);
+  signal errors_word : std_ulogic_vector(31 downto 0);
+  signal motor_enable_word : std_ulogic_vector(31 downto 0);
   signal motor_enable_stored : std_ulogic_vector(31 downto 0) := x"00000000";
-  signal rate_floor_stored : std_ulogic_vector(31 downto 0) := x"0000218E";
+  signal rate_floor_word : std_ulogic_vector(31 downto 0);
+  signal position_0_word : std_ulogic_vector(31 downto 0);
+  signal position_1_word : std_ulogic_vector(31 downto 0);
+  signal position_2_word : std_ulogic_vector(31 downto 0);
+  signal position_3_word : std_ulogic_vector(31 downto 0);
+  signal position_4_word : std_ulogic_vector(31 downto 0);
+  signal position_5_word : std_ulogic_vector(31 downto 0);
+  signal position_6_word : std_ulogic_vector(31 downto 0);
+  signal position_7_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_0_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_1_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_2_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_3_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_4_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_5_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_6_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_position_7_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_time_low_word : std_ulogic_vector(31 downto 0);
+  signal snapshot_time_high_word : std_ulogic_vector(31 downto 0);
+  signal stop_cause_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_0_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_1_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_2_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_3_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_4_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_5_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_6_word : std_ulogic_vector(31 downto 0);
+  signal stop_position_7_word : std_ulogic_vector(31 downto 0);
+  signal stop_time_low_word : std_ulogic_vector(31 downto 0);
+  signal stop_time_high_word : std_ulogic_vector(31 downto 0);
+  signal segments_executed_word : std_ulogic_vector(31 downto 0);
+  signal underruns_word : std_ulogic_vector(31 downto 0);
+  signal max_level_word : std_ulogic_vector(31 downto 0);
+  signal stalls_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_0_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_1_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_2_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_3_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_4_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_5_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_6_word : std_ulogic_vector(31 downto 0);
+  signal axis_stalls_7_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-      from_software.command_written <= '0';
-      from_software.segment_flags_written <= '0';
-      from_software.segment_line_ticks_written <= '0';
-      from_software.segment_ticks_written <= '0';
-      from_software.segment_rate_low_written <= '0';
-      from_software.segment_rate_high_written <= '0';
-      from_software.segment_acceleration_low_written <= '0';
-      from_software.segment_acceleration_high_written <= '0';
-      from_software.segment_jerk_low_written <= '0';
-      from_software.segment_jerk_high_written <= '0';
-      from_software.segment_steps_written <= (others => '0');
-      from_software.segment_commit_written <= '0';
-      from_software.pulse_guard_written <= (others => '0');
-      from_software.direction_guard_written <= (others => '0');
-      from_software.position_written <= (others => '0');
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
       written_data <= request.data;
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(3 downto 0) := std_ulogic_vector(to_software.build.axes);
-            word(23 downto 8) := std_ulogic_vector(to_software.build.queue_depth);
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(0 downto 0) := control_stored(0 downto 0);
-            word(1 downto 1) := control_stored(1 downto 1);
-            word(2 downto 2) := control_stored(2 downto 2);
-            word(31 downto 16) := control_stored(31 downto 16);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            control_stored(0 downto 0) <= request.data(0 downto 0);
-            control_stored(1 downto 1) <= request.data(1 downto 1);
-            control_stored(2 downto 2) <= request.data(2 downto 2);
-            control_stored(31 downto 16) <= request.data(31 downto 16);
-          end if;
-        when 2 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.command_written <= '1';
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.status.moving;
-            word(1) := to_software.status.idle;
-            word(2) := to_software.status.stopped;
-            word(15 downto 8) := std_ulogic_vector(to_software.status.level);
-            word(23 downto 16) := std_ulogic_vector(to_software.status.free);
-          end if;
-        when 4 =>
-          if not request.write then
-            known := true;
-            word(0) := to_software.errors.queue_full;
-            word(1) := to_software.errors.incomplete;
-            word(2) := to_software.errors.illegal;
-            word(3) := to_software.errors.while_stopped;
-            word(4) := to_software.errors.position;
-          end if;
-        when 5 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := motor_enable_stored(7 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            motor_enable_stored(7 downto 0) <= request.data(7 downto 0);
-          end if;
-        when 6 =>
-          if not request.write then
-            known := true;
-            word(30 downto 0) := rate_floor_stored(30 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            rate_floor_stored(30 downto 0) <= request.data(30 downto 0);
-          end if;
-        when 7 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_flags_written <= '1';
-          end if;
-        when 8 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_line_ticks_written <= '1';
-          end if;
-        when 9 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_ticks_written <= '1';
-          end if;
-        when 10 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_rate_low_written <= '1';
-          end if;
-        when 11 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_rate_high_written <= '1';
-          end if;
-        when 12 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_acceleration_low_written <= '1';
-          end if;
-        when 13 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_acceleration_high_written <= '1';
-          end if;
-        when 14 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_jerk_low_written <= '1';
-          end if;
-        when 15 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_jerk_high_written <= '1';
-          end if;
-        when 16 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(0) <= '1';
-          end if;
-        when 17 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(1) <= '1';
-          end if;
-        when 18 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(2) <= '1';
-          end if;
-        when 19 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(3) <= '1';
-          end if;
-        when 20 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(4) <= '1';
-          end if;
-        when 21 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(5) <= '1';
-          end if;
-        when 22 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(6) <= '1';
-          end if;
-        when 23 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_steps_written(7) <= '1';
-          end if;
-        when 24 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.segment_commit_written <= '1';
-          end if;
-        when 25 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(0) <= '1';
-          end if;
-        when 26 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(1) <= '1';
-          end if;
-        when 27 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(2) <= '1';
-          end if;
-        when 28 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(3) <= '1';
-          end if;
-        when 29 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(4) <= '1';
-          end if;
-        when 30 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(5) <= '1';
-          end if;
-        when 31 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(6) <= '1';
-          end if;
-        when 32 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.pulse_guard_written(7) <= '1';
-          end if;
-        when 33 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(0) <= '1';
-          end if;
-        when 34 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(1) <= '1';
-          end if;
-        when 35 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(2) <= '1';
-          end if;
-        when 36 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(3) <= '1';
-          end if;
-        when 37 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(4) <= '1';
-          end if;
-        when 38 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(5) <= '1';
-          end if;
-        when 39 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(6) <= '1';
-          end if;
-        when 40 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.direction_guard_written(7) <= '1';
-          end if;
-        when 41 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(0).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(0) <= '1';
-          end if;
-        when 42 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(1).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(1) <= '1';
-          end if;
-        when 43 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(2).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(2) <= '1';
-          end if;
-        when 44 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(3).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(3) <= '1';
-          end if;
-        when 45 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(4).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(4) <= '1';
-          end if;
-        when 46 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(5).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(5) <= '1';
-          end if;
-        when 47 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(6).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(6) <= '1';
-          end if;
-        when 48 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.position(7).steps);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.position_written(7) <= '1';
-          end if;
-        when 49 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(0).steps);
-          end if;
-        when 50 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(1).steps);
-          end if;
-        when 51 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(2).steps);
-          end if;
-        when 52 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(3).steps);
-          end if;
-        when 53 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(4).steps);
-          end if;
-        when 54 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(5).steps);
-          end if;
-        when 55 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(6).steps);
-          end if;
-        when 56 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_position(7).steps);
-          end if;
-        when 57 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_time_low.clocks);
-          end if;
-        when 58 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.snapshot_time_high.clocks);
-          end if;
-        when 59 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := to_software.stop_cause.end_stops;
-            word(8) := to_software.stop_cause.emergency_input;
-            word(9) := to_software.stop_cause.software;
-          end if;
-        when 60 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(0).steps);
-          end if;
-        when 61 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(1).steps);
-          end if;
-        when 62 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(2).steps);
-          end if;
-        when 63 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(3).steps);
-          end if;
-        when 64 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(4).steps);
-          end if;
-        when 65 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(5).steps);
-          end if;
-        when 66 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(6).steps);
-          end if;
-        when 67 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_position(7).steps);
-          end if;
-        when 68 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_time_low.clocks);
-          end if;
-        when 69 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stop_time_high.clocks);
-          end if;
-        when 70 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.segments_executed.count);
-          end if;
-        when 71 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.underruns.count);
-          end if;
-        when 72 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := std_ulogic_vector(to_software.max_level.segments);
-          end if;
-        when 73 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.stalls.clocks);
-          end if;
-        when 74 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(0).clocks);
-          end if;
-        when 75 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(1).clocks);
-          end if;
-        when 76 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(2).clocks);
-          end if;
-        when 77 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(3).clocks);
-          end if;
-        when 78 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(4).clocks);
-          end if;
-        when 79 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(5).clocks);
-          end if;
-        when 80 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(6).clocks);
-          end if;
-        when 81 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.axis_stalls(7).clocks);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
-      from_software.command_written <= '0';
-      from_software.segment_flags_written <= '0';
-      from_software.segment_line_ticks_written <= '0';
-      from_software.segment_ticks_written <= '0';
-      from_software.segment_rate_low_written <= '0';
-      from_software.segment_rate_high_written <= '0';
-      from_software.segment_acceleration_low_written <= '0';
-      from_software.segment_acceleration_high_written <= '0';
-      from_software.segment_jerk_low_written <= '0';
-      from_software.segment_jerk_high_written <= '0';
-      from_software.segment_steps_written <= (others => '0');
-      from_software.segment_commit_written <= '0';
-      from_software.pulse_guard_written <= (others => '0');
-      from_software.direction_guard_written <= (others => '0');
-      from_software.position_written <= (others => '0');
-      control_stored <= x"00000000";
-      motor_enable_stored <= x"00000000";
-      rate_floor_stored <= x"0000218E";
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
     end if;
   end process;
 
-  from_software.control.run <= control_stored(0);
-  from_software.control.queue_interrupt_enable <= control_stored(1);
-  from_software.control.stop_interrupt_enable <= control_stored(2);
-  from_software.control.queue_threshold <= unsigned(control_stored(31 downto 16));
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
+  readable <= '1' when request.address(11 downto 2) <= 1
+      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 6)
+      or (request.address(11 downto 2) >= 41 and request.address(11 downto 2) <= 81) else '0';
+
+  writable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 2)
+      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 48) else '0';
+
+  build_word <= "00000000" & std_ulogic_vector(to_software.build.queue_depth) & "0000" & std_ulogic_vector(to_software.build.axes)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  control_word <= std_ulogic_vector(to_software.control.queue_threshold) & "0000000000000" & to_software.control.stop_interrupt_enable & to_software.control.queue_interrupt_enable & to_software.control.run
+    when request.address(11 downto 2) = 1 else (others => '0');
+  status_word <= "00000000" & std_ulogic_vector(to_software.status.free) & std_ulogic_vector(to_software.status.level) & "00000" & to_software.status.stopped & to_software.status.idle & to_software.status.moving
+    when request.address(11 downto 2) = 3 else (others => '0');
+  errors_word <= "000000000000000000000000000" & to_software.errors.position & to_software.errors.while_stopped & to_software.errors.illegal & to_software.errors.incomplete & to_software.errors.queue_full
+    when request.address(11 downto 2) = 4 else (others => '0');
+  motor_enable_word <= "000000000000000000000000" & motor_enable_stored(7 downto 0)
+    when request.address(11 downto 2) = 5 else (others => '0');
+  rate_floor_word <= '0' & std_ulogic_vector(to_software.rate_floor.rate)
+    when request.address(11 downto 2) = 6 else (others => '0');
+  position_0_word <= std_ulogic_vector(to_software.position(0).steps)
+    when request.address(11 downto 2) = 41 else (others => '0');
+  position_1_word <= std_ulogic_vector(to_software.position(1).steps)
+    when request.address(11 downto 2) = 42 else (others => '0');
+  position_2_word <= std_ulogic_vector(to_software.position(2).steps)
+    when request.address(11 downto 2) = 43 else (others => '0');
+  position_3_word <= std_ulogic_vector(to_software.position(3).steps)
+    when request.address(11 downto 2) = 44 else (others => '0');
+  position_4_word <= std_ulogic_vector(to_software.position(4).steps)
+    when request.address(11 downto 2) = 45 else (others => '0');
+  position_5_word <= std_ulogic_vector(to_software.position(5).steps)
+    when request.address(11 downto 2) = 46 else (others => '0');
+  position_6_word <= std_ulogic_vector(to_software.position(6).steps)
+    when request.address(11 downto 2) = 47 else (others => '0');
+  position_7_word <= std_ulogic_vector(to_software.position(7).steps)
+    when request.address(11 downto 2) = 48 else (others => '0');
+  snapshot_position_0_word <= std_ulogic_vector(to_software.snapshot_position(0).steps)
+    when request.address(11 downto 2) = 49 else (others => '0');
+  snapshot_position_1_word <= std_ulogic_vector(to_software.snapshot_position(1).steps)
+    when request.address(11 downto 2) = 50 else (others => '0');
+  snapshot_position_2_word <= std_ulogic_vector(to_software.snapshot_position(2).steps)
+    when request.address(11 downto 2) = 51 else (others => '0');
+  snapshot_position_3_word <= std_ulogic_vector(to_software.snapshot_position(3).steps)
+    when request.address(11 downto 2) = 52 else (others => '0');
+  snapshot_position_4_word <= std_ulogic_vector(to_software.snapshot_position(4).steps)
+    when request.address(11 downto 2) = 53 else (others => '0');
+  snapshot_position_5_word <= std_ulogic_vector(to_software.snapshot_position(5).steps)
+    when request.address(11 downto 2) = 54 else (others => '0');
+  snapshot_position_6_word <= std_ulogic_vector(to_software.snapshot_position(6).steps)
+    when request.address(11 downto 2) = 55 else (others => '0');
+  snapshot_position_7_word <= std_ulogic_vector(to_software.snapshot_position(7).steps)
+    when request.address(11 downto 2) = 56 else (others => '0');
+  snapshot_time_low_word <= std_ulogic_vector(to_software.snapshot_time_low.clocks)
+    when request.address(11 downto 2) = 57 else (others => '0');
+  snapshot_time_high_word <= std_ulogic_vector(to_software.snapshot_time_high.clocks)
+    when request.address(11 downto 2) = 58 else (others => '0');
+  stop_cause_word <= "0000000000000000000000" & to_software.stop_cause.software & to_software.stop_cause.emergency_input & to_software.stop_cause.end_stops
+    when request.address(11 downto 2) = 59 else (others => '0');
+  stop_position_0_word <= std_ulogic_vector(to_software.stop_position(0).steps)
+    when request.address(11 downto 2) = 60 else (others => '0');
+  stop_position_1_word <= std_ulogic_vector(to_software.stop_position(1).steps)
+    when request.address(11 downto 2) = 61 else (others => '0');
+  stop_position_2_word <= std_ulogic_vector(to_software.stop_position(2).steps)
+    when request.address(11 downto 2) = 62 else (others => '0');
+  stop_position_3_word <= std_ulogic_vector(to_software.stop_position(3).steps)
+    when request.address(11 downto 2) = 63 else (others => '0');
+  stop_position_4_word <= std_ulogic_vector(to_software.stop_position(4).steps)
+    when request.address(11 downto 2) = 64 else (others => '0');
+  stop_position_5_word <= std_ulogic_vector(to_software.stop_position(5).steps)
+    when request.address(11 downto 2) = 65 else (others => '0');
+  stop_position_6_word <= std_ulogic_vector(to_software.stop_position(6).steps)
+    when request.address(11 downto 2) = 66 else (others => '0');
+  stop_position_7_word <= std_ulogic_vector(to_software.stop_position(7).steps)
+    when request.address(11 downto 2) = 67 else (others => '0');
+  stop_time_low_word <= std_ulogic_vector(to_software.stop_time_low.clocks)
+    when request.address(11 downto 2) = 68 else (others => '0');
+  stop_time_high_word <= std_ulogic_vector(to_software.stop_time_high.clocks)
+    when request.address(11 downto 2) = 69 else (others => '0');
+  segments_executed_word <= std_ulogic_vector(to_software.segments_executed.count)
+    when request.address(11 downto 2) = 70 else (others => '0');
+  underruns_word <= std_ulogic_vector(to_software.underruns.count)
+    when request.address(11 downto 2) = 71 else (others => '0');
+  max_level_word <= "0000000000000000" & std_ulogic_vector(to_software.max_level.segments)
+    when request.address(11 downto 2) = 72 else (others => '0');
+  stalls_word <= std_ulogic_vector(to_software.stalls.clocks)
+    when request.address(11 downto 2) = 73 else (others => '0');
+  axis_stalls_0_word <= std_ulogic_vector(to_software.axis_stalls(0).clocks)
+    when request.address(11 downto 2) = 74 else (others => '0');
+  axis_stalls_1_word <= std_ulogic_vector(to_software.axis_stalls(1).clocks)
+    when request.address(11 downto 2) = 75 else (others => '0');
+  axis_stalls_2_word <= std_ulogic_vector(to_software.axis_stalls(2).clocks)
+    when request.address(11 downto 2) = 76 else (others => '0');
+  axis_stalls_3_word <= std_ulogic_vector(to_software.axis_stalls(3).clocks)
+    when request.address(11 downto 2) = 77 else (others => '0');
+  axis_stalls_4_word <= std_ulogic_vector(to_software.axis_stalls(4).clocks)
+    when request.address(11 downto 2) = 78 else (others => '0');
+  axis_stalls_5_word <= std_ulogic_vector(to_software.axis_stalls(5).clocks)
+    when request.address(11 downto 2) = 79 else (others => '0');
+  axis_stalls_6_word <= std_ulogic_vector(to_software.axis_stalls(6).clocks)
+    when request.address(11 downto 2) = 80 else (others => '0');
+  axis_stalls_7_word <= std_ulogic_vector(to_software.axis_stalls(7).clocks)
+    when request.address(11 downto 2) = 81 else (others => '0');
+
+  read_word <= build_word
+    or control_word
+    or status_word
+    or errors_word
+    or motor_enable_word
+    or rate_floor_word
+    or position_0_word
+    or position_1_word
+    or position_2_word
+    or position_3_word
+    or position_4_word
+    or position_5_word
+    or position_6_word
+    or position_7_word
+    or snapshot_position_0_word
+    or snapshot_position_1_word
+    or snapshot_position_2_word
+    or snapshot_position_3_word
+    or snapshot_position_4_word
+    or snapshot_position_5_word
+    or snapshot_position_6_word
+    or snapshot_position_7_word
+    or snapshot_time_low_word
+    or snapshot_time_high_word
+    or stop_cause_word
+    or stop_position_0_word
+    or stop_position_1_word
+    or stop_position_2_word
+    or stop_position_3_word
+    or stop_position_4_word
+    or stop_position_5_word
+    or stop_position_6_word
+    or stop_position_7_word
+    or stop_time_low_word
+    or stop_time_high_word
+    or segments_executed_word
+    or underruns_word
+    or max_level_word
+    or stalls_word
+    or axis_stalls_0_word
+    or axis_stalls_1_word
+    or axis_stalls_2_word
+    or axis_stalls_3_word
+    or axis_stalls_4_word
+    or axis_stalls_5_word
+    or axis_stalls_6_word
+    or axis_stalls_7_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 5 then
+      motor_enable_stored <= written_data;
+    end if;
+    if reset then
+      motor_enable_stored <= x"00000000";
+    end if;
+  end process;
+
+  from_software.control_written <= '1' when writing = '1' and register_index = 1 else '0';
+  from_software.control.run <= written_data(0);
+  from_software.control.queue_interrupt_enable <= written_data(1);
+  from_software.control.stop_interrupt_enable <= written_data(2);
+  from_software.control.queue_threshold <= unsigned(written_data(31 downto 16));
+  from_software.command_written <= '1' when writing = '1' and register_index = 2 else '0';
   from_software.command.flush <= written_data(0);
   from_software.command.stop <= written_data(1);
   from_software.command.acknowledge_stop <= written_data(2);
   from_software.command.snapshot <= written_data(3);
   from_software.command.clear_errors <= written_data(4);
-
   from_software.motor_enable.axes <= motor_enable_stored(7 downto 0);
-
-  from_software.rate_floor.rate <= unsigned(rate_floor_stored(30 downto 0));
-
+  from_software.rate_floor_written <= '1' when writing = '1' and register_index = 6 else '0';
+  from_software.rate_floor.rate <= unsigned(written_data(30 downto 0));
+  from_software.segment_flags_written <= '1' when writing = '1' and register_index = 7 else '0';
   from_software.segment_flags.backward <= written_data(7 downto 0);
   from_software.segment_flags.continues_line <= written_data(8);
   from_software.segment_flags.ends_motion <= written_data(9);
   from_software.segment_flags.stop_mask <= written_data(23 downto 16);
-
+  from_software.segment_line_ticks_written <= '1' when writing = '1' and register_index = 8 else '0';
   from_software.segment_line_ticks.ticks <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_ticks_written <= '1' when writing = '1' and register_index = 9 else '0';
   from_software.segment_ticks.ticks <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_rate_low_written <= '1' when writing = '1' and register_index = 10 else '0';
   from_software.segment_rate_low.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_rate_high_written <= '1' when writing = '1' and register_index = 11 else '0';
   from_software.segment_rate_high.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_acceleration_low_written <= '1' when writing = '1' and register_index = 12 else '0';
   from_software.segment_acceleration_low.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_acceleration_high_written <= '1' when writing = '1' and register_index = 13 else '0';
   from_software.segment_acceleration_high.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_jerk_low_written <= '1' when writing = '1' and register_index = 14 else '0';
   from_software.segment_jerk_low.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_jerk_high_written <= '1' when writing = '1' and register_index = 15 else '0';
   from_software.segment_jerk_high.word <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_steps_written(0) <= '1' when writing = '1' and register_index = 16 else '0';
   from_software.segment_steps(0).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(1) <= '1' when writing = '1' and register_index = 17 else '0';
   from_software.segment_steps(1).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(2) <= '1' when writing = '1' and register_index = 18 else '0';
   from_software.segment_steps(2).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(3) <= '1' when writing = '1' and register_index = 19 else '0';
   from_software.segment_steps(3).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(4) <= '1' when writing = '1' and register_index = 20 else '0';
   from_software.segment_steps(4).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(5) <= '1' when writing = '1' and register_index = 21 else '0';
   from_software.segment_steps(5).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(6) <= '1' when writing = '1' and register_index = 22 else '0';
   from_software.segment_steps(6).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps_written(7) <= '1' when writing = '1' and register_index = 23 else '0';
   from_software.segment_steps(7).steps <= unsigned(written_data(31 downto 0));
-
+  from_software.segment_commit_written <= '1' when writing = '1' and register_index = 24 else '0';
   from_software.segment_commit.any <= unsigned(written_data(31 downto 0));
-
+  from_software.pulse_guard_written(0) <= '1' when writing = '1' and register_index = 25 else '0';
   from_software.pulse_guard(0).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(0).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(1) <= '1' when writing = '1' and register_index = 26 else '0';
   from_software.pulse_guard(1).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(1).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(2) <= '1' when writing = '1' and register_index = 27 else '0';
   from_software.pulse_guard(2).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(2).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(3) <= '1' when writing = '1' and register_index = 28 else '0';
   from_software.pulse_guard(3).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(3).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(4) <= '1' when writing = '1' and register_index = 29 else '0';
   from_software.pulse_guard(4).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(4).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(5) <= '1' when writing = '1' and register_index = 30 else '0';
   from_software.pulse_guard(5).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(5).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(6) <= '1' when writing = '1' and register_index = 31 else '0';
   from_software.pulse_guard(6).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(6).low <= unsigned(written_data(27 downto 16));
+  from_software.pulse_guard_written(7) <= '1' when writing = '1' and register_index = 32 else '0';
   from_software.pulse_guard(7).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(7).low <= unsigned(written_data(27 downto 16));
-
+  from_software.direction_guard_written(0) <= '1' when writing = '1' and register_index = 33 else '0';
   from_software.direction_guard(0).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(0).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(1) <= '1' when writing = '1' and register_index = 34 else '0';
   from_software.direction_guard(1).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(1).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(2) <= '1' when writing = '1' and register_index = 35 else '0';
   from_software.direction_guard(2).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(2).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(3) <= '1' when writing = '1' and register_index = 36 else '0';
   from_software.direction_guard(3).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(3).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(4) <= '1' when writing = '1' and register_index = 37 else '0';
   from_software.direction_guard(4).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(4).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(5) <= '1' when writing = '1' and register_index = 38 else '0';
   from_software.direction_guard(5).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(5).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(6) <= '1' when writing = '1' and register_index = 39 else '0';
   from_software.direction_guard(6).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(6).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard_written(7) <= '1' when writing = '1' and register_index = 40 else '0';
   from_software.direction_guard(7).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(7).hold <= unsigned(written_data(27 downto 16));
-
+  from_software.position_written(0) <= '1' when writing = '1' and register_index = 41 else '0';
   from_software.position(0).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(1) <= '1' when writing = '1' and register_index = 42 else '0';
   from_software.position(1).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(2) <= '1' when writing = '1' and register_index = 43 else '0';
   from_software.position(2).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(3) <= '1' when writing = '1' and register_index = 44 else '0';
   from_software.position(3).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(4) <= '1' when writing = '1' and register_index = 45 else '0';
   from_software.position(4).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(5) <= '1' when writing = '1' and register_index = 46 else '0';
   from_software.position(5).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(6) <= '1' when writing = '1' and register_index = 47 else '0';
   from_software.position(6).steps <= signed(written_data(31 downto 0));
+  from_software.position_written(7) <= '1' when writing = '1' and register_index = 48 else '0';
   from_software.position(7).steps <= signed(written_data(31 downto 0));
-
 end architecture;

@@ -112,197 +112,174 @@ end entity;
 
 architecture rtl of temperature_converter_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal control_word : std_ulogic_vector(31 downto 0);
   signal control_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal discharge_word : std_ulogic_vector(31 downto 0);
   signal discharge_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal timeout_word : std_ulogic_vector(31 downto 0);
   signal timeout_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal pause_word : std_ulogic_vector(31 downto 0);
   signal pause_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal short_limit_word : std_ulogic_vector(31 downto 0);
   signal short_limit_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal status_0_word : std_ulogic_vector(31 downto 0);
+  signal status_1_word : std_ulogic_vector(31 downto 0);
+  signal status_2_word : std_ulogic_vector(31 downto 0);
+  signal status_3_word : std_ulogic_vector(31 downto 0);
+  signal age_0_word : std_ulogic_vector(31 downto 0);
+  signal age_1_word : std_ulogic_vector(31 downto 0);
+  signal age_2_word : std_ulogic_vector(31 downto 0);
+  signal age_3_word : std_ulogic_vector(31 downto 0);
+  signal thermistor_0_word : std_ulogic_vector(31 downto 0);
+  signal thermistor_1_word : std_ulogic_vector(31 downto 0);
+  signal thermistor_2_word : std_ulogic_vector(31 downto 0);
+  signal thermistor_3_word : std_ulogic_vector(31 downto 0);
+  signal reference_low_0_word : std_ulogic_vector(31 downto 0);
+  signal reference_low_1_word : std_ulogic_vector(31 downto 0);
+  signal reference_low_2_word : std_ulogic_vector(31 downto 0);
+  signal reference_low_3_word : std_ulogic_vector(31 downto 0);
+  signal reference_high_0_word : std_ulogic_vector(31 downto 0);
+  signal reference_high_1_word : std_ulogic_vector(31 downto 0);
+  signal reference_high_2_word : std_ulogic_vector(31 downto 0);
+  signal reference_high_3_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(0 downto 0) := control_stored(0 downto 0);
-            word(1 downto 1) := control_stored(1 downto 1);
-            word(15 downto 8) := control_stored(15 downto 8);
-            word(23 downto 16) := control_stored(23 downto 16);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            control_stored(0 downto 0) <= request.data(0 downto 0);
-            control_stored(1 downto 1) <= request.data(1 downto 1);
-            control_stored(15 downto 8) <= request.data(15 downto 8);
-            control_stored(23 downto 16) <= request.data(23 downto 16);
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(23 downto 0) := discharge_stored(23 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            discharge_stored(23 downto 0) <= request.data(23 downto 0);
-          end if;
-        when 2 =>
-          if not request.write then
-            known := true;
-            word(23 downto 0) := timeout_stored(23 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            timeout_stored(23 downto 0) <= request.data(23 downto 0);
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(23 downto 0) := pause_stored(23 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            pause_stored(23 downto 0) <= request.data(23 downto 0);
-          end if;
-        when 4 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := short_limit_stored(31 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            short_limit_stored(31 downto 0) <= request.data(31 downto 0);
-          end if;
-        when 5 =>
-          if not request.write then
-            known := true;
-            word(2 downto 0) := std_ulogic_vector(to_software.status(0).state);
-            word(15 downto 8) := std_ulogic_vector(to_software.status(0).conversions);
-          end if;
-        when 6 =>
-          if not request.write then
-            known := true;
-            word(2 downto 0) := std_ulogic_vector(to_software.status(1).state);
-            word(15 downto 8) := std_ulogic_vector(to_software.status(1).conversions);
-          end if;
-        when 7 =>
-          if not request.write then
-            known := true;
-            word(2 downto 0) := std_ulogic_vector(to_software.status(2).state);
-            word(15 downto 8) := std_ulogic_vector(to_software.status(2).conversions);
-          end if;
-        when 8 =>
-          if not request.write then
-            known := true;
-            word(2 downto 0) := std_ulogic_vector(to_software.status(3).state);
-            word(15 downto 8) := std_ulogic_vector(to_software.status(3).conversions);
-          end if;
-        when 9 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.age(0).ticks);
-          end if;
-        when 10 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.age(1).ticks);
-          end if;
-        when 11 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.age(2).ticks);
-          end if;
-        when 12 =>
-          if not request.write then
-            known := true;
-            word(19 downto 0) := std_ulogic_vector(to_software.age(3).ticks);
-          end if;
-        when 13 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.thermistor(0).cycles);
-          end if;
-        when 14 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.thermistor(1).cycles);
-          end if;
-        when 15 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.thermistor(2).cycles);
-          end if;
-        when 16 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.thermistor(3).cycles);
-          end if;
-        when 17 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_low(0).cycles);
-          end if;
-        when 18 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_low(1).cycles);
-          end if;
-        when 19 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_low(2).cycles);
-          end if;
-        when 20 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_low(3).cycles);
-          end if;
-        when 21 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_high(0).cycles);
-          end if;
-        when 22 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_high(1).cycles);
-          end if;
-        when 23 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_high(2).cycles);
-          end if;
-        when 24 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := std_ulogic_vector(to_software.reference_high(3).cycles);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 24 else '0';
+
+  writable <= '1' when request.address(11 downto 2) <= 4 else '0';
+
+  control_word <= "00000000" & control_stored(23 downto 16) & control_stored(15 downto 8) & "000000" & control_stored(1) & control_stored(0)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  discharge_word <= "00000000" & discharge_stored(23 downto 0)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  timeout_word <= "00000000" & timeout_stored(23 downto 0)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  pause_word <= "00000000" & pause_stored(23 downto 0)
+    when request.address(11 downto 2) = 3 else (others => '0');
+  short_limit_word <= short_limit_stored(31 downto 0)
+    when request.address(11 downto 2) = 4 else (others => '0');
+  status_0_word <= "0000000000000000" & std_ulogic_vector(to_software.status(0).conversions) & "00000" & std_ulogic_vector(to_software.status(0).state)
+    when request.address(11 downto 2) = 5 else (others => '0');
+  status_1_word <= "0000000000000000" & std_ulogic_vector(to_software.status(1).conversions) & "00000" & std_ulogic_vector(to_software.status(1).state)
+    when request.address(11 downto 2) = 6 else (others => '0');
+  status_2_word <= "0000000000000000" & std_ulogic_vector(to_software.status(2).conversions) & "00000" & std_ulogic_vector(to_software.status(2).state)
+    when request.address(11 downto 2) = 7 else (others => '0');
+  status_3_word <= "0000000000000000" & std_ulogic_vector(to_software.status(3).conversions) & "00000" & std_ulogic_vector(to_software.status(3).state)
+    when request.address(11 downto 2) = 8 else (others => '0');
+  age_0_word <= "000000000000" & std_ulogic_vector(to_software.age(0).ticks)
+    when request.address(11 downto 2) = 9 else (others => '0');
+  age_1_word <= "000000000000" & std_ulogic_vector(to_software.age(1).ticks)
+    when request.address(11 downto 2) = 10 else (others => '0');
+  age_2_word <= "000000000000" & std_ulogic_vector(to_software.age(2).ticks)
+    when request.address(11 downto 2) = 11 else (others => '0');
+  age_3_word <= "000000000000" & std_ulogic_vector(to_software.age(3).ticks)
+    when request.address(11 downto 2) = 12 else (others => '0');
+  thermistor_0_word <= std_ulogic_vector(to_software.thermistor(0).cycles)
+    when request.address(11 downto 2) = 13 else (others => '0');
+  thermistor_1_word <= std_ulogic_vector(to_software.thermistor(1).cycles)
+    when request.address(11 downto 2) = 14 else (others => '0');
+  thermistor_2_word <= std_ulogic_vector(to_software.thermistor(2).cycles)
+    when request.address(11 downto 2) = 15 else (others => '0');
+  thermistor_3_word <= std_ulogic_vector(to_software.thermistor(3).cycles)
+    when request.address(11 downto 2) = 16 else (others => '0');
+  reference_low_0_word <= std_ulogic_vector(to_software.reference_low(0).cycles)
+    when request.address(11 downto 2) = 17 else (others => '0');
+  reference_low_1_word <= std_ulogic_vector(to_software.reference_low(1).cycles)
+    when request.address(11 downto 2) = 18 else (others => '0');
+  reference_low_2_word <= std_ulogic_vector(to_software.reference_low(2).cycles)
+    when request.address(11 downto 2) = 19 else (others => '0');
+  reference_low_3_word <= std_ulogic_vector(to_software.reference_low(3).cycles)
+    when request.address(11 downto 2) = 20 else (others => '0');
+  reference_high_0_word <= std_ulogic_vector(to_software.reference_high(0).cycles)
+    when request.address(11 downto 2) = 21 else (others => '0');
+  reference_high_1_word <= std_ulogic_vector(to_software.reference_high(1).cycles)
+    when request.address(11 downto 2) = 22 else (others => '0');
+  reference_high_2_word <= std_ulogic_vector(to_software.reference_high(2).cycles)
+    when request.address(11 downto 2) = 23 else (others => '0');
+  reference_high_3_word <= std_ulogic_vector(to_software.reference_high(3).cycles)
+    when request.address(11 downto 2) = 24 else (others => '0');
+
+  read_word <= control_word
+    or discharge_word
+    or timeout_word
+    or pause_word
+    or short_limit_word
+    or status_0_word
+    or status_1_word
+    or status_2_word
+    or status_3_word
+    or age_0_word
+    or age_1_word
+    or age_2_word
+    or age_3_word
+    or thermistor_0_word
+    or thermistor_1_word
+    or thermistor_2_word
+    or thermistor_3_word
+    or reference_low_0_word
+    or reference_low_1_word
+    or reference_low_2_word
+    or reference_low_3_word
+    or reference_high_0_word
+    or reference_high_1_word
+    or reference_high_2_word
+    or reference_high_3_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 0 then
+      control_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 1 then
+      discharge_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 2 then
+      timeout_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 3 then
+      pause_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 4 then
+      short_limit_stored <= written_data;
+    end if;
+    if reset then
       control_stored <= x"00000000";
       discharge_stored <= x"00000000";
       timeout_stored <= x"00000000";
@@ -315,13 +292,8 @@ begin
   from_software.control.references <= control_stored(1);
   from_software.control.dither_cycles <= unsigned(control_stored(15 downto 8));
   from_software.control.more_charges <= unsigned(control_stored(23 downto 16));
-
   from_software.discharge.cycles <= unsigned(discharge_stored(23 downto 0));
-
   from_software.timeout.cycles <= unsigned(timeout_stored(23 downto 0));
-
   from_software.pause.cycles <= unsigned(pause_stored(23 downto 0));
-
   from_software.short_limit.cycles <= unsigned(short_limit_stored(31 downto 0));
-
 end architecture;

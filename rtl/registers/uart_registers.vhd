@@ -99,126 +99,112 @@ end entity;
 
 architecture rtl of uart_registers is
 
-  signal answered : std_ulogic := '0';
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal baud_rate_word : std_ulogic_vector(31 downto 0);
   signal baud_rate_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal status_word : std_ulogic_vector(31 downto 0);
+  signal data_word : std_ulogic_vector(31 downto 0);
+  signal interrupts_word : std_ulogic_vector(31 downto 0);
   signal interrupts_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal overruns_word : std_ulogic_vector(31 downto 0);
+  signal framing_errors_word : std_ulogic_vector(31 downto 0);
+  signal breaks_word : std_ulogic_vector(31 downto 0);
 
 begin
 
-  -- Answers in the clock after the strobe: whole words only, errors for everything not described.
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
   answer : process
-    variable word : std_ulogic_vector(31 downto 0);
-    variable known : boolean;
   begin
     wait until rising_edge(clk);
-    if answered then
-      response <= bus_response_idle;
-      answered <= '0';
-      from_software.baud_rate_written <= '0';
-      from_software.clear_written <= '0';
-      from_software.data_written <= '0';
-      from_software.data_read <= '0';
-    elsif request.strobe then
-      word := (others => '0');
-      known := false;
-      answered <= '1';
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
       written_data <= request.data;
-      case to_integer(request.address(11 downto 2)) is
-        when 0 =>
-          if not request.write then
-            known := true;
-            word(31 downto 0) := baud_rate_stored(31 downto 0);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            baud_rate_stored(31 downto 0) <= request.data(31 downto 0);
-            from_software.baud_rate_written <= '1';
-          end if;
-        when 1 =>
-          if not request.write then
-            known := true;
-            word(11 downto 0) := std_ulogic_vector(to_software.status.receive_level);
-            word(23 downto 12) := std_ulogic_vector(to_software.status.transmit_space);
-            word(24) := to_software.status.transmit_idle;
-            word(25) := to_software.status.overrun;
-            word(26) := to_software.status.framing_error;
-            word(27) := to_software.status.break_condition;
-          end if;
-        when 2 =>
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.clear_written <= '1';
-          end if;
-        when 3 =>
-          if not request.write then
-            known := true;
-            word(7 downto 0) := std_ulogic_vector(to_software.data.byte);
-            word(8) := to_software.data.valid;
-            from_software.data_read <= '1';
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            from_software.data_written <= '1';
-          end if;
-        when 4 =>
-          if not request.write then
-            known := true;
-            word(11 downto 0) := interrupts_stored(11 downto 0);
-            word(27 downto 16) := interrupts_stored(27 downto 16);
-          end if;
-          if request.write and (and request.select_bytes) then
-            known := true;
-            interrupts_stored(11 downto 0) <= request.data(11 downto 0);
-            interrupts_stored(27 downto 16) <= request.data(27 downto 16);
-          end if;
-        when 5 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := std_ulogic_vector(to_software.overruns.count);
-          end if;
-        when 6 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := std_ulogic_vector(to_software.framing_errors.count);
-          end if;
-        when 7 =>
-          if not request.write then
-            known := true;
-            word(15 downto 0) := std_ulogic_vector(to_software.breaks.count);
-          end if;
-        when others =>
-          null;
-      end case;
-      if known then
-        response.acknowledge <= '1';
-        response.data <= word;
-      else
-        response.error <= '1';
-      end if;
+      register_index <= request.address(11 downto 2);
     end if;
     if reset then
-      response <= bus_response_idle;
       answered <= '0';
-      from_software.baud_rate_written <= '0';
-      from_software.clear_written <= '0';
-      from_software.data_written <= '0';
-      from_software.data_read <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 1
+      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 7) else '0';
+
+  writable <= '1' when request.address(11 downto 2) = 0
+      or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4) else '0';
+
+  baud_rate_word <= baud_rate_stored(31 downto 0)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  status_word <= "0000" & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  data_word <= "00000000000000000000000" & to_software.data.valid & std_ulogic_vector(to_software.data.byte)
+    when request.address(11 downto 2) = 3 else (others => '0');
+  interrupts_word <= "0000" & interrupts_stored(27 downto 16) & "0000" & interrupts_stored(11 downto 0)
+    when request.address(11 downto 2) = 4 else (others => '0');
+  overruns_word <= "0000000000000000" & std_ulogic_vector(to_software.overruns.count)
+    when request.address(11 downto 2) = 5 else (others => '0');
+  framing_errors_word <= "0000000000000000" & std_ulogic_vector(to_software.framing_errors.count)
+    when request.address(11 downto 2) = 6 else (others => '0');
+  breaks_word <= "0000000000000000" & std_ulogic_vector(to_software.breaks.count)
+    when request.address(11 downto 2) = 7 else (others => '0');
+
+  read_word <= baud_rate_word
+    or status_word
+    or data_word
+    or interrupts_word
+    or overruns_word
+    or framing_errors_word
+    or breaks_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 0 then
+      baud_rate_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 4 then
+      interrupts_stored <= written_data;
+    end if;
+    if reset then
       baud_rate_stored <= x"00000000";
       interrupts_stored <= x"00000000";
     end if;
   end process;
 
-  from_software.baud_rate.increment <= unsigned(baud_rate_stored(31 downto 0));
+  note_baud_rate : process
+  begin
+    wait until rising_edge(clk);
+    from_software.baud_rate_written <= '1' when writing = '1' and register_index = 0 else '0';
+  end process;
 
+  from_software.baud_rate.increment <= unsigned(baud_rate_stored(31 downto 0));
+  from_software.clear_written <= '1' when writing = '1' and register_index = 2 else '0';
   from_software.clear.overrun <= written_data(0);
   from_software.clear.framing_error <= written_data(1);
   from_software.clear.break_condition <= written_data(2);
-
+  from_software.data_written <= '1' when writing = '1' and register_index = 3 else '0';
+  from_software.data_read <= '1' when reading = '1' and register_index = 3 else '0';
   from_software.data.byte <= unsigned(written_data(7 downto 0));
   from_software.data.valid <= written_data(8);
-
   from_software.interrupts.receive_threshold <= unsigned(interrupts_stored(11 downto 0));
   from_software.interrupts.transmit_threshold <= unsigned(interrupts_stored(27 downto 16));
-
 end architecture;

@@ -2,6 +2,9 @@
 // Writes the VHDL of a peripheral's registers: a package of records and the bus slave that holds them.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "register_generator/description.hpp"
 
 namespace register_generator {
@@ -133,32 +136,36 @@ class VhdlWriter {
   void architecture() {
     line("architecture rtl of {}_registers is", peripheral_.name);
     line("");
-    line("  signal answered : std_ulogic := '0';");
-    if (writes_pass_by()) {
-      line("  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');");
-    }
-    for (const Register& r : peripheral_.registers) {
-      if (!r.stored()) continue;
-      for (unsigned index = 0; index < r.count; ++index) {
+    line("  -- The first clock of an access, and what it was, one clock later.");
+    line("  signal access_begins : std_ulogic;");
+    line("  signal answered, reading, writing : std_ulogic := '0';");
+    line("  signal register_index : unsigned(9 downto 0) := (others => '0');");
+    line("  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');");
+    line("  signal readable, writable, known : std_ulogic;");
+    line("  signal read_word : std_ulogic_vector(31 downto 0);");
+    for_each_register([&](const Register& r, unsigned index) {
+      if (r.readable()) line("  signal {} : std_ulogic_vector(31 downto 0);", word(r, index));
+      if (r.stored()) {
         line("  signal {} : std_ulogic_vector(31 downto 0) := x\"{:08X}\";", storage(r, index),
              reset_word(r));
       }
-    }
+    });
     line("");
     line("begin");
     line("");
-    access_process();
-    for (const Register& r : peripheral_.registers) {
-      if (r.writable()) connect_values(r);
-    }
+    answer_process();
+    known_registers();
+    readable_words();
+    store_process();
+    for (const Register& r : peripheral_.registers) connect(r);
     line("end architecture;");
   }
 
-  bool writes_pass_by() const {
+  template <class Action>
+  void for_each_register(Action action) {
     for (const Register& r : peripheral_.registers) {
-      if (r.writable() && !r.stored()) return true;
+      for (unsigned index = 0; index < r.count; ++index) action(r, index);
     }
-    return false;
   }
 
   static std::uint32_t reset_word(const Register& r) {
@@ -167,121 +174,187 @@ class VhdlWriter {
     return word;
   }
 
-  std::string storage(const Register& r, unsigned index) const {
-    return r.is_array ? fmt::format("{}_{}_stored", r.name, index) : r.name + "_stored";
+  static std::string name_of(const Register& r, unsigned index) {
+    return r.is_array ? fmt::format("{}_{}", r.name, index) : r.name;
   }
-
-  void clear_events(const char* indent) {
-    for (const Register& r : peripheral_.registers) {
-      const std::string idle = r.is_array ? "(others => '0')" : "'0'";
-      if (r.has_written()) line("{}from_software.{}_written <= {};", indent, r.name, idle);
-      if (r.read_event) line("{}from_software.{}_read <= {};", indent, r.name, idle);
-    }
+  static std::string storage(const Register& r, unsigned index) {
+    return name_of(r, index) + "_stored";
   }
+  static std::string word(const Register& r, unsigned index) { return name_of(r, index) + "_word"; }
 
-  void access_process() {
-    line("  -- Answers in the clock after the strobe: whole words only, errors for everything not described.");
-    line("  answer : process");
-    line("    variable word : std_ulogic_vector(31 downto 0);");
-    line("    variable known : boolean;");
-    line("  begin");
-    line("    wait until rising_edge(clk);");
-    line("    if answered then");
-    line("      response <= bus_response_idle;");
-    line("      answered <= '0';");
-    clear_events("      ");
-    line("    elsif request.strobe then");
-    line("      word := (others => '0');");
-    line("      known := false;");
-    line("      answered <= '1';");
-    if (writes_pass_by()) line("      written_data <= request.data;");
-    line("      case to_integer(request.address(11 downto 2)) is");
+  // The registers that `kind` holds for, as ranges of word offsets.
+  template <class Kind>
+  std::vector<std::pair<unsigned, unsigned>> ranges(Kind kind) const {
+    std::vector<std::pair<unsigned, unsigned>> found;
     for (const Register& r : peripheral_.registers) {
-      for (unsigned index = 0; index < r.count; ++index) one_register(r, index);
-    }
-    line("        when others =>");
-    line("          null;");
-    line("      end case;");
-    line("      if known then");
-    line("        response.acknowledge <= '1';");
-    line("        response.data <= word;");
-    line("      else");
-    line("        response.error <= '1';");
-    line("      end if;");
-    line("    end if;");
-    line("    if reset then");
-    line("      response <= bus_response_idle;");
-    line("      answered <= '0';");
-    clear_events("      ");
-    for (const Register& r : peripheral_.registers) {
-      if (!r.stored()) continue;
-      for (unsigned index = 0; index < r.count; ++index) {
-        line("      {} <= x\"{:08X}\";", storage(r, index), reset_word(r));
+      if (!kind(r)) continue;
+      const unsigned first = r.offset / 4;
+      if (!found.empty() && found.back().second + 1 == first) {
+        found.back().second = first + r.count - 1;
+      } else {
+        found.emplace_back(first, first + r.count - 1);
       }
     }
+    return found;
+  }
+
+  void decode(const char* signal, const std::vector<std::pair<unsigned, unsigned>>& found) {
+    if (found.empty()) {
+      line("  {} <= '0';", signal);
+      return;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto [first, last] = found[i];
+      const std::string range =
+          first == last
+              ? fmt::format("request.address(11 downto 2) = {}", first)
+              : first == 0
+                    ? fmt::format("request.address(11 downto 2) <= {}", last)
+                    : fmt::format("(request.address(11 downto 2) >= {} and "
+                                  "request.address(11 downto 2) <= {})",
+                                  first, last);
+      line("  {}{}{}", i == 0 ? fmt::format("{} <= '1' when ", signal) : "    or ", range,
+           i + 1 == found.size() ? " else '0';" : "");
+    }
+  }
+
+  void answer_process() {
+    line("  access_begins <= request.strobe and not answered;");
+    line("");
+    line("  -- Answers in the clock after the strobe; an error for everything that is not described.");
+    line("  answer : process");
+    line("  begin");
+    line("    wait until rising_edge(clk);");
+    line("    answered <= access_begins;");
+    line("    reading <= access_begins and known and not request.write;");
+    line("    writing <= access_begins and known and request.write;");
+    line("    response.acknowledge <= access_begins and known;");
+    line("    response.error <= access_begins and not known;");
+    line("    response.data <= (others => '0');");
+    line("    if access_begins then");
+    line("      response.data <= read_word;");
+    line("      written_data <= request.data;");
+    line("      register_index <= request.address(11 downto 2);");
+    line("    end if;");
+    line("    if reset then");
+    line("      answered <= '0';");
+    line("      reading <= '0';");
+    line("      writing <= '0';");
+    line("      response <= bus_response_idle;");
     line("    end if;");
     line("  end process;");
     line("");
   }
 
-  void one_register(const Register& r, unsigned index) {
-    line("        when {} =>", r.offset / 4 + index);
-    const std::string at = element(r, index);
-    if (r.readable()) {
-      line("          if not request.write then");
-      line("            known := true;");
-      for (const Field& field : r.fields) read_field(r, field, index);
-      if (r.read_event) line("            from_software.{}_read{} <= '1';", r.name, at);
-      line("          end if;");
-    }
-    if (r.writable()) {
-      line("          if request.write and (and request.select_bytes) then");
-      line("            known := true;");
-      if (r.stored()) {
-        for (const Field& field : r.fields) {
-          line("            {}({} downto {}) <= request.data({} downto {});", storage(r, index),
-               field.msb, field.lsb, field.msb, field.lsb);
-        }
-      }
-      if (r.has_written()) line("            from_software.{}_written{} <= '1';", r.name, at);
-      line("          end if;");
-    }
+  void known_registers() {
+    line("  -- Whole words only.");
+    line("  known <= writable and (and request.select_bytes) when request.write = '1' else readable;");
+    line("");
+    decode("readable", ranges([](const Register& r) { return r.readable(); }));
+    line("");
+    decode("writable", ranges([](const Register& r) { return r.writable(); }));
+    line("");
   }
 
-  void read_field(const Register& r, const Field& field, unsigned index) {
-    if (r.stored()) {
-      line("            word({} downto {}) := {}({} downto {});", field.msb, field.lsb,
-           storage(r, index), field.msb, field.lsb);
-      return;
-    }
+  void readable_words() {
+    std::string all;
+    for_each_register([&](const Register& r, unsigned index) {
+      if (!r.readable()) return;
+      all += fmt::format("{}{}", all.empty() ? "" : "\n    or ", word(r, index));
+      const std::string target = word(r, index);
+      unsigned above = 32;
+      std::string value;
+      std::vector<Field> fields = r.fields;
+      std::ranges::sort(fields, {}, [](const Field& f) { return 32 - f.msb; });
+      for (const Field& field : fields) {
+        if (above > field.msb + 1) value += zeros(above - field.msb - 1) + " & ";
+        value += read_field(r, field, index) + " & ";
+        above = field.lsb;
+      }
+      if (above > 0) value += zeros(above) + " & ";
+      value.resize(value.size() - 3);
+      line("  {} <= {}", target, value);
+      line("    when request.address(11 downto 2) = {} else (others => '0');", r.offset / 4 + index);
+    });
+    line("");
+    line("  read_word <= {};", all.empty() ? "(others => '0')" : all);
+    line("");
+  }
+
+  static std::string zeros(unsigned count) {
+    return count == 1 ? "'0'" : "\"" + std::string(count, '0') + "\"";
+  }
+
+  std::string read_field(const Register& r, const Field& field, unsigned index) const {
+    if (r.stored()) return slice(storage(r, index), field);
     const std::string value =
         fmt::format("to_software.{}{}.{}", r.name, element(r, index), field.name);
-    switch (field.type) {
-      case FieldType::bit: line("            word({}) := {};", field.lsb, value); break;
-      case FieldType::bits:
-        line("            word({} downto {}) := {};", field.msb, field.lsb, value);
-        break;
-      default:
-        line("            word({} downto {}) := std_ulogic_vector({});", field.msb, field.lsb, value);
+    if (field.type == FieldType::bit || field.type == FieldType::bits) return value;
+    return fmt::format("std_ulogic_vector({})", value);
+  }
+
+  static std::string slice(const std::string& word, const Field& field) {
+    return field.type == FieldType::bit
+               ? fmt::format("{}({})", word, field.lsb)
+               : fmt::format("{}({} downto {})", word, field.msb, field.lsb);
+  }
+
+  void store_process() {
+    bool some = false;
+    for (const Register& r : peripheral_.registers) some |= r.stored();
+    if (!some) return;
+    line("  store : process");
+    line("  begin");
+    line("    wait until rising_edge(clk);");
+    for_each_register([&](const Register& r, unsigned index) {
+      if (!r.stored()) return;
+      line("    if writing = '1' and register_index = {} then", r.offset / 4 + index);
+      line("      {} <= written_data;", storage(r, index));
+      line("    end if;");
+    });
+    line("    if reset then");
+    for_each_register([&](const Register& r, unsigned index) {
+      if (r.stored()) line("      {} <= x\"{:08X}\";", storage(r, index), reset_word(r));
+    });
+    line("    end if;");
+    line("  end process;");
+    line("");
+  }
+
+  void connect(const Register& r) {
+    for (unsigned index = 0; index < r.count; ++index) {
+      const std::string at = element(r, index);
+      const unsigned number = r.offset / 4 + index;
+      if (r.has_written()) event(r, at, "written", r.stored() ? "stored" : "writing", number);
+      if (r.read_event) event(r, at, "read", "reading", number);
+      if (!r.writable()) continue;
+      const std::string source = r.stored() ? storage(r, index) : "written_data";
+      for (const Field& field : r.fields) {
+        const std::string bits = slice(source, field);
+        const char* conversion = field.type == FieldType::unsigned_number ? "unsigned"
+                                 : field.type == FieldType::signed_number ? "signed"
+                                                                          : "";
+        line("  from_software.{}{}.{} <= {}{};", r.name, at, field.name, conversion,
+             *conversion ? "(" + bits + ")" : bits);
+      }
     }
   }
 
-  void connect_values(const Register& r) {
-    for (unsigned index = 0; index < r.count; ++index) {
-      const std::string word = r.stored() ? storage(r, index) : "written_data";
-      for (const Field& field : r.fields) {
-        const std::string target =
-            fmt::format("from_software.{}{}.{}", r.name, element(r, index), field.name);
-        const std::string slice = fmt::format("{}({} downto {})", word, field.msb, field.lsb);
-        switch (field.type) {
-          case FieldType::bit: line("  {} <= {}({});", target, word, field.lsb); break;
-          case FieldType::unsigned_number: line("  {} <= unsigned({});", target, slice); break;
-          case FieldType::signed_number: line("  {} <= signed({});", target, slice); break;
-          case FieldType::bits: line("  {} <= {};", target, slice); break;
-        }
-      }
+  void event(const Register& r, const std::string& at, const char* kind, const char* when,
+             unsigned number) {
+    if (std::string_view(when) == "stored") {
+      // One clock later, together with the stored value.
+      line("  note_{}{} : process", r.name, at.empty() ? "" : "_" + at.substr(1, at.size() - 2));
+      line("  begin");
+      line("    wait until rising_edge(clk);");
+      line("    from_software.{}_{}{} <= '1' when writing = '1' and register_index = {} else '0';",
+           r.name, kind, at, number);
+      line("  end process;");
+      line("");
+      return;
     }
-    line("");
+    line("  from_software.{}_{}{} <= '1' when {} = '1' and register_index = {} else '0';", r.name,
+         kind, at, when, number);
   }
 
   const Peripheral& peripheral_;
