@@ -43,11 +43,18 @@ end entity;
 
 architecture rtl of step_generator is
 
+  constant control_after_reset : step_generator_control_t := (
+    queue_threshold => (others => '0'), others => '0');
+  -- 100 ticks/s at 50 MHz.
+  constant rate_floor_after_reset : unsigned(30 downto 0) := to_unsigned(8590, 31);
+
   signal from_software : step_generator_from_software_t;
   signal to_software : step_generator_to_software_t;
 
   signal write : lane_write_t;
   signal guards : guard_array_t(axes - 1 downto 0) := (others => guard_after_reset);
+  signal control : step_generator_control_t := control_after_reset;
+  signal rate_floor : unsigned(30 downto 0) := rate_floor_after_reset;
   signal refused : refusal_t;
   signal refusals : refusal_t := refusal_none;
   signal position_refused : std_ulogic;
@@ -86,8 +93,8 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
-      clk => clk, reset => reset, guards => guards, rate_floor => from_software.rate_floor.rate,
-      run => from_software.control.run, write => write,
+      clk => clk, reset => reset, guards => guards, rate_floor => rate_floor,
+      run => control.run, write => write,
       commit => from_software.segment_commit_written, refused => refused,
       flush => command.flush, level => level, max_level => max_level, moving => moving,
       idle => idle, segments => segments, underruns => underruns, stalls => stalls,
@@ -154,6 +161,12 @@ begin
   keep_settings : process
   begin
     wait until rising_edge(clk);
+    if from_software.control_written then
+      control <= from_software.control;
+    end if;
+    if from_software.rate_floor_written then
+      rate_floor <= from_software.rate_floor.rate;
+    end if;
     for axis in 0 to axes - 1 loop
       if from_software.pulse_guard_written(axis) then
         guards(axis).high <= from_software.pulse_guard(axis).high;
@@ -165,6 +178,8 @@ begin
       end if;
     end loop;
     if reset then
+      control <= control_after_reset;
+      rate_floor <= rate_floor_after_reset;
       guards <= (others => guard_after_reset);
     end if;
   end process;
@@ -196,10 +211,10 @@ begin
   begin
     wait until rising_edge(clk);
     queue_interrupt <= '0';
-    if level <= from_software.control.queue_threshold then
-      queue_interrupt <= from_software.control.queue_interrupt_enable;
+    if level <= control.queue_threshold then
+      queue_interrupt <= control.queue_interrupt_enable;
     end if;
-    stop_interrupt <= stopped and from_software.control.stop_interrupt_enable;
+    stop_interrupt <= stopped and control.stop_interrupt_enable;
     if reset then
       queue_interrupt <= '0';
       stop_interrupt <= '0';
@@ -208,6 +223,8 @@ begin
 
   to_software.build <= (
     axes => to_unsigned(axes, 4), queue_depth => to_unsigned(queue_depth, 16));
+  to_software.control <= control;
+  to_software.rate_floor.rate <= rate_floor;
   to_software.status <= (
     moving => moving, idle => idle, stopped => stopped, level => to_unsigned(level, 8),
     free => to_unsigned(queue_depth - level, 8));

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random runs: plays the software against the reference and notes what it did.
+#include "tests/motion_reference/random_stimuli.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <random>
+
+#include "drivers/registers/step_generator_registers.hpp"
+
+namespace motion_reference {
+namespace {
+
+namespace registers = ::registers::step_generator;
+
+struct Write {
+  std::uint32_t address{};
+  std::uint32_t value{};
+};
+
+class Player {
+ public:
+  Player(std::uint32_t seed, std::size_t segments) : random_(seed), segments_left_(segments) {
+    write_settings(seed);
+  }
+
+  RandomRun play() {
+    while (segments_left_ > 0 || !writes_.empty() || !run_.reference.idle()) {
+      if (run_.reference.now() >= next_inputs_) change_inputs();
+      if (run_.reference.now() >= next_write_) use_the_bus();
+      clock();
+    }
+    for (int i = 0; i < 300; ++i) clock();
+    run_.clocks = run_.reference.now();
+    return std::move(run_);
+  }
+
+ private:
+  std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
+  bool chance(std::uint32_t percent) { return below(100) < percent; }
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
+
+  template <class Register>
+  void put(const Register& value) {
+    writes_.push_back({Register::address, value.encode()});
+  }
+  template <class Register>
+  void put(std::size_t index, const Register& value) {
+    writes_.push_back({Register::address_of(index), value.encode()});
+  }
+
+  void write_settings(std::uint32_t seed) {
+    const std::uint32_t longest = seed % 4 == 0 ? 1 : seed % 4 == 1 ? 120 : 12;
+    const auto guard = [this, longest] { return longest == 1 ? below(2) : 1 + below(longest); };
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      put(axis, registers::PulseGuard{.high = guard(), .low = guard()});
+      put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
+    }
+    put(registers::RateFloor{std::uint32_t{1} << (24 + below(4))});
+    put(registers::Control{.run = true});
+  }
+
+  void note(const Stimulus& stimulus) {
+    run_.stimuli.push_back(stimulus);
+    run_.reference.apply(stimulus);
+  }
+
+  void clock() {
+    run_.reference.clock();
+    const Pins pins = run_.reference.pins();
+    if (pins == last_pins_) return;
+    run_.edges.push_back({run_.reference.now(), pins});
+    last_pins_ = pins;
+  }
+
+  // End stops mostly open, now and then closed for some clocks; rarely the emergency stop.
+  void change_inputs() {
+    const std::uint32_t value = inputs_closed_ ? 0 : chance(5) ? 0x100u : 1u << below(8);
+    inputs_closed_ = !inputs_closed_;
+    note({run_.reference.now(), Stimulus::Kind::inputs, 0, value});
+    next_inputs_ = run_.reference.now() + (inputs_closed_ ? 1 + below(200) : 1000 + below(60000));
+  }
+
+  void use_the_bus() {
+    if (writes_.empty()) decide();
+    if (writes_.empty()) return;
+    note({run_.reference.now(), Stimulus::Kind::write, writes_.front().address,
+          writes_.front().value});
+    writes_.pop_front();
+    next_write_ = run_.reference.now() + 2 + (chance(20) ? below(4) : 0);
+  }
+
+  void decide() {
+    if (run_.reference.stopped() && chance(20)) {
+      put(registers::Command{.acknowledge_stop = true, .clear_errors = chance(50)});
+    } else if (segments_left_ == 0) {
+      if (!running_) put(registers::Control{.run = running_ = true});
+      next_write_ = run_.reference.now() + 50;
+    } else if (chance(1)) {
+      something_rare();
+    } else if (run_.reference.level() >= queue_depth && !chance(2)) {
+      if (!running_) put(registers::Control{.run = running_ = true});
+      next_write_ = run_.reference.now() + 1 + below(3000);
+    } else {
+      put_segment();
+      if (chance(5)) next_write_ = run_.reference.now() + below(4000);
+    }
+  }
+
+  void something_rare() {
+    switch (below(6)) {
+      case 0:
+        put(registers::Command{.flush = true, .snapshot = true});
+        break;
+      case 1:
+        put(registers::Command{.stop = true});
+        break;
+      case 2:
+        put(registers::Command{.snapshot = true, .clear_errors = true});
+        break;
+      case 3:
+        put(below(axes), registers::Position{static_cast<std::int32_t>(random_())});
+        break;
+      case 4:
+        put(registers::Control{.run = running_ = false});
+        break;
+      default:
+        put(registers::Control{.run = running_ = true});
+        break;
+    }
+  }
+
+  void put_segment() {
+    --segments_left_;
+    const bool continues = line_left_ > 0 && chance(70);
+    put(registers::SegmentFlags{.backward = below(256),
+                                .continues_line = continues,
+                                .ends_motion = chance(20),
+                                .stop_mask = chance(30) ? below(256) : 0});
+    if (!continues) put_line();
+    const std::uint32_t ticks = line_left_ == 0 ? 1
+                                : chance(50)    ? line_left_
+                                                : 1 + below(line_left_);
+    line_left_ -= std::min(ticks, line_left_);
+    put(registers::SegmentTicks{ticks});
+    put_course(ticks);
+    // A word is missing, or one too many.
+    if (chance(1)) writes_.erase(writes_.end() - 1 - below(6));
+    if (chance(1)) put(below(axes), registers::SegmentSteps{below(1000)});
+    put(registers::SegmentCommit{});
+  }
+
+  void put_line() {
+    const std::uint32_t line_ticks = chance(20) ? 1 + below(3) : 1 + below(1u << (1 + below(8)));
+    put(registers::SegmentLineTicks{line_ticks});
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      const std::uint32_t steps = chance(30) ? 0 : chance(40) ? line_ticks : below(line_ticks + 1);
+      put(axis, registers::SegmentSteps{chance(99) || chance(90) ? steps : line_ticks + 1});
+    }
+    line_left_ = line_ticks;
+  }
+
+  // In ticks per clock; not so slow that the segment takes more than some thousand clocks.
+  double random_rate(double ticks) {
+    if (chance(25)) return 0.5;
+    return std::min(0.5, std::max(std::exp2(uniform(-9, -1)), ticks / 3000));
+  }
+
+  void put_course(double ticks) {
+    const double rate = random_rate(ticks);
+    const double end_rate = chance(40) ? rate : random_rate(ticks);
+    const double clocks = 2 * ticks / (rate + end_rate);
+    const double acceleration = (end_rate - rate) / clocks * (chance(10) ? uniform(-3, 3) : 1);
+    const double jerk = chance(50) ? 0 : uniform(-1, 1) * std::abs(acceleration) / clocks;
+    put_wide<registers::SegmentRateLow, registers::SegmentRateHigh>(fixed(rate, 64));
+    put_wide<registers::SegmentAccelerationLow, registers::SegmentAccelerationHigh>(
+        fixed(acceleration, 84));
+    put_wide<registers::SegmentJerkLow, registers::SegmentJerkHigh>(fixed(jerk, 84));
+  }
+
+  // As a number of 2^-`places`, two's complement; what does not fit becomes the largest.
+  std::uint64_t fixed(double value, int places) {
+    const double scaled = std::ldexp(value, places);
+    if (places == 64) return std::min(static_cast<std::uint64_t>(scaled), std::uint64_t{1} << 63u);
+    return static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(std::clamp(scaled, -9.2e18, 9.2e18)));
+  }
+
+  template <class Low, class High>
+  void put_wide(std::uint64_t value) {
+    put(Low{static_cast<std::uint32_t>(value)});
+    put(High{static_cast<std::uint32_t>(value >> 32u)});
+  }
+
+  std::mt19937 random_;
+  std::size_t segments_left_;
+  RandomRun run_;
+  Pins last_pins_{};
+  std::deque<Write> writes_;
+  std::uint64_t next_write_ = 4;
+  std::uint64_t next_inputs_ = 3000;
+  bool inputs_closed_ = false;
+  bool running_ = true;
+  std::uint32_t line_left_ = 0;
+};
+
+}  // namespace
+
+RandomRun random_run(std::uint32_t seed, std::size_t segments) {
+  return Player(seed, segments).play();
+}
+
+}  // namespace motion_reference

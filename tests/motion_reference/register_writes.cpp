@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reference: what a write to each register means.
+#include <algorithm>
+
+#include "drivers/registers/step_generator_registers.hpp"
+#include "tests/motion_reference/step_generator_reference.hpp"
+
+namespace motion_reference {
+namespace {
+
+namespace registers = ::registers::step_generator;
+
+constexpr std::uint64_t fetch_clocks = 2;
+constexpr std::uint32_t position_error = 16;
+
+std::uint64_t at_least_one(std::uint32_t clocks) { return std::max(clocks, 1u); }
+
+// The place of an address in an array of registers, or a place beyond all axes.
+template <class Array>
+std::size_t index_in(std::uint32_t address) {
+  const std::uint32_t first = Array::address_of(0);
+  return address < first || address >= Array::address_of(Array::count) ? axes
+                                                                       : (address - first) / 4;
+}
+
+}  // namespace
+
+void StepGeneratorReference::obey(const Write& write) {
+  const auto [address, value] = write;
+  if (address == registers::Control::address) {
+    run_ = registers::Control::decode(value).run;
+  } else if (address == registers::RateFloor::address) {
+    rate_floor_ = std::uint64_t{registers::RateFloor::decode(value).rate} << 32u;
+  } else if (address == registers::Command::address) {
+    if (registers::Command::decode(value).clear_errors) errors_ = 0;
+  } else if (address == registers::SegmentCommit::address) {
+    commit();
+  } else if (const auto axis = index_in<registers::PulseGuard>(address); axis < axes) {
+    const auto guard = registers::PulseGuard::decode(value);
+    axis_[axis].guard.high = at_least_one(guard.high);
+    axis_[axis].guard.low = at_least_one(guard.low);
+  } else if (const auto axis_of_direction = index_in<registers::DirectionGuard>(address);
+             axis_of_direction < axes) {
+    const auto guard = registers::DirectionGuard::decode(value);
+    axis_[axis_of_direction].guard.setup = at_least_one(guard.setup);
+    axis_[axis_of_direction].guard.hold = at_least_one(guard.hold);
+  } else if (const auto axis_of_position = index_in<registers::Position>(address);
+             axis_of_position < axes) {
+    set_position(axis_of_position, value);
+  } else if (address >= registers::SegmentFlags::address &&
+             address < registers::SegmentCommit::address) {
+    if (queue_.size() < queue_depth) {
+      draft_.write(address, value, line_left_);
+    } else if (address == registers::SegmentFlags::address) {
+      draft_.forget();
+    }
+  }
+}
+
+void StepGeneratorReference::commit() {
+  const bool was_full = queue_.size() == queue_depth;
+  if (stopped_) {
+    errors_ |= static_cast<std::uint32_t>(Refusal::while_stopped);
+  } else if (was_full) {
+    errors_ |= static_cast<std::uint32_t>(Refusal::queue_full);
+  } else if (!draft_.complete()) {
+    errors_ |= static_cast<std::uint32_t>(Refusal::incomplete);
+  } else if (!draft_.executable()) {
+    errors_ |= static_cast<std::uint32_t>(Refusal::illegal);
+  } else {
+    const Segment segment = draft_.segment();
+    line_left_ = (segment.continues_line ? line_left_ : segment.line_ticks) - segment.ticks;
+    queue_.push_back({segment, now_ + fetch_clocks});
+  }
+  draft_.forget();
+}
+
+void StepGeneratorReference::set_position(std::size_t axis, std::uint32_t value) {
+  if (idle()) {
+    axis_[axis].position = static_cast<std::int32_t>(value);
+  } else {
+    errors_ |= position_error;
+  }
+}
+
+}  // namespace motion_reference

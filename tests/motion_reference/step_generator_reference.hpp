@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step generator as its specification has it, written apart from the VHDL, to be compared with
+// it.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "tests/motion_reference/segment_draft.hpp"
+#include "tests/motion_reference/stimulus.hpp"
+
+namespace motion_reference {
+
+// Where the VHDL counts down, this remembers when things happened; where the VHDL adds up an error
+// term, this divides; where the VHDL works out a tick ahead, this does it when the tick comes.
+class StepGeneratorReference {
+ public:
+  struct Guard {
+    std::uint64_t high{50}, low{50}, setup{10}, hold{10};
+  };
+  using Positions = std::array<std::int32_t, axes>;
+  struct Moment {
+    Positions positions{};
+    std::uint64_t clock{};
+    bool operator==(const Moment&) const = default;
+  };
+  struct Counters {
+    std::uint32_t segments{}, underruns{}, stalls{};
+    std::array<std::uint32_t, axes> axis_stalls{};
+    std::size_t max_level{};
+    bool operator==(const Counters&) const = default;
+  };
+
+  // In the current clock; at most one write every second clock.
+  void apply(const Stimulus& stimulus);
+  // To the next clock.
+  void clock();
+
+  std::uint64_t now() const { return now_; }
+  Pins pins() const;
+
+  std::size_t level() const { return queue_.size(); }
+  bool moving() const { return active_.has_value(); }
+  bool idle() const;
+  bool stopped() const { return stopped_; }
+  std::uint32_t errors() const { return errors_; }
+  std::uint32_t stop_cause() const { return stop_cause_; }
+  const Moment& stop_moment() const { return stop_moment_; }
+  const Moment& snapshot() const { return snapshot_; }
+  const Counters& counters() const { return counters_; }
+  Positions positions() const;
+
+ private:
+  struct Write {
+    std::uint32_t address{};
+    std::uint32_t value{};
+  };
+  struct Axis {
+    Guard guard{};
+    std::uint64_t steps{};
+    bool wanted_backward{}, backward{};
+    std::int32_t position{};
+    // First clocks in which the pins showed it.
+    std::optional<std::uint64_t> rose, turned;
+  };
+  struct Queued {
+    Segment segment;
+    std::uint64_t ready;  // first clock in which it can be taken
+  };
+
+  bool steps_at_next_tick(const Axis& axis) const;
+  bool may_rise_in_next_clock(const Axis& axis) const;
+  bool head_ready() const;
+  // Whether the base comes to a tick, and whether all axes can follow; counts stalls.
+  bool ticks();
+  void turn_axes();
+  void make_tick();
+  void integrate();
+  void take();
+  void obey(const Write& write);
+  void commit();
+  void set_position(std::size_t axis, std::uint32_t value);
+  void forget_queue();
+  void begin_stop(std::uint32_t cause);
+
+  std::uint64_t now_ = 0;
+  std::optional<Write> pending_, current_;
+  std::uint32_t inputs_ = 0;
+
+  std::array<Axis, axes> axis_{};
+  std::uint64_t rate_floor_ = std::uint64_t{8590} << 32u;
+  bool run_ = false;
+
+  SegmentDraft draft_;
+  std::uint64_t line_left_ = 0;  // of the last committed line
+  std::deque<Queued> queue_;
+  std::uint64_t next_ready_ = 0;
+
+  std::optional<Segment> active_;
+  std::uint64_t line_ticks_ = 1, line_ticks_done_ = 0, ticks_done_ = 0;
+  std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0;
+
+  bool stopped_ = false;
+  std::uint32_t stop_cause_ = 0, errors_ = 0;
+  Moment stop_moment_, snapshot_;
+  Counters counters_;
+};
+
+}  // namespace motion_reference
