@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The transistor behind a heater pin of the chip, and the heater in its block.
+#pragma once
+
+#include "sim/plants/heated_block.hpp"
+#include "sim/simulation/clock_rate.hpp"
+#include "sim/simulation/device.hpp"
+
+namespace devices {
+
+class HeaterGate : public sim::Device {
+ public:
+  HeaterGate(std::size_t channel, sim::ClockRate rate, plants::HeatedBlock& block)
+      : channel_(channel), rate_(rate), block_(block) {}
+
+  void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) override {
+    block_.set_heater(rate_.seconds(now), pins.heater(channel_));
+  }
+
+ private:
+  std::size_t channel_;
+  sim::ClockRate rate_;
+  plants::HeatedBlock& block_;
+};
+
+}  // namespace devices

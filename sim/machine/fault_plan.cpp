@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading of fault names.
+#include "sim/machine/fault_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace machine {
+
+namespace {
+
+using devices::EndStopFault;
+using devices::SensorFault;
+using plants::HeaterFault;
+
+constexpr std::array sensor_faults{std::pair{std::string_view("open"), SensorFault::open},
+                                   std::pair{std::string_view("short"), SensorFault::shorted},
+                                   std::pair{std::string_view("stuck-high"), SensorFault::sense_stuck_high},
+                                   std::pair{std::string_view("stuck-low"), SensorFault::sense_stuck_low}};
+constexpr std::array heater_faults{
+    std::pair{std::string_view("heater-stuck-on"), HeaterFault::stuck_on},
+    std::pair{std::string_view("heater-stuck-off"), HeaterFault::stuck_off}};
+constexpr std::array end_stop_faults{
+    std::pair{std::string_view("end-stop-never-closes"), EndStopFault::never_closes},
+    std::pair{std::string_view("end-stop-never-opens"), EndStopFault::never_opens}};
+
+[[noreturn]] void refuse(std::string_view text) {
+  throw std::invalid_argument(fmt::format("no such fault: {}. Possible are:\n{}", text, fault_forms()));
+}
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc{} && end == text.data() + text.size() && value >= 0;
+  return whole ? std::optional(value) : std::nullopt;
+}
+
+// What follows `prefix` and a hyphen.
+std::optional<std::string_view> rest_after(std::string_view text, std::string_view prefix) {
+  if (text.starts_with(prefix) && text.substr(prefix.size()).starts_with('-')) {
+    return text.substr(prefix.size() + 1);
+  }
+  return std::nullopt;
+}
+
+bool add_heat_fault(FaultPlan& plan, Heated where, std::string_view name, double seconds) {
+  for (const auto& [known, fault] : sensor_faults) {
+    if (name == known) {
+      plan.sensors.push_back({seconds, where, fault});
+      return true;
+    }
+  }
+  for (const auto& [known, fault] : heater_faults) {
+    if (name == known) {
+      plan.heaters.push_back({seconds, where, fault});
+      return true;
+    }
+  }
+  return false;
+}
+
+bool add_end_stop_fault(FaultPlan& plan, std::string_view text) {
+  constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const std::optional<std::string_view> name = rest_after(text, axes[axis]);
+    for (const auto& [known, fault] : end_stop_faults) {
+      if (name == known) {
+        plan.end_stops[axis] = fault;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string_view fault_forms() {
+  return "  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS hotend-stuck-low@SECONDS\n"
+         "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-\n"
+         "  x-end-stop-never-closes x-end-stop-never-opens, and the same with y- and z-\n"
+         "  serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001\n";
+}
+
+void add_fault(FaultPlan& plan, std::string_view text) {
+  if (text.starts_with("serial=")) {
+    const std::optional<double> share = number(text.substr(text.find('=') + 1));
+    if (!share || *share > 1) {
+      refuse(text);
+    }
+    plan.corrupted_bytes = *share;
+    return;
+  }
+  if (add_end_stop_fault(plan, text)) {
+    return;
+  }
+  const std::size_t at = text.find('@');
+  const std::optional<double> seconds =
+      at == std::string_view::npos ? std::optional(0.0) : number(text.substr(at + 1));
+  const std::string_view name = text.substr(0, at);
+  for (const auto& [prefix, where] : {std::pair{std::string_view("hotend"), Heated::hotend},
+                                      std::pair{std::string_view("bed"), Heated::bed}}) {
+    const std::optional<std::string_view> fault = rest_after(name, prefix);
+    if (seconds && fault && add_heat_fault(plan, where, *fault, *seconds)) {
+      return;
+    }
+  }
+  refuse(text);
+}
+
+}  // namespace machine

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults of the simulated printer, as a user names them on the command line.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/devices/end_stop.hpp"
+#include "sim/devices/thermistor_input.hpp"
+#include "sim/plants/heated_block.hpp"
+
+namespace machine {
+
+enum class Heated : std::uint8_t { hotend, bed };
+
+struct TimedSensorFault {
+  double seconds{};
+  Heated where{};
+  devices::SensorFault fault{};
+};
+struct TimedHeaterFault {
+  double seconds{};
+  Heated where{};
+  plants::HeaterFault fault{};
+};
+
+struct FaultPlan {
+  std::vector<TimedSensorFault> sensors;
+  std::vector<TimedHeaterFault> heaters;
+  std::array<devices::EndStopFault, 3> end_stops{};  // x y z
+  double corrupted_bytes = 0;                        // share of the bytes to the chip
+};
+
+// The forms, one line each, for help texts.
+std::string_view fault_forms();
+
+// Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`, `x-end-stop-never-closes`,
+// `serial=0.001`. Throws std::invalid_argument with the possible forms.
+void add_fault(FaultPlan& plan, std::string_view text);
+
+}  // namespace machine

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the printer that a machine description tells of.
+#include "sim/machine/printer.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "sim/machine/printer_parts.hpp"
+#include "sim/machine/thermal_properties.hpp"
+
+namespace machine {
+
+namespace {
+
+// A printer is switched on wherever the last print left it; not far from the end stops, so that homing
+// does not take longer than it teaches.
+constexpr double least_start_mm = 2.0;
+constexpr std::array<double, 3> most_start_mm{40.0, 40.0, 8.0};
+// How far an axis can go beyond its end stop and beyond its travel.
+constexpr double lower_frame_mm = 2.0;
+constexpr double upper_frame_mm = 5.0;
+// Steppers are chosen with this reserve of torque and of speed.
+constexpr double torque_reserve = 8.0;
+constexpr double speed_reserve = 2.0;
+// Ceramic capacitors of the simulated board: 10 % of their nominal value.
+constexpr double capacitor_tolerance = 0.1;
+
+// 0 to 1, the same with every standard library.
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+plants::AxisProperties properties_of(const AxisDescription& axis) {
+  plants::AxisProperties properties;
+  properties.steps_per_mm = axis.steps_per_mm;
+  properties.torque_acceleration =
+      torque_reserve * axis.max_acceleration_mm_s2 * axis.steps_per_mm;
+  properties.speed_limit = speed_reserve * axis.max_speed_mm_s * axis.steps_per_mm;
+  if (axis.travel_mm) {
+    properties.lower_frame = std::llround(-lower_frame_mm * axis.steps_per_mm);
+    properties.upper_frame = std::llround((*axis.travel_mm + upper_frame_mm) * axis.steps_per_mm);
+  }
+  return properties;
+}
+
+devices::ThermistorInputProperties properties_of(const HeaterDescription& heater,
+                                                 const ConverterDescription& converter,
+                                                 std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  devices::ThermistorInputProperties properties;
+  properties.thermistor = {heater.resistance_25c_ohms, heater.beta_k};
+  properties.capacitor_farads =
+      converter.capacitor_nf * 1e-9 * (1 + capacitor_tolerance * (2 * uniform(random) - 1));
+  properties.reference_low_ohms = converter.reference_low_ohms;
+  properties.reference_high_ohms = converter.reference_high_ohms;
+  properties.supply_volts = converter.supply_v;
+  properties.threshold_volts = converter.threshold_v;
+  return properties;
+}
+
+}  // namespace
+
+Printer::HeatedPart::HeatedPart(const HeaterDescription& description,
+                                const plants::HeatedBlockProperties& properties,
+                                const ConverterDescription& converter, double start_c,
+                                std::uint64_t seed, sim::Simulation& simulation)
+    : block(properties, ambient_celsius, start_c),
+      thermistor(properties_of(description, converter, seed),
+                 [this](double seconds) { return block.sensor_celsius(seconds); }, seed),
+      gate(description.heater_channel, simulation.rate(), block),
+      sensor(description.sensor_channel, simulation.rate(), thermistor, simulation.chip().inputs()) {
+  simulation.attach(gate, sim::OutputPins::heater_pin(description.heater_channel));
+  simulation.attach(sensor, sim::OutputPins::sensor_pins(description.sensor_channel));
+}
+
+Printer::Printer(const Description& description, const PrinterOptions& options,
+                 sim::Simulation& simulation)
+    : description_(description),
+      simulation_(simulation),
+      serial_line_(simulation.rate(), options.baud, simulation.chip().inputs(),
+                   {options.faults.corrupted_bytes, options.seed}),
+      hotend_(description.hotend, hotend_properties(description.hotend.heater_watts),
+              description.converter, options.hotend_start_c, options.seed + 1, simulation),
+      bed_(description.bed, bed_properties(description.bed.heater_watts), description.converter,
+           options.bed_start_c, options.seed + 2, simulation),
+      fan_(simulation.rate(),
+           [this](double seconds, double speed) {
+             hotend_.block.set_fan(seconds, speed);
+             bed_.block.set_fan(seconds, speed);
+           }),
+      extrusion_(std::make_unique<Extrusion>(description.axes[3].steps_per_mm, simulation.rate(),
+                                             hotend_.block)),
+      saboteur_(std::make_unique<Saboteur>(options.faults, simulation.rate(), hotend_, bed_)) {
+  make_axes(options);
+  attach_all();
+}
+
+Printer::~Printer() = default;
+
+void Printer::make_axes(const PrinterOptions& options) {
+  std::mt19937_64 random(options.seed);
+  sim::InputPins& inputs = simulation_.chip().inputs();
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const AxisDescription& axis = description_.axes[i];
+    std::int64_t start = 0;
+    if (axis.end_stop) {
+      const double mm = least_start_mm + (most_start_mm[i] - least_start_mm) * uniform(random);
+      start = std::llround(mm * axis.steps_per_mm);
+    }
+    axes_[i] = std::make_unique<plants::Axis>(properties_of(axis), start);
+    motors_[i] =
+        std::make_unique<devices::MotorDriver>(i, axis.driver, simulation_.rate(), *axes_[i]);
+    if (axis.end_stop) {
+      end_stops_.push_back(std::make_unique<devices::EndStop>(i, *axis.end_stop, inputs, start,
+                                                              options.faults.end_stops[i]));
+      motors_[i]->add_listener(*end_stops_.back());
+    }
+  }
+  motors_[3]->add_listener(*extrusion_);
+}
+
+void Printer::attach_all() {
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    simulation_.attach(*motors_[i], sim::OutputPins::motor_pins(i));
+  }
+  simulation_.attach(serial_line_, sim::OutputPins::transmit_pin());
+  simulation_.attach(fan_, sim::OutputPins::fan_pin());
+  simulation_.attach(*extrusion_, {});
+  simulation_.attach(*saboteur_, {});
+}
+
+void Printer::add_step_listener(devices::StepListener& listener) {
+  for (const auto& motor : motors_) {
+    motor->add_listener(listener);
+  }
+}
+
+}  // namespace machine

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The wiring diagram: the chip's pins, the devices on them, and the plants behind those.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "sim/devices/end_stop.hpp"
+#include "sim/devices/fan_gate.hpp"
+#include "sim/devices/heater_gate.hpp"
+#include "sim/devices/motor_driver.hpp"
+#include "sim/devices/sensor_channel.hpp"
+#include "sim/devices/serial_line.hpp"
+#include "sim/machine/description.hpp"
+#include "sim/machine/fault_plan.hpp"
+#include "sim/plants/axis.hpp"
+#include "sim/plants/heated_block.hpp"
+#include "sim/simulation/simulation.hpp"
+
+namespace machine {
+
+struct PrinterOptions {
+  std::uint32_t baud{};
+  std::uint64_t seed = 1;
+  double hotend_start_c{};
+  double bed_start_c{};
+  FaultPlan faults;
+};
+
+class Printer {
+ public:
+  Printer(const Description& description, const PrinterOptions& options, sim::Simulation& simulation);
+  ~Printer();
+
+  devices::SerialLine& serial_line() { return serial_line_; }
+  const devices::MotorDriver& motor(std::size_t axis) const { return *motors_[axis]; }
+  const plants::Axis& axis(std::size_t axis) const { return *axes_[axis]; }
+  // To be called before the simulation runs.
+  void add_step_listener(devices::StepListener& listener);
+  // True temperatures of the blocks.
+  double hotend_c() const { return hotend_.block.celsius(simulation_.seconds()); }
+  double bed_c() const { return bed_.block.celsius(simulation_.seconds()); }
+  const Description& description() const { return description_; }
+
+ private:
+  struct HeatedPart {
+    HeatedPart(const HeaterDescription& description, const plants::HeatedBlockProperties& properties,
+               const ConverterDescription& converter, double start_c, std::uint64_t seed,
+               sim::Simulation& simulation);
+    plants::HeatedBlock block;
+    devices::ThermistorInput thermistor;
+    devices::HeaterGate gate;
+    devices::SensorChannel sensor;
+  };
+  class Saboteur;
+  class Extrusion;
+
+  void make_axes(const PrinterOptions& options);
+  void attach_all();
+
+  Description description_;
+  sim::Simulation& simulation_;
+  devices::SerialLine serial_line_;
+  std::array<std::unique_ptr<plants::Axis>, axis_count> axes_;
+  std::array<std::unique_ptr<devices::MotorDriver>, axis_count> motors_;
+  std::vector<std::unique_ptr<devices::EndStop>> end_stops_;
+  HeatedPart hotend_;
+  HeatedPart bed_;
+  devices::FanGate fan_;
+  std::unique_ptr<Extrusion> extrusion_;
+  std::unique_ptr<Saboteur> saboteur_;
+};
+
+}  // namespace machine

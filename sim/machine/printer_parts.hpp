@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inner parts of the printer that follow no pin: filament that takes heat along, and planned faults.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "sim/machine/printer.hpp"
+
+namespace machine {
+
+// Cold filament comes in with the extruder's steps and leaves hot.
+class Printer::Extrusion : public sim::Device, public devices::StepListener {
+ public:
+  Extrusion(double steps_per_mm, sim::ClockRate rate, plants::HeatedBlock& hotend)
+      : rate_(rate), hotend_(hotend), steps_per_mm_(steps_per_mm) {
+    next_wake_ = rate_.clocks(interval_seconds);
+  }
+
+  void stepped(const devices::StepEdge& edge) override { position_ = edge.position; }
+
+  void wake(sim::Clock now) override {
+    next_wake_ = now + rate_.clocks(interval_seconds);
+    const double length_mm = static_cast<double>(position_ - position_before_) / steps_per_mm_;
+    position_before_ = position_;
+    const double flow = filament_square_mm * std::max(length_mm, 0.0) / interval_seconds;
+    hotend_.set_extrusion(rate_.seconds(now), std::round(flow / flow_step) * flow_step);
+  }
+
+ private:
+  static constexpr double interval_seconds = 0.2;
+  static constexpr double filament_diameter_mm = 1.75;
+  static constexpr double filament_square_mm =
+      std::numbers::pi / 4 * filament_diameter_mm * filament_diameter_mm;
+  static constexpr double flow_step = 0.25;  // mm^3/s: finer ones change no temperature that matters
+
+  sim::ClockRate rate_;
+  plants::HeatedBlock& hotend_;
+  double steps_per_mm_;
+  std::int64_t position_ = 0, position_before_ = 0;
+};
+
+// Breaks parts when their time comes.
+class Printer::Saboteur : public sim::Device {
+ public:
+  Saboteur(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed)
+      : plan_(std::move(plan)), rate_(rate), hotend_(hotend), bed_(bed) {
+    wake(0);
+  }
+
+  void wake(sim::Clock now) override {
+    const double seconds = rate_.seconds(now);
+    double next = std::numeric_limits<double>::infinity();
+    for (TimedSensorFault& fault : plan_.sensors) {
+      if (is_due(fault.seconds, seconds, next)) {
+        part(fault.where).sensor.set_fault(now, fault.fault);
+        fault.seconds = std::numeric_limits<double>::infinity();
+      }
+    }
+    for (TimedHeaterFault& fault : plan_.heaters) {
+      if (is_due(fault.seconds, seconds, next)) {
+        part(fault.where).block.set_fault(seconds, fault.fault);
+        fault.seconds = std::numeric_limits<double>::infinity();
+      }
+    }
+    next_wake_ = std::isfinite(next) ? std::max(rate_.clocks(next), now + 1) : sim::never;
+  }
+
+ private:
+  static bool is_due(double planned, double seconds, double& next) {
+    if (planned <= seconds) {
+      return true;
+    }
+    next = std::min(next, planned);
+    return false;
+  }
+  HeatedPart& part(Heated where) { return where == Heated::hotend ? hotend_ : bed_; }
+
+  FaultPlan plan_;
+  sim::ClockRate rate_;
+  HeatedPart& hotend_;
+  HeatedPart& bed_;
+};
+
+}  // namespace machine

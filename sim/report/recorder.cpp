@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connects the parts of the report to the printer and gathers what they found.
+#include "sim/report/recorder.hpp"
+
+namespace report {
+
+namespace {
+
+std::array<std::int64_t, 4> start_positions(const machine::Printer& printer) {
+  std::array<std::int64_t, 4> positions{};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    positions[i] = printer.axis(i).position();
+  }
+  return positions;
+}
+
+std::array<double, 4> resolutions(const machine::Printer& printer) {
+  std::array<double, 4> steps_per_mm{};
+  for (std::size_t i = 0; i < steps_per_mm.size(); ++i) {
+    steps_per_mm[i] = printer.description().axes[i].steps_per_mm;
+  }
+  return steps_per_mm;
+}
+
+}  // namespace
+
+Recorder::Recorder(machine::Printer& printer, devices::FileHost& host, sim::Simulation& simulation,
+                   const std::filesystem::path& edges)
+    : printer_(printer),
+      host_(host),
+      simulation_(simulation),
+      path_check_({printer.description().axes[0].steps_per_mm,
+                   printer.description().axes[1].steps_per_mm},
+                  {printer.axis(0).position(), printer.axis(1).position()}),
+      tool_path_(resolutions(printer), start_positions(printer)),
+      steps_(simulation.rate()),
+      hotend_(false, simulation.rate(), [&printer] { return printer.hotend_c(); }),
+      bed_(true, simulation.rate(), [&printer] { return printer.bed_c(); }),
+      messages_(simulation.rate()) {
+  printer.add_step_listener(path_check_);
+  printer.add_step_listener(tool_path_);
+  printer.add_step_listener(steps_);
+  if (!edges.empty()) {
+    edges_ = std::make_unique<EdgeFile>(edges);
+    printer.add_step_listener(*edges_);
+  }
+  simulation.attach(hotend_, {});
+  simulation.attach(bed_, {});
+  host.add_listener(*this);
+  for (devices::HostListener* listener :
+       std::initializer_list<devices::HostListener*>{&path_check_, &hotend_, &bed_, &messages_}) {
+    host.add_listener(*listener);
+  }
+}
+
+void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
+                                    bool executed) {
+  if (executed && command.starts_with("G28") && !path_check_.homed()) {
+    tool_path_.begin_here();
+  }
+}
+
+AxisResult Recorder::axis_result(std::size_t axis) const {
+  const devices::PulseCounts& counts = printer_.motor(axis).counts();
+  const plants::Axis& plant = printer_.axis(axis);
+  return {counts.forward,
+          counts.backward,
+          plant.position(),
+          plant.position_mm(),
+          steps_.max_step_rate_hz(axis),
+          counts.illegal,
+          counts.disabled,
+          plant.slipped_steps(),
+          plant.frame_steps(),
+          plant.peak_load()};
+}
+
+Results Recorder::results(const sim::ElfImage& firmware) const {
+  const sim::Chip& chip = simulation_.chip();
+  const sim::QueueStatistics queue = chip.queue_statistics();
+  const sim::ProcessorStatistics processor = chip.processor_statistics();
+  const devices::HostCounts& host = host_.counts();
+  Results results;
+  results.machine = printer_.description().name;
+  results.clock_hz = simulation_.rate().hertz();
+  results.cycles = chip.now();
+  results.simulated_seconds = simulation_.seconds();
+  results.lines_sent = host.lines_sent;
+  results.resends = host.resends;
+  results.commands_executed = host.commands_executed;
+  results.commands_refused = host.commands_refused;
+  results.busy_replies = host.busy_replies;
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    results.axes[i] = axis_result(i);
+  }
+  results.max_deviation_mm = path_check_.max_deviation_mm();
+  results.length_mm = path_check_.length_mm();
+  results.points_reached = path_check_.points_reached();
+  results.points_missed = path_check_.points_missed();
+  results.underruns = queue.underruns;
+  results.guard_stalls_cycles = queue.guard_stall_clocks;
+  results.max_queue_depth = queue.max_depth;
+  results.hotend = hotend_.result();
+  results.bed = bed_.result();
+  results.firmware = {firmware.sizes.text_bytes, firmware.sizes.data_bytes,
+                      firmware.sizes.bss_bytes, stack_peak_bytes(firmware, chip)};
+  const auto cycles = static_cast<double>(chip.now());
+  results.processor_busy_percent =
+      cycles > 0 ? 100.0 * (1.0 - static_cast<double>(processor.sleeping_clocks) / cycles) : 0.0;
+  results.instructions = processor.instructions;
+  results.serial_bytes_corrupted = printer_.serial_line().bytes_corrupted();
+  results.messages = messages_.messages();
+  results.messages_dropped = messages_.dropped();
+  return results;
+}
+
+Courses Recorder::courses() const {
+  return {tool_path_.points(), hotend_.samples(), bed_.samples(), steps_.buckets(),
+          steps_.intervals()};
+}
+
+void Recorder::close_edges() {
+  if (edges_) {
+    edges_->close();
+  }
+}
+
+std::uint32_t stack_peak_bytes(const sim::ElfImage& firmware, const sim::Chip& chip) {
+  constexpr std::uint32_t paint = 0xA5A5'A5A5;
+  const std::optional<std::uint32_t> bottom = firmware.symbol("_stack_bottom");
+  const std::optional<std::uint32_t> top = firmware.symbol("_stack_top");
+  if (!bottom || !top) {
+    return 0;
+  }
+  std::uint32_t address = *bottom;
+  while (address < *top && chip.read_memory(address) == paint) {
+    address += 4;
+  }
+  return *top - address;
+}
+
+}  // namespace report

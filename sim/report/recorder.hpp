@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that listens to a print, and the results at its end.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "sim/devices/file_host.hpp"
+#include "sim/machine/printer.hpp"
+#include "sim/report/edge_file.hpp"
+#include "sim/report/message_log.hpp"
+#include "sim/report/path_check.hpp"
+#include "sim/report/results.hpp"
+#include "sim/report/step_statistics.hpp"
+#include "sim/report/temperature_record.hpp"
+#include "sim/report/tool_path.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/simulation.hpp"
+
+namespace report {
+
+class Recorder : public devices::HostListener {
+ public:
+  // Listens from now on; to be made before the simulation runs. `edges` empty: no file of edges.
+  Recorder(machine::Printer& printer, devices::FileHost& host, sim::Simulation& simulation,
+           const std::filesystem::path& edges);
+
+  void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
+                            bool executed) override;
+
+  // Of the simulation so far. Outcome, fault, names and wall time are the caller's.
+  Results results(const sim::ElfImage& firmware) const;
+  Courses courses() const;
+  // Throws std::runtime_error where the disk did not take all edges.
+  void close_edges();
+
+ private:
+  AxisResult axis_result(std::size_t axis) const;
+
+  machine::Printer& printer_;
+  devices::FileHost& host_;
+  sim::Simulation& simulation_;
+  PathCheck path_check_;
+  ToolPath tool_path_;
+  StepStatistics steps_;
+  TemperatureRecord hotend_;
+  TemperatureRecord bed_;
+  MessageLog messages_;
+  std::unique_ptr<EdgeFile> edges_;
+};
+
+// Bytes of the stack that were ever used, from the paint that the firmware's start-up left; 0 where the
+// image has no symbols `_stack_bottom` and `_stack_top`.
+std::uint32_t stack_peak_bytes(const sim::ElfImage& firmware, const sim::Chip& chip);
+
+}  // namespace report

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `stepfabric` program: one job per call, its options, its exit status.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "tools/command/build.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/print_job.hpp"
+#include "tools/command/run_job.hpp"
+#include "tools/command/serve_job.hpp"
+#include "tools/command/signals.hpp"
+#include "tools/command/test_job.hpp"
+#include "sim/machine/fault_plan.hpp"
+
+namespace command {
+
+namespace {
+
+constexpr std::uint32_t lowest_clock_hz = 4'000'000;
+constexpr std::uint32_t highest_clock_hz = 100'000'000;
+
+struct Jobs {
+  PrintOptions print;
+  ServeOptions serve;
+  RunOptions run;
+  std::vector<std::string> labels;
+  std::vector<std::string> later_arguments;
+};
+
+void add_printer_options(CLI::App& job, PrinterChoices& choices) {
+  job.add_option("--machine", choices.machine,
+                 "description of the simulated printer (TOML); the firmware is built for the default")
+      ->type_name("FILE.toml");
+  job.add_option("--clock-hz", choices.clock_hz, "clock of the chip, 4 to 100 MHz")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  job.add_option("--baud", choices.baud, "baud rate of the host's end of the line; default: the machine's")
+      ->check(CLI::Range(1'200, 3'000'000));
+  job.add_option("--seed", choices.seed, "seed of all that is random: start position, tolerances, noise")
+      ->capture_default_str();
+  job.add_flag("--warm", choices.warm, "the heaters start near their targets, which saves simulated minutes");
+  job.add_option("--fault", choices.faults,
+                 "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
+      ->type_name("FAULT");
+}
+
+void add_print(CLI::App& app, PrintOptions& options) {
+  CLI::App& job = *app.add_subcommand("print", "Print a G-code file on the simulated printer.");
+  job.add_option("file", options.file, "the G-code file")->required()->type_name("FILE.gcode");
+  job.add_option("--report", options.report, "folder for report.json and report.html")
+      ->type_name("DIR")
+      ->capture_default_str();
+  job.add_option("--edges", options.edges,
+                 "write every rising step edge: cycle,axis,direction,position")
+      ->type_name("FILE.csv");
+  job.add_option("--trace", options.trace, "write all signals of the chip; slow, and large")
+      ->type_name("FILE.fst");
+  job.add_option("--stepping", options.stepping, "who makes the steps")
+      ->check(CLI::IsMember({"hardware", "software"}))
+      ->capture_default_str();
+  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  add_printer_options(job, options.printer);
+  job.footer(
+      "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a file\n"
+      "that cannot be printed, 130 interrupted. The report is written in every case.");
+}
+
+void add_serve(CLI::App& app, ServeOptions& options) {
+  CLI::App& job =
+      *app.add_subcommand("serve", "Put the printer's serial line on a pseudo-terminal, until Ctrl-C.");
+  job.add_option("--pty", options.terminal, "symlink to make, for host programs to open")
+      ->type_name("PATH")
+      ->capture_default_str();
+  job.add_option_function<std::string>(
+         "--speed", [&options](const std::string& speed) { options.real_time = speed == "real"; },
+         "real: not faster than a real printer; max: as fast as it goes (default)")
+      ->check(CLI::IsMember({"real", "max"}));
+  add_printer_options(job, options.printer);
+}
+
+void add_run(CLI::App& app, RunOptions& options) {
+  CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IM program on the chip.");
+  job.add_option("program", options.program, "linked to 0x80000000, 64 KiB; ends by a store to `tohost`")
+      ->required()
+      ->type_name("PROGRAM.elf");
+  job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  job.add_option("--clock-hz", options.clock_hz, "clock that the chip tells the program")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  job.add_option("--baud", options.baud, "show what the program sends on the serial line at this rate")
+      ->check(CLI::Range(1'200, 3'000'000));
+  job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
+  job.footer(
+      "Exit status: 0 where 1 was stored to `tohost`, otherwise the value >> 1 (1 to 255); 2 for a file\n"
+      "that is no such program, 124 where nothing was stored within --max-cycles, 130 interrupted.");
+}
+
+void add_later_jobs(CLI::App& app, Jobs& jobs) {
+  for (const auto& [name, what] : {std::pair{"bench", "Run the benchmarks. Not part of this version."},
+                                   std::pair{"prove", "Run the formal proofs. Not part of this version."},
+                                   std::pair{"synth", "Synthesise for a board. Not part of this version."}}) {
+    app.add_subcommand(name, what)
+        ->add_option("arguments", jobs.later_arguments, "see the documentation")
+        ->type_name("")
+        ->group("");
+    app.get_subcommand(name)->allow_extras();
+  }
+}
+
+// Waveforms need another build of the chip's model, which slows nothing else down.
+int run_traced_program(int count, char** arguments) {
+  fmt::print(stderr, "stepfabric: building the model that writes waveforms\n");
+  build({"stepfabric_traced"});
+  std::vector<std::string> words{(build_folder() / "bin" / "stepfabric_traced").string()};
+  words.insert(words.end(), arguments + 1, arguments + count);
+  return run_program(words);
+}
+
+bool this_program_traces(const char* name) {
+  return std::string_view(name).ends_with("stepfabric_traced");
+}
+
+int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
+  const bool traces = !jobs.print.trace.empty() || !jobs.run.trace.empty();
+  if (traces && !this_program_traces(arguments[0])) {
+    return run_traced_program(count, arguments);
+  }
+  if (app.got_subcommand("print")) {
+    return print(jobs.print);
+  }
+  if (app.got_subcommand("serve")) {
+    return serve(jobs.serve);
+  }
+  if (app.got_subcommand("run")) {
+    return run(jobs.run);
+  }
+  if (app.got_subcommand("test")) {
+    return test(jobs.labels);
+  }
+  fmt::print(stderr, "stepfabric: {} is not part of this version\n",
+             app.get_subcommands().front()->get_name());
+  return failure;
+}
+
+int run_command(int count, char** arguments) {
+  CLI::App app("StepFabric: an FPGA motion controller for 3D printers, and its co-simulation.", "stepfabric");
+  app.require_subcommand(1);
+  Jobs jobs;
+  add_print(app, jobs.print);
+  add_serve(app, jobs.serve);
+  add_run(app, jobs.run);
+  app.add_subcommand("test", "Build everything and run all tests, or those of some labels.")
+      ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, ...")
+      ->type_name("LABEL...");
+  add_later_jobs(app, jobs);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? success : bad_input;
+  }
+  catch_interrupts();
+  return do_job(app, jobs, count, arguments);
+}
+
+}  // namespace
+
+}  // namespace command
+
+int main(int count, char** arguments) {
+  try {
+    return command::run_command(count, arguments);
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "stepfabric: {}\n", error.what());
+    return command::bad_input;
+  }
+}

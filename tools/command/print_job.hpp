@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// `print`: a G-code file on the simulated printer, with a report.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace command {
+
+struct PrinterChoices {
+  std::filesystem::path machine;
+  std::uint32_t clock_hz = 4'000'000;
+  std::optional<std::uint32_t> baud;
+  std::uint64_t seed = 1;
+  bool warm = false;
+  std::vector<std::string> faults;
+};
+
+struct PrintOptions {
+  std::filesystem::path file;
+  std::filesystem::path report = "report";
+  std::filesystem::path edges;
+  std::filesystem::path trace;
+  std::string stepping = "hardware";
+  std::optional<double> until_seconds;
+  PrinterChoices printer;
+};
+
+// Returns the exit status of the job.
+int print(const PrintOptions& options);
+
+}  // namespace command

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `print` and `serve` share: the chip with its firmware on the simulated printer.
+#pragma once
+
+#include <optional>
+
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tools/command/print_job.hpp"
+
+namespace command {
+
+struct StartTemperatures {
+  double hotend_c{};
+  double bed_c{};
+};
+
+// Builds the firmware and reads the machine description: throws std::runtime_error where that fails.
+class PrinterSetup {
+ public:
+  // `warm` counts where the choices ask for a warm start.
+  PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm);
+
+  const sim::ElfImage& firmware() const { return firmware_; }
+  sim::VerilatedChip& chip() { return chip_; }
+  sim::Simulation& simulation() { return simulation_; }
+  machine::Printer& printer() { return *printer_; }
+  std::uint32_t baud() const { return baud_; }
+
+ private:
+  machine::Description description_;
+  sim::ElfImage firmware_;
+  sim::VerilatedChip chip_;
+  sim::Simulation simulation_;
+  std::uint32_t baud_;
+  std::optional<machine::Printer> printer_;
+};
+
+std::filesystem::path default_machine();
+
+}  // namespace command

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The riscv-tests convention: the program ends by a store of a value other than 0 to `tohost`.
+#include "tools/command/run_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "sim/devices/serial_line.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/simulation.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/signals.hpp"
+
+namespace command {
+
+namespace {
+
+constexpr std::uint32_t reset_address = 0x8000'0000;
+constexpr std::uint32_t most_exit_status = 255;
+constexpr sim::Clock clocks_between_looks_at_the_keyboard = 100'000;
+
+class PrintedBytes : public devices::ByteListener {
+ public:
+  void byte_received(sim::Clock, std::uint8_t byte) override { std::putchar(byte); }
+};
+
+// A program may begin elsewhere than where the chip starts: then a jump is put there, if there is room.
+void make_start(const sim::ElfImage& image, sim::Chip& chip) {
+  if (image.entry == reset_address) {
+    return;
+  }
+  constexpr std::uint32_t jump_bytes = 8;
+  const bool free = std::ranges::all_of(image.segments, [](const sim::ElfSegment& segment) {
+    return segment.address >= reset_address + jump_bytes;
+  });
+  if (!free) {
+    throw std::runtime_error(fmt::format(
+        "the program begins at {:#010x}, but the chip starts at {:#010x}, where other code lies: "
+        "put the entry at the beginning of the memory",
+        image.entry, reset_address));
+  }
+  const std::uint32_t upper = (image.entry + 0x800) & 0xffff'f000;
+  const std::uint32_t lower = (image.entry - upper) & 0xfff;
+  chip.write_memory(reset_address, upper | 0x2b7);             // lui t0, upper
+  chip.write_memory(reset_address + 4, lower << 20 | 0x28067);  // jalr zero, lower(t0)
+}
+
+int exit_status_of(std::uint32_t value) {
+  if (value == 1) {
+    return success;
+  }
+  const std::uint32_t status = value >> 1;
+  return static_cast<int>(std::clamp<std::uint32_t>(status, 1, most_exit_status));
+}
+
+// Clocks until `tohost` is written; 0 where it was not within `max_cycles`.
+std::uint32_t wait_for_store(sim::Simulation& simulation, std::uint32_t tohost,
+                             std::uint64_t max_cycles) {
+  while (simulation.now() < max_cycles) {
+    simulation.run_until(simulation.now() + 1);
+    const std::uint32_t value = simulation.chip().read_memory(tohost);
+    if (value != 0) {
+      return value;
+    }
+    if (simulation.now() % clocks_between_looks_at_the_keyboard == 0 && interrupt_requested()) {
+      break;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const sim::ElfImage image = sim::read_elf(options.program);
+  const std::optional<std::uint32_t> tohost = image.symbol("tohost");
+  if (!tohost) {
+    fmt::print(stderr, "{} has no symbol `tohost`, by which a program tells that it has ended\n",
+               options.program.string());
+    return bad_input;
+  }
+  sim::VerilatedChip chip(options.clock_hz);
+  load(image, chip);
+  make_start(image, chip);
+  if (!options.trace.empty()) {
+    chip.trace_to(options.trace);
+  }
+  const sim::ClockRate rate(options.clock_hz);
+  sim::Simulation simulation(chip, rate);
+  PrintedBytes printed;
+  std::optional<devices::SerialLine> line;
+  if (options.baud) {
+    line.emplace(rate, *options.baud, chip.inputs());
+    line->set_listener(printed);
+    simulation.attach(*line, sim::OutputPins::transmit_pin());
+  }
+
+  const auto started = std::chrono::steady_clock::now();
+  const std::uint32_t value = wait_for_store(simulation, *tohost, options.max_cycles);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
+  std::fflush(stdout);
+  fmt::print("cycles {}\ninstructions {}\n", chip.now(), chip.processor_statistics().instructions);
+  fmt::print(stderr, "{:.2f} million clocks per second\n",
+             static_cast<double>(chip.now()) / std::max(wall.count(), 1e-9) * 1e-6);
+  if (value != 0) {
+    const int status = exit_status_of(value);
+    fmt::print("{}: tohost = {}\n", status == success ? "passed" : "failed", value);
+    return status;
+  }
+  if (interrupt_requested()) {
+    return interrupted;
+  }
+  fmt::print(stderr, "{} did not store to tohost within {} cycles\n", options.program.string(),
+             options.max_cycles);
+  return time_out;
+}
+
+}  // namespace command

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// `run`: a bare-metal program on the chip, to its store to `tohost`.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace command {
+
+struct RunOptions {
+  std::filesystem::path program;
+  std::uint64_t max_cycles = 100'000'000;
+  std::uint32_t clock_hz = 50'000'000;
+  std::optional<std::uint32_t> baud;  // shows what the program writes to the serial line
+  std::filesystem::path trace;
+};
+
+// Returns the exit status of the job.
+int run(const RunOptions& options);
+
+}  // namespace command
