@@ -40,7 +40,7 @@ architecture rtl of control_status_registers is
   constant writable_interrupts : word_t := x"ffff0880";
 
   signal interrupt_enable, previous_interrupt_enable : std_ulogic;
-  signal enabled_interrupts, requested_interrupts : word_t;
+  signal enabled_interrupts, next_enabled_interrupts, requested_interrupts : word_t;
   signal trap_base : unsigned(31 downto 2);
   signal trap_vectored : std_ulogic;
   signal scratch, last_trap_value : word_t;
@@ -107,15 +107,20 @@ begin
                 request.operand;
   writes_counter <= write and (request.address(11 downto 8) ?= x"b");
 
+  -- Interrupts must follow a write of mie at once, so they are chosen by its new value.
+  next_enabled_interrupts <= write_data and writable_interrupts when
+                               write and (request.address ?= x"304") else
+                             enabled_interrupts;
+
   change : process
   begin
     wait until rising_edge(clk);
+    enabled_interrupts <= next_enabled_interrupts;
     if write then
       case request.address is
         when x"300" =>
           interrupt_enable <= write_data(3);
           previous_interrupt_enable <= write_data(7);
-        when x"304" => enabled_interrupts <= write_data and writable_interrupts;
         when x"305" =>
           trap_base <= unsigned(write_data(31 downto 2));
           trap_vectored <= write_data(0);
@@ -187,8 +192,7 @@ begin
     port map (
       clk => clk,
       requested => requested_interrupts,
-      enabled => enabled_interrupts,
-      forget => write or trap.enable or trap_return or reset,
+      enabled => next_enabled_interrupts,
       pending => awake,
       cause => interrupt_cause);
   interrupt_pending <= awake and interrupt_enable;

@@ -80,9 +80,11 @@ begin
                  instruction(30 downto 21) & '0';
   upper_immediate <= instruction(31 downto 12) & x"000";
 
-  decoded.reads_first <= is_load or is_store or is_immediate_operation or is_operation or is_branch or
-                         is_jump_register or (is_csr and not funct3(2));
-  decoded.reads_second <= is_store or is_operation or is_branch;
+  -- From few bits, since the fetch of the next instruction waits for them: all but lui, auipc, jal, fence
+  -- and CSR instructions with a constant; branch, store and operation. Of no meaning where it is illegal.
+  decoded.reads_first <= not (opcode(2) and (opcode(3) or opcode(4))) and
+                         not (opcode(6) and opcode(4) and funct3(2));
+  decoded.reads_second <= opcode(5) and not opcode(2) and not (opcode(6) and opcode(4));
   has_destination <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or is_upper or
                      is_jump_register or is_jump or is_csr;
   decoded.writes <= has_destination and (instruction(11 downto 7) ?/= "00000");

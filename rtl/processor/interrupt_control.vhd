@@ -10,11 +10,9 @@ use work.processor_pkg.all;
 entity interrupt_control is
   port (
     clk : in std_ulogic;
-    -- mip and mie.
+    -- mip, and mie as it will be in the next clock.
     requested : in word_t;
     enabled : in word_t;
-    -- mie or mstatus are about to change: what is known now is worth nothing in the next clock.
-    forget : in std_ulogic;
     -- An enabled interrupt was requested in the clock before.
     pending : out std_ulogic;
     -- The first of them in the order external, timer, 16, 17, .. 31.
@@ -34,7 +32,7 @@ begin
   begin
     wait until rising_edge(clk);
     pending <= '0';
-    if (or active) and not forget then
+    if or active then
       pending <= '1';
       for index in 31 downto 16 loop
         if active(index) then

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <random>
 
+#include "tests/processor/encode.hpp"
+
 namespace processor {
 namespace {
 
@@ -22,6 +24,25 @@ bool reads_cycle(std::uint32_t instruction) {
          (address == 0xB00 || address == 0xB80 || address == 0xC00 || address == 0xC80);
 }
 
+// An interrupt must be taken at once behind an instruction that allows it, and within three instructions
+// where the request itself is new.
+class InterruptWatch {
+ public:
+  bool is_late(const InstructionSetModel& model) const {
+    return model.interrupt_due() && unchanged_for_ >= 3 && !last_was_wait_;
+  }
+  void note(const Retirement& event, std::uint32_t requests) {
+    unchanged_for_ = requests == requests_ ? unchanged_for_ + 1 : 0;
+    requests_ = requests;
+    last_was_wait_ = event.instruction == encode::wait_for_interrupt();
+  }
+
+ private:
+  std::uint32_t requests_ = 0;
+  unsigned unchanged_for_ = 0;
+  bool last_was_wait_ = false;
+};
+
 }  // namespace
 
 LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const LockstepSettings& settings) {
@@ -30,9 +51,16 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
   InstructionSetModel model(image, Chip::memory_size);
   LockstepResult result;
   std::mt19937 random(settings.interrupt_seed);
+  InterruptWatch watch;
 
   while (result.instructions + result.traps < settings.max_instructions) {
-    const auto event = chip.next_retirement();
+    auto event = chip.next_retirement();
+    if (!event && chip.sleeping() && settings.wake_request != 0 &&
+        chip.device().read(TestDevice::base) == settings.wake_word) {
+      chip.device().set_interrupts(settings.wake_request);
+      model.device().set_interrupts(settings.wake_request);
+      event = chip.next_retirement();
+    }
     if (!event) {
       result.difference = "the chip does nothing any more";
       break;
@@ -46,6 +74,11 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
         break;
       }
     }
+    if (!event->interrupt && watch.is_late(model)) {
+      result.difference = "an interrupt that was not taken: " + describe(*event);
+      break;
+    }
+    watch.note(*event, chip.device().interrupts());
     Step expected = interrupt ? *interrupt : model.step();
     if (!event->trap && reads_cycle(event->instruction)) {
       model.set_register(event->destination, event->value);

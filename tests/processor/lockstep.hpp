@@ -28,6 +28,9 @@ struct LockstepSettings {
   unsigned bus_wait = 1;
   // Interrupts are requested from outside at random times; 0: none.
   std::uint32_t interrupt_seed = 0;
+  // While the processor sleeps and the device's first word is `wake_word`, these are requested.
+  std::uint32_t wake_word = 0;
+  std::uint32_t wake_request = 0;
 };
 
 // Every completed instruction and every trap is compared, and the whole memory at the end.
