@@ -11,7 +11,7 @@ namespace motion {
 namespace {
 
 constexpr std::size_t extruder = units::index_of(units::Axis::e);
-// Lines of so few ticks may count as long as their steps are: see limited_line.
+// Lines of so few ticks may count as long as their steps are: see make_line.
 constexpr std::uint32_t few_ticks = 4;
 // E leads a line on which it moves this many times as far as X, Y and Z (as a power of 2):
 // direction_ fraction_bits leave room for it, and no axis limit of X, Y or Z matters there.
@@ -55,7 +55,7 @@ Geometry::Geometry(const Limits& limits, const StepTiming& timing)
     const auto steps_per_meter = static_cast<std::uint64_t>(axis.steps_per_meter.count());
     const auto speed = static_cast<std::uint64_t>(axis.max_speed.count());
     const std::uint64_t axis_rate = std::max<std::uint64_t>(steps_per_meter * speed / 1'000'000, 1);
-    const std::uint64_t driver_rate = std::max(timing.max_step_rate[i].count(), 1u);
+    const std::uint64_t driver_rate = std::max<std::uint64_t>(timing.max_step_rate[i].count(), 1);
     const std::uint64_t rate = std::min({axis_rate, driver_rate, highest_tick_rate});
     time_per_step_[i] = Scaled::of(1'000) / Scaled::of(rate);
     length_per_step_[i] = Scaled::of(1'000'000'000) / Scaled::of(steps_per_meter);
@@ -99,12 +99,12 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
   return path;
 }
 
-LimitedLine Geometry::limited_line(const Displacement& displacement,
-                                   units::MicrometersPerSecond feedrate) const {
+Course Geometry::make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
+                           Line& line) const {
   const Path path = path_of(displacement, feedrate);
-  LimitedLine result{.line = {}, .direction = path.direction, .speed = path.feedrate};
-  Line& line = result.line;
+  Course result{.direction = path.direction, .speed = path.feedrate};
   line.steps = displacement.steps;
+  line.ticks = 0;
   Scaled least_time;  // ms
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const std::uint32_t steps = magnitude(line.steps[i]);

@@ -50,11 +50,10 @@ struct Displacement {
   units::PerAxis<std::int32_t> steps{};
 };
 
-// A line with its limits of speed, without those at its ends.
-struct LimitedLine {
-  Line line{};
+// What the junctions at the ends of a line depend on.
+struct Course {
   Direction direction{};
-  units::MicrometersPerSecond speed{};
+  units::MicrometersPerSecond speed{};  // nominal
 };
 
 // Makes lines from displacements under the limits of the axes and of the step generator.
@@ -65,11 +64,11 @@ class Geometry {
   const Limits& limits() const { return limits_; }
   units::Hertz clock() const { return clock_; }
 
-  // Not all steps are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true
-  // where steps are coarse; the pulse rate of no axis exceeds what its maximum speed and its driver
-  // allow.
-  LimitedLine limited_line(const Displacement& displacement,
-                           units::MicrometersPerSecond feedrate) const;
+  // Writes all of `line` but the energies at its ends and its stop mask. Not all steps are 0;
+  // feedrate 1 .. max_speed. Distances keep the course and the speed true where steps are coarse;
+  // the pulse rate of no axis exceeds what its maximum speed and its driver allow.
+  Course make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
+                   Line& line) const;
 
  private:
   struct Path {

@@ -58,22 +58,20 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
 
 void Planner::append(const Displacement& displacement, const LineMove& move,
                      units::Microseconds now) {
-  const LimitedLine limited =
-      geometry_.limited_line(displacement, std::min(move.feedrate, max_speed));
   Line& added = lines_[(first_ + count_) % capacity];
-  added = limited.line;
+  const Course course =
+      geometry_.make_line(displacement, std::min(move.feedrate, max_speed), added);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
-    added.max_entry = energy_of(jerk_limited_speed(limited.direction, limits(), limited.speed));
+    added.max_entry = energy_of(jerk_limited_speed(course.direction, limits(), course.speed));
     added.entry = added.max_entry;
     waiting_since_ = now;
   } else {
-    const Direction change = change_between(last_direction_, limited.direction);
-    const units::MicrometersPerSecond shared = std::min(last_speed_, limited.speed);
+    const Direction change = change_between(last_course_.direction, course.direction);
+    const units::MicrometersPerSecond shared = std::min(last_course_.speed, course.speed);
     added.max_entry = energy_of(jerk_limited_speed(change, limits(), shared));
   }
-  last_direction_ = limited.direction;
-  last_speed_ = limited.speed;
+  last_course_ = course;
   planned_time_ += added.nominal_time;
   ++count_;
   look_ahead();
@@ -111,13 +109,13 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
     hand_over_first(now);
   }
   const Phase& phase = profile_.phases[next_phase_];
-  Segment segment{.steps = current_.steps,
-                  .line_ticks = current_.ticks,
+  Segment segment{.steps = steps_,
+                  .line_ticks = ticks_,
                   .ticks = phase.ticks,
                   .continues_line = next_phase_ > 0,
                   .rate = phase.rate,
                   .acceleration = phase.acceleration,
-                  .stop_mask = current_.stop_mask};
+                  .stop_mask = stop_mask_};
   ++next_phase_;
   segment.ends_motion = resting_ && next_phase_ == profile_.count;
   return segment;
@@ -130,11 +128,14 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 }
 
 void Planner::hand_over_first(units::Microseconds now) {
-  current_ = line(0);
-  profile_ = profile_of(current_, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock());
+  const Line& first = line(0);
+  profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock());
+  steps_ = first.steps;
+  ticks_ = first.ticks;
+  stop_mask_ = first.stop_mask;
   next_phase_ = 0;
   busy_until_ = std::max(busy_until_, now) + profile_.time;
-  planned_time_ -= current_.nominal_time;
+  planned_time_ -= first.nominal_time;
   first_ = (first_ + 1) % capacity;
   --count_;
   settled_ = settled_ > 0 ? settled_ - 1 : 0;

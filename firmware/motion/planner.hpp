@@ -85,8 +85,7 @@ class Planner {
   units::PerAxis<std::int64_t> position_steps_{};
 
   std::array<Line, capacity> lines_{};
-  Direction last_direction_{};  // of the last appended line,
-  units::MicrometersPerSecond last_speed_{};  // and its nominal speed
+  Course last_course_{};  // of the last appended line
   std::size_t first_{};
   std::size_t count_{};
   std::size_t settled_{};  // lines before this index have entry speeds that look-ahead cannot raise
@@ -96,7 +95,10 @@ class Planner {
   units::Microseconds planned_time_{};  // at least, of all lines in the ring
   units::Microseconds busy_until_{};  // estimate, of what has been handed over
 
-  Line current_{};  // whose phases are being handed over
+  // The line whose phases are being handed over.
+  units::PerAxis<std::int32_t> steps_{};
+  std::uint32_t ticks_{};
+  std::uint8_t stop_mask_{};
   Profile profile_{};
   std::size_t next_phase_{};
 };

@@ -34,19 +34,19 @@ SpecificEnergy energy_of_ticks(std::uint32_t ticks, Scaled per_tick) {
 }
 
 // Where the energy goes, and in which ticks.
-struct Course {
+struct EnergyCourse {
   SpecificEnergy entry, peak, exit;
   std::uint32_t accelerating, braking;
 };
 
-Course course_of(const Line& line, SpecificEnergy exit) {
+EnergyCourse course_of(const Line& line, SpecificEnergy exit) {
   const Scaled per_tick = scaled(line.work) / Scaled::of(line.ticks);
   const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), line.nominal);
-  Course course{.entry = std::clamp(line.entry, least, line.nominal),
-                .peak = line.nominal,
-                .exit = std::clamp(exit, least, line.nominal),
-                .accelerating = 0,
-                .braking = 0};
+  EnergyCourse course{.entry = std::clamp(line.entry, least, line.nominal),
+                      .peak = line.nominal,
+                      .exit = std::clamp(exit, least, line.nominal),
+                      .accelerating = 0,
+                      .braking = 0};
   course.accelerating = ticks_needed(course.entry, course.peak, per_tick);
   course.braking = ticks_needed(course.exit, course.peak, per_tick);
   if (std::uint64_t{course.accelerating} + course.braking <= line.ticks) return course;
@@ -117,7 +117,7 @@ class Builder {
 }  // namespace
 
 Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock) {
-  const Course course = course_of(line, exit);
+  const EnergyCourse course = course_of(line, exit);
   Builder builder(line, clock);
   builder.add(course.accelerating, course.entry, course.peak);
   builder.add(line.ticks - course.accelerating - course.braking, course.peak, course.peak);

@@ -33,7 +33,9 @@ Line x_line(std::int32_t steps, std::int32_t um_s, std::uint32_t clock_hz) {
   const motion::Geometry geometry(motion_test::mendel(), motion_test::timing(clock_hz));
   const motion::Displacement displacement{.distance = motion_test::at(steps * 12'500, 0, 0, 0),
                                           .steps = {steps, 0, 0, 0}};
-  return geometry.limited_line(displacement, MicrometersPerSecond(um_s)).line;
+  Line line;
+  geometry.make_line(displacement, MicrometersPerSecond(um_s), line);
+  return line;
 }
 
 SpecificEnergy random_energy(std::mt19937_64& random, SpecificEnergy low, SpecificEnergy high) {
@@ -125,7 +127,8 @@ TEST(profile, of_a_violent_axis_at_a_slow_clock_is_limited_by_the_format) {
   const motion::Geometry geometry(limits, timing);
   const motion::Displacement displacement{.distance = motion_test::at(0, 0, 1'000'000'000, 0),
                                           .steps = {0, 0, 2'560'000, 0}};
-  const Line line = geometry.limited_line(displacement, MicrometersPerSecond(900'000)).line;
+  Line line;
+  geometry.make_line(displacement, MicrometersPerSecond(900'000), line);
   const Profile profile = motion::profile_of(line, {}, units::Hertz(4'000'000));
   ASSERT_EQ(profile.count, 3u);
   for (const Phase& phase : profile.phases) {
