@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end stop switches: how they are wired, and which are triggered. Stopping motion is hardware's.
+// The end stop switches: how they are wired, and which are triggered. Hardware stops the motion.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,12 @@ namespace drivers {
 
 // Bit n belongs to input n.
 struct EndStopSettings {
-  std::uint8_t enabled{};         // inputs that have a switch; others are never triggered
-  std::uint8_t active_low{};      // inputs that are triggered while their pin is low
-  std::uint16_t filter_cycles{};  // clocks for which a level must last; also delays the switch so long
+  // Inputs that have a switch; others are never triggered.
+  std::uint8_t enabled{};
+  // Inputs that are triggered while their pin is low.
+  std::uint8_t active_low{};
+  // Clocks for which a level must last; the switch is seen so much later.
+  std::uint16_t filter_cycles{};
 };
 
 class EndStops {

@@ -18,18 +18,18 @@ std::optional<Identity> read_identity() {
   const auto motion = platform::read<identity_registers::Motion>();
   const auto thermal = platform::read<identity_registers::Thermal>();
   return Identity{
-    .version =
-      {
-        .major = static_cast<std::uint16_t>(version.major),
-        .minor = static_cast<std::uint8_t>(version.minor),
-        .patch = static_cast<std::uint8_t>(version.patch),
-      },
-    .clock = units::Hertz(platform::read<identity_registers::Clock>().frequency_hz),
-    .memory_bytes = platform::read<identity_registers::Memory>().size_bytes,
-    .axes = static_cast<std::uint8_t>(motion.axes),
-    .queue_depth = static_cast<std::uint16_t>(motion.queue_depth),
-    .sensors = static_cast<std::uint8_t>(thermal.sensors),
-    .heaters = static_cast<std::uint8_t>(thermal.heaters),
+      .version =
+          {
+              .major = static_cast<std::uint16_t>(version.major),
+              .minor = static_cast<std::uint8_t>(version.minor),
+              .patch = static_cast<std::uint8_t>(version.patch),
+          },
+      .clock = units::Hertz(platform::read<identity_registers::Clock>().frequency_hz),
+      .memory_bytes = platform::read<identity_registers::Memory>().size_bytes,
+      .axes = static_cast<std::uint8_t>(motion.axes),
+      .queue_depth = static_cast<std::uint16_t>(motion.queue_depth),
+      .sensors = static_cast<std::uint8_t>(thermal.sensors),
+      .heaters = static_cast<std::uint8_t>(thermal.heaters),
   };
 }
 

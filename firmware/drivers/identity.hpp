@@ -23,12 +23,12 @@ struct Identity {
   std::uint32_t memory_bytes{};
   std::uint8_t axes{};
   std::uint16_t queue_depth{};  // segments that the step generator's queue holds
-  std::uint8_t sensors{};       // channels of the temperature converter
-  std::uint8_t heaters{};       // channels of the heater control
+  std::uint8_t sensors{};  // channels of the temperature converter
+  std::uint8_t heaters{};  // channels of the heater control
 };
 
-// Nothing where the magic word is not there: then this is no StepFabric chip, and no other register of the
-// map may be trusted.
+// Nothing where the magic word is not there: then this is no StepFabric chip, and no other register
+// of the map may be trusted.
 std::optional<Identity> read_identity();
 
 }  // namespace drivers

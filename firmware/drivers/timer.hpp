@@ -8,8 +8,8 @@ namespace drivers {
 
 class Timer {
  public:
-  // Clocks since reset. Two calls must not interleave (one of them in an interrupt): the second half of
-  // one read would belong to the other.
+  // Clocks since reset. Two calls must not interleave (one of them in an interrupt): the second
+  // half of one read would belong to the other.
   units::Cycles now() const;
 
   // The timer interrupt is on from `deadline` until a later one is set; at once if it has passed.

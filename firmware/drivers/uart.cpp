@@ -49,30 +49,30 @@ bool Uart::transmit_idle() const { return platform::read<uart_registers::Status>
 UartErrors Uart::errors() const {
   const auto status = platform::read<uart_registers::Status>();
   return {
-    .overrun = status.overrun,
-    .framing_error = status.framing_error,
-    .break_condition = status.break_condition,
+      .overrun = status.overrun,
+      .framing_error = status.framing_error,
+      .break_condition = status.break_condition,
   };
 }
 
 UartErrorCounts Uart::error_counts() const {
   return {
-    .overruns = static_cast<std::uint16_t>(platform::read<uart_registers::Overruns>().count),
-    .framing_errors =
-      static_cast<std::uint16_t>(platform::read<uart_registers::FramingErrors>().count),
-    .breaks = static_cast<std::uint16_t>(platform::read<uart_registers::Breaks>().count),
+      .overruns = static_cast<std::uint16_t>(platform::read<uart_registers::Overruns>().count),
+      .framing_errors =
+          static_cast<std::uint16_t>(platform::read<uart_registers::FramingErrors>().count),
+      .breaks = static_cast<std::uint16_t>(platform::read<uart_registers::Breaks>().count),
   };
 }
 
 void Uart::clear_errors() {
   platform::write(
-    uart_registers::Clear{.overrun = true, .framing_error = true, .break_condition = true});
+      uart_registers::Clear{.overrun = true, .framing_error = true, .break_condition = true});
 }
 
 void Uart::interrupt_on(std::size_t receive_level, std::size_t transmit_space) {
   platform::write(uart_registers::Interrupts{
-    .receive_threshold = static_cast<std::uint32_t>(receive_level),
-    .transmit_threshold = static_cast<std::uint32_t>(transmit_space),
+      .receive_threshold = static_cast<std::uint32_t>(receive_level),
+      .transmit_threshold = static_cast<std::uint32_t>(transmit_space),
   });
 }
 

@@ -13,7 +13,7 @@ namespace drivers {
 
 // What went wrong on the line since the last Uart::clear_errors().
 struct UartErrors {
-  bool overrun{};        // bytes came faster than they were read, and were lost
+  bool overrun{};  // bytes came faster than they were read, and were lost
   bool framing_error{};  // a byte had no stop bit and was dropped
   bool break_condition{};
 
@@ -29,18 +29,18 @@ struct UartErrorCounts {
 
 class Uart {
  public:
-  // What the baud rate register needs for `baud`, rounded to nearest; nothing where that is less than
-  // 4 clocks per bit, or no speed at all.
+  // What the baud rate register needs for `baud`, rounded to nearest; nothing where that is less
+  // than 4 clocks per bit, or no speed at all.
   static constexpr std::optional<std::uint32_t> increment(std::uint32_t baud, units::Hertz clock) {
     if (clock.count() == 0) return std::nullopt;
     const std::uint64_t bits_per_clock =
-      ((std::uint64_t{baud} << 32) + clock.count() / 2) / clock.count();
+        ((std::uint64_t{baud} << 32) + clock.count() / 2) / clock.count();
     if (bits_per_clock == 0 || bits_per_clock > fastest_increment) return std::nullopt;
     return static_cast<std::uint32_t>(bits_per_clock);
   }
 
-  // Sets the speed; a frame under way in either direction is lost, bytes that wait are kept. False, with
-  // the line as it was, where the clock is too slow for it.
+  // Sets the speed; a frame under way in either direction is lost, bytes that wait are kept. False,
+  // with the line as it was, where the clock is too slow for it.
   [[nodiscard]] bool configure(std::uint32_t baud, units::Hertz clock);
 
   // Takes as many bytes as have come and as fit; returns how many.
@@ -57,7 +57,8 @@ class Uart {
   UartErrorCounts error_counts() const;
   void clear_errors();
 
-  // Interrupt while at least so many bytes wait, or while at least so much space is free; 0 is never.
+  // Interrupt while at least so many bytes wait, or while at least so much space is free; 0 is
+  // never.
   void interrupt_on(std::size_t receive_level, std::size_t transmit_space);
 
  private:
