@@ -29,18 +29,16 @@ bool reads_cycle(std::uint32_t instruction) {
 class InterruptWatch {
  public:
   bool is_late(const InstructionSetModel& model) const {
-    return model.interrupt_due() && unchanged_for_ >= 3 && !last_was_wait_;
+    return model.interrupt_due() && unchanged_for_ >= 3;
   }
-  void note(const Retirement& event, std::uint32_t requests) {
+  void note(std::uint32_t requests) {
     unchanged_for_ = requests == requests_ ? unchanged_for_ + 1 : 0;
     requests_ = requests;
-    last_was_wait_ = event.instruction == encode::wait_for_interrupt();
   }
 
  private:
   std::uint32_t requests_ = 0;
   unsigned unchanged_for_ = 0;
-  bool last_was_wait_ = false;
 };
 
 }  // namespace
@@ -74,11 +72,11 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
         break;
       }
     }
-    if (!event->interrupt && watch.is_late(model)) {
+    watch.note(chip.device().interrupts());
+    if (!event->interrupt && event->instruction != encode::wait_for_interrupt() && watch.is_late(model)) {
       result.difference = "an interrupt that was not taken: " + describe(*event);
       break;
     }
-    watch.note(*event, chip.device().interrupts());
     Step expected = interrupt ? *interrupt : model.step();
     if (!event->trap && reads_cycle(event->instruction)) {
       model.set_register(event->destination, event->value);
