@@ -98,6 +98,7 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
       const std::uint32_t request = 1u << random() % 32;
       chip.device().set_interrupts(chip.device().interrupts() | (request & TestDevice::interrupt_mask));
       model.device().set_interrupts(chip.device().interrupts());
+      watch.note(chip.device().interrupts());
     }
     if (settings.tohost_address != 0) {
       result.tohost = chip.word(settings.tohost_address);
