@@ -2,6 +2,11 @@
 add_subdirectory(${CMAKE_SOURCE_DIR}/tests/motion_reference ${CMAKE_BINARY_DIR}/tests/motion_reference)
 add_verilated_model(step_generator_model TOP step_generator)
 
+add_unit_test(step_generator_test
+  SOURCES step_generator_test.cpp ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp
+  LIBRARIES verilated_bus step_generator_model
+  LABELS unit drivers)
+
 add_unit_test(step_generator_reference_test
   SOURCES step_generator_reference_test.cpp
   LIBRARIES verilated_bus motion_reference step_generator_model
@@ -11,3 +16,12 @@ add_unit_test(step_generator_reference_test
 add_test(NAME step_generator_reference_slow_test COMMAND step_generator_reference_test)
 set_tests_properties(step_generator_reference_slow_test PROPERTIES
   LABELS slow TIMEOUT 1800 ENVIRONMENT STEP_GENERATOR_RUNS=500)
+
+# The VHDL in GHDL against the netlist in Verilator.
+add_executable(step_generator_edges step_generator_edges.cpp)
+target_link_libraries(step_generator_edges
+  PRIVATE strict_warnings verilated_bus motion_reference step_generator_model)
+add_test(NAME step_generator_cross_check
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/step_generator_cross_check.sh $<TARGET_FILE:step_generator_edges>
+    ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/step_generator_cross_check 0 1 2 3)
+set_tests_properties(step_generator_cross_check PROPERTIES LABELS "drivers;testbench" TIMEOUT 600)

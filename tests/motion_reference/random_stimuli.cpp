@@ -59,7 +59,7 @@ class Player {
       put(axis, registers::PulseGuard{.high = guard(), .low = guard()});
       put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
     }
-    put(registers::RateFloor{std::uint32_t{1} << (24 + below(4))});
+    put(registers::RateFloor{std::uint32_t{1} << (21 + below(7))});
     put(registers::Control{.run = true});
   }
 
@@ -176,9 +176,16 @@ class Player {
     const double acceleration = (end_rate - rate) / clocks * (chance(10) ? uniform(-3, 3) : 1);
     const double jerk = chance(50) ? 0 : uniform(-1, 1) * std::abs(acceleration) / clocks;
     put_wide<registers::SegmentRateLow, registers::SegmentRateHigh>(fixed(rate, 64));
+    const bool any = chance(5);
     put_wide<registers::SegmentAccelerationLow, registers::SegmentAccelerationHigh>(
-        fixed(acceleration, 84));
-    put_wide<registers::SegmentJerkLow, registers::SegmentJerkHigh>(fixed(jerk, 84));
+        any ? any_word() : fixed(acceleration, 84));
+    put_wide<registers::SegmentJerkLow, registers::SegmentJerkHigh>(any ? any_word()
+                                                                        : fixed(jerk, 84));
+  }
+
+  std::uint64_t any_word() {
+    const std::uint64_t high = random_();
+    return high << 32u | random_();
   }
 
   // As a number of 2^-`places`, two's complement; what does not fit becomes the largest.

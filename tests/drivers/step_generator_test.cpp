@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+// The driver of the step generator against the Verilated hardware: counts, guards, stops, refusals.
+#include "drivers/step_generator.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Vstep_generator.h>
+
+#include <random>
+
+#include "drivers/registers/step_generator_registers.hpp"
+#include "tests/drivers/pulse_recorder.hpp"
+#include "tests/drivers/verilated_bus.hpp"
+
+namespace {
+
+using drivers::GuardTimings;
+using drivers::StepGenerator;
+using motion::Segment;
+using testing::ElementsAre;
+using units::Axis;
+
+constexpr std::uint64_t half = std::uint64_t{1} << 63u;
+constexpr std::uint32_t no_floor = 1;
+constexpr GuardTimings shortest{1, 1, 1, 1};
+
+// Ticks per clock as the hardware has it.
+constexpr std::uint64_t rate(double ticks_per_clock) {
+  return static_cast<std::uint64_t>(ticks_per_clock * 18446744073709551616.0);
+}
+
+class StepGeneratorTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    chip_.after_clock = [this] { pulses_.watch(chip_.now(), chip_->step, chip_->direction); };
+    use(shortest);
+  }
+
+  void use(const GuardTimings& guard) {
+    generator_.configure({guard, guard, guard, guard}, no_floor);
+  }
+
+  // A whole line at a constant rate.
+  static Segment line(std::array<std::int32_t, 4> steps, std::uint64_t at_rate = half) {
+    Segment segment{.steps = steps, .rate = at_rate};
+    for (const std::int32_t count : steps) {
+      const auto magnitude = static_cast<std::uint32_t>(std::abs(count));
+      segment.line_ticks = std::max(segment.line_ticks, magnitude);
+    }
+    segment.ticks = segment.line_ticks;
+    segment.ends_motion = true;
+    return segment;
+  }
+
+  void append(const Segment& segment) { ASSERT_TRUE(generator_.append(segment)); }
+
+  void run_until_idle() {
+    for (int i = 0; i < 100000 && !generator_.idle(); ++i) chip_.clock(10);
+    ASSERT_TRUE(generator_.idle());
+  }
+
+  tests::VerilatedPeripheral<Vstep_generator> chip_{registers::step_generator::base};
+  StepGenerator generator_;
+  tests::PulseRecorder pulses_;
+};
+
+TEST_F(StepGeneratorTest, makes_exactly_the_steps_of_a_line) {
+  append(line({100, -37, 0, 1}));
+  run_until_idle();
+  EXPECT_THAT(generator_.snapshot().positions, ElementsAre(100, -37, 0, 1));
+  EXPECT_THAT(pulses_.counts(), ElementsAre(100, 37, 0, 1, 0));
+}
+
+TEST_F(StepGeneratorTest, steps_every_second_clock_on_every_axis_at_the_shortest_guard) {
+  append(line({1000, 1000, 1000, 1000}));
+  run_until_idle();
+  EXPECT_THAT(pulses_.counts(), ElementsAre(1000, 1000, 1000, 1000, 0));
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    EXPECT_EQ(pulses_.axis(axis).shortest_period, 2);
+    EXPECT_EQ(pulses_.axis(axis).longest_period, 2);
+  }
+  EXPECT_EQ(generator_.counters().stall_clocks, 0);
+}
+
+TEST_F(StepGeneratorTest, joins_segments_of_one_tick_at_full_rate_without_a_dead_clock) {
+  generator_.permit_motion(false);
+  for (int i = 0; i < 32; ++i) append(line({1, -1, 1, -1}));
+  generator_.permit_motion(true);
+  run_until_idle();
+  EXPECT_THAT(pulses_.counts(), ElementsAre(32, 32, 32, 32, 0));
+  EXPECT_EQ(pulses_.axis(0).longest_period, 2);
+  EXPECT_EQ(generator_.counters().max_level, 32);
+}
+
+TEST_F(StepGeneratorTest, reverses_at_full_rate_without_a_dead_clock_at_the_shortest_guard) {
+  generator_.permit_motion(false);
+  for (int i = 0; i < 32; ++i) append(line({i % 2 == 0 ? 1 : -1, 1, 0, 0}));
+  generator_.permit_motion(true);
+  run_until_idle();
+  EXPECT_EQ(pulses_.axis(0).longest_period, 2);
+  EXPECT_EQ(generator_.counters().stall_clocks, 0);
+  EXPECT_THAT(generator_.snapshot().positions, ElementsAre(0, 32, 0, 0));
+}
+
+TEST_F(StepGeneratorTest, delays_all_axes_rather_than_violate_the_guard_of_one) {
+  const GuardTimings guard = GuardTimings::of(drivers::a4988, units::Hertz{50'000'000});
+  use(guard);
+  generator_.permit_motion(false);
+  for (int i = 0; i < 10; ++i) append(line({i % 2 == 0 ? 7 : -7, 3, 0, 0}));
+  generator_.permit_motion(true);
+  run_until_idle();
+  EXPECT_THAT(pulses_.counts(), ElementsAre(70, 30, 0, 0, 0));
+  EXPECT_EQ(pulses_.axis(0).shortest_high, guard.high);
+  EXPECT_GE(pulses_.axis(0).shortest_low, guard.low);
+  EXPECT_GE(pulses_.axis(0).shortest_setup, guard.direction_setup);
+  EXPECT_GE(pulses_.axis(0).shortest_hold, guard.direction_hold);
+  EXPECT_GT(generator_.counters().axis_stall_clocks[0], 0);
+  EXPECT_EQ(generator_.counters().axis_stall_clocks[2], 0);
+}
+
+TEST_F(StepGeneratorTest, keeps_a_line_straight_over_all_its_segments) {
+  Segment part = line({90, 60, 30, 0}, half / 4);
+  part.ends_motion = false;
+  part.ticks = 13;
+  append(part);
+  part.continues_line = true;
+  part.ticks = 31;
+  part.rate = half / 3;
+  append(part);
+  part.ticks = 46;
+  part.ends_motion = true;
+  append(part);
+  run_until_idle();
+  EXPECT_THAT(generator_.snapshot().positions, ElementsAre(90, 60, 30, 0));
+  EXPECT_EQ(generator_.counters().underruns, 0);
+}
+
+TEST_F(StepGeneratorTest, counts_an_underrun_only_where_motion_was_to_go_on) {
+  Segment segment = line({5, 0, 0, 0});
+  append(segment);
+  run_until_idle();
+  EXPECT_EQ(generator_.counters().underruns, 0);
+  segment.ends_motion = false;
+  append(segment);
+  run_until_idle();
+  EXPECT_EQ(generator_.counters().underruns, 1);
+  EXPECT_EQ(generator_.snapshot().positions[0], 10);
+}
+
+TEST_F(StepGeneratorTest, refuses_segments_that_cannot_be_executed_and_takes_the_next_good_one) {
+  Segment no_ticks = line({5, 0, 0, 0});
+  no_ticks.ticks = 0;
+  EXPECT_FALSE(generator_.append(no_ticks));
+  Segment too_many_ticks = line({5, 0, 0, 0});
+  too_many_ticks.ticks = 6;
+  EXPECT_FALSE(generator_.append(too_many_ticks));
+  Segment too_many_steps = line({5, 0, 0, 0});
+  too_many_steps.steps[3] = -6;
+  EXPECT_FALSE(generator_.append(too_many_steps));
+  EXPECT_FALSE(generator_.append(line({5, 0, 0, 0}, half + 1)));
+  Segment line_of_none = line({5, 0, 0, 0});
+  line_of_none.continues_line = true;
+  EXPECT_FALSE(generator_.append(line_of_none));
+  EXPECT_EQ(generator_.queued_segments(), 0);
+  append(line({5, 0, 0, 0}));
+  run_until_idle();
+  EXPECT_THAT(pulses_.counts(), ElementsAre(5, 0, 0, 0, 0));
+}
+
+TEST_F(StepGeneratorTest, refuses_more_ticks_than_are_left_of_a_line) {
+  Segment part = line({10, 0, 0, 0});
+  part.ticks = 7;
+  append(part);
+  part.continues_line = true;
+  part.ticks = 4;
+  EXPECT_FALSE(generator_.append(part));
+  part.ticks = 3;
+  append(part);
+  run_until_idle();
+  EXPECT_EQ(generator_.snapshot().positions[0], 10);
+}
+
+TEST_F(StepGeneratorTest, refuses_a_segment_when_the_queue_is_full) {
+  generator_.permit_motion(false);
+  for (std::uint32_t i = 0; i < generator_.queue_depth(); ++i) append(line({1, 0, 0, 0}));
+  EXPECT_EQ(generator_.free_segments(), 0);
+  EXPECT_FALSE(generator_.append(line({1, 0, 0, 0})));
+  generator_.permit_motion(true);
+  run_until_idle();
+  EXPECT_EQ(pulses_.counts()[0], generator_.queue_depth());
+}
+
+TEST_F(StepGeneratorTest, stops_at_an_end_stop_and_keeps_position_and_time_until_acknowledged) {
+  Segment segment = line({1000, 500, 0, 0}, rate(0.01));
+  segment.stop_mask = 0b100;
+  append(segment);
+  append(line({1000, 0, 0, 0}));
+  chip_->end_stops = 0b011;  // not asked for
+  chip_.clock(5000);
+  EXPECT_FALSE(generator_.stop_state().stopped);
+  chip_->end_stops = 0b111;
+  const std::uint64_t hit = chip_.now();
+  const auto pulses_at_hit = pulses_.counts();
+  chip_.clock(1000);
+  EXPECT_EQ(pulses_.counts(), pulses_at_hit);
+  const auto stop = generator_.stop_state();
+  EXPECT_TRUE(stop.stopped);
+  EXPECT_EQ(stop.end_stops, 0b100);
+  EXPECT_EQ(stop.clock, hit);
+  EXPECT_EQ(stop.positions[0], pulses_at_hit[0]);
+  EXPECT_EQ(stop.positions[1], pulses_at_hit[1]);
+  EXPECT_EQ(generator_.queued_segments(), 0);
+  EXPECT_FALSE(generator_.append(line({1, 0, 0, 0})));
+  generator_.acknowledge_stop();
+  append(line({1, 0, 0, 0}));
+  run_until_idle();
+  EXPECT_EQ(generator_.snapshot().positions[0], stop.positions[0] + 1);
+}
+
+TEST_F(StepGeneratorTest, stops_when_software_asks) {
+  generator_.enable_stop_interrupt(true);
+  append(line({1000, 0, 0, 0}, rate(0.02)));
+  chip_.clock(3000);
+  generator_.stop();
+  const auto pulses_at_stop = pulses_.counts();
+  chip_.clock(1000);
+  EXPECT_EQ(pulses_.counts(), pulses_at_stop);
+  EXPECT_TRUE(generator_.stop_state().software);
+  EXPECT_TRUE(chip_->stop_interrupt);
+  generator_.acknowledge_stop();
+  chip_.clock(2);
+  EXPECT_FALSE(chip_->stop_interrupt);
+  EXPECT_FALSE(generator_.moving());
+}
+
+TEST_F(StepGeneratorTest, stays_stopped_while_the_emergency_stop_is_active) {
+  chip_->emergency_stop = 1;
+  chip_.clock(2);
+  EXPECT_TRUE(generator_.stop_state().emergency_input);
+  generator_.acknowledge_stop();
+  EXPECT_TRUE(generator_.stop_state().stopped);
+  chip_->emergency_stop = 0;
+  EXPECT_TRUE(generator_.stop_state().stopped);
+  generator_.acknowledge_stop();
+  EXPECT_FALSE(generator_.stop_state().stopped);
+}
+
+TEST_F(StepGeneratorTest, takes_a_position_only_when_idle) {
+  EXPECT_TRUE(generator_.set_position(Axis::z, -12345));
+  append(line({0, 0, 1000, 0}, rate(0.01)));
+  chip_.clock(1000);
+  EXPECT_FALSE(generator_.set_position(Axis::z, 0));
+  run_until_idle();
+  EXPECT_EQ(generator_.snapshot().positions[2], -12345 + 1000);
+}
+
+TEST_F(StepGeneratorTest, takes_a_snapshot_of_one_instant) {
+  append(line({1000, 1000, 1000, 1000}, rate(0.05)));
+  chip_.clock(1234);
+  const auto first = generator_.snapshot();
+  EXPECT_GT(first.positions[0], 0);
+  EXPECT_THAT(first.positions, testing::Each(first.positions[0]));
+  const auto second = generator_.snapshot();
+  EXPECT_GT(second.clock, first.clock);
+  run_until_idle();
+}
+
+TEST_F(StepGeneratorTest, asks_for_more_at_the_threshold_of_the_queue) {
+  generator_.permit_motion(false);
+  generator_.enable_queue_interrupt(2);
+  for (int i = 0; i < 2; ++i) append(line({1, 0, 0, 0}));
+  EXPECT_TRUE(chip_->queue_interrupt);
+  append(line({1, 0, 0, 0}));
+  EXPECT_FALSE(chip_->queue_interrupt);
+  generator_.permit_motion(true);
+  run_until_idle();
+  EXPECT_TRUE(chip_->queue_interrupt);
+  generator_.disable_queue_interrupt();
+  chip_.clock(2);
+  EXPECT_FALSE(chip_->queue_interrupt);
+}
+
+TEST_F(StepGeneratorTest, forgets_the_queue_but_finishes_the_segment_when_flushed) {
+  append(line({50, 0, 0, 0}, rate(0.01)));
+  append(line({50, 0, 0, 0}));
+  chip_.clock(100);
+  generator_.flush();
+  run_until_idle();
+  EXPECT_EQ(generator_.snapshot().positions[0], 50);
+}
+
+TEST_F(StepGeneratorTest, enables_motors_one_by_one) {
+  generator_.enable_motor(Axis::y, true);
+  generator_.enable_motor(Axis::e, true);
+  EXPECT_EQ(chip_->enable, 0b1010);
+  generator_.enable_motor(Axis::y, false);
+  EXPECT_EQ(chip_->enable, 0b1000);
+  EXPECT_TRUE(generator_.motor_enabled(Axis::e));
+}
+
+TEST_F(StepGeneratorTest, never_comes_to_a_halt_below_the_rate_floor) {
+  constexpr std::uint32_t floor = 1u << 22u;  // 2^-10 ticks per clock
+  generator_.configure({shortest, shortest, shortest, shortest}, floor);
+  Segment braking = line({100, 0, 0, 0}, rate(1.0 / 256));
+  braking.acceleration = -(std::int64_t{1} << 62);  // at rest within 16384 clocks, 32 ticks
+  append(braking);
+  run_until_idle();
+  EXPECT_EQ(generator_.snapshot().positions[0], 100);
+  EXPECT_EQ(pulses_.axis(0).longest_period, 1024);
+}
+
+TEST_F(StepGeneratorTest, makes_the_steps_of_many_random_lines_exactly) {
+  std::mt19937 random(1);
+  std::array<std::int64_t, 4> expected{};
+  for (int i = 0; i < 1000; ++i) {
+    while (generator_.free_segments() == 0) chip_.clock(10);
+    std::array<std::int32_t, 4> steps{};
+    for (std::size_t axis = 0; axis < steps.size(); ++axis) {
+      steps[axis] = static_cast<std::int32_t>(random() % 81) - 40;
+      expected[axis] += steps[axis];
+    }
+    if (steps == decltype(steps){}) continue;
+    append(line(steps, half >> (random() % 5u)));
+  }
+  run_until_idle();
+  const auto positions = generator_.snapshot().positions;
+  for (std::size_t axis = 0; axis < expected.size(); ++axis) {
+    EXPECT_EQ(positions[axis], expected[axis]);
+    EXPECT_EQ(pulses_.axis(axis).forward - pulses_.axis(axis).backward, expected[axis]);
+  }
+}
+
+}  // namespace
