@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every instruction takes the clocks that the table in rtl/processor/README.md says, behind every other.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/processor/chip.hpp"
+#include "tests/processor/encode.hpp"
+
+namespace processor {
+namespace {
+
+using encode::Word;
+
+constexpr Word data_base = 31, bus_base = 30, late_result = 5, place_address = 28;
+constexpr Word program_words = 64;
+
+// The rows `| name | clocks |` of the table.
+std::map<std::string, unsigned> read_table() {
+  std::ifstream file(PROJECT_DIRECTORY "/rtl/processor/README.md");
+  std::map<std::string, unsigned> table;
+  const std::regex row(R"(\| ([^|]+) \| (\d+) \|.*)");
+  std::string line;
+  std::smatch match;
+  while (std::getline(file, line)) {
+    if (std::regex_match(line, match, row)) table[match[1]] = static_cast<unsigned>(std::stoul(match[2]));
+  }
+  return table;
+}
+
+// An instruction that goes on with the next word, whatever it is. `late_result` is what it writes.
+struct Kind {
+  const char* row;
+  Word word;
+  bool late = false;
+  // It reads mepc, mtvec or place_address as the next instruction's address.
+  bool placed = false;
+};
+
+const std::vector<Kind> kinds{
+    {"arithmetic and logic", encode::add_immediate(1, 2, 3)},
+    {"arithmetic and logic", encode::operation(5, 0x20, 1, 2, 3)},
+    {"arithmetic and logic", encode::load_upper(1, 0x12345000)},
+    {"arithmetic and logic", encode::add_upper_to_pc(1, 0x1000)},
+    {"arithmetic and logic", encode::fence()},
+    {"multiplication", encode::operation(0, 1, late_result, 2, 3), true},
+    {"multiplication", encode::operation(1, 1, late_result, 2, 3), true},
+    {"multiplication", encode::operation(2, 1, late_result, 2, 3), true},
+    {"multiplication", encode::operation(3, 1, late_result, 2, 3), true},
+    {"division", encode::operation(4, 1, late_result, 2, 3), true},
+    {"division", encode::operation(5, 1, late_result, 3, 2), true},
+    {"division", encode::operation(6, 1, late_result, 2, 0), true},
+    {"division", encode::operation(7, 1, late_result, 0, 0), true},
+    {"load from memory", encode::load(0, late_result, data_base, 3), true},
+    {"load from memory", encode::load(1, late_result, data_base, 2), true},
+    {"load from memory", encode::load(2, late_result, data_base, 4), true},
+    {"load from memory", encode::load(5, late_result, data_base, 8), true},
+    {"store to memory", encode::store(0, 2, data_base, 1)},
+    {"store to memory", encode::store(2, 2, data_base, 4)},
+    {"load from a peripheral", encode::load(2, late_result, bus_base, 4), true},
+    {"store to a peripheral", encode::store(2, 2, bus_base, 8)},
+    {"branch, not taken", encode::branch(1, 0, 0, 4)},
+    {"branch, not taken", encode::branch(4, 2, 2, 4)},
+    {"branch, taken", encode::branch(0, 0, 0, 4)},
+    {"branch, taken", encode::branch(7, 2, 2, 4)},
+    {"jump", encode::jump_and_link(1, 4)},
+    {"fence.i", encode::fence_i()},
+    {"CSR instruction", encode::csr(1, late_result, 0x340, 2), true},
+    {"CSR instruction", encode::csr(6, late_result, 0x300, 0), true},
+    {"jump", encode::jump_and_link_register(1, place_address, 0), false, true},
+    {"mret", encode::trap_return(), false, true},
+    {"exception", encode::environment_call(), false, true},
+    {"exception", 0, false, true},
+    {"exception", encode::load(2, late_result, data_base, 1), false, true},
+};
+
+std::vector<std::uint8_t> bytes_of(const std::vector<Word>& words) {
+  std::vector<std::uint8_t> bytes;
+  for (const Word word : words) {
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
+  return bytes;
+}
+
+// Ends at word program_words - 8 with the instructions under test behind it; returns them all.
+std::vector<Word> program_with(const std::vector<Word>& tested, Word next_address) {
+  std::vector<Word> program{encode::load_upper(data_base, 0x8000C000),
+                            encode::load_upper(bus_base, 0xF0000000),
+                            encode::load_upper(place_address, Chip::memory_base),
+                            encode::add_immediate(place_address, place_address,
+                                                  static_cast<std::int32_t>(next_address & 0xFFF)),
+                            encode::csr(1, 0, 0x341, place_address),
+                            encode::csr(1, 0, 0x305, place_address),
+                            encode::add_immediate(2, 0, -77),
+                            encode::add_immediate(3, 0, 5)};
+  program.resize(program_words, encode::nop());
+  program.insert(program.end(), tested.begin(), tested.end());
+  program.resize(program.size() + 8, encode::nop());
+  return program;
+}
+
+std::uint64_t clock_at(Chip& chip, Word address) {
+  while (const auto event = chip.next_retirement()) {
+    if (!event->trap && event->address == address) return event->clock;
+  }
+  return 0;
+}
+
+// The clocks of the instructions together, of which the last may be one that needs its next's address.
+unsigned measure(const std::vector<Word>& tested) {
+  const Word first = Chip::memory_base + 4 * program_words;
+  const Word next = first + 4 * static_cast<Word>(tested.size());
+  Chip chip(bytes_of(program_with(tested, next)));
+  const std::uint64_t before = clock_at(chip, first - 4);
+  const std::uint64_t after = clock_at(chip, next);
+  return static_cast<unsigned>(after - before - 1);
+}
+
+TEST(Timing, each_instruction_takes_its_clocks) {
+  const auto table = read_table();
+  for (const auto& kind : kinds) {
+    ASSERT_TRUE(table.contains(kind.row)) << kind.row;
+    EXPECT_EQ(measure({kind.word}), table.at(kind.row)) << kind.row << std::hex << " " << kind.word;
+  }
+}
+
+TEST(Timing, an_instruction_behind_another_takes_its_own_clocks) {
+  const auto table = read_table();
+  for (const auto& first : kinds) {
+    if (first.placed) continue;
+    for (const auto& second : kinds) {
+      EXPECT_EQ(measure({first.word, second.word}), table.at(first.row) + table.at(second.row))
+          << first.row << ", " << second.row << std::hex << " " << first.word << " " << second.word;
+    }
+  }
+}
+
+TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {
+  const auto table = read_table();
+  const unsigned wait = table.at("late result read by the next instruction");
+  const unsigned one = table.at("arithmetic and logic");
+  const std::vector<Word> readers{
+      encode::operation(0, 0, 1, late_result, 2), encode::operation(0, 0, 1, 2, late_result),
+      encode::add_immediate(late_result, late_result, 1), encode::store(2, late_result, data_base, 0),
+      encode::branch(1, late_result, late_result, 4)};
+  for (const auto& kind : kinds) {
+    if (kind.placed) continue;
+    for (const Word reader : readers) {
+      EXPECT_EQ(measure({kind.word, reader}), table.at(kind.row) + one + (kind.late ? wait : 0)) << kind.row;
+      EXPECT_EQ(measure({kind.word, encode::nop(), reader}), table.at(kind.row) + 2 * one) << kind.row;
+    }
+    // The same bits as a constant are no reading.
+    EXPECT_EQ(measure({kind.word, encode::load_upper(1, late_result << 15 | late_result << 20)}),
+              table.at(kind.row) + one);
+    EXPECT_EQ(measure({kind.word, encode::csr(6, 1, 0x340, late_result)}),
+              table.at(kind.row) + table.at("CSR instruction"));
+    EXPECT_EQ(measure({kind.word, encode::add_immediate(1, 2, late_result)}), table.at(kind.row) + one);
+  }
+}
+
+TEST(Timing, values_do_not_matter) {
+  const auto table = read_table();
+  for (const Word funct3 : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u}) {
+    for (const Word first : {0u, 2u, 3u, 30u, 31u}) {
+      for (const Word second : {0u, 2u, 3u, 30u, 31u}) {
+        EXPECT_EQ(measure({encode::operation(funct3, 1, 1, first, second)}),
+                  table.at(funct3 < 4 ? "multiplication" : "division"));
+      }
+    }
+  }
+}
+
+// From the clock in which the request is there to the completion of the handler's first instruction.
+unsigned latency(Word running, unsigned delay) {
+  const Word loop = Chip::memory_base + 4 * program_words;
+  const Word handler = loop + 4 * 4;
+  auto program = program_with({running, encode::nop(), encode::jump_and_link(0, -8), encode::nop()}, handler);
+  program[20] = encode::csr(1, 0, 0x304, 2);
+  program[21] = encode::csr(6, 0, 0x300, 8);
+  Chip chip(bytes_of(program));
+  clock_at(chip, loop);
+  for (unsigned count = 0; count < delay; ++count) chip.clock();
+  const std::uint64_t begin = chip.clocks();
+  chip.device().set_interrupts(1u << 31);
+  return static_cast<unsigned>(clock_at(chip, handler) - begin);
+}
+
+TEST(Timing, an_interrupt_is_answered_in_its_clocks_whatever_is_executed) {
+  const auto table = read_table();
+  const unsigned clocks = table.at("interrupt");
+  const unsigned bus_wait = table.at("interrupt during a peripheral access, at most more");
+  for (const auto& kind : kinds) {
+    if (kind.placed) continue;
+    const std::string row = kind.row;
+    const bool on_bus = row.find("peripheral") != std::string::npos;
+    for (unsigned delay = 0; delay < 40; ++delay) {
+      const unsigned measured = latency(kind.word, delay);
+      EXPECT_GE(measured, clocks) << row << " " << delay;
+      EXPECT_LE(measured, clocks + (on_bus ? bus_wait : 0)) << row << " " << delay;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace processor
