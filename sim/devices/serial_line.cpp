@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bits on the wire in both directions; every bit time is counted from its start bit, so none drifts.
+// Bits on the wire in both directions; bit times are counted from the first start bit after a pause, so
+// that no rounding adds up.
 #include "sim/devices/serial_line.hpp"
 
 #include <algorithm>
@@ -19,14 +20,16 @@ SerialLine::SerialLine(sim::ClockRate rate, std::uint32_t baud, sim::InputPins& 
 void SerialLine::send(sim::Clock now, std::string_view bytes) {
   waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
   if (!sending_ && !waiting_.empty()) {
+    send_start_ = now;
+    frames_since_start_ = 0;
     start_frame(now);
   }
   schedule();
 }
 
-sim::Clock SerialLine::after_half_bits(sim::Clock start, unsigned half_bits) const {
+sim::Clock SerialLine::after_half_bits(sim::Clock start, std::uint64_t half_bits) const {
   const std::uint64_t per_half_bit = std::uint64_t{2} * baud_;
-  return start + (std::uint64_t{half_bits} * rate_.hertz() + per_half_bit / 2) / per_half_bit;
+  return start + (half_bits * rate_.hertz() + per_half_bit / 2) / per_half_bit;
 }
 
 void SerialLine::schedule() { next_wake_ = std::min(send_at_, receive_at_); }
@@ -42,7 +45,6 @@ void SerialLine::start_frame(sim::Clock now) {
   send_frame_ = static_cast<std::uint16_t>((byte << 1) | (1U << (frame_bits - 1)));
   sending_ = true;
   sent_bits_ = 0;
-  send_start_ = now;
   drive_next_bit(now);
 }
 
@@ -50,6 +52,7 @@ void SerialLine::start_frame(sim::Clock now) {
 void SerialLine::drive_next_bit(sim::Clock now) {
   if (sent_bits_ == frame_bits) {
     ++bytes_sent_;
+    ++frames_since_start_;
     if (waiting_.empty()) {
       sending_ = false;
       send_at_ = sim::never;
@@ -66,7 +69,7 @@ void SerialLine::drive_next_bit(sim::Clock now) {
   do {
     ++sent_bits_;
   } while (sent_bits_ < frame_bits && ((send_frame_ >> sent_bits_ & 1) != 0) == level);
-  send_at_ = after_half_bits(send_start_, 2 * sent_bits_);
+  send_at_ = after_half_bits(send_start_, 2 * (frames_since_start_ * frame_bits + sent_bits_));
 }
 
 void SerialLine::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {

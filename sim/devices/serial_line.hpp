@@ -51,7 +51,7 @@ class SerialLine : public sim::Device {
   std::uint64_t framing_errors() const { return framing_errors_; }
 
  private:
-  sim::Clock after_half_bits(sim::Clock start, unsigned half_bits) const;
+  sim::Clock after_half_bits(sim::Clock start, std::uint64_t half_bits) const;
   void schedule();
   void start_frame(sim::Clock now);
   void drive_next_bit(sim::Clock now);
@@ -68,7 +68,8 @@ class SerialLine : public sim::Device {
   bool sending_ = false;
   unsigned sent_bits_ = 0;       // of the frame on the wire
   std::uint16_t send_frame_ = 0;  // start bit lowest
-  sim::Clock send_start_ = 0, send_at_ = sim::never;
+  sim::Clock send_start_ = 0, send_at_ = sim::never;  // start: of frames without a pause between
+  std::uint64_t frames_since_start_ = 0;
 
   bool transmit_level_ = true;  // the chip's pin
   bool receiving_ = false;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes cross the simulated line in both directions, at baud rates that do not divide the clock.
+#include "sim/devices/serial_line.hpp"
+
+#include <gmock/gmock.h>
+
+#include "sim/simulation/simulation.hpp"
+#include "tests/sim/fake_chip.hpp"
+
+namespace {
+
+struct Bytes : devices::ByteListener {
+  void byte_received(sim::Clock, std::uint8_t byte) override { text += static_cast<char>(byte); }
+  std::string text;
+};
+
+TEST(SerialLine, brings_every_byte_to_the_chip_and_back) {
+  tests::FakeChip chip(16);
+  const sim::ClockRate rate(4'000'000);
+  sim::Simulation simulation(chip, rate);
+  devices::SerialLine line(rate, 250'000, chip.inputs());
+  Bytes bytes;
+  line.set_listener(bytes);
+  simulation.attach(line, sim::OutputPins::transmit_pin());
+  std::string all;
+  for (int byte = 1; byte < 256; ++byte) {
+    if (byte != '\n') {
+      all += static_cast<char>(byte);
+    }
+  }
+  chip.firmware = [](const std::string& text) { return "<" + text + ">"; };
+  line.send(0, all + "\n");
+  simulation.run_until(200'000);
+  EXPECT_EQ(bytes.text, "<" + all + ">");
+  EXPECT_EQ(line.bytes_sent(), 255U);
+  EXPECT_EQ(line.framing_errors(), 0U);
+}
+
+TEST(SerialLine, keeps_its_baud_rate_over_long_texts_where_it_does_not_divide_the_clock) {
+  tests::FakeChip chip(35);  // 34.72 clocks per bit
+  const sim::ClockRate rate(4'000'000);
+  sim::Simulation simulation(chip, rate);
+  devices::SerialLine line(rate, 115'200, chip.inputs());
+  simulation.attach(line, sim::OutputPins::transmit_pin());
+  sim::Clock came_at = 0;
+  chip.firmware = [&](const std::string& text) {
+    EXPECT_EQ(text, std::string(500, 'U'));
+    came_at = chip.now();
+    return std::string();
+  };
+  line.send(0, std::string(500, 'U') + "\n");
+  simulation.run_until(400'000);
+  const double middle_of_last_stop_bit = (501 * 10 - 0.5) * 4e6 / 115'200;
+  EXPECT_NEAR(static_cast<double>(came_at), middle_of_last_stop_bit, 5);
+}
+
+TEST(SerialLine, counts_a_frame_without_stop_bit_and_delivers_nothing) {
+  tests::FakeChip chip(16);
+  const sim::ClockRate rate(4'000'000);
+  sim::Simulation simulation(chip, rate);
+  devices::SerialLine line(rate, 250'000, chip.inputs());
+  Bytes bytes;
+  line.set_listener(bytes);
+  simulation.attach(line, sim::OutputPins::transmit_pin());
+  chip.plan(100, sim::OutputPins::transmit_bit, false);
+  chip.plan(100 + 16 * 12, sim::OutputPins::transmit_bit, true);
+  simulation.run_until(1000);
+  EXPECT_EQ(line.framing_errors(), 1U);
+  EXPECT_EQ(bytes.text, "");
+}
+
+TEST(SerialLine, spoils_the_share_of_bytes_that_it_is_asked_to_and_repeats_it_by_the_seed) {
+  const auto received = [](std::uint64_t seed) {
+    tests::FakeChip chip(16);
+    const sim::ClockRate rate(4'000'000);
+    sim::Simulation simulation(chip, rate);
+    devices::SerialLine line(rate, 250'000, chip.inputs(), {0.1, seed});
+    simulation.attach(line, sim::OutputPins::transmit_pin());
+    std::string text;
+    chip.firmware = [&](const std::string& came) {
+      text += came;
+      return std::string();
+    };
+    line.send(0, std::string(1000, 'U') + "\n");
+    simulation.run_until(200'000);
+    EXPECT_GT(line.bytes_corrupted(), 60U);
+    EXPECT_LT(line.bytes_corrupted(), 140U);
+    return text;
+  };
+  EXPECT_EQ(received(7), received(7));
+  EXPECT_NE(received(7), received(8));
+}
+
+}  // namespace
