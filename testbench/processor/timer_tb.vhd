@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The timer counts every clock, is read without tearing, and interrupts exactly from its deadline on.
+-- The timer counts every clock, is read without tearing, and interrupts exactly from its deadline
+-- on.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -129,7 +130,8 @@ begin
     wait for 100 ns;
     forgets_its_deadline_at_reset : assert timer_interrupt = '0' report "interrupt" severity error;
     read_time;
-    begins_anew : assert now_cycles = strobe_clocks + 1 report to_hstring(now_cycles) severity error;
+    begins_anew : assert now_cycles = strobe_clocks + 1 report to_hstring(now_cycles)
+      severity error;
 
     -- Tearing: the low half overflows around the two reads, at every distance.
     for distance in 0 to 12 loop

@@ -1,0 +1,68 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Events are counted over the edge of the halves; a write takes the place of a count.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity event_counter_tb is
+end entity;
+
+architecture tb of event_counter_tb is
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal happens, write_low, write_high : std_ulogic := '0';
+  signal write_data : word_t := (others => '0');
+  signal count : unsigned(63 downto 0);
+
+begin
+
+  clk <= not clk after 5 ns;
+
+  uut : entity work.event_counter
+    port map (
+      clk => clk,
+      reset => reset,
+      happens => happens,
+      write_low => write_low,
+      write_high => write_high,
+      write_data => write_data,
+      count => count);
+
+  check : process
+    procedure clock is
+    begin
+      wait until rising_edge(clk);
+      wait for 1 ns;
+    end procedure;
+  begin
+    clock;
+    reset <= '0';
+    assert count = 0 severity failure;
+    happens <= '1';
+    for index in 1 to 5 loop
+      clock;
+    end loop;
+    assert count = 5 severity failure;
+    write_low <= '1';
+    write_data <= x"ffffffff";
+    clock;
+    write_low <= '0';
+    assert count = x"00000000ffffffff" severity failure;
+    clock;
+    assert count = x"0000000100000000" severity failure;
+    write_high <= '1';
+    write_data <= x"00000007";
+    clock;
+    write_high <= '0';
+    assert count = x"0000000700000000" severity failure;
+    happens <= '0';
+    clock;
+    assert count = x"0000000700000000" severity failure;
+    std.env.finish;
+  end process;
+
+end architecture;
