@@ -1,0 +1,192 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The axis shares out ticks exactly, keeps every guard time, and says when it is not ready.
+
+library ieee;
+use ieee.math_real.all;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+library std;
+use std.env.finish;
+
+use work.step_generator_pkg.all;
+
+entity axis_stepper_tb is
+end entity;
+
+architecture simulation of axis_stepper_tb is
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal guard : guard_t := guard_after_reset;
+  signal begin_line : std_ulogic := '0';
+  signal steps : ticks_t := (others => '0');
+  signal backward : std_ulogic := '0';
+  signal line_ticks : ticks_t := (others => '0');
+  signal due : std_ulogic := '0';
+  signal ready : std_ulogic;
+  signal tick : std_ulogic;
+  signal step : std_ulogic;
+  signal direction : std_ulogic;
+  signal busy : std_ulogic;
+  signal position : position_t;
+  signal set_position : std_ulogic := '0';
+  signal new_position : position_t := (others => '0');
+  signal stalls : count_t;
+  signal pulses : natural;
+
+begin
+
+  clk <= not clk after 10 ns;
+  tick <= due and ready;
+
+  axis : entity work.axis_stepper
+    port map (
+      clk => clk, reset => reset, guard => guard, begin_line => begin_line, steps => steps,
+      backward => backward, line_ticks => line_ticks, due => due, ready => ready, tick => tick,
+      step => step, direction => direction, busy => busy, position => position,
+      set_position => set_position, new_position => new_position, stalls => stalls);
+
+  monitor : entity work.pulse_monitor
+    port map (
+      clk => clk, reset => reset, guard => guard, step => step, direction => direction,
+      position => position, set_position => set_position, new_position => new_position,
+      pulses => pulses);
+
+  test : process
+    variable seed_1 : positive := 1;
+    variable seed_2 : positive := 1;
+
+    impure function random(least, most : natural) return natural is
+      variable value : real;
+    begin
+      uniform(seed_1, seed_2, value);
+      return least + integer(floor(value * real(most - least + 1)));
+    end function;
+
+    procedure clocks(count : natural) is
+    begin
+      for i in 1 to count loop
+        wait until rising_edge(clk);
+      end loop;
+    end procedure;
+
+    procedure start_line(count, of_ticks : natural; negative : std_ulogic) is
+    begin
+      steps <= to_unsigned(count, 31);
+      backward <= negative;
+      begin_line <= '1';
+      wait until rising_edge(clk);
+      line_ticks <= to_unsigned(of_ticks, 31);
+      begin_line <= '0';
+      wait until rising_edge(clk);
+    end procedure;
+
+    -- A tick as soon as the axis is ready, and the clock after it.
+    procedure make_tick is
+    begin
+      due <= '1';
+      wait until rising_edge(clk) and ready = '1';
+      due <= '0';
+      wait until rising_edge(clk);
+    end procedure;
+
+    procedure set_guard(high, low, setup, hold : natural) is
+    begin
+      clocks(20);
+      guard <= (
+        high => to_unsigned(high, 12), low => to_unsigned(low, 12),
+        direction_setup => to_unsigned(setup, 12), direction_hold => to_unsigned(hold, 12));
+    end procedure;
+
+    variable pulses_before : natural;
+    variable position_before : position_t;
+    variable stalls_before : count_t;
+    variable count : natural;
+    variable of_ticks : natural;
+    variable negative : std_ulogic;
+  begin
+    clocks(2);
+    reset <= '0';
+
+    -- Every tick a step, every second clock, at the shortest guard; also where the direction changes.
+    set_guard(1, 1, 1, 1);
+    for line in 1 to 4 loop
+      start_line(5, 5, not direction);
+      for i in 1 to 5 loop
+        make_tick;
+      end loop;
+    end loop;
+    clocks(1);
+    assert pulses = 20 report "20 ticks made " & to_string(pulses) & " pulses" severity failure;
+    assert stalls = 0 report "the shortest guard delayed the base" severity failure;
+    assert position = 0 report "forth and back do not cancel" severity failure;
+
+    -- Zero clocks count as one.
+    set_guard(0, 0, 0, 0);
+    start_line(3, 3, '1');
+    for i in 1 to 3 loop
+      make_tick;
+    end loop;
+    clocks(1);
+    assert position = -3 severity failure;
+    assert stalls = 0 severity failure;
+
+    -- The guard delays, by the clocks that are missing.
+    set_guard(4, 5, 6, 7);
+    clocks(20);
+    start_line(2, 2, '1');
+    stalls_before := stalls;
+    make_tick;
+    make_tick;
+    clocks(1);
+    assert stalls = stalls_before + 4 + 5 - 2
+      report "the second tick was delayed by " & to_string(to_integer(stalls - stalls_before))
+      severity failure;
+
+    -- A direction that turns back in time is not turned at all.
+    clocks(20);
+    assert direction = '1' severity failure;
+    start_line(0, 2, '0');
+    clocks(20);
+    assert direction = '1' report "an axis without steps has turned" severity failure;
+
+    -- Any line under any guard: exactly its steps, in its direction, and the monitor keeps watch.
+    for line in 1 to 300 loop
+      if line mod 10 = 0 then
+        set_guard(random(0, 6), random(0, 6), random(0, 9), random(0, 9));
+      end if;
+      of_ticks := random(1, 40);
+      count := random(0, of_ticks);
+      negative := '1' when random(0, 1) = 1 else '0';
+      pulses_before := pulses;
+      position_before := position;
+      start_line(count, of_ticks, negative);
+      for i in 1 to of_ticks loop
+        clocks(random(0, 3));
+        make_tick;
+      end loop;
+      clocks(1);
+      assert pulses - pulses_before = count
+        report to_string(count) & " steps asked, " & to_string(pulses - pulses_before) & " made"
+        severity failure;
+      if negative = '1' then
+        assert position = position_before - count severity failure;
+      else
+        assert position = position_before + count severity failure;
+      end if;
+    end loop;
+
+    clocks(20);
+    assert busy = '0' report "still busy long after the last pulse" severity failure;
+    new_position <= to_signed(-1000, 32);
+    set_position <= '1';
+    clocks(1);
+    set_position <= '0';
+    clocks(1);
+    assert position = -1000 severity failure;
+
+    finish;
+  end process;
+
+end architecture;

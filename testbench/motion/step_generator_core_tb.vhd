@@ -1,0 +1,216 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Random lines through queue, base and axes: exact counts, guards, positions; then a stop in the middle.
+
+library ieee;
+use ieee.math_real.all;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+library std;
+use std.env.finish;
+
+use work.step_generator_pkg.all;
+
+entity step_generator_core_tb is
+end entity;
+
+architecture simulation of step_generator_core_tb is
+
+  constant axes : positive := 3;
+  constant depth : positive := 4;
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal guards : guard_array_t(axes - 1 downto 0) := (
+    0 => (high => to_unsigned(1, 12), low => to_unsigned(1, 12),
+      direction_setup => to_unsigned(1, 12), direction_hold => to_unsigned(1, 12)),
+    1 => (high => to_unsigned(3, 12), low => to_unsigned(5, 12),
+      direction_setup => to_unsigned(2, 12), direction_hold => to_unsigned(4, 12)),
+    2 => guard_after_reset);
+  signal write : lane_write_t := (valid => '0', lane => 0, data => (others => '0'));
+  signal commit : std_ulogic := '0';
+  signal refused : refusal_t;
+  signal flush : std_ulogic := '0';
+  signal level : natural range 0 to depth;
+  signal max_level : natural range 0 to depth;
+  signal moving : std_ulogic;
+  signal idle : std_ulogic;
+  signal segments : count_t;
+  signal underruns : count_t;
+  signal stalls : count_t;
+  signal axis_stalls : count_array_t(axes - 1 downto 0);
+  signal end_stops : std_ulogic_vector(7 downto 0) := x"00";
+  signal emergency_stop : std_ulogic := '0';
+  signal software_stop : std_ulogic := '0';
+  signal acknowledge_stop : std_ulogic := '0';
+  signal stopped : std_ulogic;
+  signal stop_cause : stop_cause_t;
+  signal stop_positions : position_array_t(axes - 1 downto 0);
+  signal stop_time : time_t;
+  signal positions : position_array_t(axes - 1 downto 0);
+  signal set_position : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
+  signal new_position : position_t := (others => '0');
+  signal position_refused : std_ulogic;
+  signal snapshot : std_ulogic := '0';
+  signal snapshot_positions : position_array_t(axes - 1 downto 0);
+  signal snapshot_time : time_t;
+  signal step : std_ulogic_vector(axes - 1 downto 0);
+  signal direction : std_ulogic_vector(axes - 1 downto 0);
+  type naturals_t is array (natural range <>) of natural;
+  signal pulses : naturals_t(axes - 1 downto 0);
+
+begin
+
+  clk <= not clk after 10 ns;
+
+  core : entity work.step_generator_core
+    generic map (axes => axes, queue_depth => depth)
+    port map (
+      clk => clk, reset => reset, guards => guards, rate_floor => to_unsigned(2 ** 20, 31),
+      run => '1', write => write, commit => commit, refused => refused, flush => flush,
+      level => level, max_level => max_level, moving => moving, idle => idle,
+      segments => segments, underruns => underruns, stalls => stalls,
+      axis_stalls => axis_stalls, end_stops => end_stops, emergency_stop => emergency_stop,
+      software_stop => software_stop, acknowledge_stop => acknowledge_stop, stopped => stopped,
+      stop_cause => stop_cause, stop_positions => stop_positions, stop_time => stop_time,
+      positions => positions, set_position => set_position, new_position => new_position,
+      position_refused => position_refused, snapshot => snapshot,
+      snapshot_positions => snapshot_positions, snapshot_time => snapshot_time, step => step,
+      direction => direction);
+
+  monitors : for axis in 0 to axes - 1 generate
+    signal position_is_set : std_ulogic;
+  begin
+    position_is_set <= set_position(axis) and not position_refused;
+    monitor : entity work.pulse_monitor
+      port map (
+        clk => clk, reset => reset, guard => guards(axis), step => step(axis),
+        direction => direction(axis), position => positions(axis),
+        set_position => position_is_set, new_position => new_position, pulses => pulses(axis));
+  end generate;
+
+  test : process
+    variable seed_1 : positive := 3;
+    variable seed_2 : positive := 5;
+
+    impure function random(least, most : natural) return natural is
+      variable value : real;
+    begin
+      uniform(seed_1, seed_2, value);
+      return least + integer(floor(value * real(most - least + 1)));
+    end function;
+
+    procedure put(lane : lane_t; data : natural) is
+    begin
+      write <= (valid => '1', lane => lane, data => std_ulogic_vector(to_unsigned(data, 32)));
+      wait until rising_edge(clk);
+      write.valid <= '0';
+    end procedure;
+
+    procedure put_segment(flags, ticks, rate_high : natural) is
+    begin
+      put(ticks_lane, ticks);
+      put(rate_low_lane, 0);
+      put(rate_high_lane, rate_high);
+      for lane in acceleration_low_lane to jerk_high_lane loop
+        put(lane, 0);
+      end loop;
+      commit <= '1';
+      wait until rising_edge(clk);
+      commit <= '0';
+      wait until rising_edge(clk);
+    end procedure;
+
+    procedure wait_for_space is
+    begin
+      if level = depth then
+        wait until rising_edge(clk) and level < depth;
+      end if;
+    end procedure;
+
+    procedure wait_until_idle is
+    begin
+      wait until rising_edge(clk) and idle = '1' for 1 ms;
+      assert idle = '1' severity failure;
+    end procedure;
+
+    type integers_t is array (natural range <>) of integer;
+    variable expected : integers_t(axes - 1 downto 0) := (others => 0);
+    variable expected_pulses : naturals_t(axes - 1 downto 0) := (others => 0);
+    variable line_ticks : natural;
+    variable steps : natural;
+    variable backward : natural;
+    variable pulses_at_stop : naturals_t(axes - 1 downto 0);
+  begin
+    wait until rising_edge(clk);
+    wait until rising_edge(clk);
+    reset <= '0';
+
+    for line in 1 to 60 loop
+      wait_for_space;
+      line_ticks := random(1, 20);
+      backward := random(0, 7);
+      put(flags_lane, backward);
+      put(line_ticks_lane, line_ticks);
+      for axis in 0 to axes - 1 loop
+        steps := random(0, line_ticks);
+        put(steps_lane + axis, steps);
+        expected_pulses(axis) := expected_pulses(axis) + steps;
+        if (backward / 2 ** axis) mod 2 = 1 then
+          expected(axis) := expected(axis) - steps;
+        else
+          expected(axis) := expected(axis) + steps;
+        end if;
+      end loop;
+      put_segment(backward, line_ticks, 2 ** random(24, 30));
+    end loop;
+    wait_until_idle;
+    for axis in 0 to axes - 1 loop
+      assert positions(axis) = expected(axis) report "axis " & to_string(axis) severity failure;
+      assert pulses(axis) = expected_pulses(axis) severity failure;
+    end loop;
+    assert segments = 60 and max_level >= 2 severity failure;
+    assert axis_stalls(2) > 0 and stalls >= axis_stalls(2) severity failure;
+    assert axis_stalls(0) = 0 report "the fast axis was late" severity failure;
+
+    -- Positions are set at rest, and refused in motion.
+    new_position <= to_signed(-77, 32);
+    set_position <= "010";
+    wait for 1 ns;
+    assert position_refused = '0' severity failure;
+    wait until rising_edge(clk);
+    set_position <= "000";
+    put(flags_lane, 16#40000#);
+    put(line_ticks_lane, 1000);
+    for axis in 0 to axes - 1 loop
+      put(steps_lane + axis, 1000);
+    end loop;
+    put_segment(0, 1000, 2 ** 20);
+    wait until rising_edge(clk) and moving = '1';
+    set_position <= "010";
+    wait for 1 ns;
+    assert position_refused = '1' severity failure;
+    wait until rising_edge(clk);
+    set_position <= "000";
+
+    -- The end stop hits in the clock of a tick: no step after it.
+    wait until rising_edge(step(0));
+    assert positions(1) = -76 severity failure;
+    wait for 500 us;
+    wait until falling_edge(clk);
+    end_stops <= x"04";
+    pulses_at_stop := pulses;
+    for i in 1 to 1000 loop
+      wait until rising_edge(clk);
+    end loop;
+    assert stopped = '1' and moving = '0' severity failure;
+    assert stop_cause.end_stops = x"04" severity failure;
+    assert stop_positions = positions severity failure;
+    for axis in 0 to axes - 1 loop
+      assert pulses(axis) <= pulses_at_stop(axis) + 1 severity failure;
+    end loop;
+
+    finish;
+  end process;
+
+end architecture;

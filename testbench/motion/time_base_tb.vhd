@@ -1,0 +1,176 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The base ticks at the asked rate, joins segments without a dead clock, freezes, floors and stops.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+library std;
+use std.env.finish;
+
+use work.step_generator_pkg.all;
+
+entity time_base_tb is
+end entity;
+
+architecture simulation of time_base_tb is
+
+  constant half : unsigned(63 downto 0) := x"8000000000000000";
+  constant quarter : unsigned(63 downto 0) := x"4000000000000000";
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal advance : std_ulogic := '1';
+  signal run : std_ulogic := '0';
+  signal stop : std_ulogic := '0';
+  signal rate_floor : unsigned(30 downto 0) := to_unsigned(1, 31);
+  signal head_valid : std_ulogic := '0';
+  signal head : segment_t := (
+    backward => x"00", continues_line => '0', ends_motion => '0', stop_mask => x"00",
+    line_ticks => (others => '0'), ticks => (others => '0'), rate => (others => '0'),
+    acceleration => (others => '0'), jerk => (others => '0'));
+  signal take : std_ulogic;
+  signal due : std_ulogic;
+  signal axes_ready : std_ulogic := '1';
+  signal tick : std_ulogic;
+  signal active : std_ulogic;
+  signal stop_mask : std_ulogic_vector(7 downto 0);
+  signal segments : count_t;
+  signal underruns : count_t;
+  signal stalls : count_t;
+
+  -- Counted here.
+  signal ticks : natural := 0;
+  signal clocks_between_ticks : natural := 0;
+  signal since_tick : natural := 0;
+
+begin
+
+  clk <= not clk after 10 ns;
+
+  base : entity work.time_base
+    port map (
+      clk => clk, reset => reset, advance => advance, run => run, stop => stop,
+      rate_floor => rate_floor, head_valid => head_valid, head => head, take => take, due => due,
+      axes_ready => axes_ready, tick => tick, active => active, stop_mask => stop_mask,
+      segments => segments, underruns => underruns, stalls => stalls);
+
+  count : process
+  begin
+    wait until rising_edge(clk);
+    since_tick <= since_tick + 1;
+    if tick then
+      ticks <= ticks + 1;
+      clocks_between_ticks <= since_tick;
+      since_tick <= 1;
+    end if;
+  end process;
+
+  test : process
+    procedure clocks(number : natural) is
+    begin
+      for i in 1 to number loop
+        wait until rising_edge(clk);
+      end loop;
+    end procedure;
+
+    procedure offer(number : positive; rate : unsigned; ends_motion : std_ulogic := '1';
+      acceleration : signed(63 downto 0) := (others => '0')) is
+    begin
+      head.ticks <= to_unsigned(number, 31);
+      head.rate <= rate;
+      head.acceleration <= acceleration;
+      head.ends_motion <= ends_motion;
+      head_valid <= '1';
+      wait until rising_edge(clk) and take = '1';
+      head_valid <= '0';
+    end procedure;
+
+    procedure wait_for_rest is
+    begin
+      wait until rising_edge(clk) and active = '0';
+      clocks(2);
+    end procedure;
+
+    variable ticks_before : natural;
+  begin
+    clocks(2);
+    reset <= '0';
+    clocks(2);
+
+    -- Nothing starts before it may.
+    head_valid <= '1';
+    clocks(5);
+    assert active = '0' severity failure;
+    head_valid <= '0';
+    run <= '1';
+
+    -- From rest the first tick comes after a whole period.
+    offer(3, quarter);
+    clocks(1);
+    ticks_before := ticks;
+    clocks(3);
+    assert ticks = ticks_before severity failure;
+    clocks(1);
+    assert ticks = ticks_before + 1 report "first tick not after 4 clocks" severity failure;
+    wait_for_rest;
+    assert ticks = ticks_before + 3 severity failure;
+    assert clocks_between_ticks = 4 severity failure;
+    assert underruns = 0 severity failure;
+
+    -- Single ticks at full rate follow each other every second clock.
+    ticks_before := ticks;
+    offer(1, half, '0');
+    for i in 1 to 9 loop
+      offer(1, half, '0');
+      clocks(1);
+      assert i = 1 or clocks_between_ticks = 2 report "dead clock between segments" severity failure;
+    end loop;
+    wait_for_rest;
+    assert ticks = ticks_before + 10 severity failure;
+    assert underruns = 1 report "the end of motion was not intended" severity failure;
+
+    -- Standing axes and standing time delay, and nothing is lost.
+    ticks_before := ticks;
+    offer(4, half);
+    axes_ready <= '0';
+    clocks(20);
+    assert ticks = ticks_before severity failure;
+    assert stalls = 18 report to_string(to_integer(stalls)) & " stalls" severity failure;
+    axes_ready <= '1';
+    advance <= '0';
+    clocks(20);
+    assert ticks = ticks_before severity failure;
+    advance <= '1';
+    wait_for_rest;
+    assert ticks = ticks_before + 4 severity failure;
+
+    -- The rate stays between floor (here 2^-10) and 1/2. 2^62 is a change of 2^-22 per clock.
+    rate_floor <= (22 => '1', others => '0');
+    offer(40, half / 128, '1', x"C000000000000000");
+    wait_for_rest;
+    assert clocks_between_ticks = 1024 report to_string(clocks_between_ticks) severity failure;
+    offer(3000, half - half / 512, '1', x"4000000000000000");
+    wait_for_rest;
+    assert clocks_between_ticks = 2 report to_string(clocks_between_ticks) severity failure;
+    assert ticks = ticks_before + 4 + 3040 severity failure;
+
+    -- A stop ends the segment at once.
+    head.stop_mask <= x"A5";
+    offer(1000, half);
+    clocks(10);
+    assert stop_mask = x"A5" severity failure;
+    stop <= '1';
+    ticks_before := ticks;
+    wait for 1 ns;
+    assert tick = '0' severity failure;
+    clocks(1);
+    stop <= '0';
+    clocks(10);
+    assert active = '0' and ticks <= ticks_before + 1 severity failure;
+    assert segments = 15 report to_string(to_integer(segments)) & " segments" severity failure;
+
+    finish;
+  end process;
+
+end architecture;
