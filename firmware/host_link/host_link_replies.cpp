@@ -109,7 +109,7 @@ bool HostLink::put_resend() {
     error.text(", Last Line: ").integer(numbering_.last());
   }
   TextLine resend;
-  resend.text("Resend: ").integer(numbering_.wanted());
+  resend.text("Resend: ").integer(numbering_.asked_for());
   constexpr std::string_view ok = "ok";
   const std::size_t line_ends = 3;
   if (transmit_.room() < error.view().size() + resend.view().size() + ok.size() + line_ends) {

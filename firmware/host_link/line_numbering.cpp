@@ -2,6 +2,8 @@
 // The acceptance rules for framed lines; the README says which host needs which.
 #include "host_link/line_numbering.hpp"
 
+#include <algorithm>
+
 #include "host_link/line_number.hpp"
 
 namespace host_link {
@@ -78,22 +80,35 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
 // What cannot be the wanted line comes from the host's look-ahead or is a remnant of a line that
 // has been asked for again: a second Resend for it would send the host back twice.
 Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
-                                      units::Milliseconds now) const {
-  if (within_patience(now) && line.number != wanted()) return {Verdict::ignore};
+                                      units::Milliseconds now) {
+  if (within_patience(now) && line.number != asked_for()) return {Verdict::ignore};
+  // A spoilt M110 must be asked for by its own number: the old numbering means nothing to this
+  // host, or, worse, another line of its new job. No host knows a negative number in a Resend.
+  if (line.number && sets_numbering(line.text))
+    spoilt_restart_ = std::max<std::int32_t>(*line.number, 0);
   return {Verdict::refuse, error};
+}
+
+// A Resend whose number was spoilt on its way can send a host back to the M110 that opened its job.
+bool LineNumbering::is_return_to_start(const ReceivedLine& line, units::Milliseconds now) const {
+  return awaiting_resend_ && !spoilt_restart_ && history_size_ != 0 && *line.number >= 0 &&
+         now - asked_ < restart_pause;
 }
 
 Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) const {
   const std::int32_t number = *line.number;
-  if (number == wanted() || sets_numbering(line.text)) return {Verdict::accept};
+  if (number == wanted()) return {Verdict::accept};
+  if (sets_numbering(line.text)) {
+    if (!is_return_to_start(line, now)) return {Verdict::accept};
+    return {within_patience(now) ? Verdict::ignore : Verdict::refuse, LineError::wrong_number};
+  }
   const std::uint32_t fingerprint = fingerprint_of(line.text);
   const bool taken = taken_before(number, fingerprint);
   if (number == 0 || number == 1) {
     if (!taken && !opened_with(number, fingerprint)) return {Verdict::accept};
-    // The same opening again, after a pause: the same job started anew, unless a Resend whose number
-    // was spoilt on its way explains it.
-    const bool explained =
-        asked_recently(now) || now - last_taken_ < restart_pause;
+    // The same opening again, after a pause: the same job started anew, unless a Resend whose
+    // number was spoilt on its way explains it.
+    const bool explained = asked_recently(now) || now - last_taken_ < restart_pause;
     if (!explained) return {Verdict::accept};
   }
   if (taken) return {Verdict::repeat};
@@ -119,6 +134,7 @@ void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) 
   last_taken_ = now;
   awaiting_resend_ = false;
   unprintable_.reset();
+  spoilt_restart_.reset();
 }
 
 void LineNumbering::restart_after(std::int32_t last) {
@@ -150,6 +166,7 @@ void LineNumbering::forget() {
   history_next_ = 0;
   openings_ = {};
   unprintable_.reset();
+  spoilt_restart_.reset();
 }
 
 }  // namespace host_link

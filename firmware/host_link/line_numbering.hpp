@@ -46,10 +46,10 @@ class LineNumbering {
   static constexpr units::Milliseconds resend_patience{1000};
   // Repeats of old lines are explained by a resend request at most this long ago.
   static constexpr units::Milliseconds resend_memory{10'000};
-  // A host that repeats its first lines sooner than this has not been started anew.
+  // A host that comes with its first lines sooner than this has not been started anew.
   static constexpr units::Milliseconds restart_pause{2000};
 
-  // Of a line with number or checksum. Changes nothing but the memory of unprintable lines.
+  // Of a line with number or checksum. Takes nothing, but remembers what it refuses.
   Judgement judge(const ReceivedLine& line, units::Milliseconds now);
   // The line judged `accept` is really taken.
   void accepted(const ReceivedLine& line, units::Milliseconds now);
@@ -61,7 +61,10 @@ class LineNumbering {
   void asked_for_resend(units::Milliseconds now);
 
   std::int32_t last() const { return last_; }
+  // The next line of the numbering.
   std::int32_t wanted() const;
+  // What a resend request asks for: the wanted line, or the M110 that came spoilt.
+  std::int32_t asked_for() const { return spoilt_restart_.value_or(wanted()); }
   bool awaiting_resend() const { return awaiting_resend_; }
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
@@ -74,10 +77,11 @@ class LineNumbering {
   };
   static constexpr std::size_t history_length = 16;
 
-  Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now) const;
+  Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now);
   Judgement judge_number(const ReceivedLine& line, units::Milliseconds now) const;
   bool taken_before(std::int32_t number, std::uint32_t fingerprint) const;
   bool opened_with(std::int32_t number, std::uint32_t fingerprint) const;
+  bool is_return_to_start(const ReceivedLine& line, units::Milliseconds now) const;
   bool asked_recently(units::Milliseconds now) const;
   void forget();
 
@@ -86,6 +90,7 @@ class LineNumbering {
   std::size_t history_next_{};
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
+  std::optional<std::int32_t> spoilt_restart_{};  // number of an M110 that was refused
   std::int32_t last_{};
   units::Milliseconds last_taken_{};
   units::Milliseconds asked_{};

@@ -11,7 +11,8 @@
 
 namespace host_link::test {
 
-// One step of a dialogue a line; everything that happens must be written, and nothing else may happen:
+// One step of a dialogue a line; everything that happens must be written, and nothing else may
+// happen:
 //   -> N5 G1 X1*?    the host sends a line; "*?" becomes the right checksum, "*!" a wrong one
 //   ~> N5 G1\x00     the host sends these bytes, without a line end; \n \r \t \xhh
 //   <- ok            the link sends this line            <- nothing
