@@ -1,0 +1,145 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Loads and stores go to the memory in the same clock or over the bus until it answers.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.memory_pkg.all;
+use work.processor_pkg.all;
+
+entity data_access_tb is
+end entity;
+
+architecture tb of data_access_tb is
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal enable, store : std_ulogic := '0';
+  signal address : unsigned(31 downto 0) := (others => '0');
+  signal size : std_ulogic_vector(1 downto 0) := "00";
+  signal store_data : word_t := x"a1b2c3d4";
+  signal memory_request : memory_request_t;
+  signal bus_request : bus_request_t;
+  signal bus_response : bus_response_t := bus_response_idle;
+  signal misaligned, to_memory, bus_active, done, error : std_ulogic;
+
+begin
+
+  clk <= not clk after 5 ns;
+
+  uut : entity work.data_access
+    generic map (memory_address => x"80000000", memory_address_bits => 16)
+    port map (
+      clk => clk,
+      reset => reset,
+      enable => enable,
+      store => store,
+      address => address,
+      size => size,
+      store_data => store_data,
+      memory_request => memory_request,
+      bus_request => bus_request,
+      bus_response => bus_response,
+      misaligned => misaligned,
+      to_memory => to_memory,
+      bus_active => bus_active,
+      done => done,
+      error => error);
+
+  check : process
+    procedure clock is
+    begin
+      wait until rising_edge(clk);
+      wait for 1 ns;
+    end procedure;
+
+    procedure expect_store(width : std_ulogic_vector(1 downto 0); place : natural;
+                           lanes : std_ulogic_vector(3 downto 0); is_misaligned : std_ulogic) is
+    begin
+      enable <= '1';
+      store <= '1';
+      size <= width;
+      address <= x"80001230" + place;
+      wait for 1 ns;
+      assert misaligned = is_misaligned and memory_request.enable = not is_misaligned and done = '1'
+        severity failure;
+      if not is_misaligned then
+        assert memory_request.write_bytes = lanes and memory_request.address & "00" = x"80001230"
+          report to_string(memory_request.write_bytes) severity failure;
+        for lane in 0 to 3 loop
+          if lanes(lane) then
+            assert memory_request.data(8 * lane + 7 downto 8 * lane) =
+              store_data(8 * (lane - place) + 7 downto 8 * (lane - place)) severity failure;
+          end if;
+        end loop;
+      end if;
+      clock;
+      assert bus_active = '0' severity failure;
+    end procedure;
+
+    procedure use_bus(wait_clocks : natural; fails : std_ulogic) is
+    begin
+      enable <= '1';
+      store <= '1';
+      size <= "01";
+      address <= x"f0001232";
+      wait for 1 ns;
+      assert done = '0' and memory_request.enable = '0' and bus_active = '0' severity failure;
+      clock;
+      for count in 1 to wait_clocks loop
+        assert bus_active = '1' and done = '0' and bus_request.strobe = '1' and
+          bus_request.write = '1' and bus_request.address = x"f0001232" and
+          bus_request.select_bytes = "1100" and bus_request.data(31 downto 16) = x"c3d4" severity failure;
+        clock;
+      end loop;
+      bus_response.acknowledge <= not fails;
+      bus_response.error <= fails;
+      wait for 1 ns;
+      assert done = '1' and error = fails severity failure;
+      clock;
+      bus_response <= bus_response_idle;
+      assert bus_request.strobe = '0' report "a request ends with its response" severity failure;
+    end procedure;
+  begin
+    clock;
+    reset <= '0';
+    for place in 0 to 3 loop
+      expect_store("00", place, std_ulogic_vector(shift_left(unsigned'("0001"), place)), '0');
+    end loop;
+    expect_store("01", 0, "0011", '0');
+    expect_store("01", 1, "0000", '1');
+    expect_store("01", 2, "1100", '0');
+    expect_store("01", 3, "0000", '1');
+    expect_store("10", 0, "1111", '0');
+    for place in 1 to 3 loop
+      expect_store("10", place, "0000", '1');
+    end loop;
+    -- A load writes no lane.
+    store <= '0';
+    address <= x"8000fffc";
+    wait for 1 ns;
+    assert memory_request.enable = '1' and memory_request.write_bytes = "0000" and to_memory = '1'
+      severity failure;
+    -- Just outside.
+    address <= x"80010000";
+    wait for 1 ns;
+    assert memory_request.enable = '0' and to_memory = '0' severity failure;
+    address <= x"80000000";
+    clock;
+    use_bus(1, '0');
+    use_bus(4, '0');
+    use_bus(1, '1');
+    -- Misaligned accesses and refused ones do not reach the bus.
+    address <= x"f0001231";
+    clock;
+    assert bus_request.strobe = '0' severity failure;
+    address <= x"f0001232";
+    enable <= '0';
+    clock;
+    assert bus_request.strobe = '0' severity failure;
+    std.env.finish;
+  end process;
+
+end architecture;

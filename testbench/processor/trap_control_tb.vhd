@@ -1,0 +1,109 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Each exception has its cause, address and value, and the first in rank is taken.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity trap_control_tb is
+end entity;
+
+architecture tb of trap_control_tb is
+
+  constant nothing : executing_t := (
+    valid => '1', address => x"80000100", instruction => x"12345678", first | second => (others => '0'),
+    base | offset => (others => '0'), operation => "000", others => '0');
+
+  signal executing : executing_t := nothing;
+  signal take_interrupt, jump, data_misaligned, data_error : std_ulogic := '0';
+  signal csr_legal : std_ulogic := '1';
+  signal interrupt_cause : std_ulogic_vector(4 downto 0) := 5d"20";
+  signal next_address : unsigned(31 downto 0) := x"80000200";
+  signal target : unsigned(31 downto 0) := x"80000303";
+  signal trap : trap_t;
+
+begin
+
+  uut : entity work.trap_control
+    port map (
+      executing => executing,
+      take_interrupt => take_interrupt,
+      interrupt_cause => interrupt_cause,
+      next_address => next_address,
+      csr_legal => csr_legal,
+      jump => jump,
+      target => target,
+      data_misaligned => data_misaligned,
+      data_error => data_error,
+      trap => trap);
+
+  check : process
+    procedure expect(cause : natural; value : word_t) is
+    begin
+      wait for 1 ns;
+      assert trap.enable = '1' and trap.interrupt = '0' and to_integer(unsigned(trap.cause)) = cause and
+        trap.value = value and trap.address = x"80000100"
+        report "cause " & integer'image(to_integer(unsigned(trap.cause))) & ", value " &
+          to_hstring(trap.value) severity failure;
+    end procedure;
+
+    procedure expect_none is
+    begin
+      wait for 1 ns;
+      assert trap.enable = '0' severity failure;
+    end procedure;
+  begin
+    expect_none;
+    data_misaligned <= '1';
+    csr_legal <= '0';
+    expect_none;
+    executing.load <= '1';
+    expect(4, x"80000303");
+    executing.load <= '0';
+    executing.store <= '1';
+    expect(6, x"80000303");
+    data_misaligned <= '0';
+    data_error <= '1';
+    expect(7, x"80000303");
+    executing.store <= '0';
+    executing.load <= '1';
+    expect(5, x"80000303");
+    data_error <= '0';
+    executing.load <= '0';
+    executing.csr <= '1';
+    expect(2, x"12345678");
+    csr_legal <= '1';
+    expect_none;
+    executing.csr <= '0';
+    jump <= '1';
+    expect(0, x"80000302");
+    target(1) <= '0';
+    expect_none;
+    jump <= '0';
+    executing.environment_call <= '1';
+    expect(11, x"00000000");
+    executing.environment_call <= '0';
+    executing.breakpoint <= '1';
+    expect(3, x"80000100");
+    executing.breakpoint <= '0';
+    executing.refused <= '1';
+    expect(2, x"12345678");
+    executing.fetch_fault <= '1';
+    expect(1, x"80000100");
+    executing.valid <= '0';
+    expect_none;
+
+    take_interrupt <= '1';
+    wait for 1 ns;
+    assert trap.enable = '1' and trap.interrupt = '1' and trap.cause = interrupt_cause and
+      trap.value = x"00000000" and trap.address = x"80000200" severity failure;
+    executing.valid <= '1';
+    wait for 1 ns;
+    assert trap.interrupt = '1' and trap.cause = interrupt_cause and trap.address = x"80000100"
+      report "an interrupt goes before an exception" severity failure;
+    std.env.finish;
+  end process;
+
+end architecture;
