@@ -90,7 +90,7 @@ begin
       if sensor_fresh = '0' and reading.valid = '0' then
         latched.sensor_invalid <= '1';
       end if;
-      if sensor_fresh = '0' and reading.valid = '1' then
+      if sensor_fresh = '0' and reading.valid = '1' and reading.updated = '0' then
         latched.sensor_stale <= '1';
       end if;
       if not limits_set then
@@ -132,19 +132,19 @@ begin
 
   -- psl default clock is rising_edge(clk);
   -- psl a_gate_opens_only_while_the_watchdog_is_fed : assert always
-  --   (gate = '1' -> prev(watchdog_alive) = '1');
+  --   (not watchdog_alive -> next (not gate));
   -- psl a_gate_opens_only_on_a_valid_sensor : assert always
-  --   (gate = '1' -> prev(reading.valid) = '1');
+  --   (not reading.valid -> next (not gate));
   -- psl a_gate_opens_only_on_a_fresh_sensor : assert always
-  --   (gate = '1' -> prev(sensor_fresh) = '1');
+  --   (not sensor_fresh -> next (not gate));
   -- psl a_gate_opens_only_below_the_cut_off_temperature : assert always
-  --   (gate = '1' -> prev(too_hot) = '0');
+  --   (too_hot -> next (not gate));
   -- psl a_gate_opens_only_above_the_lowest_temperature : assert always
-  --   (gate = '1' -> prev(too_cold) = '0');
-  -- psl a_gate_opens_only_with_limits_set : assert always (gate = '1' -> prev(limits_set) = '1');
+  --   (too_cold -> next (not gate));
+  -- psl a_gate_opens_only_with_limits_set : assert always (not limits_set -> next (not gate));
   -- psl a_gate_opens_only_without_emergency_stop : assert always
-  --   (gate = '1' -> prev(emergency_stop) = '0');
-  -- psl a_gate_opens_only_without_a_trip : assert always (gate = '1' -> prev(any_of(latched)) = '0');
-  -- psl a_gate_opens_only_on_request : assert always (gate = '1' -> prev(requested) = '1');
+  --   (emergency_stop -> next (not gate));
+  -- psl a_gate_opens_only_without_a_trip : assert always (any_of(latched) -> next (not gate));
+  -- psl a_gate_opens_only_on_request : assert always (not requested -> next (not gate));
 
 end architecture;

@@ -1,0 +1,154 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Software sees each channel's newest conversion and its age, and channels do not wait for each other.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_master_pkg.all;
+use work.bus_pkg.all;
+use work.temperature_converter_registers_pkg.all;
+use work.thermal_pkg.all;
+
+entity temperature_converter_tb is
+end entity;
+
+architecture simulation of temperature_converter_tb is
+
+  constant control : unsigned(31 downto 0) := temperature_converter_address;
+  constant discharge : unsigned(31 downto 0) := temperature_converter_address + 4;
+  constant timeout : unsigned(31 downto 0) := temperature_converter_address + 8;
+  constant pause : unsigned(31 downto 0) := temperature_converter_address + 12;
+  constant status : unsigned(31 downto 0) := temperature_converter_address + 20;
+  constant age : unsigned(31 downto 0) := temperature_converter_address + 36;
+  constant thermistors : unsigned(31 downto 0) := temperature_converter_address + 52;
+  constant high_references : unsigned(31 downto 0) := temperature_converter_address + 84;
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal request : bus_request_t := bus_request_idle;
+  signal response : bus_response_t;
+  signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
+  signal discharging, sense : std_ulogic_vector(1 downto 0);
+  signal readings : sensor_reading_array_t(0 to 1);
+  signal hotend_ohms : real := 1_000.0;
+  signal bed_ohms : real := 5_000.0;
+
+  type naturals_t is array (0 to 1) of natural;
+  signal conversions : naturals_t := (0, 0);
+
+begin
+
+  clk <= not clk after 5 ns;
+
+  converter : entity work.temperature_converter
+    port map (
+      clk => clk, reset => reset, request => request, response => response,
+      drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
+      sense => sense, readings => readings);
+
+  -- A capacitor ten times smaller than on a board, to be quick.
+  hotend : entity work.sensor_circuit
+    generic map (clocks_per_ohm => 0.0272)
+    port map (
+      clk => clk, drive_enable => drive_enable(2 downto 0), drive_level => drive_level(2 downto 0),
+      thermistor_ohms => hotend_ohms, sense => sense(0));
+  bed : entity work.sensor_circuit
+    generic map (clocks_per_ohm => 0.0272)
+    port map (
+      clk => clk, drive_enable => drive_enable(5 downto 3), drive_level => drive_level(5 downto 3),
+      thermistor_ohms => bed_ohms, sense => sense(1));
+
+  count_conversions : process
+  begin
+    wait until rising_edge(clk);
+    for channel in conversions'range loop
+      if readings(channel).updated then
+        conversions(channel) <= conversions(channel) + 1;
+      end if;
+    end loop;
+  end process;
+
+  check : process
+
+    variable word : word_t;
+    variable hotend_before, bed_before : natural;
+
+    procedure read (address : unsigned(31 downto 0); channel : natural := 0) is
+    begin
+      bus_read(clk, request, response, address + 4 * channel, word);
+    end procedure;
+
+    procedure read_state (channel : natural; expected : natural) is
+    begin
+      read(status, channel);
+      has_its_state : assert unsigned(word(2 downto 0)) = expected
+        report "channel " & to_string(channel) & ": state " & to_hstring(word) severity error;
+    end procedure;
+
+    procedure wait_clocks (count : natural) is
+    begin
+      for i in 1 to count loop
+        wait until rising_edge(clk);
+      end loop;
+    end procedure;
+  begin
+    wait_clocks(3);
+    reset <= '0';
+    wait_clocks(10);
+    read_state(0, temperature_converter_status_state_never);
+    read(age);
+    is_old_before_the_first : assert unsigned(word) = 2 ** tick_count_bits - 1
+      report to_hstring(word) severity error;
+
+    bus_write(clk, request, response, discharge, 200);
+    bus_write(clk, request, response, timeout, 5_000);
+    bus_write(clk, request, response, pause, 0);
+    bus_write(clk, request, response, control, 16#0003_0103#);  -- 4 charges, dither 1
+    wait_clocks(40_000);
+    for channel in 0 to 1 loop
+      read_state(channel, temperature_converter_status_state_ok);
+      counts_conversions : assert unsigned(word(15 downto 8)) = conversions(channel) mod 256
+        report to_hstring(word) severity error;
+      read(age, channel);
+      is_fresh : assert unsigned(word) < 10 report to_hstring(word) severity error;
+    end loop;
+
+    -- About 19 clocks per charge, and 189 through 10 kOhm.
+    wait until rising_edge(clk) and readings(0).updated = '1';
+    read(thermistors);
+    tells_software_what_it_tells_the_heaters : assert unsigned(word) = readings(0).count
+      and readings(0).valid = '1' report to_hstring(word) severity error;
+    counts_the_thermistor : assert unsigned(word) > 4 * 17 and unsigned(word) < 4 * 23
+      report to_string(to_integer(unsigned(word))) severity error;
+    read(high_references);
+    counts_the_reference : assert unsigned(word) > 4 * 180 and unsigned(word) < 4 * 195
+      report to_string(to_integer(unsigned(word))) severity error;
+
+    -- A broken sensor times out for long, and the other one does not notice.
+    hotend_before := conversions(0);
+    wait_clocks(100_000);
+    hotend_before := conversions(0) - hotend_before;
+    bed_ohms <= -1.0;
+    wait_clocks(20_000);
+    read_state(1, temperature_converter_status_state_open);
+    is_told_invalid : assert readings(1).valid = '0' report "valid" severity error;
+    bed_before := conversions(0);
+    wait_clocks(100_000);
+    goes_on_at_its_pace : assert abs (conversions(0) - bed_before - hotend_before) <= 1
+      report to_string(conversions(0) - bed_before) & " against " & to_string(hotend_before)
+      severity error;
+    read_state(0, temperature_converter_status_state_ok);
+    read_state(2, temperature_converter_status_state_never);
+
+    -- Age goes on in ticks when conversions stop.
+    wait until rising_edge(clk) and readings(0).updated = '1';
+    bus_write(clk, request, response, control, 0);
+    wait_clocks(50 * tick_cycles);
+    read(age);
+    ages_in_ticks : assert unsigned(word) = 50 report to_hstring(word) severity error;
+    lets_go : assert drive_enable = "000000" report "drives while disabled" severity error;
+    std.env.finish;
+  end process;
+
+end architecture;
