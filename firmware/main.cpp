@@ -1,24 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program of the chip: says `start`, then echoes what it receives.
-#include "drivers/registers/identity_registers.hpp"
-#include "drivers/registers/uart_registers.hpp"
-#include "platform/bus.hpp"
+// The program of the chip: makes the objects, and gives each pass of the loop to the application.
+#include "application/application.hpp"
+#include "machine/machine.hpp"
+#include "platform/fault.hpp"
 #include "platform/processor.hpp"
 
+namespace {
+
+constexpr const application::MachineDescription& printer = machine::machine;
+
+constexpr thermal::ThermistorTable hotend_table{printer.hotend.thermistor};
+constexpr thermal::ThermistorTable bed_table{printer.bed.thermistor};
+constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
+    printer.converter.capacitor_picofarads, printer.converter.supply_millivolts,
+    printer.converter.threshold_millivolts);
+
+}  // namespace
+
 int main() {
-  namespace uart = registers::uart;
-  constexpr std::uint64_t baud = 250'000;
-  const std::uint32_t clock_hz = platform::read<registers::identity::Clock>().frequency_hz;
-  const auto increment = static_cast<std::uint32_t>((baud << 32) / clock_hz);
-  platform::write(uart::BaudRate{.increment = increment});
-  for (const char* text = "start\n"; *text != '\0'; ++text) {
-    platform::write(uart::Data{.byte = static_cast<std::uint8_t>(*text)});
-  }
-  platform::write(uart::Interrupts{.receive_threshold = 1});
+  const auto identity = drivers::read_identity();
+  if (!identity) platform::halt("This firmware needs a StepFabric chip");
+
+  // Not on the stack, so that its measure is that of the calls alone.
+  static application::Hardware hardware(*identity);
+  static application::Application application(
+      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics);
+  if (!application.start()) platform::halt("The clock is too slow for the serial line");
+
+  platform::wake_by(platform::WakeSource::timer, true);
   platform::wake_by(platform::WakeSource::uart_receive, true);
+  platform::wake_by(platform::WakeSource::motion_stopped, true);
   for (;;) {
-    platform::sleep();
-    const auto data = platform::read<uart::Data>();
-    if (data.valid) platform::write(uart::Data{.byte = data.byte});
+    const bool more = application.update();
+    if (!platform::stack_is_intact()) platform::halt("Stack overflow");
+    if (!more) platform::sleep();
   }
 }

@@ -17,5 +17,6 @@ ExternalProject_Add(firmware_image
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
-  INSTALL_COMMAND "")
+  INSTALL_COMMAND ""
+  DEPENDS machine_header_file)
 add_custom_target(firmware DEPENDS firmware_image)

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tasks in order, and the latched halt after a fault.
+#include "application/application.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "host_link/replies.hpp"
+
+namespace application {
+namespace {
+
+constexpr units::Milliseconds count_period{100};
+constexpr units::Milliseconds complaint_period{1000};
+constexpr units::Hertz fan_frequency{100};
+// So many bytes end the sleep before the next tick does: 5 ms at 3 Mbaud until a FIFO of 1024 is full.
+constexpr std::size_t wake_level_bytes = 32;
+
+// "Error:Thermal Runaway, system stopped! Heater_ID: 0"
+host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
+  host_link::TextLine line;
+  line.text("Error:").text(thermal::name_of(fault.fault)).text(", system stopped! Heater_ID: ");
+  return line.text(fault.heater == Heater::bed ? "bed" : "0");
+}
+
+}  // namespace
+
+Application::Application(const MachineDescription& machine, const ThermalTables& tables,
+                         Hardware& hardware, Statistics& counters)
+    : machine_(machine),
+      hardware_(hardware),
+      counters_(counters),
+      clock_(hardware.identity.clock),
+      motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops),
+      heat_(machine, tables, hardware.identity.clock, hardware.temperature_converter,
+            hardware.heater_control),
+      executor_(machine, motion_, heat_, hardware.fan, link_, counters) {}
+
+bool Application::start() {
+  if (!hardware_.uart.configure(machine_.baud, hardware_.identity.clock)) return false;
+  motion_.start();
+  heat_.start();
+  hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
+  hardware_.fan.set_duty(0);
+  hardware_.uart.interrupt_on(wake_level_bytes, 0);
+  counters_.version = Statistics::current_version;
+  link_.say(host_link::greeting);
+  return true;
+}
+
+bool Application::update() {
+  const units::Cycles began = hardware_.timer.now();
+  const Now now = clock_.update(began);
+  bool more = false;
+  if (halted_) {
+    serve_halted(now);
+  } else {
+    motion_.update(now);
+    exchange_bytes(now);
+    act_on_emergencies();
+    if (!halted_) more = executor_.update(now);
+    heat_.update(now);
+    look_for_faults();
+    report(now);
+    switch_off_idle_motors(now);
+  }
+  transmit();
+  count(now);
+  const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
+  counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
+  hardware_.timer.set_deadline(clock_.next_tick());
+  return more;
+}
+
+void Application::exchange_bytes(Now now) {
+  receive(now);
+  link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
+  link_.update(now.milliseconds, executor_.busy() ? host_link::Activity::processing
+                                                  : host_link::Activity::idle);
+}
+
+void Application::receive(Now now) {
+  if (hardware_.uart.errors().any()) {
+    hardware_.uart.clear_errors();
+    link_.receive_fault();
+  }
+  std::array<char, 128> bytes;
+  const std::size_t count = hardware_.uart.read(bytes);
+  if (count != 0) link_.receive({bytes.data(), count}, now.milliseconds);
+}
+
+void Application::transmit() {
+  for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
+    const std::size_t sent = hardware_.uart.write(bytes);
+    link_.sent(sent);
+    if (sent < bytes.size()) return;
+  }
+}
+
+void Application::act_on_emergencies() {
+  using Kind = host_link::EmergencyCommand::Kind;
+  while (const auto command = link_.emergency()) {
+    switch (command->kind) {
+      case Kind::kill: halt({}); return;
+      case Kind::cancel_wait: executor_.cancel_wait(); break;
+      case Kind::quick_stop: executor_.quick_stop(); break;
+      case Kind::prompt_response: break;  // nothing asks the user yet
+    }
+  }
+}
+
+void Application::look_for_faults() {
+  if (halted_) return;
+  if (const auto fault = heat_.fault()) {
+    halt(text_of(*fault).view());
+  } else if (motion_.emergency_input()) {
+    halt("Error:Emergency stop input");
+  } else if (executor_.fatal()) {
+    halt(executor_.fatal()->view());
+  }
+}
+
+void Application::report(Now now) {
+  if (halted_ || executor_.report_interval().count() == 0 || now.milliseconds < next_report_) return;
+  next_report_ = now.milliseconds + executor_.report_interval();
+  // Without room this report is left out: the next one is newer.
+  link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed)).view());
+}
+
+void Application::switch_off_idle_motors(Now now) {
+  if (halted_) return;
+  if (!motion_.at_rest()) at_rest_since_ = now.milliseconds;
+  const units::Milliseconds timeout = executor_.motor_timeout();
+  if (timeout.count() != 0 && now.milliseconds - at_rest_since_ == timeout) {
+    motion_.enable_motors(units::AxisSet::all(), false);
+  }
+}
+
+void Application::count(Now now) {
+  if (now.milliseconds < next_count_) return;
+  next_count_ = now.milliseconds + count_period;
+  const auto link = link_.statistics();
+  const auto motion = hardware_.step_generator.counters();
+  counters_.lines_accepted = link.accepted;
+  counters_.resends = link.resends;
+  counters_.underruns = motion.underruns;
+  counters_.guard_stall_clocks = motion.stall_clocks;
+  counters_.max_queue_level = motion.max_level;
+  counters_.segments = motion.segments;
+  counters_.uart_overruns = hardware_.uart.error_counts().overruns;
+  counters_.halted = halted_ ? 1 : 0;
+}
+
+// Latched until reset. `fault` is empty for M112, which needs no reason.
+void Application::halt(std::string_view fault) {
+  halted_ = true;
+  heat_.shut_down();
+  motion_.shut_down();
+  fault_.clear();
+  fault_.text(fault);
+  counters_.halted = 1;
+  if (!fault.empty()) link_.say(fault);
+  link_.say(host_link::halted);
+}
+
+// Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is answered
+// with the fault again, at most once a second, so that a host that connects now learns why.
+void Application::serve_halted(Now now) {
+  std::array<char, 128> bytes;
+  const std::size_t count = hardware_.uart.read(bytes);
+  const bool line_ended = std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;
+  if (!line_ended || now.milliseconds < next_complaint_) return;
+  next_complaint_ = now.milliseconds + complaint_period;
+  if (!fault_.view().empty()) link_.say(fault_.view());
+  link_.say(host_link::halted);
+}
+
+}  // namespace application

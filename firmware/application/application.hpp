@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The task set: what runs in each pass of the loop, in order of priority, and how everything ends.
+#pragma once
+
+#include <string_view>
+
+#include "application/command_executor.hpp"
+#include "application/hardware.hpp"
+#include "application/heat_task.hpp"
+#include "application/machine_description.hpp"
+#include "application/motion_task.hpp"
+#include "application/statistics.hpp"
+#include "application/tick_clock.hpp"
+#include "host_link/host_link.hpp"
+
+namespace application {
+
+class Application {
+ public:
+  // Everything handed over must outlive the application.
+  Application(const MachineDescription& machine, const ThermalTables& tables, Hardware& hardware,
+              Statistics& counters);
+
+  // Sets up the peripherals and greets the host. False where the clock is too slow for the serial line.
+  [[nodiscard]] bool start();
+
+  // One pass over all tasks, with at most one command; never waits. True if there is more to do at once;
+  // otherwise the next pass is wanted at the next interrupt (timer, serial line, stop of motion).
+  bool update();
+
+  bool halted() const { return halted_; }
+
+ private:
+
+  void exchange_bytes(Now now);
+  void receive(Now now);
+  void transmit();
+  void act_on_emergencies();
+  void look_for_faults();
+  void report(Now now);
+  void switch_off_idle_motors(Now now);
+  void count(Now now);
+  void halt(std::string_view fault);
+  void serve_halted(Now now);
+
+
+  const MachineDescription& machine_;
+  Hardware& hardware_;
+  Statistics& counters_;
+  TickClock clock_;
+  MotionTask motion_;
+  HeatTask heat_;
+  host_link::HostLink link_;
+  CommandExecutor executor_;
+
+  units::Milliseconds next_report_{};
+  units::Milliseconds next_count_{};
+  units::Milliseconds next_complaint_{};
+  units::Milliseconds at_rest_since_{};
+  host_link::TextLine fault_;
+  bool halted_{};
+};
+
+}  // namespace application

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes lines, finds the handler of each command, and sends the ok when it is done.
+#include "application/command_executor.hpp"
+
+#include "host_link/replies.hpp"
+
+namespace application {
+
+CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
+                                 HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
+                                 Statistics& counters)
+    : machine_(machine), motion_(motion), heat_(heat), fan_(fan), link_(link), counters_(counters) {}
+
+bool CommandExecutor::update(Now now) {
+  follow_position_jump();
+  if (stage_ == Stage::idle && !take_line()) return false;
+  if (stage_ != Stage::answering) {
+    if (proceed(now) == Progress::again) return false;
+    stage_ = Stage::answering;
+  }
+  if (!link_.finished(ok_report_.view())) return false;
+  ++(refused_ ? counters_.commands_refused : counters_.commands_executed);
+  stage_ = Stage::idle;
+  return true;
+}
+
+void CommandExecutor::quick_stop() {
+  motion_.quick_stop();
+  wait_cancelled_ = true;
+}
+
+bool CommandExecutor::take_line() {
+  const auto line = link_.next_line();
+  if (!line) return false;
+  stage_ = Stage::begin;
+  text_ = line->text;
+  ok_report_.clear();
+  parse_complaint_.reset();
+  refused_ = false;
+  notified_ = false;
+  wait_cancelled_ = false;
+  list_index_ = 0;
+  if (line->emergency) {
+    stage_ = Stage::answering;
+  } else {
+    parse(line->text);
+  }
+  return true;
+}
+
+void CommandExecutor::parse(std::string_view text) {
+  using gcode::ParseFault;
+  const auto command = gcode::parse(text);
+  if (command) {
+    command_ = *command;
+    return;
+  }
+  switch (command.error().fault) {
+    case ParseFault::empty_line:
+      stage_ = Stage::answering;
+      return;
+    case ParseFault::unknown_letter:
+    case ParseFault::missing_code:
+      parse_complaint_ = host_link::unknown_command(text);
+      return;
+    default:
+      parse_complaint_ = host_link::not_executed(gcode::describe(command.error()),
+                                                 command.error().position, text);
+  }
+}
+
+CommandExecutor::Progress CommandExecutor::proceed(Now now) {
+  return parse_complaint_ ? refuse(*parse_complaint_) : execute(now);
+}
+
+CommandExecutor::Progress CommandExecutor::execute(Now now) {
+  switch (command_.letter) {
+    case 'G': return execute_g(now);
+    case 'M': return execute_m(now);
+    case 'T': return select_tool();
+    default: return refuse_unknown();
+  }
+}
+
+CommandExecutor::Progress CommandExecutor::execute_g(Now now) {
+  if (command_.subcode != 0) return refuse_unknown();
+  switch (command_.code) {
+    case 0:
+    case 1: return move(now);
+    case 4: return dwell(now);
+    case 20: coordinates_.set_inches(true); return Progress::done;
+    case 21: coordinates_.set_inches(false); return Progress::done;
+    case 28: return home(now);
+    case 90: coordinates_.set_relative(false); return Progress::done;
+    case 91: coordinates_.set_relative(true); return Progress::done;
+    case 92: return set_position();
+    default: return refuse_unknown();
+  }
+}
+
+CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
+  if (command_.subcode != 0) return refuse_unknown();
+  switch (command_.code) {
+    case 17: return switch_motors(true);
+    case 18:
+    case 84: return switch_motors(false);
+    case 82: coordinates_.set_extruder_relative(false); return Progress::done;
+    case 83: coordinates_.set_extruder_relative(true); return Progress::done;
+    case 104: return set_temperature(Heater::hotend);
+    case 105: return report_temperature();
+    case 106:
+    case 107: return set_fan();
+    case 109: return set_and_wait(Heater::hotend, now);
+    case 114: return report_position();
+    case 115: return list_firmware();
+    case 118: return say_text();
+    case 119: return list_end_stops();
+    case 140: return set_temperature(Heater::bed);
+    case 155: return report_automatically();
+    case 190: return set_and_wait(Heater::bed, now);
+    case 400: return wait_for_rest();
+    case 410: quick_stop(); return Progress::done;
+    case 112: fatal_.emplace(); return Progress::done;
+    // Progress and messages have no display here; numbering and cancelling were done on reception.
+    case 73:
+    case 108:
+    case 110:
+    case 117: return Progress::done;
+    default: return execute_setting();
+  }
+}
+
+CommandExecutor::Progress CommandExecutor::execute_setting() {
+  switch (command_.code) {
+    case 92: return set_steps_per_millimeter();
+    case 113: return set_busy_interval();
+    case 201: return set_max_accelerations();
+    case 203: return set_max_speeds();
+    case 204: return set_accelerations();
+    case 205: return set_advanced();
+    case 220: return set_speed_factor();
+    case 221: return set_flow_factor();
+    default: return refuse_unknown();
+  }
+}
+
+CommandExecutor::Progress CommandExecutor::say(std::string_view line) {
+  return link_.say(line) ? Progress::done : Progress::again;
+}
+
+CommandExecutor::Progress CommandExecutor::refuse(const host_link::TextLine& line) {
+  refused_ = true;
+  return say(line);
+}
+
+CommandExecutor::Progress CommandExecutor::refuse(std::string_view reason) {
+  return refuse(host_link::not_executed(reason, text_));
+}
+
+CommandExecutor::Progress CommandExecutor::refuse_unknown() {
+  return refuse(host_link::unknown_command(text_));
+}
+
+}  // namespace application

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Carries out one G-code line after another, each in as many calls as it needs, and answers it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "application/coordinates.hpp"
+#include "application/heat_task.hpp"
+#include "application/machine_description.hpp"
+#include "application/motion_task.hpp"
+#include "application/statistics.hpp"
+#include "application/tick_clock.hpp"
+#include "drivers/fan.hpp"
+#include "gcode/parser.hpp"
+#include "host_link/host_link.hpp"
+#include "host_link/text_line.hpp"
+
+namespace application {
+
+class CommandExecutor {
+ public:
+  CommandExecutor(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
+                  drivers::Fan& fan, host_link::HostLink& link, Statistics& counters);
+
+  // Goes on with the line in hand, or takes the next one. True if more can be done at once.
+  bool update(Now now);
+
+  // M108 and M410, the moment they are received.
+  void cancel_wait() { wait_cancelled_ = true; }
+  void quick_stop();
+
+  // A line is in hand that is not yet answered.
+  bool busy() const { return stage_ != Stage::idle; }
+  // Something that must end everything, as a line for the host.
+  const std::optional<host_link::TextLine>& fatal() const { return fatal_; }
+
+  // M155: how often temperatures are reported unasked; 0 is never.
+  units::Milliseconds report_interval() const { return report_interval_; }
+  // M84 S: after how long at rest the motors are switched off; 0 is never.
+  units::Milliseconds motor_timeout() const { return motor_timeout_; }
+
+ private:
+  enum class Stage : std::uint8_t {
+    idle,       // no line in hand
+    begin,      // the command is to be begun, as soon as what it needs is there
+    listing,    // a reply of several lines is being sent
+    dwelling,   // G4
+    homing,     // G28
+    heating,    // M109, M190
+    answering,  // done; the ok is due
+  };
+  // What a handler says: call me again, or I am done.
+  enum class Progress : bool { again, done };
+
+  bool take_line();
+  void parse(std::string_view text);
+  Progress proceed(Now now);
+  Progress execute(Now now);
+  Progress execute_g(Now now);
+  Progress execute_m(Now now);
+  Progress execute_setting();
+
+  // motion_commands.cpp
+  Progress move(Now now);
+  Progress dwell(Now now);
+  Progress home(Now now);
+  Progress set_position();
+  Progress wait_for_rest();
+  Progress switch_motors(bool enabled);
+  Progress set_speed_factor();
+  Progress set_flow_factor();
+
+  // heat_commands.cpp
+  Progress set_temperature(Heater heater);
+  Progress set_and_wait(Heater heater, Now now);
+  Progress set_fan();
+  Progress report_automatically();
+
+  // setting_commands.cpp
+  Progress set_steps_per_millimeter();
+  Progress set_max_accelerations();
+  Progress set_max_speeds();
+  Progress set_accelerations();
+  Progress set_advanced();
+  Progress set_busy_interval();
+
+  // report_commands.cpp
+  Progress report_position();
+  Progress report_temperature();
+  Progress list_firmware();
+  Progress list_end_stops();
+  Progress say_text();
+  Progress select_tool();
+  Progress refuse_unknown();
+  Progress refuse_tool();
+
+  // Says one line as the whole of a command, or again later.
+  Progress say(std::string_view line);
+  Progress say(const host_link::TextLine& line) { return say(line.view()); }
+  // Says why nothing is done, as the whole of a command.
+  Progress refuse(const host_link::TextLine& line);
+  Progress refuse(std::string_view reason);
+
+  // A limit that is not of one axis, and the letter of its value.
+  struct Setting {
+    char letter;
+    motion::Accepted (*set)(motion::Limits&, units::Nanometers);
+  };
+  Progress set_for_all(std::span<const Setting> settings);
+  template <class Quantity>
+  Progress set_per_axis(motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity));
+
+  units::AxisSet named_axes() const;
+  bool wants_other_tool() const;
+  void follow_position_jump();
+
+  const MachineDescription& machine_;
+  MotionTask& motion_;
+  HeatTask& heat_;
+  drivers::Fan& fan_;
+  host_link::HostLink& link_;
+  Statistics& counters_;
+
+  Coordinates coordinates_;
+  Stage stage_{Stage::idle};
+  std::string_view text_;  // of the line in hand
+  gcode::Command command_;
+  std::optional<host_link::TextLine> parse_complaint_;
+  host_link::TextLine ok_report_;
+  std::optional<host_link::TextLine> fatal_;
+  std::size_t list_index_{};
+  std::uint32_t position_jumps_{};
+  Positions planned_{};  // machine coordinates of the end of the last move
+  units::AxisSet homing_axes_;
+  units::Milliseconds deadline_{};  // of a dwell, or of the next report while heating
+  bool wait_cancelled_{};
+  bool refused_{};
+  bool notified_{};  // of the extrusion that this move leaves out
+  units::Milliseconds busy_interval_{2000};
+  units::Milliseconds report_interval_{};
+  units::Milliseconds motor_timeout_{};
+};
+
+}  // namespace application

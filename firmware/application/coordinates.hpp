@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the numbers of G0, G1 and G92 to positions: units, absolute or relative, and G92's shifts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "gcode/command.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace application {
+
+using Positions = units::PerAxis<units::Nanometers>;
+
+class Coordinates {
+ public:
+  // G90, G91 for all axes, M82, M83 for E alone: the last one holds, as in Marlin.
+  void set_relative(bool relative) { axes_relative_ = extruder_relative_ = relative; }
+  void set_extruder_relative(bool relative) { extruder_relative_ = relative; }
+  // G20, G21.
+  void set_inches(bool inches) { inches_ = inches; }
+  // M221, percent of what lines ask for; 1 or more.
+  void set_flow(std::int32_t percent) { flow_percent_ = percent; }
+  // M220, percent of the feedrates; 1 or more.
+  void set_speed(std::int32_t percent) { speed_percent_ = percent; }
+
+  std::int32_t flow() const { return flow_percent_; }
+  std::int32_t speed() const { return speed_percent_; }
+
+  // Where the host believes the axes are.
+  const Positions& logical() const { return logical_; }
+  void set_logical(units::Axis axis, units::Nanometers position) {
+    logical_[units::index_of(axis)] = position;
+  }
+
+  // A length parameter in the present unit, rounded to nanometres.
+  std::optional<units::Nanometers> length(const gcode::Command& command, char letter) const;
+
+  // The logical positions that a move asks for.
+  Positions target_of(const gcode::Command& command) const;
+  // The machine positions of a logical target, from where the machine is. Exact but for a flow that is
+  // not 100 %, where E is rounded to nanometres.
+  Positions machine_target(const Positions& target, const Positions& machine) const;
+
+  // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.
+  void take_feedrate(const gcode::Command& command);
+  // With the speed factor; 1 um/s at least.
+  units::MicrometersPerSecond feedrate() const;
+
+ private:
+  Positions logical_{};
+  bool axes_relative_{};
+  bool extruder_relative_{};
+  bool inches_{};
+  std::int32_t flow_percent_{100};
+  std::int32_t speed_percent_{100};
+  units::MicrometersPerSecond feedrate_{25'000};  // Marlin's default: 1500 mm/min
+};
+
+}  // namespace application

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sensor to loop to gate, ten times a second.
+#include "application/heat_task.hpp"
+
+#include <algorithm>
+
+namespace application {
+namespace {
+
+constexpr std::uint32_t charges = 16;
+// The capacitor is empty to 2^-16 after so many time constants of the low reference.
+constexpr std::int64_t discharge_time_constants = 11;
+// A charge may take so much longer than at the lowest temperature before it counts as an open sensor.
+constexpr std::int64_t charge_margin = 2;
+constexpr units::Microseconds pause{1'000};
+constexpr units::Microseconds gate_slot{2'000};
+constexpr units::Milliseconds watchdog_timeout{1'000};
+constexpr units::Milliseconds sensor_timeout{1'000};
+// The hardware cuts off beyond the software's own limits, so that the fault has its proper name first.
+constexpr units::Millicelsius cut_off_margin{10'000};
+constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
+
+// A bed is slow: Marlin's WATCH_BED_TEMP_PERIOD and THERMAL_PROTECTION_BED_HYSTERESIS.
+constexpr thermal::ProtectionSettings bed_protection{
+    .watch_period = units::Milliseconds{60'000}, .unasked_settle = units::Milliseconds{60'000}};
+
+thermal::HeaterSettings settings_of(const HeaterDescription& heater) {
+  thermal::HeaterSettings settings;
+  settings.minimum = heater.min;
+  settings.maximum = heater.max;
+  settings.gains = heater.gains;
+  return settings;
+}
+
+thermal::HeaterSettings bed_settings_of(const HeaterDescription& heater) {
+  thermal::HeaterSettings settings = settings_of(heater);
+  settings.protection = bed_protection;
+  return settings;
+}
+
+thermal::ReferenceResistors references_of(const ConverterDescription& converter) {
+  return {.low = converter.reference_low, .high = converter.reference_high};
+}
+
+}  // namespace
+
+HeatTask::HeatTask(const MachineDescription& machine, const ThermalTables& tables,
+                   units::Hertz clock, drivers::TemperatureConverter& converter,
+                   drivers::HeaterControl& control)
+    : machine_(machine),
+      circuit_{.picoseconds_per_ohm = tables.picoseconds_per_ohm,
+               .clock = clock,
+               .charges = charges,
+               .delay_cycles = drivers::TemperatureConverter::delay_cycles},
+      hotend_table_(tables.hotend),
+      bed_table_(tables.bed),
+      converter_(converter),
+      control_(control),
+      parts_{{{machine.hotend, {tables.hotend, references_of(machine.converter)},
+               thermal::HeaterLoop(settings_of(machine.hotend))},
+              {machine.bed, {tables.bed, references_of(machine.converter)},
+               thermal::HeaterLoop(bed_settings_of(machine.bed))}}} {}
+
+void HeatTask::start() {
+  constexpr std::int64_t picoseconds_per_microsecond = 1'000'000;
+  constexpr std::int64_t milliohms_per_ohm = 1'000;
+  const ConverterDescription& circuit = machine_.converter;
+  const std::int64_t coldest_ohms =
+      std::max(hotend_table_.resistance(machine_.hotend.min).count(),
+               bed_table_.resistance(machine_.bed.min).count()) / milliohms_per_ohm;
+  const std::int64_t discharge = discharge_time_constants * circuit.reference_low.count() /
+                                 milliohms_per_ohm * circuit.capacitor_picofarads /
+                                 picoseconds_per_microsecond;
+  const std::int64_t longest_charge =
+      charge_margin * coldest_ohms * circuit_.picoseconds_per_ohm / picoseconds_per_microsecond;
+  converter_.start({.charges = charges,
+                    .discharge = units::Microseconds(discharge),
+                    .longest_charge = units::Microseconds(longest_charge),
+                    .pause = pause,
+                    .short_limit = std::min(thermal::Sensor::short_limit(hotend_table_, circuit_),
+                                            thermal::Sensor::short_limit(bed_table_, circuit_))});
+  control_.set_slot(gate_slot);
+  control_.set_timeouts(watchdog_timeout, sensor_timeout);
+  control_.feed();
+}
+
+void HeatTask::update(Now now) {
+  if (last_update_ && now.milliseconds - *last_update_ < thermal::HeaterLoop::period) return;
+  last_update_ = now.milliseconds;
+  control_.feed();
+  for (Part& part : parts_) update(part, now);
+}
+
+void HeatTask::update(Part& part, Now now) {
+  const std::size_t gate = part.description.heater_channel;
+  const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
+  if (!part.limits_locked && reading.state == thermal::SensorState::ok) {
+    const auto limits = part.sensor.limits(part.description.min - cut_off_margin,
+                                           part.description.max + cut_off_margin, reading);
+    if (limits) {
+      control_.lock_limits(gate, *limits);
+      part.limits_locked = true;
+    }
+  }
+  const bool was_heating = part.loop.duty() != 0;
+  const bool tripped = control_.status(gate).tripped;
+  if (tripped && was_heating) part.loop.report_cut_off();
+  const thermal::Duty duty = part.loop.update(part.sensor.temperature(reading), now.milliseconds);
+  if (const auto temperature = part.loop.temperature()) part.temperature = *temperature;
+  // What tripped while nothing was asked for (before the first conversion, say) is forgotten with the
+  // first wish for heat; what still holds trips again at once.
+  if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
+  control_.set_duty(gate, part.limits_locked ? duty : thermal::Duty{0});
+}
+
+void HeatTask::shut_down() {
+  for (Part& part : parts_) {
+    part.loop.set_target(thermal::HeaterLoop::off);
+    control_.set_duty(part.description.heater_channel, 0);
+  }
+}
+
+void HeatTask::set_target(Heater heater, units::Millicelsius target) {
+  loop(heater).set_target(target);
+}
+
+bool HeatTask::extrusion_is_cold() const {
+  const auto temperature = loop(Heater::hotend).temperature();
+  return !temperature || *temperature < machine_.min_extrusion;
+}
+
+host_link::HeaterState HeatTask::state(Heater heater) const {
+  const Part& part = this->part(heater);
+  return {.temperature = part.temperature,
+          .target = part.loop.target(),
+          .power = static_cast<std::uint8_t>(part.loop.duty() >> marlin_power_shift)};
+}
+
+std::optional<HeatTask::NamedFault> HeatTask::fault() const {
+  for (const Heater heater : {Heater::hotend, Heater::bed}) {
+    if (const auto fault = loop(heater).fault()) return NamedFault{heater, *fault};
+  }
+  return std::nullopt;
+}
+
+}  // namespace application

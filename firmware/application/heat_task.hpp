@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hotend and bed: reads the sensors, controls the heaters, feeds the watchdog, and finds faults.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "application/machine_description.hpp"
+#include "application/tick_clock.hpp"
+#include "drivers/heater_control.hpp"
+#include "drivers/temperature_converter.hpp"
+#include "host_link/replies.hpp"
+#include "thermal/heater_loop.hpp"
+#include "thermal/sensor.hpp"
+
+namespace application {
+
+enum class Heater : std::uint8_t { hotend, bed };
+
+// What the compiler makes of the machine description, because it takes logarithms.
+struct ThermalTables {
+  const thermal::ThermistorTable& hotend;
+  const thermal::ThermistorTable& bed;
+  std::uint32_t picoseconds_per_ohm{};
+};
+
+class HeatTask {
+ public:
+  HeatTask(const MachineDescription& machine, const ThermalTables& tables, units::Hertz clock,
+           drivers::TemperatureConverter& converter, drivers::HeaterControl& control);
+
+  // Starts the conversions. Once.
+  void start();
+  // Every pass of the loop; works every thermal::HeaterLoop::period.
+  void update(Now now);
+  // For good: no heat, and the watchdog is not fed any more.
+  void shut_down();
+
+  // 0 is off. Cut to what the heater may be asked for.
+  void set_target(Heater heater, units::Millicelsius target);
+  thermal::HeaterLoop& loop(Heater heater) { return part(heater).loop; }
+  const thermal::HeaterLoop& loop(Heater heater) const { return part(heater).loop; }
+  bool extrusion_is_cold() const;
+  host_link::HeaterState state(Heater heater) const;
+
+  struct NamedFault {
+    Heater heater;
+    thermal::Fault fault;
+  };
+  std::optional<NamedFault> fault() const;
+
+ private:
+  struct Part {
+    const HeaterDescription& description;
+    thermal::Sensor sensor;
+    thermal::HeaterLoop loop;
+    bool limits_locked{};
+    units::Millicelsius temperature{};  // the last that was measured
+  };
+
+  Part& part(Heater heater) { return parts_[static_cast<std::size_t>(heater)]; }
+  const Part& part(Heater heater) const { return parts_[static_cast<std::size_t>(heater)]; }
+  void update(Part& part, Now now);
+
+  const MachineDescription& machine_;
+  thermal::NominalCircuit circuit_;
+  const thermal::ThermistorTable& hotend_table_;
+  const thermal::ThermistorTable& bed_table_;
+  drivers::TemperatureConverter& converter_;
+  drivers::HeaterControl& control_;
+  std::array<Part, 2> parts_;
+  std::optional<units::Milliseconds> last_update_;
+};
+
+}  // namespace application

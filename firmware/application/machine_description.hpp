@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the firmware knows of its machine. `machine/machine.hpp`, generated from a file of
+// firmware/machines, holds the instance; M-codes change copies of parts of it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "drivers/guard_timings.hpp"
+#include "motion/limits.hpp"
+#include "thermal/controller.hpp"
+#include "thermal/thermistor_table.hpp"
+#include "units/axes.hpp"
+#include "units/quantity.hpp"
+
+namespace application {
+
+struct HeaterDescription {
+  std::uint8_t sensor_channel{};
+  std::uint8_t heater_channel{};
+  thermal::NtcProperties thermistor{};
+  units::Millicelsius min{};  // colder reads as a broken sensor
+  units::Millicelsius max{};  // hotter is a fault; targets stay below
+  thermal::ControllerGains gains{};
+};
+
+// The circuit of the capacitor-charge temperature converter.
+struct ConverterDescription {
+  std::int32_t capacitor_picofarads{};
+  units::Milliohms reference_low{};
+  units::Milliohms reference_high{};
+  std::int32_t supply_millivolts{};
+  std::int32_t threshold_millivolts{};
+};
+
+struct MachineDescription {
+  std::string_view name;
+  std::uint32_t baud{};
+  motion::Limits limits{};
+  units::PerAxis<drivers::DriverChipTimings> drivers{};
+  HeaterDescription hotend{};
+  HeaterDescription bed{};
+  units::Millicelsius min_extrusion{};  // below it the extruder does not turn
+  ConverterDescription converter{};
+};
+
+}  // namespace application

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Segments to the hardware, stops back from it.
+#include "application/motion_task.hpp"
+
+#include <algorithm>
+
+namespace application {
+namespace {
+
+using units::index_of;
+
+// The rate floor keeps a ramp that ends a little too low from standing still; no move is so slow.
+constexpr std::uint32_t rate_floor_hz = 10;
+// Shorter pulses on an end stop's line are noise.
+constexpr std::uint32_t end_stop_filter_ns = 2000;
+
+constexpr std::uint64_t nanoseconds_per_second = 1'000'000'000;
+
+constexpr units::PerAxis<units::Axis> all_axes{units::Axis::x, units::Axis::y, units::Axis::z,
+                                               units::Axis::e};
+
+units::PerAxis<drivers::GuardTimings> guards_of(const MachineDescription& machine,
+                                                units::Hertz clock) {
+  units::PerAxis<drivers::GuardTimings> guards;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    guards[i] = drivers::GuardTimings::of(machine.drivers[i], clock);
+  }
+  return guards;
+}
+
+motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clock) {
+  motion::StepTiming timing{.clock = clock};
+  const auto guards = guards_of(machine, clock);
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));
+  }
+  return timing;
+}
+
+std::uint8_t end_stops_of(const motion::Limits& limits) {
+  std::uint32_t inputs = 0;
+  for (const motion::AxisLimits& axis : limits.axes) {
+    if (axis.homing) inputs |= 1u << axis.homing->end_stop;
+  }
+  return static_cast<std::uint8_t>(inputs);
+}
+
+units::PerAxis<units::Nanometers> with_axis(units::PerAxis<units::Nanometers> positions,
+                                            units::Axis axis, units::Nanometers position) {
+  positions[index_of(axis)] = position;
+  return positions;
+}
+
+// The true 64-bit count nearest to `planned` whose low word is `counter`.
+std::int64_t unwrapped(std::int32_t counter, std::int64_t planned) {
+  const auto low = static_cast<std::uint32_t>(counter) - static_cast<std::uint32_t>(planned);
+  return planned + static_cast<std::int32_t>(low);
+}
+
+}  // namespace
+
+MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
+                       drivers::StepGenerator& step_generator, drivers::EndStops& end_stops)
+    : machine_(machine),
+      clock_(clock),
+      step_generator_(step_generator),
+      end_stops_(end_stops),
+      planner_(machine.limits, timing_of(machine, clock)) {}
+
+void MotionTask::start() {
+  const auto floor = (std::uint64_t{rate_floor_hz} << 32) / clock_.count();
+  step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
+  const std::uint64_t filter =
+      std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;
+  end_stops_.configure({.enabled = end_stops_of(machine_.limits),
+                        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
+  step_generator_.enable_stop_interrupt(true);
+}
+
+void MotionTask::update(Now now) {
+  settle_stop();
+  if (homing_.active()) lead_homing(now);
+  refill(now);
+}
+
+// Every stop ends in the same way: what was planned is void, and the planner learns where the axes are.
+void MotionTask::settle_stop() {
+  const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
+  if (!stop.stopped) {
+    stopping_ = false;
+    return;
+  }
+  if (stop.emergency_input) {
+    emergency_input_ = true;
+    return;
+  }
+  planner_.clear();
+  units::PerAxis<std::int64_t> steps = planner_.position_steps();
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    steps[i] = unwrapped(stop.positions[i], steps[i]);
+  }
+  planner_.set_position_steps(steps);
+  stopped_by_end_stop_ = stop.end_stops != 0;
+  ++position_jumps_;
+  step_generator_.acknowledge_stop();
+}
+
+void MotionTask::lead_homing(Now now) {
+  if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
+  carry_out(homing_.update({.at_rest = true,
+                            .stopped = stopped_by_end_stop_,
+                            .end_stops = end_stops_.triggered()}),
+            now);
+}
+
+void MotionTask::carry_out(const motion::HomingRequest& request, Now now) {
+  using Kind = motion::HomingRequest::Kind;
+  switch (request.kind) {
+    case Kind::nothing:
+    case Kind::finished:
+      return;
+    case Kind::move: {
+      stopped_by_end_stop_ = false;
+      motion::LineMove move{.target = planner_.position(),
+                            .feedrate = request.move.speed,
+                            .stop_mask = request.move.stop_mask};
+      move.target[index_of(request.move.axis)] += request.move.distance;
+      const auto accepted = append(move, now);
+      if (!accepted) {
+        homing_.cancel();
+        homing_fault_ = accepted.error();
+        homing_axis_ = request.move.axis;
+      }
+      planner_.flush();
+      return;
+    }
+    case Kind::set_position:
+      set_position(with_axis(planner_.position(), request.axis, request.position));
+      ++position_jumps_;
+      homed_.insert(request.axis);
+      return;
+    case Kind::fault:
+      homing_fault_ = request.fault;
+      homing_axis_ = request.axis;
+      return;
+  }
+}
+
+void MotionTask::refill(Now now) {
+  if (stopping_) return;
+  for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
+    const auto segment = planner_.next_segment(now.microseconds);
+    if (!segment) return;
+    // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
+    if (!step_generator_.append(*segment)) return;
+  }
+}
+
+std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move, Now now) {
+  const auto accepted = planner_.append(move, now.microseconds);
+  if (accepted && !(motors_on_ == units::AxisSet::all())) {
+    enable_motors(units::AxisSet::all(), true);
+  }
+  return accepted;
+}
+
+bool MotionTask::at_rest() const {
+  return planner_.empty() && step_generator_.idle() && !stopping_ && !homing_.active() &&
+         !step_generator_.stop_state().stopped;
+}
+
+void MotionTask::start_homing(units::AxisSet axes) {
+  homing_fault_.reset();
+  homing_.start(axes, planner_.limits());
+}
+
+void MotionTask::quick_stop() {
+  homing_.cancel();
+  stopping_ = true;
+  step_generator_.stop();
+}
+
+void MotionTask::shut_down() {
+  quick_stop();
+  planner_.clear();
+  enable_motors(units::AxisSet::all(), false);
+}
+
+void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
+  for (const units::Axis axis : all_axes) {
+    if (!axes.contains(axis)) continue;
+    step_generator_.enable_motor(axis, enabled);
+    if (enabled) {
+      motors_on_.insert(axis);
+    } else {
+      motors_on_.remove(axis);
+    }
+  }
+}
+
+void MotionTask::set_steps_per_meter(const motion::Limits& limits) {
+  const auto positions = planner_.position();
+  planner_.set_limits(limits);
+  set_position(positions);
+}
+
+units::PerAxis<units::Steps> MotionTask::steps() {
+  units::PerAxis<units::Steps> counted;
+  const auto positions = step_generator_.snapshot().positions;
+  for (std::size_t i = 0; i < units::axis_count; ++i) counted[i] = units::Steps(positions[i]);
+  return counted;
+}
+
+// At rest, where the hardware lets its counters be written.
+void MotionTask::set_position(const units::PerAxis<units::Nanometers>& positions) {
+  planner_.set_position(positions);
+  for (const units::Axis axis : all_axes) {
+    const auto steps = static_cast<std::int32_t>(planner_.position_steps()[index_of(axis)]);
+    static_cast<void>(step_generator_.set_position(axis, steps));
+  }
+}
+
+}  // namespace application

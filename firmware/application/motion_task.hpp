@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps the step generator's queue filled, leads homing, and brings planner and hardware together again
+// after every stop.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <optional>
+
+#include "application/machine_description.hpp"
+#include "application/tick_clock.hpp"
+#include "drivers/end_stops.hpp"
+#include "drivers/step_generator.hpp"
+#include "motion/homing.hpp"
+#include "motion/planner.hpp"
+#include "units/axes.hpp"
+
+namespace application {
+
+class MotionTask {
+ public:
+  MotionTask(const MachineDescription& machine, units::Hertz clock,
+             drivers::StepGenerator& step_generator, drivers::EndStops& end_stops);
+
+  // Sets up guards, rate floor and end stops. Once, at rest.
+  void start();
+  // Every pass of the loop.
+  void update(Now now);
+
+  bool has_room() const { return planner_.has_room(); }
+  std::size_t room() const { return motion::Planner::capacity - planner_.lines(); }
+  // Switches the motors on. `target` in machine coordinates.
+  std::expected<void, motion::Fault> append(const motion::LineMove& move, Now now);
+  // What has been appended starts without waiting for more.
+  void flush() { planner_.flush(); }
+  // Planner empty, step generator idle, no stop or homing under way.
+  bool at_rest() const;
+
+  // Only at rest. After that homing() is true until it ends, well or with a fault.
+  void start_homing(units::AxisSet axes);
+  bool homing() const { return homing_.active(); }
+  std::optional<motion::Fault> homing_fault() const { return homing_fault_; }
+  units::Axis homing_axis() const { return homing_axis_; }
+  units::AxisSet homed() const { return homed_; }
+
+  // M410: no step from now on. Positions stay true; what was planned is forgotten.
+  void quick_stop();
+  // For good: as above, and motors off.
+  void shut_down();
+  bool stopping() const { return stopping_; }
+  // The emergency stop input has ended motion.
+  bool emergency_input() const { return emergency_input_; }
+
+  void enable_motors(units::AxisSet axes, bool enabled);
+  std::uint8_t end_stops() const { return end_stops_.triggered(); }
+
+  const motion::Limits& limits() const { return planner_.limits(); }
+  void set_limits(const motion::Limits& limits) { planner_.set_limits(limits); }
+  // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
+  void set_steps_per_meter(const motion::Limits& limits);
+
+  // Machine coordinates of the end of the last planned move, and the steps made so far.
+  const units::PerAxis<units::Nanometers>& position() const { return planner_.position(); }
+  units::PerAxis<units::Steps> steps();
+  // Counts the times that position() has jumped: at homing and quick stops.
+  std::uint32_t position_jumps() const { return position_jumps_; }
+
+ private:
+  void settle_stop();
+  void lead_homing(Now now);
+  void carry_out(const motion::HomingRequest& request, Now now);
+  void refill(Now now);
+  void set_position(const units::PerAxis<units::Nanometers>& positions);
+
+  const MachineDescription& machine_;
+  units::Hertz clock_;
+  drivers::StepGenerator& step_generator_;
+  drivers::EndStops& end_stops_;
+  motion::Planner planner_;
+  motion::Homing homing_;
+  std::optional<motion::Fault> homing_fault_;
+  units::Axis homing_axis_{};
+  units::AxisSet homed_;
+  units::AxisSet motors_on_;
+  std::uint32_t position_jumps_{};
+  bool stopped_by_end_stop_{};
+  bool stopping_{};
+  bool emergency_input_{};
+};
+
+}  // namespace application

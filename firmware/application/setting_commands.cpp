@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands that change what the axes may do: M92 M113 M201 M203 M204 M205.
+#include <algorithm>
+#include <limits>
+
+#include "application/command_executor.hpp"
+#include "host_link/replies.hpp"
+
+namespace application {
+namespace {
+
+constexpr std::int64_t nanometers_per_micrometer = 1000;
+
+// Beyond the range of the type it becomes a value that the setting refuses.
+template <class Quantity>
+Quantity micrometers(units::Nanometers length) {
+  using Representation = typename Quantity::Representation;
+  constexpr std::int64_t most = std::numeric_limits<Representation>::max();
+  const std::int64_t value = length.count() / nanometers_per_micrometer;
+  return Quantity(static_cast<Representation>(std::clamp(value, -most, most)));
+}
+
+}  // namespace
+
+// All axes or none: a line with one value out of range changes nothing.
+template <class Quantity>
+CommandExecutor::Progress CommandExecutor::set_per_axis(
+    motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity)) {
+  motion::Limits changed = motion_.limits();
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const auto value = coordinates_.length(command_, units::axis_letters[i]);
+    if (!value) continue;
+    const auto accepted = set(changed, static_cast<units::Axis>(i), micrometers<Quantity>(*value));
+    if (!accepted) return refuse(motion::describe(accepted.error()));
+  }
+  motion_.set_limits(changed);
+  return Progress::done;
+}
+
+CommandExecutor::Progress CommandExecutor::set_for_all(std::span<const Setting> settings) {
+  motion::Limits changed = motion_.limits();
+  for (const Setting& setting : settings) {
+    const auto value = coordinates_.length(command_, setting.letter);
+    if (!value) continue;
+    const motion::Accepted accepted = setting.set(changed, *value);
+    if (!accepted) return refuse(motion::describe(accepted.error()));
+  }
+  motion_.set_limits(changed);
+  return Progress::done;
+}
+
+CommandExecutor::Progress CommandExecutor::set_max_accelerations() {
+  return set_per_axis(motion::set_max_acceleration);
+}
+
+CommandExecutor::Progress CommandExecutor::set_max_speeds() {
+  return set_per_axis(motion::set_max_speed);
+}
+
+// P printing, T travel, R retraction; S is both P and T, as old slicers write it.
+CommandExecutor::Progress CommandExecutor::set_accelerations() {
+  using Acceleration = units::MicrometersPerSecondSquared;
+  constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
+    return motion::set_print_acceleration(limits, micrometers<Acceleration>(value));
+  };
+  constexpr auto travel = [](motion::Limits& limits, units::Nanometers value) {
+    return motion::set_travel_acceleration(limits, micrometers<Acceleration>(value));
+  };
+  constexpr auto retract = [](motion::Limits& limits, units::Nanometers value) {
+    return motion::set_retract_acceleration(limits, micrometers<Acceleration>(value));
+  };
+  static constexpr Setting settings[]{
+      {'S', print}, {'S', travel}, {'P', print}, {'T', travel}, {'R', retract}};
+  return set_for_all(settings);
+}
+
+// X Y Z E jerk, S slowest print move, T slowest travel; B and J (other planners' numbers) are ignored.
+CommandExecutor::Progress CommandExecutor::set_advanced() {
+  using Speed = units::MicrometersPerSecond;
+  constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
+    return motion::set_min_print_speed(limits, micrometers<Speed>(value));
+  };
+  constexpr auto travel = [](motion::Limits& limits, units::Nanometers value) {
+    return motion::set_min_travel_speed(limits, micrometers<Speed>(value));
+  };
+  static constexpr Setting settings[]{{'S', print}, {'T', travel}};
+  if (command_.has('X') || command_.has('Y') || command_.has('Z') || command_.has('E')) {
+    if (set_per_axis(motion::set_jerk) == Progress::again) return Progress::again;
+    if (refused_) return Progress::done;
+  }
+  return set_for_all(settings);
+}
+
+// Without values it tells what holds. The position in millimetres is kept, as in Marlin.
+CommandExecutor::Progress CommandExecutor::set_steps_per_millimeter() {
+  if (named_axes().empty()) {
+    host_link::TextLine line;
+    line.text("echo: M92");
+    for (std::size_t i = 0; i < units::axis_count; ++i) {
+      line.character(' ').character(units::axis_letters[i]);
+      line.decimal(motion_.limits().axes[i].steps_per_meter.count(), 3, 2);
+    }
+    return say(line);
+  }
+  if (wait_for_rest() == Progress::again) return Progress::again;
+  motion::Limits changed = motion_.limits();
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const auto value = command_.value(units::axis_letters[i]);
+    if (!value) continue;
+    constexpr std::int64_t millionths_per_thousandth = 1000;
+    const std::int64_t per_meter = std::clamp<std::int64_t>(
+        *value / millionths_per_thousandth, 0, std::numeric_limits<std::int32_t>::max());
+    const auto accepted =
+        motion::set_steps_per_meter(changed, static_cast<units::Axis>(i),
+                                    units::StepsPerMeter(static_cast<std::int32_t>(per_meter)));
+    if (!accepted) return refuse(motion::describe(accepted.error()));
+  }
+  motion_.set_steps_per_meter(changed);
+  planned_ = motion_.position();
+  return Progress::done;
+}
+
+CommandExecutor::Progress CommandExecutor::set_busy_interval() {
+  constexpr std::int64_t longest_s = 60;
+  const auto seconds = command_.integer('S');
+  if (!seconds) {
+    host_link::TextLine line;
+    return say(line.text("echo:M113 S").integer(busy_interval_.count() / 1000));
+  }
+  busy_interval_ = units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
+  link_.set_busy_interval(busy_interval_);
+  return Progress::done;
+}
+
+}  // namespace application

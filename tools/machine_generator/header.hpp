@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a machine description to the C++ header with the firmware's constants.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace machine_generator {
+
+// The text of machine/machine.hpp. Throws DescriptionError on anything missing, ill-typed, out of the
+// firmware's range or unknown.
+std::string header_of(const std::filesystem::path& file);
+
+}  // namespace machine_generator

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The typed and complete reading of a machine description's tables.
+#include "machine_generator/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace machine_generator {
+
+toml::table Reader::parse(const std::filesystem::path& file) {
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw DescriptionError(fmt::format("{}: line {}: {}", file.string(), error.source().begin.line,
+                                       error.description()));
+  }
+}
+
+Reader::Reader(const std::filesystem::path& file, const toml::table& table, std::string place)
+    : file_(file.string()), table_(table), place_(std::move(place)) {}
+
+Reader Reader::table(const std::string& key) {
+  const auto* table = node(key).as_table();
+  if (table == nullptr) fail(key, "must be a table");
+  return Reader(file_, *table, place_.empty() ? key : place_ + "." + key);
+}
+
+std::string Reader::text(const std::string& key) {
+  const auto value = node(key).value<std::string>();
+  if (!value || value->empty()) fail(key, "must be a text");
+  return *value;
+}
+
+std::int64_t Reader::whole(const std::string& key, std::int64_t least, std::int64_t most) {
+  const auto* integer = node(key).as_integer();
+  if (integer == nullptr) fail(key, "must be a whole number");
+  const std::int64_t value = integer->get();
+  if (value < least || value > most) {
+    fail(key, fmt::format("is {}, but must be {} to {}", value, least, most));
+  }
+  return value;
+}
+
+std::int64_t Reader::scaled(const std::string& key, std::int64_t scale, std::int64_t least,
+                            std::int64_t most) {
+  const toml::node& found = node(key);
+  if (!found.is_number()) fail(key, "must be a number");
+  const double value = *found.value<double>();
+  const double product = value * static_cast<double>(scale);
+  const auto bound = [scale](std::int64_t limit) {
+    return static_cast<double>(limit) / static_cast<double>(scale);
+  };
+  // Written so that a NaN is out of bounds.
+  if (!(product >= static_cast<double>(least) && product <= static_cast<double>(most))) {
+    fail(key, fmt::format("is {}, but must be {} to {}", value, bound(least), bound(most)));
+  }
+  constexpr double tolerance = 1e-6;  // of the decimal number's binary form
+  if (std::abs(product - std::round(product)) > tolerance) {
+    fail(key, fmt::format("is {}, finer than the firmware's unit of 1/{}", value, scale));
+  }
+  return std::llround(product);
+}
+
+void Reader::finish() const {
+  for (const auto& [key, value] : table_) {
+    if (!used_.contains(std::string(key.str()))) {
+      fail(std::string(key.str()), "is not an entry that this program knows");
+    }
+  }
+}
+
+void Reader::fail(const std::string& key, const std::string& what) const {
+  const std::string full = place_.empty() ? key : place_ + "." + key;
+  throw DescriptionError(fmt::format("{}: {}: {}", file_, full, what));
+}
+
+const toml::node& Reader::node(const std::string& key) {
+  const toml::node* found = table_.get(key);
+  if (found == nullptr) fail(key, "is missing");
+  used_.insert(key);
+  return *found;
+}
+
+}  // namespace machine_generator

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads one table of a machine description: every value is wanted, of the right type and within bounds,
+// and what nobody asked for is an error too.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <toml++/toml.hpp>
+
+namespace machine_generator {
+
+// Says the file, the full name of the entry and what is wrong with it.
+class DescriptionError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Reader {
+ public:
+  // The whole file. Throws DescriptionError where it is missing or not TOML.
+  static toml::table parse(const std::filesystem::path& file);
+
+  // `place` is the table's full name, empty for the file itself.
+  Reader(const std::filesystem::path& file, const toml::table& table, std::string place = {});
+
+  bool has(const std::string& key) const { return table_.contains(key); }
+  Reader table(const std::string& key);
+  std::string text(const std::string& key);
+  std::int64_t whole(const std::string& key, std::int64_t least, std::int64_t most);
+  // A decimal number times `scale`, which must give a whole number within the bounds: 62.745 steps/mm are
+  // 62745 steps/m, but 0.0001 steps/mm are refused.
+  std::int64_t scaled(const std::string& key, std::int64_t scale, std::int64_t least, std::int64_t most);
+
+  // For entries that only the simulated printer uses.
+  void leave(const std::string& key) { used_.insert(key); }
+  // Every key has been read or left; throws on the first that has not.
+  void finish() const;
+
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const;
+
+ private:
+  const toml::node& node(const std::string& key);
+
+  std::string file_;
+  const toml::table& table_;
+  std::string place_;
+  std::set<std::string> used_;
+};
+
+}  // namespace machine_generator
