@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Keeps the positions of all axes and the time of one clock.
+-- Keeps the position of one axis as it was in the clock of a capture.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,16 +8,11 @@ use ieee.numeric_std.all;
 use work.step_generator_pkg.all;
 
 entity position_latch is
-  generic (
-    axes : positive range 1 to axis_limit := 5
-  );
   port (
     clk : in std_ulogic;
     capture : in std_ulogic;
-    positions : in position_array_t(axes - 1 downto 0);
-    now : in time_t;
-    captured_positions : out position_array_t(axes - 1 downto 0) := (others => (others => '0'));
-    captured_time : out time_t := (others => '0')
+    position : in position_t;
+    captured_position : out position_t := (others => '0')
   );
 end entity;
 
@@ -28,8 +23,7 @@ begin
   begin
     wait until rising_edge(clk);
     if capture then
-      captured_positions <= positions;
-      captured_time <= now;
+      captured_position <= position;
     end if;
   end process;
 

@@ -52,7 +52,7 @@ architecture rtl of step_generator is
   signal to_software : step_generator_to_software_t;
 
   signal write : lane_write_t;
-  signal guards : guard_array_t(axes - 1 downto 0) := (others => guard_after_reset);
+  signal guards : guard_array_t(axes - 1 downto 0);
   signal control : step_generator_control_t := control_after_reset;
   signal rate_floor : unsigned(30 downto 0) := rate_floor_after_reset;
   signal refused : refusal_t;
@@ -167,22 +167,33 @@ begin
     if from_software.rate_floor_written then
       rate_floor <= from_software.rate_floor.rate;
     end if;
-    for axis in 0 to axes - 1 loop
-      if from_software.pulse_guard_written(axis) then
-        guards(axis).high <= from_software.pulse_guard(axis).high;
-        guards(axis).low <= from_software.pulse_guard(axis).low;
-      end if;
-      if from_software.direction_guard_written(axis) then
-        guards(axis).direction_setup <= from_software.direction_guard(axis).setup;
-        guards(axis).direction_hold <= from_software.direction_guard(axis).hold;
-      end if;
-    end loop;
     if reset then
       control <= control_after_reset;
       rate_floor <= rate_floor_after_reset;
-      guards <= (others => guard_after_reset);
     end if;
   end process;
+
+  each_guard : for axis in 0 to axes - 1 generate
+    signal guard : guard_t := guard_after_reset;
+  begin
+    guards(axis) <= guard;
+
+    keep_guard : process
+    begin
+      wait until rising_edge(clk);
+      if from_software.pulse_guard_written(axis) then
+        guard.high <= from_software.pulse_guard(axis).high;
+        guard.low <= from_software.pulse_guard(axis).low;
+      end if;
+      if from_software.direction_guard_written(axis) then
+        guard.direction_setup <= from_software.direction_guard(axis).setup;
+        guard.direction_hold <= from_software.direction_guard(axis).hold;
+      end if;
+      if reset then
+        guard <= guard_after_reset;
+      end if;
+    end process;
+  end generate;
 
   remember_errors : process
   begin

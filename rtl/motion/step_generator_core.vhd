@@ -47,7 +47,7 @@ entity step_generator_core is
     stopped : out std_ulogic;
     stop_cause : out stop_cause_t;
     stop_positions : out position_array_t(axes - 1 downto 0);
-    stop_time : out time_t;
+    stop_time : out time_t := (others => '0');
 
     positions : out position_array_t(axes - 1 downto 0);
     -- Only when idle, otherwise refused in the same clock.
@@ -56,7 +56,7 @@ entity step_generator_core is
     position_refused : out std_ulogic;
     snapshot : in std_ulogic;
     snapshot_positions : out position_array_t(axes - 1 downto 0);
-    snapshot_time : out time_t;
+    snapshot_time : out time_t := (others => '0');
 
     step : out std_ulogic_vector(axes - 1 downto 0);
     -- 1 = negative.
@@ -114,10 +114,16 @@ begin
 
   begin_line <= take and not head.continues_line;
 
-  keep_line : process
+  keep_time_and_line : process
   begin
     wait until rising_edge(clk);
     now <= now + 1;
+    if stop_begins then
+      stop_time <= now;
+    end if;
+    if snapshot then
+      snapshot_time <= now;
+    end if;
     if begin_line then
       line_ticks <= head.line_ticks;
     end if;
@@ -139,6 +145,16 @@ begin
         direction => direction(axis), busy => busy(axis), position => positions(axis),
         set_position => allowed_position(axis), new_position => new_position,
         stalls => axis_stalls(axis));
+
+    at_stop : entity work.position_latch
+      port map (
+        clk => clk, capture => stop_begins, position => positions(axis),
+        captured_position => stop_positions(axis));
+
+    at_snapshot : entity work.position_latch
+      port map (
+        clk => clk, capture => snapshot, position => positions(axis),
+        captured_position => snapshot_positions(axis));
   end generate;
 
   stops : entity work.stop_latch
@@ -147,17 +163,5 @@ begin
       end_stops => end_stops, emergency_stop => emergency_stop, software_stop => software_stop,
       acknowledge => acknowledge_stop, stop => stop, stop_begins => stop_begins,
       stopped => stopped, cause => stop_cause);
-
-  at_stop : entity work.position_latch
-    generic map (axes => axes)
-    port map (
-      clk => clk, capture => stop_begins, positions => positions, now => now,
-      captured_positions => stop_positions, captured_time => stop_time);
-
-  at_snapshot : entity work.position_latch
-    generic map (axes => axes)
-    port map (
-      clk => clk, capture => snapshot, positions => positions, now => now,
-      captured_positions => snapshot_positions, captured_time => snapshot_time);
 
 end architecture;

@@ -61,7 +61,8 @@ architecture rtl of time_base is
   signal last : std_ulogic := '0';
   signal count_changed : std_ulogic := '0';
 
-  signal phase_sum : unsigned(64 downto 0);
+  signal phase_sum : unsigned(63 downto 0);
+  signal carry : std_ulogic;
   signal next_rate : unsigned(63 downto 0);
 
   -- A rate below the floor is held at it.
@@ -89,10 +90,12 @@ architecture rtl of time_base is
 
 begin
 
-  phase_sum <= ('0' & phase) + rate;
+  phase_sum <= phase + rate;
+  -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
+  carry <= phase(63) and not phase_sum(63);
   next_rate <= integrated(rate, acceleration, rate_floor);
 
-  due <= active and advance and not stop and phase_sum(64);
+  due <= active and advance and not stop and carry;
   tick <= due and axes_ready;
   take <= head_valid and not stop and ((tick and last) or (not active and run));
 
@@ -100,8 +103,8 @@ begin
   begin
     wait until rising_edge(clk);
 
-    if active and advance and (not phase_sum(64) or axes_ready) then
-      phase <= phase_sum(63 downto 0);
+    if active and advance and (not carry or axes_ready) then
+      phase <= phase_sum;
       rate <= next_rate;
       acceleration <= acceleration + jerk;
     end if;

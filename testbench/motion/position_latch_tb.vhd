@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- All positions and the time are those of the clock of the capture.
+-- The captured position is that of the clock of the capture, and stays.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,28 +17,23 @@ architecture simulation of position_latch_tb is
 
   signal clk : std_ulogic := '0';
   signal capture : std_ulogic := '0';
-  signal positions : position_array_t(1 downto 0) := (others => (others => '0'));
-  signal now_clock : time_t := (others => '0');
-  signal captured_positions : position_array_t(1 downto 0);
-  signal captured_time : time_t;
+  signal position : position_t := (others => '0');
+  signal captured_position : position_t;
 
 begin
 
   clk <= not clk after 10 ns;
 
   latch : entity work.position_latch
-    generic map (axes => 2)
     port map (
-      clk => clk, capture => capture, positions => positions, now => now_clock,
-      captured_positions => captured_positions, captured_time => captured_time);
+      clk => clk, capture => capture, position => position,
+      captured_position => captured_position);
 
-  -- Both axes move in every clock.
+  -- A step back in every clock.
   move : process
   begin
     wait until rising_edge(clk);
-    now_clock <= now_clock + 1;
-    positions(0) <= positions(0) + 1;
-    positions(1) <= positions(1) - 1;
+    position <= position - 1;
   end process;
 
   test : process
@@ -46,15 +41,14 @@ begin
     for i in 1 to 10 loop
       wait until rising_edge(clk);
     end loop;
-    assert captured_time = 0 severity failure;
+    assert captured_position = 0 severity failure;
     capture <= '1';
     wait until rising_edge(clk);
     capture <= '0';
     for i in 1 to 10 loop
       wait until rising_edge(clk);
     end loop;
-    assert captured_time = 10 report to_string(to_integer(captured_time)) severity failure;
-    assert captured_positions(0) = 10 and captured_positions(1) = -10 severity failure;
+    assert captured_position = -10 report to_string(to_integer(captured_position)) severity failure;
     finish;
   end process;
 
