@@ -88,6 +88,25 @@ TEST(planner, slows_down_but_does_not_stop_when_lines_come_too_slowly) {
   EXPECT_LE(result.rests, 1u);
 }
 
+TEST(planner, keeps_the_queue_filled_when_it_is_called_seldom) {
+  PrintRun run(mendel(), {.queue_depth = 32, .refill_seconds = 0.02});
+  const RunResult result = run.run(arc(600, 0.2, 20, 150'000));
+  expect_exact_and_within_limits(result);
+  EXPECT_EQ(result.rests, 1u);
+}
+
+TEST(planner, stops_at_every_corner_without_jerk) {
+  motion::Limits limits = mendel();
+  for (motion::AxisLimits& axis : limits.axes) axis.jerk = {};
+  PrintRun run(limits, {});
+  const RunResult result =
+      run.run({to(10 * mm, 0, 0, mm, 50'000), to(10 * mm, 10 * mm, 0, mm, 50'000),
+               to(0, 10 * mm, 0, mm, 50'000), to(0, 0, 0, 0, 50'000)});
+  expect_exact_and_within_limits(result);
+  EXPECT_EQ(result.rests, 1u);
+  EXPECT_NEAR(result.seconds, 4 * (10.0 / 50 + 50.0 / 1'500), 0.03);
+}
+
 class RandomMoves : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(RandomMoves, are_exact_and_keep_every_limit) {
@@ -100,7 +119,8 @@ TEST_P(RandomMoves, are_exact_and_keep_every_limit) {
   PrintRun run(limits, {.clock_hz = GetParam()});
   std::vector<LineMove> moves;
   std::int64_t x = 0, y = 0, z = 0, e = 0;
-  for (int i = 0; i < 400; ++i) {
+  const int count = GetParam() > 20'000'000 ? 60 : 400;
+  for (int i = 0; i < count; ++i) {
     const std::int64_t reach = i % 3 == 0 ? 20'000 : i % 3 == 1 ? 500'000 : 10 * mm;
     if (within(0, 9) != 0) x += within(-reach, reach);
     if (within(0, 9) != 0) y += within(-reach, reach);
@@ -117,7 +137,8 @@ TEST_P(RandomMoves, are_exact_and_keep_every_limit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(clocks, RandomMoves,
-                         testing::Values(4'000'000, 4'915'200, 8'000'000, 12'345'678));
+                         testing::Values(4'000'000, 4'915'200, 12'345'678, 50'000'000,
+                                         100'000'000));
 
 TEST(planner, starts_a_long_move_at_once_and_a_short_one_after_the_delay) {
   motion::Planner planner(mendel(), motion_test::timing(4'000'000));
@@ -161,6 +182,27 @@ TEST(planner, collects_moves_of_less_than_a_step) {
   ASSERT_TRUE(planner.append(to(8'000, 0, 0, 0, 50'000), {}));
   EXPECT_EQ(planner.lines(), 1u);
   EXPECT_EQ(planner.position_steps()[0], 1);
+}
+
+TEST(planner, keeps_the_feedrate_on_moves_of_less_than_a_step) {
+  std::vector<LineMove> moves;
+  for (int i = 1; i <= 1'000; ++i) moves.push_back(to(2'000 * i, 0, 0, 0, 10'000));
+  PrintRun run(mendel(), {});
+  const RunResult result = run.run(moves);
+  expect_exact_and_within_limits(result);
+  EXPECT_NEAR(result.seconds, 0.2, 0.004);
+}
+
+// X and Y step shortly after each other: every other line is a step in a sixth of a step's length.
+TEST(planner, does_not_slow_down_where_rounding_puts_steps_close_together) {
+  motion::Limits limits = mendel();
+  limits.travel_acceleration = units::MicrometersPerSecondSquared(3'000'000);
+  std::vector<LineMove> moves;
+  for (int i = 1; i <= 5'000; ++i) moves.push_back(to(1'400 * i, 1'400 * i + 1'400, 0, 0, 100'000));
+  PrintRun run(limits, {});
+  const RunResult result = run.run(moves);
+  expect_exact_and_within_limits(result);
+  EXPECT_LT(result.seconds, 0.23);  // by look-ahead: 10 mm at 58 mm/s; 32 mm/s by the step rate
 }
 
 TEST(planner, does_not_crawl_where_steps_are_coarser_than_segments) {

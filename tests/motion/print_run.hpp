@@ -23,7 +23,6 @@ struct RunOptions {
 // What the run has seen; the worst of each excess over what is allowed, 0 or less where kept.
 struct RunResult {
   double seconds{};  // from the first to the last clock of motion
-  double first_motion_seconds{-1};  // after the first line was appended
   std::uint64_t lines{};
   std::uint64_t segments{};
   std::uint64_t underruns{};
@@ -53,10 +52,6 @@ class PrintRun {
  private:
   struct ExpectedLine {
     units::PerAxis<units::Nanometers> from, to;
-  };
-  struct Motion {
-    motion::Segment segment;
-    double rate;  // ticks/s
   };
 
   void feed(const std::vector<motion::LineMove>& moves);
