@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Leads every access of the one master to the slave in whose 4 KiB window it lies; none stays unanswered.
+-- Leads every access of the one master to the slave in whose 4 KiB window it lies; none stays
+-- unanswered.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,8 +12,8 @@ entity bus_interconnect is
   generic (
     -- Where the window of each slave begins, multiples of 4096.
     base_addresses : bus_address_array_t := (0 => x"F0000000", 1 => x"F0001000");
-    -- Clocks that an access may take; a slave that takes longer is given up with an error. It must be
-    -- what the slowest slave takes at least.
+    -- Clocks that an access may take; a slave that takes longer is given up with an error. It must
+    -- be what the slowest slave takes at least.
     answer_limit_cycles : positive := 16
   );
   port (

@@ -19,12 +19,12 @@ package timer_registers_pkg is
     cycles : unsigned(31 downto 0);
   end record;
 
-  -- Low half of the deadline. It takes effect together with the next write of `compare_high`.
+  -- Low half of the deadline. It takes effect with the next write of `compare_high`.
   type timer_compare_low_t is record
     cycles : unsigned(31 downto 0);
   end record;
 
-  -- High half of the deadline. The interrupt is on from the deadline until a later one is set.
+  -- High half of the deadline. From then on the interrupt is on, until a later one is set.
   type timer_compare_high_t is record
     cycles : unsigned(31 downto 0);
   end record;

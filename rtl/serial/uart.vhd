@@ -38,7 +38,8 @@ architecture rtl of uart is
 
 begin
 
-  levels_fit_their_fields : assert receive_depth <= 2048 and transmit_depth <= 2048 severity failure;
+  levels_fit_their_fields : assert receive_depth <= 2048 and transmit_depth <= 2048
+    severity failure;
 
   registers : entity work.uart_registers
     port map (
@@ -100,8 +101,8 @@ begin
       );
 
     overrun <= byte_received and full;
-    -- The read event comes a clock after software's look at the data: a byte that arrived in between was
-    -- not seen and stays.
+    -- The read event comes a clock after software's look at the data: a byte that arrived in
+    -- between was not seen and stays.
     take <= from_software.data_read and oldest_was_valid;
     to_software.data <= (byte => unsigned(oldest), valid => oldest_valid);
     to_software.status.receive_level <= to_unsigned(level, 12);
@@ -114,7 +115,8 @@ begin
         and level >= from_software.interrupts.receive_threshold else '0';
 
       if from_software.clear_written then
-        to_software.status.overrun <= to_software.status.overrun and not from_software.clear.overrun;
+        to_software.status.overrun <=
+          to_software.status.overrun and not from_software.clear.overrun;
         to_software.status.framing_error <=
           to_software.status.framing_error and not from_software.clear.framing_error;
         to_software.status.break_condition <=

@@ -14,8 +14,8 @@ entity uart_receiver is
     increment : in unsigned(31 downto 0);
     -- The pin, asynchronous, idle high.
     receive : in std_ulogic;
-    -- Each of these is '1' for one clock: a byte in `data`, one that had no stop bit and is dropped, or
-    -- a frame that was low from end to end.
+    -- Each of these is '1' for one clock: a byte in `data`, one that had no stop bit and is
+    -- dropped, or a frame that was low from end to end.
     valid : out std_ulogic := '0';
     framing_error : out std_ulogic := '0';
     break_condition : out std_ulogic := '0';
@@ -44,9 +44,10 @@ begin
     generic map (idle_level => '1')
     port map (clk => clk, asynchronous(0) => receive, synchronous(0) => received);
 
-  -- Work is done in ticks: every clock of a fast line, every 16th of a bit of a slow one. A bit's level is
-  -- the majority of three ticks around its middle. The first clock that sees the start bit low is on
-  -- average half a clock late, hence counts as one clock into the bit where the middle is rounded up.
+  -- Work is done in ticks: every clock of a fast line, every 16th of a bit of a slow one. A bit's
+  -- level is the majority of three ticks around its middle. The first clock that sees the start bit
+  -- low is on average half a clock late, hence counts as one clock into the bit where the middle is
+  -- rounded up.
   receive_frames : process
     variable next_phase : unsigned(31 downto 0);
     variable tick : boolean;

@@ -11,8 +11,8 @@ package bus_master_pkg is
 
   subtype word_t is std_ulogic_vector(31 downto 0);
 
-  -- One access of any kind. `failed` tells that it was answered with `error`, `clocks` after how many.
-  -- Fails the bench where there is no answer within 100 clocks.
+  -- One access of any kind. `failed` tells that it was answered with `error`, `clocks` after how
+  -- many. Fails the bench where there is no answer within 100 clocks.
   procedure bus_access (
     signal clk : in std_ulogic;
     signal request : out bus_request_t;

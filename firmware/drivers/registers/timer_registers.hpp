@@ -43,7 +43,7 @@ struct TimeHigh {
   }
 };
 
-// Low half of the deadline. It takes effect together with the next write of `compare_high`.
+// Low half of the deadline. It takes effect with the next write of `compare_high`.
 struct CompareLow {
   static constexpr std::uint32_t address = base + 0x8u;
   // Bits 31 to 0.
@@ -59,7 +59,7 @@ struct CompareLow {
   }
 };
 
-// High half of the deadline. The interrupt is on from the deadline until a later one is set.
+// High half of the deadline. From then on the interrupt is on, until a later one is set.
 struct CompareHigh {
   static constexpr std::uint32_t address = base + 0xCu;
   // Bits 63 to 32.
