@@ -13,14 +13,6 @@ constexpr std::uint8_t rescues = 6;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// G, M or T and a digit: not the remnant of a torn line.
-bool looks_like_command(std::string_view text) {
-  if (text.size() < 2 || !is_digit(text[1])) return false;
-  const char letter = text[0];
-  return letter == 'G' || letter == 'M' || letter == 'T' || letter == 'g' || letter == 'm' ||
-         letter == 't';
-}
-
 // Commands that hosts send between numbered lines and that only ask: safe even if they are
 // remnants.
 bool only_asks(std::string_view text) {

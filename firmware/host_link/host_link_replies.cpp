@@ -120,7 +120,7 @@ bool HostLink::put_resend() {
   transmit_.put_line({ok});
   resend_owed_ = false;
   wait_for_room_ = false;
-  numbering_.asked_for_resend(now_);
+  numbering_.resend_sent(now_);
   last_exchange_ = now_;
   ++statistics_.resends;
   return true;

@@ -28,6 +28,11 @@ std::optional<std::int32_t> take_line_number(std::string_view& text) {
   return static_cast<std::int32_t>(negative ? 0 - magnitude : magnitude);
 }
 
+bool looks_like_command(std::string_view text) {
+  constexpr std::string_view letters = "GMTgmt";
+  return text.size() >= 2 && letters.find(text[0]) != std::string_view::npos && is_digit(text[1]);
+}
+
 bool sets_numbering(std::string_view text) {
   constexpr std::string_view command = "M110";
   return text.starts_with(command) && (text.size() == command.size() || !is_digit(text[4]));

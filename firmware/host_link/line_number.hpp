@@ -12,6 +12,9 @@ namespace host_link {
 // and `text` unchanged, if there is none or it does not fit.
 std::optional<std::int32_t> take_line_number(std::string_view& text);
 
+// G, M or T and a digit: not the remnant of a torn line.
+bool looks_like_command(std::string_view text);
+
 // Whether a line's text (without its own number) is an M110.
 bool sets_numbering(std::string_view text);
 

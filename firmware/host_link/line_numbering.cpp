@@ -79,49 +79,72 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
 
 // What cannot be the wanted line comes from the host's look-ahead or is a remnant of a line that
 // has been asked for again: a second Resend for it would send the host back twice.
-Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
-                                      units::Milliseconds now) {
-  if (within_patience(now) && line.number != asked_for()) return {Verdict::ignore};
-  // A spoilt M110 must be asked for by its own number: the old numbering means nothing to this
-  // host, or, worse, another line of its new job. No host knows a negative number in a Resend.
-  if (line.number && sets_numbering(line.text))
-    spoilt_restart_ = std::max<std::int32_t>(*line.number, 0);
-  return {Verdict::refuse, error};
-}
-
-// A Resend whose number was spoilt on its way can send a host back to the M110 that opened its job.
-bool LineNumbering::is_return_to_start(const ReceivedLine& line, units::Milliseconds now) const {
-  return awaiting_resend_ && !spoilt_restart_ && history_size_ != 0 && *line.number >= 0 &&
-         now - asked_ < restart_pause;
-}
-
-Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) const {
-  const std::int32_t number = *line.number;
-  if (number == wanted()) return {Verdict::accept};
-  if (sets_numbering(line.text)) {
-    if (!is_return_to_start(line, now)) return {Verdict::accept};
-    return {within_patience(now) ? Verdict::ignore : Verdict::refuse, LineError::wrong_number};
-  }
-  const std::uint32_t fingerprint = fingerprint_of(line.text);
-  const bool taken = taken_before(number, fingerprint);
-  if (number == 0 || number == 1) {
-    if (!taken && !opened_with(number, fingerprint)) return {Verdict::accept};
-    // The same opening again, after a pause: the same job started anew, unless a Resend whose
-    // number was spoilt on its way explains it.
-    const bool explained = asked_recently(now) || now - last_taken_ < restart_pause;
-    if (!explained) return {Verdict::accept};
-  }
-  if (taken) return {Verdict::repeat};
+Judgement LineNumbering::refuse_or_ignore(units::Milliseconds now) const {
   if (within_patience(now)) return {Verdict::ignore};
   return {Verdict::refuse, LineError::wrong_number};
 }
 
+Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
+                                      units::Milliseconds now) {
+  if (within_patience(now) && line.number != asked_for()) return {Verdict::ignore};
+  refused_number_ = line.number;
+  // A spoilt M110 must be asked for by its own number: the old numbering means nothing to this
+  // host, or, worse, another line of its new job. No host knows a negative number in a Resend.
+  if (line.number && sets_numbering(line.text)) lost_start_ = std::max(*line.number, 0);
+  return {Verdict::refuse, error};
+}
+
+Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) {
+  const std::int32_t number = *line.number;
+  if (sets_numbering(line.text)) return judge_restart(line, now);
+  if (start_may_be_lost(line)) {
+    const bool asked_for_it = asked_for() == 0;
+    lost_start_ = 0;
+    if (asked_for_it) return refuse_or_ignore(now);
+    return {Verdict::refuse, LineError::wrong_number};
+  }
+  if (lost_start_ && number != *lost_start_ && within_patience(now)) return {Verdict::ignore};
+  if (number == wanted()) return {Verdict::accept};
+  if (number == 0 || number == 1) return judge_first_number(line, now);
+  if (taken_before(number, fingerprint_of(line.text))) return {Verdict::repeat};
+  return refuse_or_ignore(now);
+}
+
+// A Resend whose number was spoilt on its way can send a host back to the M110 that opened its job.
+Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
+  const bool sent_back = awaiting_resend_ && !lost_start_ && history_size_ != 0 &&
+                         *line.number >= 0 && now - asked_ < restart_pause;
+  if (sent_back) return refuse_or_ignore(now);
+  return {Verdict::accept};
+}
+
+// N0 or N1 out of order: a new numbering, of which the M110 is lost or was never sent.
+Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
+                                            units::Milliseconds now) const {
+  const std::uint32_t fingerprint = fingerprint_of(line.text);
+  const bool taken = taken_before(*line.number, fingerprint);
+  // The same opening again, after a pause: the same job started anew, unless a Resend whose number
+  // was spoilt on its way explains it.
+  const bool explained = asked_recently(now) || now - last_taken_ < restart_pause;
+  const bool known = taken || opened_with(*line.number, fingerprint);
+  if (looks_like_command(line.text) && !(known && explained)) return {Verdict::accept};
+  if (taken) return {Verdict::repeat};
+  return refuse_or_ignore(now);
+}
+
+// An unknown N1 while a line that could not be read is awaited: that line may have been N0, without
+// which nothing must begin.
+bool LineNumbering::start_may_be_lost(const ReceivedLine& line) const {
+  if (line.number != 1 || !awaiting_resend_ || lost_start_ || refused_number_ == 1) return false;
+  if (established_ && wanted() == 1) return false;
+  return !opened_with(1, fingerprint_of(line.text));
+}
+
 void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) {
   if (!line.number) return;
+  last_taken_ = now;
   if (sets_numbering(line.text)) {
-    restart_after(number_set_by(line.text).value_or(*line.number));
-    last_taken_ = now;
-    return;
+    return restart_after(number_set_by(line.text).value_or(*line.number));
   }
   const std::int32_t number = *line.number;
   const std::uint32_t fingerprint = fingerprint_of(line.text);
@@ -131,16 +154,22 @@ void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) 
   history_next_ = (history_next_ + 1) % history_length;
   if (history_size_ < history_length) ++history_size_;
   last_ = number;
-  last_taken_ = now;
-  awaiting_resend_ = false;
-  unprintable_.reset();
-  spoilt_restart_.reset();
+  end_recovery();
 }
 
 void LineNumbering::restart_after(std::int32_t last) {
   forget();
   last_ = last;
+  end_recovery();
+}
+
+void LineNumbering::end_recovery() {
+  established_ = true;
   awaiting_resend_ = false;
+  unprintable_.reset();
+  refused_number_.reset();
+  lost_start_.reset();
+  lost_start_asked_ = 0;
 }
 
 void LineNumbering::asked_for_resend(units::Milliseconds now) {
@@ -148,6 +177,14 @@ void LineNumbering::asked_for_resend(units::Milliseconds now) {
   ever_asked_ = true;
   awaiting_resend_ = true;
   ignored_since_resend_ = false;
+}
+
+void LineNumbering::resend_sent(units::Milliseconds now) {
+  asked_for_resend(now);
+  if (!lost_start_ || ++lost_start_asked_ <= lost_start_requests) return;
+  // It begins at N1, and that is what may come now.
+  lost_start_.reset();
+  refused_number_ = 1;
 }
 
 bool LineNumbering::taken_before(std::int32_t number, std::uint32_t fingerprint) const {
@@ -165,8 +202,6 @@ void LineNumbering::forget() {
   history_size_ = 0;
   history_next_ = 0;
   openings_ = {};
-  unprintable_.reset();
-  spoilt_restart_.reset();
 }
 
 }  // namespace host_link

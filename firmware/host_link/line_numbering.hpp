@@ -57,17 +57,21 @@ class LineNumbering {
   void restart_after(std::int32_t last);
   // Something came that could not be used while a resend is awaited: ask again in due time.
   void ignored() { ignored_since_resend_ = true; }
-  // A resend request is sent (or must be, as soon as there is room for the line).
+  // A resend request must be sent, as soon as there is room for it.
   void asked_for_resend(units::Milliseconds now);
+  void resend_sent(units::Milliseconds now);
 
   std::int32_t last() const { return last_; }
   // The next line of the numbering.
   std::int32_t wanted() const;
-  // What a resend request asks for: the wanted line, or the M110 that came spoilt.
-  std::int32_t asked_for() const { return spoilt_restart_.value_or(wanted()); }
+  // What a resend request asks for: the wanted line, or the lost beginning of a new numbering.
+  std::int32_t asked_for() const { return lost_start_.value_or(wanted()); }
   bool awaiting_resend() const { return awaiting_resend_; }
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
+
+  // So often the lost beginning of a numbering is asked for; then the host is taken not to have it.
+  static constexpr std::uint8_t lost_start_requests = 3;
 
  private:
   struct Taken {
@@ -78,23 +82,31 @@ class LineNumbering {
   static constexpr std::size_t history_length = 16;
 
   Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now);
-  Judgement judge_number(const ReceivedLine& line, units::Milliseconds now) const;
+  Judgement judge_number(const ReceivedLine& line, units::Milliseconds now);
   bool taken_before(std::int32_t number, std::uint32_t fingerprint) const;
   bool opened_with(std::int32_t number, std::uint32_t fingerprint) const;
-  bool is_return_to_start(const ReceivedLine& line, units::Milliseconds now) const;
+  Judgement judge_restart(const ReceivedLine& line, units::Milliseconds now) const;
+  Judgement judge_first_number(const ReceivedLine& line, units::Milliseconds now) const;
+  Judgement refuse_or_ignore(units::Milliseconds now) const;
+  bool start_may_be_lost(const ReceivedLine& line) const;
   bool asked_recently(units::Milliseconds now) const;
   void forget();
+  void end_recovery();
 
   std::array<Taken, history_length> history_{};
   std::size_t history_size_{};
   std::size_t history_next_{};
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
-  std::optional<std::int32_t> spoilt_restart_{};  // number of an M110 that was refused
+  // The line with which a host has begun a new numbering, known to have come spoilt.
+  std::optional<std::int32_t> lost_start_{};
+  std::uint8_t lost_start_asked_{};
+  std::optional<std::int32_t> refused_number_{};  // as far as it could be read
   std::int32_t last_{};
   units::Milliseconds last_taken_{};
   units::Milliseconds asked_{};
   bool ever_asked_{};
+  bool established_{};  // a line or an M110 has set the numbering since the start
   bool awaiting_resend_{};
   bool ignored_since_resend_{};
 };

@@ -14,6 +14,11 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
+// Noise that spares the checksum mostly does not spare this.
+constexpr bool may_follow_number(char c) {
+  return is_blank(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == ';' || c == '(';
+}
+
 void trim(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
@@ -73,6 +78,7 @@ ReceivedLine LineReceiver::finish() const {
     line.starts_with_n = true;
     text.remove_prefix(1);
     line.number = take_line_number(text);
+    if (!text.empty() && !may_follow_number(text.front())) line.number = std::nullopt;
     trim(text);
   }
   line.text = text;

@@ -101,7 +101,7 @@ class Octoprint : public HostModel {
     if (asks_for_resend(line)) {
       // Older lines than its history has would end the job; here it then waits for another Resend.
       const auto number = number_in(line, false);
-      if (number && *number <= next_ && *number >= std::max(1, next_ - history)) resend_ = *number;
+      if (number && *number < next_ && *number >= std::max(0, next_ - history)) resend_ = *number;
       simulate_ok_at_ = now + 500;
       return;
     }
@@ -124,11 +124,8 @@ class Octoprint : public HostModel {
     }
     if (!clear_ || done_) return "";
     clear_ = false;
-    if (resend_ != 0 && resend_ < next_) {
-      const int number = resend_++;
-      return line(number);
-    }
-    resend_ = 0;
+    if (resend_ && *resend_ < next_) return line((*resend_)++);
+    resend_ = std::nullopt;
     if (next_ > static_cast<int>(job_.size())) {
       done_ = true;
       return "";
@@ -144,12 +141,13 @@ class Octoprint : public HostModel {
   static constexpr Milliseconds time_out = 18'000;
 
   std::string line(int number) const {
+    if (number == 0) return frame(0, "M110 N0", " ");
     return frame(number, job_[static_cast<std::size_t>(number - 1)], " ");
   }
 
   int hellos_ = 0;
   int next_ = 1;
-  int resend_ = 0;
+  std::optional<int> resend_;
   bool clear_ = false;
   bool done_ = false;
   std::optional<Milliseconds> simulate_ok_at_;

@@ -72,16 +72,29 @@ class Eavesdropper {
         line_ += c;
         continue;
       }
-      const std::size_t star = line_.rfind('*');
-      if (star != std::string::npos && with_checksum(line_.substr(0, star) + "*?") == line_ &&
-          !sent_.contains(line_)) {
-        unseen_faults.push_back(line_);
+      // Wherever the receiver may have begun: it gives up what stays unfinished.
+      for (std::size_t n = line_.find('N'); n != std::string::npos; n = line_.find('N', n + 1)) {
+        const std::string line = line_.substr(n);
+        if (has_right_checksum(line) && !sent_.contains(line)) unseen_faults.push_back(line);
       }
       line_.clear();
     }
   }
 
  private:
+  // As a receiver may read it: up to three digits behind the last '*', perhaps blanks behind them.
+  static bool has_right_checksum(const std::string& line) {
+    const std::size_t star = line.rfind('*');
+    if (star == std::string::npos) return false;
+    const std::size_t end = line.find_last_not_of(" \t") + 1;
+    const std::string digits = line.substr(star + 1, end - star - 1);
+    if (digits.empty() || digits.size() > 3) return false;
+    if (digits.find_first_not_of("0123456789") != std::string::npos) return false;
+    unsigned sum = 0;
+    for (const char c : line.substr(0, star)) sum ^= static_cast<unsigned char>(c);
+    return std::stoul(digits) == sum;
+  }
+
   std::set<std::string> sent_;
   std::string line_;
 };
