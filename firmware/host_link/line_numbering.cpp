@@ -90,7 +90,7 @@ Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
   refused_number_ = line.number;
   // A spoilt M110 must be asked for by its own number: the old numbering means nothing to this
   // host, or, worse, another line of its new job. No host knows a negative number in a Resend.
-  if (line.number && sets_numbering(line.text)) lost_start_ = std::max(*line.number, 0);
+  if (line.number && sets_numbering(line.text)) lost_start_ = std::max<std::int32_t>(*line.number, 0);
   return {Verdict::refuse, error};
 }
 
