@@ -125,8 +125,8 @@ begin
   to_software.watchdog.ticks <= watchdog_timeout;
   to_software.sensor_timeout.ticks <= sensor_timeout;
 
+  -- What it shows before real samples have come through makes no difference: the watchdog is not fed yet.
   emergency_stop_pin : entity work.synchronizer
-    generic map (idle_level => '1')
     port map (
       clk => clk,
       asynchronous(0) => emergency_stop,

@@ -14,6 +14,8 @@ namespace devices {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+// Nobody waits longer: a threshold that a mere leakage reaches in years is not reached.
+constexpr double longest_delay_seconds = 1e6;
 constexpr double temperature_refresh_seconds = 0.005;
 
 // Two draws of the generator give one normal deviate (Box and Muller, 1958): unlike
@@ -101,8 +103,9 @@ void ThermistorInput::settle(double seconds) {
   crossing_seconds_ = never;
   if (fault_ == SensorFault::sense_stuck_high || fault_ == SensorFault::sense_stuck_low) return;
   if (above_at_start_ != (final_volts_ > threshold_)) {
-    crossing_seconds_ = seconds + time_constant_ * std::log((start_volts_ - final_volts_) /
-                                                            (threshold_ - final_volts_));
+    const double delay =
+        time_constant_ * std::log((start_volts_ - final_volts_) / (threshold_ - final_volts_));
+    if (delay < longest_delay_seconds) crossing_seconds_ = seconds + delay;
   }
 }
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The heaters' driver against the heater control: what it takes to heat, and what ends it.
+#include "drivers/heater_control.hpp"
+
+#include <gtest/gtest.h>
+#include <Vheater_control.h>
+
+#include "drivers/registers/heater_control_registers.hpp"
+#include "platform/bus.hpp"
+#include "tests/drivers/verilated_bus.hpp"
+
+namespace {
+
+constexpr std::uint32_t clock_hz = 4'000'000;
+constexpr std::uint64_t clocks_per_ms = clock_hz / 1000;
+
+struct Heaters : testing::Test {
+  tests::VerilatedPeripheral<Vheater_control> chip{registers::heater_control::base};
+  drivers::HeaterControl driver{units::Hertz(clock_hz)};
+  bool sensors_work = true;
+  bool valid = true;
+  std::uint32_t count = 5'000;
+  std::uint64_t clocks_open = 0;
+
+  Heaters() {
+    chip->clock_frequency_hz = clock_hz;
+    chip.after_clock = [this] {
+      clocks_open += chip->gates & 1U;
+      show_readings(sensors_work && chip.now() % (10 * clocks_per_ms) == 0);
+    };
+  }
+  // Per channel, from bit 0: updated, valid, count; channel 0 in the upper half.
+  void show_readings(bool updated) {
+    const std::uint64_t reading =
+        std::uint64_t{count} << 2 | (valid ? 2U : 0U) | (updated ? 1U : 0U);
+    chip->readings[0] = static_cast<std::uint32_t>(reading);
+    chip->readings[1] = static_cast<std::uint32_t>(reading << 2 | reading >> 32);
+    chip->readings[2] = static_cast<std::uint32_t>(reading >> 30);
+  }
+  void run_ms(std::uint64_t milliseconds, bool feed = true) {
+    for (std::uint64_t i = 0; i < milliseconds; ++i) {
+      chip.clock(clocks_per_ms);
+      if (feed && i % 10 == 0) driver.feed();
+    }
+  }
+  void set_up() {
+    driver.set_timeouts(units::Milliseconds(100), units::Milliseconds(200));
+    driver.set_slot(units::Microseconds(100));
+    driver.lock_limits(0, {.minimum = 1'000, .maximum = 90'000});
+    driver.feed();
+    run_ms(20);
+  }
+  bool heats() const { return driver.status(0).gate; }
+};
+
+TEST_F(Heaters, heat_when_all_is_well) {
+  set_up();
+  EXPECT_TRUE(driver.status(0).permitted);
+  driver.set_duty(0, 65'535);
+  run_ms(300);
+  EXPECT_TRUE(heats());
+  EXPECT_FALSE(driver.status(0).tripped);
+  EXPECT_EQ(chip->gates, 1);
+  EXPECT_EQ(chip->__SYM__interrupt, 0);
+}
+
+TEST_F(Heaters, keep_their_duty) {
+  set_up();
+  driver.set_duty(0, 65'535 / 4);
+  run_ms(10);
+  clocks_open = 0;
+  run_ms(400);
+  EXPECT_NEAR(static_cast<double>(clocks_open) / (400.0 * clocks_per_ms), 0.25, 0.002);
+}
+
+TEST_F(Heaters, go_off_when_the_software_hangs) {
+  set_up();
+  driver.set_duty(0, 65'535);
+  run_ms(50);
+  driver.feed();
+  run_ms(98, false);
+  EXPECT_TRUE(heats());
+  run_ms(4, false);
+  EXPECT_FALSE(heats());
+  EXPECT_TRUE(driver.status(0).watchdog_trip);
+  EXPECT_EQ(chip->__SYM__interrupt, 1);
+}
+
+TEST_F(Heaters, stay_off_until_cleared_at_zero_duty) {
+  set_up();
+  driver.set_duty(0, 65'535);
+  run_ms(200, false);
+  run_ms(50);
+  EXPECT_FALSE(heats());
+  driver.clear_trips(0);
+  EXPECT_FALSE(driver.status(0).tripped);
+  driver.set_duty(0, 65'535);
+  run_ms(5);
+  EXPECT_TRUE(heats());
+}
+
+TEST_F(Heaters, need_limits_that_are_locked_at_the_first_call) {
+  driver.feed();
+  run_ms(20);
+  driver.set_duty(0, 65'535);
+  run_ms(5);
+  EXPECT_FALSE(heats());
+  EXPECT_TRUE(driver.status(0).limits_missing_trip);
+  EXPECT_FALSE(driver.status(0).limits_locked);
+  driver.lock_limits(0, {.minimum = 6'000, .maximum = 90'000});
+  driver.lock_limits(0, {.minimum = 0, .maximum = 0xFFFF'FFFF});
+  EXPECT_TRUE(driver.status(0).limits_locked);
+  EXPECT_FALSE(driver.status(1).limits_locked);
+  driver.clear_trips(0);
+  driver.set_duty(0, 65'535);
+  run_ms(5);
+  EXPECT_FALSE(heats());
+  EXPECT_TRUE(driver.status(0).too_hot_trip);
+}
+
+TEST_F(Heaters, name_what_the_sensor_says) {
+  set_up();
+  const auto trip = [this] {
+    run_ms(300);
+    EXPECT_FALSE(heats());
+    const drivers::HeaterStatus status = driver.status(0);
+    sensors_work = valid = true;
+    count = 5'000;
+    run_ms(20);
+    EXPECT_FALSE(heats()) << "forgets";
+    driver.clear_trips(0);
+    driver.set_duty(0, 65'535);
+    run_ms(20);
+    EXPECT_TRUE(heats());
+    return status;
+  };
+  driver.set_duty(0, 65'535);
+  count = 999;
+  EXPECT_TRUE(trip().too_hot_trip);
+  count = 90'001;
+  EXPECT_TRUE(trip().too_cold_trip);
+  valid = false;
+  EXPECT_TRUE(trip().sensor_invalid_trip);
+  sensors_work = false;
+  EXPECT_TRUE(trip().sensor_stale_trip);
+  chip->emergency_stop = 1;
+  run_ms(1);
+  chip->emergency_stop = 0;
+  EXPECT_TRUE(trip().emergency_stop_trip);
+}
+
+TEST_F(Heaters, cannot_be_given_endless_patience) {
+  driver.set_timeouts(units::Milliseconds(60'000), units::Milliseconds(60'000));
+  const auto ticks = platform::read<registers::heater_control::Watchdog>().ticks;
+  EXPECT_LE(ticks * 1024.0 / clock_hz, 3.0);
+  EXPECT_GT(ticks * 1024.0 / clock_hz, 2.9);
+}
+
+}  // namespace
