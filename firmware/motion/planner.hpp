@@ -30,7 +30,7 @@ struct LineMove {
 
 class Planner {
  public:
-  static constexpr std::size_t capacity = 64;
+  static constexpr std::size_t capacity = 32;
   // Motion from rest waits until this much of it is planned, or for at most this long, or for
   // flush().
   static constexpr units::Microseconds start_delay{100'000};
