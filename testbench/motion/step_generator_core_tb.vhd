@@ -107,7 +107,7 @@ begin
       write.valid <= '0';
     end procedure;
 
-    procedure put_segment(flags, ticks, rate_high : natural) is
+    procedure put_course(ticks, rate_high : natural) is
     begin
       put(ticks_lane, ticks);
       put(rate_low_lane, 0);
@@ -162,7 +162,7 @@ begin
           expected(axis) := expected(axis) + steps;
         end if;
       end loop;
-      put_segment(backward, line_ticks, 2 ** random(24, 30));
+      put_course(line_ticks, 2 ** random(24, 30));
     end loop;
     wait_until_idle;
     for axis in 0 to axes - 1 loop
@@ -180,12 +180,15 @@ begin
     assert position_refused = '0' severity failure;
     wait until rising_edge(clk);
     set_position <= "000";
+    new_position <= to_signed(12345, 32);
     put(flags_lane, 16#40000#);
     put(line_ticks_lane, 1000);
     for axis in 0 to axes - 1 loop
       put(steps_lane + axis, 1000);
     end loop;
-    put_segment(0, 1000, 2 ** 20);
+    put_course(600, 2 ** 20);
+    put(flags_lane, 16#40000# + 2 ** continues_line_bit);
+    put_course(400, 2 ** 20);
     wait until rising_edge(clk) and moving = '1';
     set_position <= "010";
     wait for 1 ns;
@@ -203,7 +206,7 @@ begin
     for i in 1 to 1000 loop
       wait until rising_edge(clk);
     end loop;
-    assert stopped = '1' and moving = '0' severity failure;
+    assert stopped = '1' and moving = '0' and level = 0 severity failure;
     assert stop_cause.end_stops = x"04" severity failure;
     assert stop_positions = positions severity failure;
     for axis in 0 to axes - 1 loop

@@ -43,6 +43,7 @@ architecture simulation of time_base_tb is
   signal ticks : natural := 0;
   signal clocks_between_ticks : natural := 0;
   signal since_tick : natural := 0;
+  signal clock_number : natural := 0;
 
 begin
 
@@ -59,6 +60,7 @@ begin
   begin
     wait until rising_edge(clk);
     since_tick <= since_tick + 1;
+    clock_number <= clock_number + 1;
     if tick then
       ticks <= ticks + 1;
       clocks_between_ticks <= since_tick;
@@ -93,6 +95,7 @@ begin
     end procedure;
 
     variable ticks_before : natural;
+    variable began : natural;
   begin
     clocks(2);
     reset <= '0';
@@ -130,6 +133,17 @@ begin
     assert ticks = ticks_before + 10 severity failure;
     assert underruns = 1 report "the end of motion was not intended" severity failure;
 
+    -- What is left of the phase goes over to the next segment: 10 ticks at 0.3 take 34 clocks in all.
+    ticks_before := ticks;
+    offer(1, x"4CCCCCCCCCCCCCCD", '0');
+    began := clock_number;
+    for i in 2 to 10 loop
+      offer(1, x"4CCCCCCCCCCCCCCD", '0');
+    end loop;
+    wait until rising_edge(clk) and active = '0';
+    assert clock_number - began = 35 report to_string(clock_number - began) & " clocks" severity failure;
+    clocks(2);
+
     -- Standing axes and standing time delay, and nothing is lost.
     ticks_before := ticks;
     offer(4, half);
@@ -150,25 +164,27 @@ begin
     offer(40, half / 128, '1', x"C000000000000000");
     wait_for_rest;
     assert clocks_between_ticks = 1024 report to_string(clocks_between_ticks) severity failure;
-    offer(3000, half - half / 512, '1', x"4000000000000000");
+    offer(10000, half - half / 512, '1', x"4000000000000000");
     wait_for_rest;
     assert clocks_between_ticks = 2 report to_string(clocks_between_ticks) severity failure;
-    assert ticks = ticks_before + 4 + 3040 severity failure;
+    assert ticks = ticks_before + 4 + 10040 severity failure;
 
-    -- A stop ends the segment at once.
+    -- A stop ends the segment at once, in a clock with a tick or without one.
     head.stop_mask <= x"A5";
-    offer(1000, half);
-    clocks(10);
-    assert stop_mask = x"A5" severity failure;
-    stop <= '1';
-    ticks_before := ticks;
-    wait for 1 ns;
-    assert tick = '0' severity failure;
-    clocks(1);
-    stop <= '0';
-    clocks(10);
-    assert active = '0' and ticks <= ticks_before + 1 severity failure;
-    assert segments = 15 report to_string(to_integer(segments)) & " segments" severity failure;
+    for delay in 10 to 11 loop
+      offer(1000, half);
+      clocks(delay);
+      assert stop_mask = x"A5" severity failure;
+      stop <= '1';
+      wait for 1 ns;
+      assert tick = '0' report "tick in the clock of a stop" severity failure;
+      ticks_before := ticks;
+      clocks(1);
+      stop <= '0';
+      clocks(10);
+      assert active = '0' and ticks = ticks_before severity failure;
+    end loop;
+    assert segments = 26 report to_string(to_integer(segments)) & " segments" severity failure;
 
     finish;
   end process;
