@@ -52,7 +52,8 @@ begin
   arithmetic_or_left <= shifted_left when operation(0) else
                         difference when alternate else
                         sum;
-  conditional <= (31 downto 1 => '0') & wide_difference(32) when operation(1) else arithmetic_or_left;
+  conditional <= (31 downto 1 => '0') & wide_difference(32) when operation(1) else
+                 arithmetic_or_left;
   logical <= first and second when operation(1) and operation(0) else
            first or second when operation(1) else
            shifted_right when operation(0) else

@@ -79,7 +79,9 @@ begin
       when x"320" => read_data(2) <= instructions_stopped; read_data(0) <= cycle_stopped;
       when x"340" => read_data <= scratch;
       when x"341" => read_data <= std_ulogic_vector(exception_address) & "00";
-      when x"342" => read_data(31) <= last_trap_was_interrupt; read_data(4 downto 0) <= last_trap_cause;
+      when x"342" =>
+        read_data(31) <= last_trap_was_interrupt;
+        read_data(4 downto 0) <= last_trap_cause;
       when x"343" => read_data <= last_trap_value;
       when x"344" => read_data <= requested_interrupts;
       when x"7a0" | x"7a1" => null;  -- tselect, tdata1: "there is no trigger".

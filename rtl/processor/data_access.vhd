@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Loads and stores: sends them to the memory or over the bus, and puts loaded bytes where they belong.
+-- Sends loads and stores to the memory or over the bus, stored bytes in the lanes where they
+-- belong.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -29,7 +29,8 @@ architecture rtl of divider is
   signal state : state_t;
   signal bits_left : unsigned(4 downto 0);
 
-  -- Absolute values. The quotient enters `quotient` from the right while the dividend leaves to the left.
+  -- Absolute values. The quotient enters `quotient` from the right, the dividend leaves to the
+  -- left.
   signal quotient, remainder, divisor : unsigned(31 downto 0);
   signal negate_quotient, negate_remainder : std_ulogic;
 

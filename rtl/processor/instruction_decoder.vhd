@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Reads an instruction word: what it is, which registers it reads, its constants, whether it is legal.
+-- Reads an instruction word: what it is, the registers it reads, its constants, whether it is
+-- legal.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -21,8 +22,8 @@ architecture rtl of instruction_decoder is
   alias funct3 : std_ulogic_vector(2 downto 0) is instruction(14 downto 12);
   alias funct7 : std_ulogic_vector(6 downto 0) is instruction(31 downto 25);
 
-  signal is_load, is_fence, is_immediate_operation, is_upper_to_pc, is_store, is_operation : std_ulogic;
-  signal is_upper, is_branch, is_jump_register, is_jump, is_system : std_ulogic;
+  signal is_load, is_fence, is_immediate_operation, is_upper_to_pc, is_store : std_ulogic;
+  signal is_operation, is_upper, is_branch, is_jump_register, is_jump, is_system : std_ulogic;
   signal is_fence_i, is_shift, is_multiply_or_divide, is_csr, is_privileged : std_ulogic;
   signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
   signal funct7_zero, funct7_alternate : std_ulogic;
@@ -80,13 +81,15 @@ begin
                  instruction(30 downto 21) & '0';
   upper_immediate <= instruction(31 downto 12) & x"000";
 
-  -- From few bits, since the fetch of the next instruction waits for them: all but lui, auipc, jal, fence
-  -- and CSR instructions with a constant; branch, store and operation. Of no meaning where it is illegal.
+  -- From few bits, since the fetch of the next instruction waits for them: all but lui, auipc, jal,
+  -- fence and CSR instructions with a constant; then branch, store and operation. Of no meaning
+  -- where
+  -- the instruction is illegal.
   decoded.reads_first <= not (opcode(2) and (opcode(3) or opcode(4))) and
                          not (opcode(6) and opcode(4) and funct3(2));
   decoded.reads_second <= opcode(5) and not opcode(2) and not (opcode(6) and opcode(4));
-  has_destination <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or is_upper or
-                     is_jump_register or is_jump or is_csr;
+  has_destination <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
+                     is_upper or is_jump_register or is_jump or is_csr;
   decoded.writes <= has_destination and (instruction(11 downto 7) ?/= "00000");
   decoded.late <= is_load or is_multiply_or_divide or is_csr;
 

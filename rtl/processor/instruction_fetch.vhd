@@ -16,7 +16,8 @@ entity instruction_fetch is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- In the order of their rank. A trap or a return from one, then nothing else matters. It takes one
+    -- In the order of their rank. A trap or a return from one, then nothing else matters. It takes
+    -- one
     -- clock more than a jump, which goes to the memory in the clock in which it is executed.
     redirect : in std_ulogic;
     redirect_address : in unsigned(31 downto 0);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor: RV32IM with machine mode, every instruction in a time that depends on nothing but it.
+-- The processor: RV32IM with machine mode, each instruction in a time that depends only on itself.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -61,13 +61,16 @@ architecture rtl of processor is
 
   -- Execute.
   signal executing : executing_t;
-  alias destination : register_index_t is executing.instruction(11 downto 7);
-  alias funct3 : std_ulogic_vector(2 downto 0) is executing.instruction(14 downto 12);
+  signal executing_instruction, executing_first, executing_second : word_t;
+  signal executing_address, executing_base, executing_offset : unsigned(31 downto 0);
+  alias destination : register_index_t is executing_instruction(11 downto 7);
+  alias funct3 : std_ulogic_vector(2 downto 0) is executing_instruction(14 downto 12);
   signal start, stall, complete, take_interrupt : std_ulogic;
   signal alu_result, divider_result : word_t;
   signal equal, less, condition, divider_done : std_ulogic;
   signal target : unsigned(31 downto 0);
-  signal data_enable, data_misaligned, data_in_memory, data_done, data_error, bus_active : std_ulogic;
+  signal data_enable, data_misaligned, data_in_memory, data_done, data_error : std_ulogic;
+  signal bus_active : std_ulogic;
   signal csr_operand : word_t;
   signal csr_request : csr_request_t;
   signal csr_response : csr_response_t;
@@ -78,6 +81,8 @@ architecture rtl of processor is
 
   -- Write back.
   signal writing : writing_t;
+  signal writing_instruction, writing_result : word_t;
+  signal writing_address : unsigned(31 downto 0);
   signal product, loaded_word, loaded, written_value : word_t;
 
 begin
@@ -139,16 +144,17 @@ begin
       executing.writes <= decoded.writes and follow and not result_missing;
     end if;
     if advance then
-      executing.address <= fetched_address;
-      executing.instruction <= instruction_data;
+      executing_address <= fetched_address;
+      executing_instruction <= instruction_data;
       executing.fetch_fault <= fetch_fault;
       executing.refused <= fetch_fault or decoded.illegal;
-      executing.first <= std_ulogic_vector(fetched_address) when decoded.first_is_address else
+      executing_first <= std_ulogic_vector(fetched_address) when decoded.first_is_address else
                          x"00000000" when decoded.first_is_zero else
                          first_value;
-      executing.second <= decoded.constant_operand when decoded.second_is_constant else second_value;
-      executing.base <= fetched_address when decoded.relative else unsigned(first_value);
-      executing.offset <= unsigned(decoded.offset);
+      executing_second <= decoded.constant_operand when decoded.second_is_constant else
+                          second_value;
+      executing_base <= fetched_address when decoded.relative else unsigned(first_value);
+      executing_offset <= unsigned(decoded.offset);
       executing.operation <= decoded.operation;
       executing.alternate <= decoded.alternate;
       executing.compare_unsigned <= decoded.compare_unsigned;
@@ -183,8 +189,8 @@ begin
 
   arithmetic : entity work.alu
     port map (
-      first => executing.first,
-      second => executing.second,
+      first => executing_first,
+      second => executing_second,
       operation => executing.operation,
       alternate => executing.alternate,
       compare_unsigned => executing.compare_unsigned,
@@ -192,7 +198,7 @@ begin
       equal => equal,
       less => less);
 
-  target <= executing.base + executing.offset;
+  target <= executing_base + executing_offset;
   condition <= less xor funct3(0) when funct3(2) else equal xor funct3(0);
   jump <= executing.valid and not executing.refused and
           (executing.jump or (executing.branch and condition));
@@ -202,8 +208,8 @@ begin
       clk => clk,
       enable => executing.multiply,
       operation => funct3(1 downto 0),
-      first => executing.first,
-      second => executing.second,
+      first => executing_first,
+      second => executing_second,
       result => product);
 
   division : entity work.divider
@@ -212,8 +218,8 @@ begin
       reset => reset,
       request => start and executing.divide,
       operation => funct3(1 downto 0),
-      first => executing.first,
-      second => executing.second,
+      first => executing_first,
+      second => executing_second,
       done => divider_done,
       result => divider_result);
 
@@ -227,7 +233,7 @@ begin
       store => executing.store,
       address => target,
       size => funct3(1 downto 0),
-      store_data => executing.second,
+      store_data => executing_second,
       memory_request => memory_request,
       bus_request => bus_request,
       bus_response => bus_response,
@@ -237,13 +243,13 @@ begin
       done => data_done,
       error => data_error);
 
-  csr_operand <= 27x"0" & executing.instruction(19 downto 15) when funct3(2) else executing.first;
+  csr_operand <= 27x"0" & executing_instruction(19 downto 15) when funct3(2) else executing_first;
   csr_request <= (
     enable => start and executing.csr,
-    address => executing.instruction(31 downto 20),
+    address => executing_instruction(31 downto 20),
     operation => funct3(1 downto 0),
     operand => csr_operand,
-    writes => not funct3(1) or (or executing.instruction(19 downto 15)));
+    writes => not funct3(1) or (or executing_instruction(19 downto 15)));
   return_from_trap <= start and executing.trap_return;
   control_status_registers : entity work.control_status_registers
     port map (
@@ -266,6 +272,8 @@ begin
   trap_control : entity work.trap_control
     port map (
       executing => executing,
+      address => executing_address,
+      instruction => executing_instruction,
       take_interrupt => take_interrupt,
       interrupt_cause => interrupt_cause,
       next_address => fetched_address,
@@ -286,11 +294,11 @@ begin
     writing.trapped <= trap.enable;
     writing.interrupted <= trap.interrupt;
     writing.writes <= complete and executing.writes;
-    writing.address <= trap.address;
-    writing.instruction <= executing.instruction;
+    writing_address <= trap.address;
+    writing_instruction <= executing_instruction;
     if complete then
       writing.destination <= destination;
-      writing.result <= divider_result when executing.divide else
+      writing_result <= divider_result when executing.divide else
                         csr_response.data when executing.csr else
                         bus_response.data when executing.load else
                         alu_result;
@@ -310,7 +318,7 @@ begin
   end process;
 
   -- Write back.
-  loaded_word <= memory_data when writing.from_memory else writing.result;
+  loaded_word <= memory_data when writing.from_memory else writing_result;
   load_result : entity work.load_result
     port map (
       loaded => loaded_word,
@@ -320,7 +328,7 @@ begin
 
   written_value <= product when writing.multiply else
                    loaded when writing.load else
-                   writing.result;
+                   writing_result;
 
   sleeping <= executing.valid and executing.wait_for_interrupt and not awake;
   retired <= writing.valid;
@@ -328,8 +336,8 @@ begin
     valid => writing.valid,
     trap => writing.trapped,
     interrupt => writing.interrupted,
-    address => writing.address,
-    instruction => writing.instruction,
+    address => writing_address,
+    instruction => writing_instruction,
     destination => writing.destination and (4 downto 0 => writing.writes),
     value => written_value);
 

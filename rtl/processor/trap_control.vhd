@@ -10,6 +10,9 @@ use work.processor_pkg.all;
 entity trap_control is
   port (
     executing : in executing_t;
+    -- Of the instruction executed.
+    address : in unsigned(31 downto 0);
+    instruction : in word_t;
     -- Taken instead of the instruction, or of the next where none is executed now.
     take_interrupt : in std_ulogic;
     interrupt_cause : in std_ulogic_vector(4 downto 0);
@@ -38,7 +41,7 @@ begin
 
   trap.enable <= take_interrupt or (executing.valid and exception);
   trap.interrupt <= take_interrupt;
-  trap.address <= executing.address when executing.valid else next_address;
+  trap.address <= address when executing.valid else next_address;
   trap.cause <= interrupt_cause when take_interrupt else
                 cause_instruction_access when executing.fetch_fault else
                 cause_illegal_instruction when illegal else
@@ -47,8 +50,8 @@ begin
                 cause_instruction_misaligned when misaligned_jump else
                 "001" & executing.store & not misaligned_data;
   trap.value <= x"00000000" when take_interrupt or executing.environment_call else
-                executing.instruction when illegal and not executing.fetch_fault else
-                std_ulogic_vector(executing.address) when
+                instruction when illegal and not executing.fetch_fault else
+                std_ulogic_vector(address) when
                   executing.fetch_fault or executing.breakpoint else
                 std_ulogic_vector(target(31 downto 1)) & (target(0) and not misaligned_jump);
 

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The memory keeps each byte that is written, shows it on both ports, and rests where it is not enabled.
+-- The memory keeps each byte that is written, shows it on both ports, and rests where it is not
+-- enabled.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -66,11 +67,13 @@ begin
     end loop;
     -- Every pattern of lanes.
     for word in 0 to words - 1 loop
-      write(word, std_ulogic_vector(to_unsigned(word mod 16, 4)), not pattern((word + 17) mod words));
+      write(word, std_ulogic_vector(to_unsigned(word mod 16, 4)),
+            not pattern((word + 17) mod words));
     end loop;
     for word in 0 to words - 1 loop
       data_request <= (
-        enable => '1', write_bytes => "0000", address => to_unsigned(word, 30), data => (others => '1'));
+        enable => '1', write_bytes => "0000", address => to_unsigned(word, 30),
+        data => (others => '1'));
       instruction_request <= (enable => '1', address => to_unsigned(words - 1 - word, 30));
       clock;
       assert data = expected(word) report "word " & integer'image(word) severity failure;

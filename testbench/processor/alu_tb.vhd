@@ -42,8 +42,9 @@ begin
       alternate <= other;
       compare_unsigned <= unsigned_order;
       wait for 1 ns;
-      assert result = wanted report name & " of " & to_hstring(first) & " and " & to_hstring(second) &
-        " gives " & to_hstring(result) severity failure;
+      assert result = wanted
+        report name & " of " & to_hstring(first) & " and " & to_hstring(second) &
+          " gives " & to_hstring(result) severity failure;
     end procedure;
     function flag(condition : boolean) return word_t is
     begin
@@ -62,7 +63,8 @@ begin
         wait for 1 ns;
         distance := to_integer(unsigned(second(4 downto 0)));
         expect("000", '0', '0', std_ulogic_vector(unsigned(first) + unsigned(second)), "sum");
-        expect("000", '1', '0', std_ulogic_vector(unsigned(first) - unsigned(second)), "difference");
+        expect("000", '1', '0', std_ulogic_vector(unsigned(first) - unsigned(second)),
+               "difference");
         expect("010", '0', '0', flag(signed(first) < signed(second)), "less");
         assert (less = '1') = (signed(first) < signed(second)) severity failure;
         assert (equal = '1') = (first = second) severity failure;

@@ -55,7 +55,8 @@ begin
       wait for 1 ns;
     end procedure;
 
-    procedure access_csr(address : std_ulogic_vector(11 downto 0); operation : std_ulogic_vector(1 downto 0);
+    procedure access_csr(address : std_ulogic_vector(11 downto 0);
+                         operation : std_ulogic_vector(1 downto 0);
                          operand : word_t; writes : std_ulogic) is
     begin
       request <= (enable => '1', address => address, operation => operation, operand => operand,
@@ -109,13 +110,16 @@ begin
       end if;
     end loop;
     request.enable <= '0';
-    -- 10 of traps, mcountinhibit, 2 of triggers, 4 counters, 4 shadows, 5 of identity, 87 without events.
-    assert existing = 10 + 1 + 2 + 4 + 4 + 5 + 87 report integer'image(existing) & " CSRs" severity failure;
+    -- 10 of traps, mcountinhibit, 2 of triggers, 4 counters, 4 shadows, 5 of identity, 87 without
+    -- events.
+    assert existing = 10 + 1 + 2 + 4 + 4 + 5 + 87
+      report integer'image(existing) & " CSRs" severity failure;
 
     -- A trap, direct and vectored.
     write(x"305", x"80000400");
     write(x"300", x"00000008");
-    trap <= (enable => '1', interrupt => '0', cause => 5d"5", address => x"80000010", value => x"f0000000");
+    trap <= (enable => '1', interrupt => '0', cause => 5d"5", address => x"80000010",
+             value => x"f0000000");
     wait for 1 ns;
     assert trap_target = x"80000400" severity failure;
     clock;

@@ -91,7 +91,8 @@ begin
       for count in 1 to wait_clocks loop
         assert bus_active = '1' and done = '0' and bus_request.strobe = '1' and
           bus_request.write = '1' and bus_request.address = x"f0001232" and
-          bus_request.select_bytes = "1100" and bus_request.data(31 downto 16) = x"c3d4" severity failure;
+          bus_request.select_bytes = "1100" and bus_request.data(31 downto 16) = x"c3d4"
+          severity failure;
         clock;
       end loop;
       bus_response.acknowledge <= not fails;

@@ -39,7 +39,8 @@ begin
       result => result);
 
   check : process
-    procedure divide(code : std_ulogic_vector(1 downto 0); a, b : word_t; variable answer : out word_t) is
+    procedure divide(code : std_ulogic_vector(1 downto 0); a, b : word_t;
+                     variable answer : out word_t) is
       variable clocks : natural := 1;
     begin
       request <= '1';
@@ -73,7 +74,8 @@ begin
         else
           product := unsigned(quotient) * unsigned(values(b)) + unsigned(remainder);
           assert product = unsigned(values(a)) and unsigned(remainder) < unsigned(values(b))
-            report "unsigned " & to_hstring(values(a)) & " by " & to_hstring(values(b)) severity failure;
+            report "unsigned " & to_hstring(values(a)) & " by " & to_hstring(values(b))
+            severity failure;
         end if;
 
         divide("00", values(a), values(b), quotient);
@@ -85,7 +87,8 @@ begin
           assert product(31 downto 0) = unsigned(values(a)) and
             (remainder = x"00000000" or remainder(31) = values(a)(31)) and
             abs resize(signed(remainder), 33) < abs resize(signed(values(b)), 33)
-            report "signed " & to_hstring(values(a)) & " by " & to_hstring(values(b)) severity failure;
+            report "signed " & to_hstring(values(a)) & " by " & to_hstring(values(b))
+            severity failure;
         end if;
       end loop;
     end loop;

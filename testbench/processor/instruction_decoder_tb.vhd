@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The decoder's constants of each format, its flags, and that exactly the words of RV32IM are legal.
+-- The decoder's constants of each format, its flags, and that exactly the words of RV32IM are
+-- legal.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -32,8 +33,8 @@ begin
     procedure expect_offset(word, offset : word_t) is
     begin
       decode(word);
-      assert decoded.illegal = '0' and decoded.offset = offset report to_hstring(word) & " has offset " &
-        to_hstring(decoded.offset) severity failure;
+      assert decoded.illegal = '0' and decoded.offset = offset
+        report to_hstring(word) & " has offset " & to_hstring(decoded.offset) severity failure;
     end procedure;
 
     procedure expect_constant(word, operand : word_t) is
@@ -93,7 +94,8 @@ begin
     decode(x"40b50533");
     assert decoded.alternate = '1' and decoded.operation = "000" severity failure;
     decode(x"c0050513");
-    assert decoded.alternate = '0' report "addi of a negative constant does not subtract" severity failure;
+    assert decoded.alternate = '0' report "addi of a negative constant does not subtract"
+      severity failure;
     decode(x"30046573");
     assert decoded.csr = '1' and decoded.reads_first = '0' severity failure;
     decode(x"30051573");

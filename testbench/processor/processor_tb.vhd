@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A short program on the processor: a loop, multiplication, division, memory, bus, trap, interrupt, sleep.
+-- A short program on the processor: a loop, multiplication, division, memory, bus, trap,
+-- interrupt, sleep.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -44,7 +44,8 @@ begin
       write_data <= pattern(index);
       first_index <= std_ulogic_vector(to_unsigned(index, 5));
       wait for 1 ns;
-      assert first = x"00000000" report "the old value shows in the clock of the write" severity failure;
+      assert first = x"00000000" report "the old value shows in the clock of the write"
+        severity failure;
       wait until rising_edge(clk);
     end loop;
     write <= '0';

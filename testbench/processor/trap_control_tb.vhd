@@ -13,8 +13,7 @@ end entity;
 architecture tb of trap_control_tb is
 
   constant nothing : executing_t := (
-    valid => '1', address => x"80000100", instruction => x"12345678", first | second => (others => '0'),
-    base | offset => (others => '0'), operation => "000", others => '0');
+    valid => '1', operation => "000", others => '0');
 
   signal executing : executing_t := nothing;
   signal take_interrupt, jump, data_misaligned, data_error : std_ulogic := '0';
@@ -29,6 +28,8 @@ begin
   uut : entity work.trap_control
     port map (
       executing => executing,
+      address => x"80000100",
+      instruction => x"12345678",
       take_interrupt => take_interrupt,
       interrupt_cause => interrupt_cause,
       next_address => next_address,
@@ -43,8 +44,9 @@ begin
     procedure expect(cause : natural; value : word_t) is
     begin
       wait for 1 ns;
-      assert trap.enable = '1' and trap.interrupt = '0' and to_integer(unsigned(trap.cause)) = cause and
-        trap.value = value and trap.address = x"80000100"
+      assert trap.enable = '1' and trap.interrupt = '0' and
+        to_integer(unsigned(trap.cause)) = cause and trap.value = value and
+        trap.address = x"80000100"
         report "cause " & integer'image(to_integer(unsigned(trap.cause))) & ", value " &
           to_hstring(trap.value) severity failure;
     end procedure;

@@ -17,10 +17,14 @@ template <class Model>
 auto& byte_at(Model& model, std::size_t place) {
   auto& root = *model.rootp;
   switch (place % 4) {
-    case 0: return root.processor_with_memory__DOT__memory__DOT__lanes_n1_bytes[place / 4];
-    case 1: return root.processor_with_memory__DOT__memory__DOT__lanes_n2_bytes[place / 4];
-    case 2: return root.processor_with_memory__DOT__memory__DOT__lanes_n3_bytes[place / 4];
-    default: return root.processor_with_memory__DOT__memory__DOT__lanes_n4_bytes[place / 4];
+    case 0:
+      return root.processor_with_memory__DOT__memory__DOT__lanes_n1_bytes[place / 4];
+    case 1:
+      return root.processor_with_memory__DOT__memory__DOT__lanes_n2_bytes[place / 4];
+    case 2:
+      return root.processor_with_memory__DOT__memory__DOT__lanes_n3_bytes[place / 4];
+    default:
+      return root.processor_with_memory__DOT__memory__DOT__lanes_n4_bytes[place / 4];
   }
 }
 
@@ -56,8 +60,8 @@ void Chip::answer_bus() {
   }
   if (bus_waited_++ < bus_wait_) return;
   if (model_->bus_request_write != 0) {
-    const bool accepted = device_.write(model_->bus_request_address, model_->bus_request_select_bytes,
-                                        model_->bus_request_data);
+    const bool accepted = device_.write(model_->bus_request_address,
+                                        model_->bus_request_select_bytes, model_->bus_request_data);
     (accepted ? model_->bus_response_acknowledge : model_->bus_response_error) = 1;
   } else {
     const auto data = device_.read(model_->bus_request_address & ~3u);

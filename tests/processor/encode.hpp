@@ -29,23 +29,26 @@ constexpr Word load(Word funct3, Word rd, Word base, std::int32_t offset) {
 }
 constexpr Word store(Word funct3, Word source, Word base, std::int32_t offset) {
   const auto bits = static_cast<Word>(offset);
-  return 0x23 | (bits & 31) << 7 | funct3 << 12 | base << 15 | source << 20 | (bits >> 5 & 0x7F) << 25;
+  return 0x23 | (bits & 31) << 7 | funct3 << 12 | base << 15 | source << 20 |
+         (bits >> 5 & 0x7F) << 25;
 }
 constexpr Word branch(Word funct3, Word rs1, Word rs2, std::int32_t offset) {
   const auto bits = static_cast<Word>(offset);
-  return 0x63 | (bits >> 11 & 1) << 7 | (bits >> 1 & 15) << 8 | funct3 << 12 | rs1 << 15 | rs2 << 20 |
-         (bits >> 5 & 63) << 25 | (bits >> 12 & 1) << 31;
+  return 0x63 | (bits >> 11 & 1) << 7 | (bits >> 1 & 15) << 8 | funct3 << 12 | rs1 << 15 |
+         rs2 << 20 | (bits >> 5 & 63) << 25 | (bits >> 12 & 1) << 31;
 }
 constexpr Word jump_and_link(Word rd, std::int32_t offset) {
   const auto bits = static_cast<Word>(offset);
-  return 0x6F | rd << 7 | (bits >> 12 & 0xFF) << 12 | (bits >> 11 & 1) << 20 | (bits >> 1 & 0x3FF) << 21 |
-         (bits >> 20 & 1) << 31;
+  return 0x6F | rd << 7 | (bits >> 12 & 0xFF) << 12 | (bits >> 11 & 1) << 20 |
+         (bits >> 1 & 0x3FF) << 21 | (bits >> 20 & 1) << 31;
 }
 constexpr Word jump_and_link_register(Word rd, Word rs1, std::int32_t offset) {
   return immediate_type(0x67, 0, rd, rs1, offset);
 }
 constexpr Word load_upper(Word rd, Word value) { return 0x37 | rd << 7 | (value & 0xFFFFF000); }
-constexpr Word add_upper_to_pc(Word rd, Word value) { return 0x17 | rd << 7 | (value & 0xFFFFF000); }
+constexpr Word add_upper_to_pc(Word rd, Word value) {
+  return 0x17 | rd << 7 | (value & 0xFFFFF000);
+}
 // `source`: a register, or with funct3 5 to 7 a number up to 31.
 constexpr Word csr(Word funct3, Word rd, Word address, Word source) {
   return 0x73 | rd << 7 | funct3 << 12 | source << 15 | address << 20;

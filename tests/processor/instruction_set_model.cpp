@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::uint32_t memory_base = 0x80000000;
 constexpr std::uint32_t misaligned_target = 0, fetch_access = 1, illegal_instruction = 2;
-constexpr std::uint32_t load_misaligned = 4, load_access = 5, store_misaligned = 6, store_access = 7;
+constexpr std::uint32_t load_misaligned = 4, load_access = 5, store_misaligned = 6,
+                        store_access = 7;
 
 std::uint32_t field(std::uint32_t word, unsigned high, unsigned low) {
   return word >> low & ((1u << (high - low + 1)) - 1);
@@ -33,14 +34,22 @@ std::optional<std::uint32_t> integer_operation(unsigned funct3, unsigned funct7,
   }
   if (funct7 != 0) return std::nullopt;
   switch (funct3) {
-    case 0: return a + b;
-    case 1: return a << distance;
-    case 2: return as_signed(a) < as_signed(b) ? 1 : 0;
-    case 3: return a < b ? 1 : 0;
-    case 4: return a ^ b;
-    case 5: return a >> distance;
-    case 6: return a | b;
-    default: return a & b;
+    case 0:
+      return a + b;
+    case 1:
+      return a << distance;
+    case 2:
+      return as_signed(a) < as_signed(b) ? 1 : 0;
+    case 3:
+      return a < b ? 1 : 0;
+    case 4:
+      return a ^ b;
+    case 5:
+      return a >> distance;
+    case 6:
+      return a | b;
+    default:
+      return a & b;
   }
 }
 
@@ -50,16 +59,25 @@ std::uint32_t multiply_or_divide(unsigned funct3, std::uint32_t a, std::uint32_t
   const auto upper = [](auto product) {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(product) >> 32);
   };
-  const bool overflows = as_signed(a) == std::numeric_limits<std::int32_t>::min() && b == 0xFFFFFFFF;
+  const bool overflows =
+      as_signed(a) == std::numeric_limits<std::int32_t>::min() && b == 0xFFFFFFFF;
   switch (funct3) {
-    case 0: return a * b;
-    case 1: return upper(signed_a * signed_b);
-    case 2: return upper(signed_a * static_cast<std::int64_t>(b));
-    case 3: return upper(static_cast<std::uint64_t>(a) * b);
-    case 4: return b == 0 ? 0xFFFFFFFF : overflows ? a : static_cast<std::uint32_t>(signed_a / signed_b);
-    case 5: return b == 0 ? 0xFFFFFFFF : a / b;
-    case 6: return b == 0 ? a : overflows ? 0 : static_cast<std::uint32_t>(signed_a % signed_b);
-    default: return b == 0 ? a : a % b;
+    case 0:
+      return a * b;
+    case 1:
+      return upper(signed_a * signed_b);
+    case 2:
+      return upper(signed_a * static_cast<std::int64_t>(b));
+    case 3:
+      return upper(static_cast<std::uint64_t>(a) * b);
+    case 4:
+      return b == 0 ? 0xFFFFFFFF : overflows ? a : static_cast<std::uint32_t>(signed_a / signed_b);
+    case 5:
+      return b == 0 ? 0xFFFFFFFF : a / b;
+    case 6:
+      return b == 0 ? a : overflows ? 0 : static_cast<std::uint32_t>(signed_a % signed_b);
+    default:
+      return b == 0 ? a : a % b;
   }
 }
 
@@ -122,16 +140,23 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::jump(std::uin
 std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::uint32_t word,
                                                                            std::uint32_t& next,
                                                                            Step& step) {
-  const unsigned rd = field(word, 11, 7), funct3 = field(word, 14, 12), funct7 = field(word, 31, 25);
+  const unsigned rd = field(word, 11, 7), funct3 = field(word, 14, 12),
+                 funct7 = field(word, 31, 25);
   const std::uint32_t a = registers_[field(word, 19, 15)], b = registers_[field(word, 24, 20)];
   const std::uint32_t immediate = sign_extend(field(word, 31, 20), 12);
   const Exception illegal{illegal_instruction, word};
   switch (word & 0x7F) {
-    case 0x37: write_register(rd, word & 0xFFFFF000, step); return std::nullopt;
-    case 0x17: write_register(rd, program_counter_ + (word & 0xFFFFF000), step); return std::nullopt;
+    case 0x37:
+      write_register(rd, word & 0xFFFFF000, step);
+      return std::nullopt;
+    case 0x17:
+      write_register(rd, program_counter_ + (word & 0xFFFFF000), step);
+      return std::nullopt;
     case 0x6F: {
-      const std::uint32_t offset = sign_extend(field(word, 31, 31) << 20 | field(word, 19, 12) << 12 |
-                                               field(word, 20, 20) << 11 | field(word, 30, 21) << 1, 21);
+      const std::uint32_t offset =
+          sign_extend(field(word, 31, 31) << 20 | field(word, 19, 12) << 12 |
+                          field(word, 20, 20) << 11 | field(word, 30, 21) << 1,
+                      21);
       const auto exception = jump(program_counter_ + offset, next);
       if (!exception) write_register(rd, program_counter_ + 4, step);
       return exception;
@@ -143,23 +168,40 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::
       return exception;
     }
     case 0x63: {
-      const std::uint32_t offset = sign_extend(field(word, 31, 31) << 12 | field(word, 7, 7) << 11 |
-                                               field(word, 30, 25) << 5 | field(word, 11, 8) << 1, 13);
+      const std::uint32_t offset =
+          sign_extend(field(word, 31, 31) << 12 | field(word, 7, 7) << 11 |
+                          field(word, 30, 25) << 5 | field(word, 11, 8) << 1,
+                      13);
       bool taken = false;
       switch (funct3) {
-        case 0: taken = a == b; break;
-        case 1: taken = a != b; break;
-        case 4: taken = as_signed(a) < as_signed(b); break;
-        case 5: taken = as_signed(a) >= as_signed(b); break;
-        case 6: taken = a < b; break;
-        case 7: taken = a >= b; break;
-        default: return illegal;
+        case 0:
+          taken = a == b;
+          break;
+        case 1:
+          taken = a != b;
+          break;
+        case 4:
+          taken = as_signed(a) < as_signed(b);
+          break;
+        case 5:
+          taken = as_signed(a) >= as_signed(b);
+          break;
+        case 6:
+          taken = a < b;
+          break;
+        case 7:
+          taken = a >= b;
+          break;
+        default:
+          return illegal;
       }
       if (taken) return jump(program_counter_ + offset, next);
       return std::nullopt;
     }
-    case 0x03: return load(word, step);
-    case 0x23: return store(word);
+    case 0x03:
+      return load(word, step);
+    case 0x23:
+      return store(word);
     case 0x13: {
       const bool shift = funct3 == 1 || funct3 == 5;
       const auto value = integer_operation(funct3, shift ? funct7 : 0, a, immediate);
@@ -168,22 +210,27 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::
       return std::nullopt;
     }
     case 0x33: {
-      const auto value = funct7 == 1 ? multiply_or_divide(funct3, a, b)
-                                     : integer_operation(funct3, funct7, a, b);
+      const auto value =
+          funct7 == 1 ? multiply_or_divide(funct3, a, b) : integer_operation(funct3, funct7, a, b);
       if (!value) return illegal;
       write_register(rd, *value, step);
       return std::nullopt;
     }
-    case 0x0F: return funct3 <= 1 ? std::nullopt : std::optional(illegal);
-    case 0x73: return execute_system(word, next, step);
-    default: return illegal;
+    case 0x0F:
+      return funct3 <= 1 ? std::nullopt : std::optional(illegal);
+    case 0x73:
+      return execute_system(word, next, step);
+    default:
+      return illegal;
   }
 }
 
-std::optional<InstructionSetModel::Exception> InstructionSetModel::load(std::uint32_t word, Step& step) {
+std::optional<InstructionSetModel::Exception> InstructionSetModel::load(std::uint32_t word,
+                                                                        Step& step) {
   const unsigned funct3 = field(word, 14, 12);
   if (funct3 == 3 || funct3 > 5) return Exception{illegal_instruction, word};
-  const std::uint32_t address = registers_[field(word, 19, 15)] + sign_extend(field(word, 31, 20), 12);
+  const std::uint32_t address =
+      registers_[field(word, 19, 15)] + sign_extend(field(word, 31, 20), 12);
   const unsigned bytes = 1u << (funct3 & 3);
   if (address % bytes != 0) return Exception{load_misaligned, address};
   std::uint32_t loaded = 0;
@@ -216,7 +263,8 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::store(std::ui
     return std::nullopt;
   }
   const unsigned lanes = ((1u << bytes) - 1) << (address % 4);
-  if (!device_.write(address, lanes, data << (8 * (address % 4)))) return Exception{store_access, address};
+  if (!device_.write(address, lanes, data << (8 * (address % 4))))
+    return Exception{store_access, address};
   return std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RV32IM with machine mode as the specification tells it, one instruction at a time, without any clock.
+// RV32IM with machine mode as the specification tells it, one instruction at a time, without any
+// clock.
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@ struct Step {
   std::uint32_t value = 0;
 };
 
-// Written from "The RISC-V Instruction Set Manual" (volume I 20240411, volume II 20240411) and not from
+// Written from "The RISC-V Instruction Set Manual" (volume I 20240411, volume II 20240411) and not
+// from
 // the VHDL. Bus accesses go to a TestDevice of its own.
 class InstructionSetModel {
  public:
@@ -46,7 +48,8 @@ class InstructionSetModel {
   };
 
   std::optional<Exception> execute(std::uint32_t instruction, std::uint32_t& next, Step& step);
-  std::optional<Exception> execute_system(std::uint32_t instruction, std::uint32_t& next, Step& step);
+  std::optional<Exception> execute_system(std::uint32_t instruction, std::uint32_t& next,
+                                          Step& step);
   std::optional<Exception> load(std::uint32_t instruction, Step& step);
   std::optional<Exception> store(std::uint32_t instruction);
   std::optional<Exception> jump(std::uint32_t target, std::uint32_t& next) const;

@@ -13,8 +13,9 @@ namespace {
 template <class Event>
 std::string describe(const Event& event) {
   char text[120];
-  std::snprintf(text, sizeof text, "%s at %08x (%08x) x%u = %08x", event.trap ? "trap" : "completed",
-                event.address, event.instruction, event.destination, event.value);
+  std::snprintf(text, sizeof text, "%s at %08x (%08x) x%u = %08x",
+                event.trap ? "trap" : "completed", event.address, event.instruction,
+                event.destination, event.value);
   return text;
 }
 
@@ -24,7 +25,8 @@ bool reads_cycle(std::uint32_t instruction) {
          (address == 0xB00 || address == 0xB80 || address == 0xC00 || address == 0xC80);
 }
 
-// An interrupt must be taken at once behind an instruction that allows it, and within three instructions
+// An interrupt must be taken at once behind an instruction that allows it, and within three
+// instructions
 // where the request itself is new.
 class InterruptWatch {
  public:
@@ -43,7 +45,8 @@ class InterruptWatch {
 
 }  // namespace
 
-LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const LockstepSettings& settings) {
+LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
+                            const LockstepSettings& settings) {
   Chip chip(image);
   chip.set_bus_wait(settings.bus_wait);
   InstructionSetModel model(image, Chip::memory_size);
@@ -73,7 +76,8 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
       }
     }
     watch.note(chip.device().interrupts());
-    if (!event->interrupt && event->instruction != encode::wait_for_interrupt() && watch.is_late(model)) {
+    if (!event->interrupt && event->instruction != encode::wait_for_interrupt() &&
+        watch.is_late(model)) {
       result.difference = "an interrupt that was not taken: " + describe(*event);
       break;
     }
@@ -96,7 +100,8 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const Lockst
     // Where one is due already, a second could come before or after the chip's choice.
     if (settings.interrupt_seed != 0 && random() % 16 == 0 && !model.interrupt_due()) {
       const std::uint32_t request = 1u << random() % 32;
-      chip.device().set_interrupts(chip.device().interrupts() | (request & TestDevice::interrupt_mask));
+      chip.device().set_interrupts(chip.device().interrupts() |
+                                   (request & TestDevice::interrupt_mask));
       model.device().set_interrupts(chip.device().interrupts());
       watch.note(chip.device().interrupts());
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program on the chip and on the instruction-set model side by side, instruction by instruction.
+// Runs a program on the chip and on the instruction-set model side by side, instruction by
+// instruction.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct LockstepSettings {
 };
 
 // Every completed instruction and every trap is compared, and the whole memory at the end.
-LockstepResult run_lockstep(const std::vector<std::uint8_t>& image, const LockstepSettings& settings);
+LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
+                            const LockstepSettings& settings);
 
 }  // namespace processor

@@ -77,23 +77,44 @@ class Generator {
   }
 
   Word interesting_value() {
-    constexpr std::array<Word, 8> values{0, 1, 0xFFFFFFFF, 0x80000000, 0x7FFFFFFF, 0x55555555, 0xFFFF, 2};
+    constexpr std::array<Word, 8> values{0,          1,          0xFFFFFFFF, 0x80000000,
+                                         0x7FFFFFFF, 0x55555555, 0xFFFF,     2};
     return one_in(2) ? values[below(values.size())] : static_cast<Word>(random_());
   }
 
   void add_instruction() {
     if (below(1000) < settings_.wild_per_mille) return emit(wild_word());
     switch (below(settings_.interrupts ? 22 : 20)) {
-      case 0: case 1: case 2: case 3: return add_operation();
-      case 4: case 5: case 6: return add_immediate_operation();
-      case 7: return emit(one_in(2) ? encode::load_upper(destination(), interesting_value())
-                                    : encode::add_upper_to_pc(destination(), interesting_value()));
-      case 8: case 9: case 10: return emit(encode::operation(below(8), 1, destination(), source(), source()));
-      case 11: case 12: case 13: return add_load();
-      case 14: case 15: return add_store();
-      case 16: case 17: return add_branch();
-      case 18: return add_jump();
-      default: return add_system();
+      case 0:
+      case 1:
+      case 2:
+      case 3:
+        return add_operation();
+      case 4:
+      case 5:
+      case 6:
+        return add_immediate_operation();
+      case 7:
+        return emit(one_in(2) ? encode::load_upper(destination(), interesting_value())
+                              : encode::add_upper_to_pc(destination(), interesting_value()));
+      case 8:
+      case 9:
+      case 10:
+        return emit(encode::operation(below(8), 1, destination(), source(), source()));
+      case 11:
+      case 12:
+      case 13:
+        return add_load();
+      case 14:
+      case 15:
+        return add_store();
+      case 16:
+      case 17:
+        return add_branch();
+      case 18:
+        return add_jump();
+      default:
+        return add_system();
     }
   }
 
@@ -156,13 +177,22 @@ class Generator {
 
   void add_system() {
     switch (below(settings_.interrupts ? 9 : 6)) {
-      case 0: return emit(encode::environment_call());
-      case 1: return emit(encode::breakpoint());
-      case 2: return emit(one_in(2) ? encode::fence() : encode::fence_i());
-      case 3: case 4: case 5: return add_csr();
-      case 6: return emit(encode::store(2, source(), bus_base, 0x100));
-      case 7: return emit(encode::csr(one_in(4) ? 1 : 2, destination(), mie, source()));
-      default: return emit(encode::csr(one_in(4) ? 7 : 6, destination(), mstatus, 8));
+      case 0:
+        return emit(encode::environment_call());
+      case 1:
+        return emit(encode::breakpoint());
+      case 2:
+        return emit(one_in(2) ? encode::fence() : encode::fence_i());
+      case 3:
+      case 4:
+      case 5:
+        return add_csr();
+      case 6:
+        return emit(encode::store(2, source(), bus_base, 0x100));
+      case 7:
+        return emit(encode::csr(one_in(4) ? 1 : 2, destination(), mie, source()));
+      default:
+        return emit(encode::csr(one_in(4) ? 7 : 6, destination(), mstatus, 8));
     }
   }
 
@@ -173,7 +203,8 @@ class Generator {
     const Word kind = 1 + below(3);
     const Word address = one_in(10) ? below(4096) : addresses[below(addresses.size())];
     // The handler must stay where it is; interrupts are switched on only where they are wanted.
-    const bool keep = address == mtvec || (!settings_.interrupts && (address == mie || address == mstatus));
+    const bool keep =
+        address == mtvec || (!settings_.interrupts && (address == mie || address == mstatus));
     if (keep) return emit(encode::csr(2, destination(), address, 0));
     emit(encode::csr(one_in(3) ? kind + 4 : kind, destination(), address, source()));
   }
@@ -184,9 +215,10 @@ class Generator {
       if (!one_in(4)) word |= 3;
       const Word opcode = word & 0x7F, rd = word >> 7 & 31;
       const bool moves = opcode == 0x6F || opcode == 0x67 || opcode == 0x63 || opcode == 0x23;
-      const bool system = opcode == 0x73 && (word >> 20 == mtvec || word == encode::wait_for_interrupt() ||
-                                             word == encode::trap_return() || word >> 20 == mie ||
-                                             word >> 20 == mstatus);
+      const bool system =
+          opcode == 0x73 &&
+          (word >> 20 == mtvec || word == encode::wait_for_interrupt() ||
+           word == encode::trap_return() || word >> 20 == mie || word >> 20 == mstatus);
       if (!moves && !system && rd < 26) return word;
     }
   }
@@ -199,7 +231,8 @@ class Generator {
 
 }  // namespace
 
-std::vector<std::uint8_t> random_program(std::uint32_t seed, const RandomProgramSettings& settings) {
+std::vector<std::uint8_t> random_program(std::uint32_t seed,
+                                         const RandomProgramSettings& settings) {
   std::vector<std::uint8_t> bytes;
   for (const Word word : Generator(seed, settings).generate()) {
     for (unsigned shift = 0; shift < 32; shift += 8) {

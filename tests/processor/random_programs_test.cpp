@@ -12,7 +12,8 @@ void run_all(unsigned seeds, unsigned first_seed, const RandomProgramSettings& s
   LockstepResult sum;
   for (unsigned seed = first_seed; seed < first_seed + seeds; ++seed) {
     const auto result = run_lockstep(random_program(seed, settings),
-                                     {.tohost_address = random_program_tohost, .bus_wait = 1 + seed % 3,
+                                     {.tohost_address = random_program_tohost,
+                                      .bus_wait = 1 + seed % 3,
                                       .interrupt_seed = settings.interrupts ? seed : 0});
     ASSERT_EQ(result.difference, "") << "seed " << seed;
     ASSERT_EQ(result.tohost, 1u) << "seed " << seed << " did not end";

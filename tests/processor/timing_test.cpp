@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every instruction takes the clocks that the table in rtl/processor/README.md says, behind every other.
+// Every instruction takes the clocks that the table in rtl/processor/README.md says, behind every
+// other.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -27,7 +28,8 @@ std::map<std::string, unsigned> read_table() {
   std::string line;
   std::smatch match;
   while (std::getline(file, line)) {
-    if (std::regex_match(line, match, row)) table[match[1]] = static_cast<unsigned>(std::stoul(match[2]));
+    if (std::regex_match(line, match, row))
+      table[match[1]] = static_cast<unsigned>(std::stoul(match[2]));
   }
   return table;
 }
@@ -81,7 +83,8 @@ const std::vector<Kind> kinds{
 std::vector<std::uint8_t> bytes_of(const std::vector<Word>& words) {
   std::vector<std::uint8_t> bytes;
   for (const Word word : words) {
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      bytes.push_back(static_cast<std::uint8_t>(word >> shift));
   }
   return bytes;
 }
@@ -110,7 +113,8 @@ std::uint64_t clock_at(Chip& chip, Word address) {
   return 0;
 }
 
-// The clocks of the instructions together, of which the last may be one that needs its next's address.
+// The clocks of the instructions together, of which the last may be one that needs its next's
+// address.
 unsigned measure(const std::vector<Word>& tested) {
   const Word first = Chip::memory_base + 4 * program_words;
   const Word next = first + 4 * static_cast<Word>(tested.size());
@@ -145,20 +149,23 @@ TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {
   const unsigned one = table.at("arithmetic and logic");
   const std::vector<Word> readers{
       encode::operation(0, 0, 1, late_result, 2), encode::operation(0, 0, 1, 2, late_result),
-      encode::add_immediate(late_result, late_result, 1), encode::store(2, late_result, data_base, 0),
-      encode::branch(1, late_result, late_result, 4)};
+      encode::add_immediate(late_result, late_result, 1),
+      encode::store(2, late_result, data_base, 0), encode::branch(1, late_result, late_result, 4)};
   for (const auto& kind : kinds) {
     if (kind.placed) continue;
     for (const Word reader : readers) {
-      EXPECT_EQ(measure({kind.word, reader}), table.at(kind.row) + one + (kind.late ? wait : 0)) << kind.row;
-      EXPECT_EQ(measure({kind.word, encode::nop(), reader}), table.at(kind.row) + 2 * one) << kind.row;
+      EXPECT_EQ(measure({kind.word, reader}), table.at(kind.row) + one + (kind.late ? wait : 0))
+          << kind.row;
+      EXPECT_EQ(measure({kind.word, encode::nop(), reader}), table.at(kind.row) + 2 * one)
+          << kind.row;
     }
     // The same bits as a constant are no reading.
     EXPECT_EQ(measure({kind.word, encode::load_upper(1, late_result << 15 | late_result << 20)}),
               table.at(kind.row) + one);
     EXPECT_EQ(measure({kind.word, encode::csr(6, 1, 0x340, late_result)}),
               table.at(kind.row) + table.at("CSR instruction"));
-    EXPECT_EQ(measure({kind.word, encode::add_immediate(1, 2, late_result)}), table.at(kind.row) + one);
+    EXPECT_EQ(measure({kind.word, encode::add_immediate(1, 2, late_result)}),
+              table.at(kind.row) + one);
   }
 }
 
@@ -174,11 +181,13 @@ TEST(Timing, values_do_not_matter) {
   }
 }
 
-// From the clock in which the request is there to the completion of the handler's first instruction.
+// From the clock in which the request is there to the completion of the handler's first
+// instruction.
 unsigned latency(Word running, unsigned delay) {
   const Word loop = Chip::memory_base + 4 * program_words;
   const Word handler = loop + 4 * 4;
-  auto program = program_with({running, encode::nop(), encode::jump_and_link(0, -8), encode::nop()}, handler);
+  auto program =
+      program_with({running, encode::nop(), encode::jump_and_link(0, -8), encode::nop()}, handler);
   program[20] = encode::csr(1, 0, 0x304, 2);
   program[21] = encode::csr(6, 0, 0x300, 8);
   Chip chip(bytes_of(program));

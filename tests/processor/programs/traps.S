@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Every exception: its cause, the instruction's address, its value, and that the instruction did nothing.
+# Every exception: its cause, the instruction's address, its value, and that the instruction did
+# nothing.
   .include "check.inc"
 
-# The instruction traps with `cause`; mepc is its own address; mtval is in s1. a0 must stay as it was.
+# The instruction traps with `cause`; mepc is its own address; mtval is in s1. a0 must stay as it
+# was.
   .macro traps cause, instruction:vararg
   li a0, 0x1234
   la s0, 1f
