@@ -95,6 +95,7 @@ begin
     end procedure;
 
     variable ticks_before : natural;
+    variable ticks_in_between : natural;
     variable began : natural;
   begin
     clocks(2);
@@ -165,6 +166,10 @@ begin
     wait_for_rest;
     assert clocks_between_ticks = 1024 report to_string(clocks_between_ticks) severity failure;
     offer(10000, half - half / 512, '1', x"4000000000000000");
+    clocks(8000);
+    ticks_in_between := ticks;
+    clocks(8000);
+    assert ticks - ticks_in_between = 4000 report "not at a rate of 1/2" severity failure;
     wait_for_rest;
     assert clocks_between_ticks = 2 report to_string(clocks_between_ticks) severity failure;
     assert ticks = ticks_before + 4 + 10040 severity failure;
