@@ -10,7 +10,13 @@ namespace {
 constexpr const application::MachineDescription& printer = machine::machine;
 
 constexpr thermal::ThermistorTable hotend_table{printer.hotend.thermistor};
-constexpr thermal::ThermistorTable bed_table{printer.bed.thermistor};
+// A table of the bed's own only where its thermistor is of another kind.
+constexpr thermal::ThermistorTable own_bed_table{printer.bed.thermistor};
+constexpr const thermal::ThermistorTable& bed_table =
+    printer.bed.thermistor.resistance_25c == printer.hotend.thermistor.resistance_25c &&
+            printer.bed.thermistor.beta_kelvin == printer.hotend.thermistor.beta_kelvin
+        ? hotend_table
+        : own_bed_table;
 constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
     printer.converter.capacitor_picofarads, printer.converter.supply_millivolts,
     printer.converter.threshold_millivolts);

@@ -23,6 +23,15 @@ host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   return line.text(fault.heater == Heater::bed ? "bed" : "0");
 }
 
+// Empty for M112, which needs no reason.
+host_link::TextLine text_of(const Fatal& fatal) {
+  host_link::TextLine line;
+  if (fatal.reason == Fatal::Reason::asked_for) return line;
+  line.text("Error:Homing failed on ");
+  line.character(units::axis_letters[units::index_of(fatal.axis)]);
+  return line.text(": ").text(motion::describe(fatal.fault));
+}
+
 }  // namespace
 
 Application::Application(const MachineDescription& machine, const ThermalTables& tables,
@@ -116,7 +125,7 @@ void Application::look_for_faults() {
   } else if (motion_.emergency_input()) {
     halt("Error:Emergency stop input");
   } else if (executor_.fatal()) {
-    halt(executor_.fatal()->view());
+    halt(text_of(*executor_.fatal()).view());
   }
 }
 

@@ -15,7 +15,7 @@ bool CommandExecutor::update(Now now) {
   follow_position_jump();
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ != Stage::answering) {
-    if (proceed(now) == Progress::again) return false;
+    if (proceed(now) == Progress::again || fatal_) return false;
     stage_ = Stage::answering;
   }
   if (!link_.finished(ok_report_.view())) return false;
@@ -35,7 +35,7 @@ bool CommandExecutor::take_line() {
   stage_ = Stage::begin;
   text_ = line->text;
   ok_report_.clear();
-  parse_complaint_.reset();
+  parse_error_.reset();
   refused_ = false;
   notified_ = false;
   wait_cancelled_ = false;
@@ -59,18 +59,19 @@ void CommandExecutor::parse(std::string_view text) {
     case ParseFault::empty_line:
       stage_ = Stage::answering;
       return;
-    case ParseFault::unknown_letter:
-    case ParseFault::missing_code:
-      parse_complaint_ = host_link::unknown_command(text);
-      return;
     default:
-      parse_complaint_ = host_link::not_executed(gcode::describe(command.error()),
-                                                 command.error().position, text);
+      parse_error_ = command.error();
   }
 }
 
 CommandExecutor::Progress CommandExecutor::proceed(Now now) {
-  return parse_complaint_ ? refuse(*parse_complaint_) : execute(now);
+  using gcode::ParseFault;
+  if (!parse_error_) return execute(now);
+  if (parse_error_->fault == ParseFault::unknown_letter ||
+      parse_error_->fault == ParseFault::missing_code) {
+    return refuse_unknown();
+  }
+  return refuse(host_link::not_executed(gcode::describe(*parse_error_), parse_error_->position, text_));
 }
 
 CommandExecutor::Progress CommandExecutor::execute(Now now) {
@@ -120,7 +121,7 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 190: return set_and_wait(Heater::bed, now);
     case 400: return wait_for_rest();
     case 410: quick_stop(); return Progress::done;
-    case 112: fatal_.emplace(); return Progress::done;
+    case 112: fatal_.emplace(Fatal::Reason::asked_for); return Progress::done;
     // Progress and messages have no display here; numbering and cancelling were done on reception.
     case 73:
     case 108:

@@ -20,6 +20,14 @@
 
 namespace application {
 
+// Why the executor wants everything to end.
+struct Fatal {
+  enum class Reason : std::uint8_t { asked_for, homing };  // M112, or G28 that failed
+  Reason reason{};
+  motion::Fault fault{};  // the last two of homing
+  units::Axis axis{};
+};
+
 class CommandExecutor {
  public:
   CommandExecutor(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
@@ -34,8 +42,8 @@ class CommandExecutor {
 
   // A line is in hand that is not yet answered.
   bool busy() const { return stage_ != Stage::idle; }
-  // Something that must end everything, as a line for the host.
-  const std::optional<host_link::TextLine>& fatal() const { return fatal_; }
+  // Something that must end everything.
+  const std::optional<Fatal>& fatal() const { return fatal_; }
 
   // M155: how often temperatures are reported unasked; 0 is never.
   units::Milliseconds report_interval() const { return report_interval_; }
@@ -128,9 +136,9 @@ class CommandExecutor {
   Stage stage_{Stage::idle};
   std::string_view text_;  // of the line in hand
   gcode::Command command_;
-  std::optional<host_link::TextLine> parse_complaint_;
+  std::optional<gcode::ParseError> parse_error_;
   host_link::TextLine ok_report_;
-  std::optional<host_link::TextLine> fatal_;
+  std::optional<Fatal> fatal_;
   std::size_t list_index_{};
   std::uint32_t position_jumps_{};
   Positions planned_{};  // machine coordinates of the end of the last move

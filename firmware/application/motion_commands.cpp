@@ -76,7 +76,9 @@ CommandExecutor::Progress CommandExecutor::dwell(Now now) {
     if (const auto seconds = command_.value('S')) {
       time = units::Milliseconds(*seconds / millionths_per_millisecond);
     }
-    deadline_ = now.milliseconds + std::clamp(time, units::Milliseconds{}, longest_dwell);
+    // One more, since the present millisecond has partly passed.
+    deadline_ = now.milliseconds + std::clamp(time, units::Milliseconds{}, longest_dwell) +
+                units::Milliseconds(1);
     stage_ = Stage::dwelling;
   }
   return now.milliseconds >= deadline_ ? Progress::done : Progress::again;
@@ -93,9 +95,7 @@ CommandExecutor::Progress CommandExecutor::home(Now) {
     return Progress::again;
   }
   if (const auto fault = motion_.homing_fault()) {
-    fatal_.emplace().text("Error:Homing failed on ");
-    fatal_->character(units::axis_letters[index_of(motion_.homing_axis())]);
-    fatal_->text(": ").text(motion::describe(*fault));
+    fatal_ = {Fatal::Reason::homing, *fault, motion_.homing_axis()};
     return Progress::done;
   }
   if (!motion_.at_rest()) return Progress::again;

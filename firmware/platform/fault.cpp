@@ -2,6 +2,7 @@
 // Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what is broken.
 #include "platform/fault.hpp"
 
+#include "drivers/registers/heater_control_registers.hpp"
 #include "drivers/registers/step_generator_registers.hpp"
 #include "drivers/registers/uart_registers.hpp"
 #include "platform/bus.hpp"
@@ -47,6 +48,8 @@ const char* name_of(std::uint32_t cause) {
 }
 
 void stop_everything() {
+  using HeaterDuty = registers::heater_control::Duty;
+  for (std::size_t channel = 0; channel < HeaterDuty::count; ++channel) write(channel, HeaterDuty{});
   write(registers::step_generator::Command{.flush = true, .stop = true});
 }
 

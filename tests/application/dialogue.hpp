@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The firmware on a fake chip, and conversations with it written down as a person reads them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "application/application.hpp"
+#include "tests/application/fake_chip.hpp"
+
+namespace application_test {
+
+// The machine and thermal tables that the image is built with.
+const application::MachineDescription& machine_under_test();
+
+class Printer {
+ public:
+  Printer();
+
+  // Lines of a dialogue: "-> G28" is sent; "<- ok" must be the next reply, within two minutes of the
+  // printer's time; "<* T:25" must be contained in it; busy messages are not looked at.
+  void talk(std::string_view dialogue);
+  void send(std::string_view line);
+  // The next line from the firmware, or nothing within the time.
+  std::optional<std::string> reply(double seconds = 120);
+  void run(double seconds);
+
+  FakeChip chip;
+  application::Statistics counters;
+
+  double mm(std::size_t axis) const;  // where the counters say the axis is
+
+ private:
+  void pass();
+
+  std::optional<application::Hardware> hardware_;
+  std::unique_ptr<application::Application> application_;
+};
+
+}  // namespace application_test

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of the fake chip, and the seam of the bus.
+#include "tests/application/fake_chip.hpp"
+
+#include <cmath>
+
+#include "drivers/registers/end_stops_registers.hpp"
+#include "drivers/registers/fan_registers.hpp"
+#include "drivers/registers/heater_control_registers.hpp"
+#include "drivers/registers/identity_registers.hpp"
+#include "drivers/registers/step_generator_registers.hpp"
+#include "drivers/registers/temperature_converter_registers.hpp"
+#include "drivers/registers/timer_registers.hpp"
+#include "drivers/registers/uart_registers.hpp"
+#include "platform/bus.hpp"
+
+namespace application_test {
+namespace {
+
+namespace steps = registers::step_generator;
+namespace heat = registers::heater_control;
+namespace sense = registers::temperature_converter;
+
+FakeChip* chip = nullptr;
+
+constexpr double counts_per_ohm = 6.03;  // 16 charges of 68 nF to half the supply at 8 MHz
+constexpr double room_c = 25.0;
+
+// Which element of an array of registers an address is, or a number beyond it.
+template <class Register>
+std::size_t index_of(std::uint32_t address) {
+  const std::uint32_t first = Register::address_of(0);
+  return address < first ? Register::count : (address - first) / 4;
+}
+
+double clocks_of(double ticks, double rate, double acceleration) {
+  const double end = std::sqrt(std::max(rate * rate + 2 * acceleration * ticks, 1e-18));
+  return 2 * ticks / (rate + end);
+}
+
+}  // namespace
+
+FakeChip::FakeChip() { chip = this; }
+FakeChip::~FakeChip() { chip = nullptr; }
+
+std::uint32_t FakeChip::duty_address(std::size_t channel) { return heat::Duty::address_of(channel); }
+
+std::uint32_t FakeChip::end_stops() const {
+  if (!end_stops_work) return 0;
+  std::uint32_t triggered = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
+  return triggered;
+}
+
+std::uint32_t FakeChip::thermistor_count(std::size_t channel) const {
+  const double kelvin = heaters[channel].celsius + 273.15;
+  const double ohms = 100'000 * std::exp(4066.0 * (1 / kelvin - 1 / 298.15));
+  return static_cast<std::uint32_t>(ohms * counts_per_ohm);
+}
+
+std::uint32_t FakeChip::read(std::uint32_t address) {
+  time += 2;
+  using namespace registers;
+  if (address == identity::Magic::address) return 0x53464142;
+  if (address == identity::Clock::address) return clock_hz;
+  if (address == identity::Motion::address) return identity::Motion{.axes = 5, .queue_depth = 32}.encode();
+  if (address == uart::Status::address) {
+    return uart::Status{.receive_level = static_cast<std::uint32_t>(std::min<std::size_t>(to_firmware.size(), 1023)),
+                        .transmit_space = 512,
+                        .transmit_idle = true,
+                        .framing_error = uart_error}.encode();
+  }
+  if (address == uart::Data::address) {
+    if (to_firmware.empty()) return 0;
+    const auto byte = static_cast<std::uint8_t>(to_firmware.front());
+    to_firmware.pop_front();
+    return uart::Data{.byte = byte, .valid = true}.encode();
+  }
+  if (address == timer::TimeLow::address) {
+    time_high_ = static_cast<std::uint32_t>(time >> 32);
+    return static_cast<std::uint32_t>(time);
+  }
+  if (address == timer::TimeHigh::address) return time_high_;
+  if (address == end_stops::Status::address) return end_stops::Status{.triggered = end_stops()}.encode();
+  if (address == steps::Build::address) return steps::Build{.axes = 5, .queue_depth = 32}.encode();
+  if (address == steps::Status::address) {
+    const auto level = static_cast<std::uint32_t>(queue_.size());
+    return steps::Status{.moving = moving_, .idle = !moving_ && queue_.empty(), .stopped = stopped_,
+                         .level = level, .free = 32 - level}.encode();
+  }
+  if (address == steps::MotorEnable::address) return motors;
+  if (address == steps::StopCause::address) {
+    return steps::StopCause{.end_stops = stop_end_stops_, .software = stopped_by_software_}.encode();
+  }
+  for (const std::size_t axis : {index_of<steps::SnapshotPosition>(address),
+                                 index_of<steps::StopPosition>(address),
+                                 index_of<steps::Position>(address)}) {
+    if (axis < position.size()) return static_cast<std::uint32_t>(position[axis]);
+  }
+  if (const std::size_t i = index_of<heat::Status>(address); i < heaters.size()) {
+    return heat::Status{.permitted = true, .minimum_locked = true, .maximum_locked = true,
+                        .tripped = heaters[i].tripped}.encode();
+  }
+  if (const std::size_t i = index_of<sense::Status>(address); i < heaters.size()) {
+    using State = sense::Status::State;
+    const auto state = heaters[i].open_sensor ? State::open : State::ok;
+    return sense::Status{.state = static_cast<std::uint32_t>(state),
+                         .conversions = static_cast<std::uint32_t>(time / (clock_hz / 16)) & 0xFFu}.encode();
+  }
+  if (const std::size_t i = index_of<sense::Thermistor>(address); i < heaters.size()) {
+    return thermistor_count(i);
+  }
+  if (index_of<sense::ReferenceLow>(address) < heaters.size()) {
+    return static_cast<std::uint32_t>(470 * counts_per_ohm);
+  }
+  if (index_of<sense::ReferenceHigh>(address) < heaters.size()) {
+    return static_cast<std::uint32_t>(10'000 * counts_per_ohm);
+  }
+  return words_[address];
+}
+
+void FakeChip::write(std::uint32_t address, std::uint32_t value) {
+  time += 2;
+  words_[address] = value;
+  if (address == registers::uart::Data::address) from_firmware.push_back(static_cast<char>(value));
+  if (address == registers::uart::Clear::address) uart_error = false;
+  if (address == registers::fan::Duty::address) fan_duty = value;
+  if (address == steps::MotorEnable::address) motors = value;
+  if (address == heat::Feed::address) ++watchdog_feeds;
+  if (address == steps::Command::address) command(value);
+  if (address == steps::SegmentCommit::address) commit();
+  if (const std::size_t axis = index_of<steps::Position>(address); axis < position.size()) {
+    position[axis] = static_cast<std::int32_t>(value);
+  }
+}
+
+void FakeChip::command(std::uint32_t value) {
+  const auto wanted = steps::Command::decode(value);
+  if (wanted.flush) queue_.clear();
+  if (wanted.stop) stop(0, true);
+  if (wanted.acknowledge_stop) stopped_ = false;
+}
+
+void FakeChip::stop(std::uint32_t end_stops, bool software) {
+  queue_.clear();
+  moving_ = false;
+  stopped_ = true;
+  stop_end_stops_ = end_stops;
+  stopped_by_software_ = software;
+}
+
+void FakeChip::commit() {
+  const auto flags = steps::SegmentFlags::decode(words_[steps::SegmentFlags::address]);
+  const auto wide = [this](std::uint32_t low, std::uint32_t high) {
+    return (std::uint64_t{words_[high]} << 32) | words_[low];
+  };
+  Segment segment;
+  segment.continues = flags.continues_line;
+  segment.stop_mask = flags.stop_mask;
+  segment.line_ticks = words_[steps::SegmentLineTicks::address];
+  segment.ticks = words_[steps::SegmentTicks::address];
+  segment.rate = std::ldexp(
+      static_cast<double>(wide(steps::SegmentRateLow::address, steps::SegmentRateHigh::address)), -64);
+  segment.acceleration = std::ldexp(
+      static_cast<double>(static_cast<std::int64_t>(
+          wide(steps::SegmentAccelerationLow::address, steps::SegmentAccelerationHigh::address))), -84);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const std::int64_t count = words_[steps::SegmentSteps::address_of(axis)];
+    segment.steps[axis] = (flags.backward >> axis & 1u) != 0 ? -count : count;
+  }
+  queue_.push_back(segment);
+}
+
+void FakeChip::advance(std::uint32_t clocks) {
+  time += clocks;
+  advance_motion(clocks);
+  advance_heat(static_cast<double>(clocks) / clock_hz);
+}
+
+void FakeChip::advance_motion(std::uint32_t clocks) {
+  double left = clocks;
+  while (left > 0 && !stopped_) {
+    if (!moving_) {
+      if (queue_.empty()) return;
+      if (!queue_.front().continues) line_tick_ = 0;
+      line_ = queue_.front();
+      queue_.pop_front();
+      segment_end_tick_ = line_tick_ + line_.ticks;
+      segment_time_left_ = clocks_of(static_cast<double>(line_.ticks), line_.rate, line_.acceleration);
+      moving_ = true;
+    }
+    if (segment_time_left_ > left) {
+      const double share = left / segment_time_left_;
+      segment_time_left_ -= left;
+      walk_to(line_tick_ + static_cast<std::int64_t>(static_cast<double>(segment_end_tick_ - line_tick_) * share));
+      return;
+    }
+    left -= segment_time_left_;
+    walk_to(segment_end_tick_);
+    if (!stopped_) moving_ = false;
+  }
+}
+
+void FakeChip::walk_to(std::int64_t line_tick) {
+  while (line_tick_ < line_tick) {
+    ++line_tick_;
+    for (std::size_t axis = 0; axis < 4; ++axis) {
+      const std::int64_t step = line_.steps[axis] * line_tick_ / line_.line_ticks -
+                                line_.steps[axis] * (line_tick_ - 1) / line_.line_ticks;
+      position[axis] += static_cast<std::int32_t>(step);
+      mechanical[axis] += step;
+    }
+    if (const std::uint32_t hit = line_.stop_mask & end_stops(); hit != 0) {
+      stop(hit, false);
+      return;
+    }
+  }
+}
+
+void FakeChip::advance_heat(double seconds) {
+  for (std::size_t i = 0; i < heaters.size(); ++i) {
+    Heater& heater = heaters[i];
+    const double power = heater.tripped ? 0.0 : heater_duty(i) / 65'535.0;
+    heater.celsius += seconds * (power * heater.celsius_per_second_at_full_power -
+                                 heater.loss_per_second * (heater.celsius - room_c));
+  }
+}
+
+}  // namespace application_test
+
+namespace platform {
+
+std::uint32_t bus_read(std::uint32_t address) { return application_test::chip->read(address); }
+void bus_write(std::uint32_t address, std::uint32_t value) {
+  application_test::chip->write(address, value);
+}
+
+}  // namespace platform

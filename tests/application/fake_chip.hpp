@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A chip and its printer behind the bus, at the level of registers: enough of both for the application's
+// tests, with motion line by line instead of clock by clock.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+
+namespace application_test {
+
+inline constexpr std::uint32_t clock_hz = 8'000'000;
+
+class FakeChip {
+ public:
+  FakeChip();
+  ~FakeChip();
+  FakeChip(const FakeChip&) = delete;
+  FakeChip& operator=(const FakeChip&) = delete;
+
+  std::uint32_t read(std::uint32_t address);
+  void write(std::uint32_t address, std::uint32_t value);
+  // Time passes: motion, heat, time counter.
+  void advance(std::uint32_t clocks);
+
+  // The serial line, from the host's side.
+  std::deque<char> to_firmware;
+  std::string from_firmware;
+  bool uart_error{};
+
+  struct Heater {
+    double celsius{25.0};
+    double celsius_per_second_at_full_power{3.0};
+    double loss_per_second{0.004};  // of the difference to 25 degrees
+    bool open_sensor{};
+    bool tripped{};
+  };
+  std::array<Heater, 2> heaters{};
+
+  // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
+  std::array<std::int64_t, 4> mechanical{1000, 1000, 30'000, 0};
+  bool end_stops_work{true};
+  std::array<std::int32_t, 4> position{};  // the hardware's counters
+  std::uint32_t motors{};
+  std::uint32_t fan_duty{};
+  std::uint32_t heater_duty(std::size_t channel) { return words_[duty_address(channel)]; }
+  std::uint32_t watchdog_feeds{};
+  std::uint64_t time{};
+
+ private:
+  struct Segment {
+    std::array<std::int64_t, 4> steps{};
+    std::int64_t line_ticks{};
+    std::int64_t ticks{};
+    double rate{};          // ticks per clock
+    double acceleration{};  // ticks per clock^2
+    std::uint32_t stop_mask{};
+    bool continues{};
+  };
+
+  static std::uint32_t duty_address(std::size_t channel);
+  std::uint32_t end_stops() const;
+  void commit();
+  void command(std::uint32_t value);
+  void advance_motion(std::uint32_t clocks);
+  void walk_to(std::int64_t line_tick);
+  void stop(std::uint32_t end_stops, bool software);
+  void advance_heat(double seconds);
+  std::uint32_t thermistor_count(std::size_t channel) const;
+
+  std::map<std::uint32_t, std::uint32_t> words_;  // registers without behaviour
+  std::deque<Segment> queue_;
+  Segment line_;               // the line under way, its flags those of its last segment
+  std::int64_t line_tick_{};   // ticks of the line that are done
+  double segment_time_left_{};  // clocks
+  std::int64_t segment_end_tick_{};
+  bool moving_{};
+  bool stopped_{};
+  bool stopped_by_software_{};
+  std::uint32_t stop_end_stops_{};
+  std::uint32_t time_high_{};
+};
+
+}  // namespace application_test

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Heating, waiting, reporting, and every way in which heat ends the print.
+#include <gtest/gtest.h>
+
+#include "tests/application/dialogue.hpp"
+
+namespace application_test {
+namespace {
+
+TEST(heat_commands, reports_temperatures_with_the_ok) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M105\n<* ok T:2\n");
+}
+
+TEST(heat_commands, m109_tells_each_second_until_the_target_holds) {
+  Printer printer;
+  printer.run(0.3);
+  printer.send("M109 S100");
+  int reports = 0;
+  for (;;) {
+    const auto line = printer.reply();
+    ASSERT_TRUE(line.has_value());
+    if (*line == "ok") break;
+    EXPECT_TRUE(line->starts_with(" T:")) << *line;
+    EXPECT_NE(line->find(" W:"), std::string::npos) << *line;
+    ++reports;
+  }
+  EXPECT_GT(reports, 20);
+  EXPECT_NEAR(printer.chip.heaters[0].celsius, 100, 2);
+  EXPECT_GT(printer.chip.watchdog_feeds, 100u);
+}
+
+TEST(heat_commands, m109_s_does_not_wait_for_cooling) {
+  Printer printer;
+  printer.chip.heaters[0].celsius = 200;
+  printer.run(0.3);
+  printer.talk("-> M109 S100\n<- ok");
+}
+
+TEST(heat_commands, m108_ends_the_wait) {
+  Printer printer;
+  printer.run(0.3);
+  printer.send("M190 S100");
+  printer.run(2.5);
+  printer.send("M108");
+  std::string last;
+  for (int oks = 0; oks < 2;) {
+    const auto line = printer.reply(10);
+    ASSERT_TRUE(line.has_value());
+    oks += *line == "ok";
+  }
+  EXPECT_LT(printer.chip.heaters[1].celsius, 60);
+}
+
+TEST(heat_commands, a_broken_thermistor_ends_everything) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M104 S200\n<- ok");
+  printer.run(5);
+  printer.chip.heaters[0].open_sensor = true;
+  printer.talk(R"(
+    <- Error:thermistor open, system stopped! Heater_ID: 0
+    <- Error:Printer halted. kill() called!
+  )");
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  EXPECT_EQ(printer.chip.motors, 0u);
+}
+
+TEST(heat_commands, a_heater_without_effect_is_a_failed_heating) {
+  Printer printer;
+  printer.chip.heaters[1].celsius_per_second_at_full_power = 0;
+  printer.run(0.3);
+  printer.talk(R"(
+    -> M140 S60
+    <- ok
+    <- Error:Heating failed, system stopped! Heater_ID: bed
+    <- Error:Printer halted. kill() called!
+  )");
+}
+
+TEST(heat_commands, a_gate_closed_by_the_hardware_ends_everything) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M104 S200\n<- ok");
+  printer.run(2);
+  printer.chip.heaters[0].tripped = true;
+  printer.talk("<* Heater_ID: 0\n<- Error:Printer halted. kill() called!");
+}
+
+TEST(heat_commands, after_m112_lines_get_the_fault_and_never_an_ok) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M104 S200\n<- ok\n-> M112\n<- Error:Printer halted. kill() called!");
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  printer.send("M105");
+  EXPECT_EQ(printer.reply(5), "Error:Printer halted. kill() called!");
+  printer.send("G1 X10");
+  printer.run(3);
+  EXPECT_EQ(printer.chip.from_firmware.find("ok"), std::string::npos);
+  EXPECT_EQ(printer.counters.halted, 1u);
+}
+
+TEST(heat_commands, reports_by_itself_after_m155) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M155 S2\n<- ok\n<*  T:2\n<*  T:2\n-> M155 S0\n<- ok");
+  EXPECT_FALSE(printer.reply(6).has_value());
+}
+
+TEST(heat_commands, sets_the_fan_from_0_to_255) {
+  Printer printer;
+  printer.talk("-> M106 S244.8\n<- ok");
+  EXPECT_EQ(printer.chip.fan_duty, 244u);
+  printer.talk("-> M106 S999\n<- ok");
+  EXPECT_EQ(printer.chip.fan_duty, 255u);
+  printer.talk("-> M107\n<- ok");
+  EXPECT_EQ(printer.chip.fan_duty, 0u);
+  printer.talk("-> M106\n<- ok");
+  EXPECT_EQ(printer.chip.fan_duty, 255u);
+}
+
+TEST(heat_commands, a_target_too_high_is_cut_to_what_is_allowed) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M104 S999\n<- ok\n-> M105\n<* /260.00\n");
+}
+
+}  // namespace
+}  // namespace application_test

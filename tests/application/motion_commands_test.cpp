@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Moves, homing, coordinates and stops, as dialogues and as what the axes then have done.
+#include <gtest/gtest.h>
+
+#include "tests/application/dialogue.hpp"
+
+namespace application_test {
+namespace {
+
+constexpr std::size_t x = 0, y = 1, z = 2, e = 3;
+
+// A printer that knows where it is and has a hot nozzle.
+void prepare(Printer& printer) {
+  printer.chip.heaters[0].celsius = 200;
+  printer.talk(R"(
+    -> G28
+    <- ok
+    -> M104 S200
+    <- ok
+  )");
+}
+
+TEST(motion_commands, homes_every_axis_to_its_end_stop) {
+  Printer printer;
+  printer.talk(R"(
+    -> G28
+    <- ok
+    -> M114
+    <- X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0
+    <- ok
+  )");
+  for (const std::size_t axis : {x, y, z}) EXPECT_LE(std::abs(printer.chip.mechanical[axis]), 1);
+}
+
+TEST(motion_commands, homes_only_the_axes_that_are_named) {
+  Printer printer;
+  const auto z_before = printer.chip.mechanical[z];
+  printer.talk(R"(
+    -> G28 X Y
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.mechanical[z], z_before);
+  EXPECT_LE(std::abs(printer.chip.mechanical[y]), 1);
+}
+
+TEST(motion_commands, halts_when_an_end_stop_is_never_found) {
+  Printer printer;
+  printer.chip.end_stops_work = false;
+  printer.talk(R"(
+    -> G28 X
+    <* Error:Homing failed on X: 
+    <- Error:Printer halted. kill() called!
+  )");
+  EXPECT_EQ(printer.chip.motors, 0u);
+}
+
+TEST(motion_commands, moves_to_where_the_line_says_to_the_step) {
+  Printer printer;
+  prepare(printer);
+  printer.talk(R"(
+    -> G1 X100.0125 Y50 Z0.3 E1.002 F6000
+    <- ok
+    -> M400
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.position[x], 8001);
+  EXPECT_EQ(printer.chip.position[y], 4000);
+  EXPECT_EQ(printer.chip.position[z], 768);
+  EXPECT_EQ(printer.chip.position[e], 501);
+}
+
+TEST(motion_commands, relative_moves_never_drift) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G91\n<- ok");
+  for (int i = 0; i < 300; ++i) printer.talk("-> G1 X0.0333\n<- ok");  // 2.664 steps each
+  printer.talk("-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[x], 799);  // 9.99 mm
+}
+
+TEST(motion_commands, g92_changes_what_the_host_believes_and_no_step) {
+  Printer printer;
+  prepare(printer);
+  printer.talk(R"(
+    -> G1 X10 E2 F3000
+    <- ok
+    -> G92 X0 E0
+    <- ok
+    -> G1 X5 E1
+    <- ok
+    -> M400
+    <- ok
+    -> M114
+    <* X:5.00 Y:0.00 Z:0.00 E:1.00 Count X:1200
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.position[e], 1500);
+}
+
+TEST(motion_commands, inches_are_25_4_millimetres) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G20\n<- ok\n-> G1 X1 F100\n<- ok\n-> G21\n<- ok\n-> G1 Y1\n<- ok\n-> M400\n<- ok");
+  EXPECT_DOUBLE_EQ(printer.mm(x), 25.4);
+  EXPECT_DOUBLE_EQ(printer.mm(y), 1.0);
+}
+
+TEST(motion_commands, refuses_a_target_beyond_the_travel_and_moves_nothing) {
+  Printer printer;
+  prepare(printer);
+  printer.talk(R"(
+    -> G1 X900 Y10 E1
+    <- echo:Move beyond the end of X (0.00 to 200.00), not executed: "G1 X900 Y10 E1"
+    <- ok
+    -> G1 Z-1
+    <* echo:Move beyond the end of Z (0.00 to 110.00)
+    <- ok
+    -> M400
+    <- ok
+    -> M114
+    <- X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0
+    <- ok
+  )");
+}
+
+TEST(motion_commands, moves_before_homing_know_no_bounds) {
+  Printer printer;
+  printer.talk("-> G91\n<- ok\n-> G1 X-5 F3000\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[x], -400);
+}
+
+TEST(motion_commands, a_cold_nozzle_moves_without_extruding) {
+  Printer printer;
+  printer.talk(R"(
+    -> G28
+    <- ok
+    -> G1 X10 E5 F3000
+    <- echo: cold extrusion prevented
+    <- ok
+    -> M400
+    <- ok
+    -> M114
+    <* X:10.00 Y:0.00 Z:0.00 E:5.00 Count X:800
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.position[e], 0);
+}
+
+TEST(motion_commands, an_extrusion_of_more_than_20_cm_is_left_out) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G1 X1 E250 F3000\n<- echo: too long extrusion prevented\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[e], 0);
+  EXPECT_EQ(printer.chip.position[x], 80);
+}
+
+TEST(motion_commands, malformed_and_overlong_numbers_move_nothing) {
+  Printer printer;
+  prepare(printer);
+  printer.talk(R"(
+    -> G1 X1.2.3
+    <* echo:
+    <- ok
+    -> G1 X99999999999999999999
+    <* echo:
+    <- ok
+    -> G1 E4000000000
+    <* echo:
+    <- ok
+    -> M400
+    <- ok
+    -> M114
+    <- X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0
+    <- ok
+  )");
+  EXPECT_GE(printer.counters.commands_refused, 3u);
+}
+
+TEST(motion_commands, flow_and_speed_factors_scale_extrusion_and_nothing_else) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> M221 S50\n<- ok\n-> M220 S200\n<- ok\n-> G1 X10 E4 F600\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[e], 1000);
+  EXPECT_EQ(printer.chip.position[x], 800);
+  printer.talk("-> M114\n<* E:4.00\n<- ok\n-> M220\n<- FR:200%\n<- ok");
+}
+
+TEST(motion_commands, m410_stops_at_once_and_keeps_a_true_position) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G1 X190 F3000\n<- ok");
+  printer.run(1.0);
+  printer.talk("-> M410\n<- ok\n-> M400\n<- ok");
+  EXPECT_GT(printer.chip.position[x], 80);
+  EXPECT_LT(printer.chip.position[x], 15'000);
+  const auto stopped_at = printer.chip.position[x];
+  printer.talk("-> G91\n<- ok\n-> G1 X1\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[x], stopped_at + 80);
+}
+
+TEST(motion_commands, dwells_for_the_time_after_the_motion) {
+  Printer printer;
+  prepare(printer);
+  const auto begin = printer.chip.time;
+  printer.talk("-> G4 P500\n<- ok");
+  const double seconds = static_cast<double>(printer.chip.time - begin) / clock_hz;
+  EXPECT_GE(seconds, 0.5);
+  EXPECT_LT(seconds, 0.55);
+}
+
+TEST(motion_commands, m84_switches_the_motors_off_when_the_motion_has_ended) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G1 X50 F3000\n<- ok\n-> M84 E\n<- ok");
+  EXPECT_EQ(printer.chip.position[x], 4000);
+  EXPECT_EQ(printer.chip.motors, 0b0111u);
+  printer.talk("-> M84\n<- ok");
+  EXPECT_EQ(printer.chip.motors, 0u);
+}
+
+}  // namespace
+}  // namespace application_test
