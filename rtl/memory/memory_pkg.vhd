@@ -14,7 +14,8 @@ package memory_pkg is
     address : unsigned(31 downto 2);
   end record;
 
-  -- Read or write of one data word. While `enable` is low the port keeps its last data; what it shows
+  -- Read or write of one data word. While `enable` is low the port keeps its last data; what it
+  -- shows
   -- after a write is undefined.
   type memory_request_t is record
     enable : std_ulogic;
