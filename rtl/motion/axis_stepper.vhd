@@ -167,4 +167,12 @@ begin
       severity failure;
   end process;
 
+  -- psl default clock is rising_edge(clk);
+  -- psl direction_stands_still_forward : assert always
+  --   ((step = '0' and direction = '0') -> next (step = '0' or direction = '0')) abort reset;
+  -- psl direction_stands_still_backward : assert always
+  --   ((step = '0' and direction = '1') -> next (step = '0' or direction = '1')) abort reset;
+  -- psl a_step_comes_of_a_tick : assert always
+  --   ((step = '0' and tick = '0') -> next (step = '0')) abort reset;
+
 end architecture;

@@ -155,6 +155,10 @@ begin
       port map (
         clk => clk, capture => snapshot, position => positions(axis),
         captured_position => snapshot_positions(axis));
+
+    -- psl default clock is rising_edge(clk);
+    -- psl no_step_after_a_stop : assert always
+    --   ((stop = '1' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
   end generate;
 
   stops : entity work.stop_latch
