@@ -32,6 +32,7 @@ PathCheck::Item PathCheck::item_of(const Move& move) const {
 }
 
 void PathCheck::command_sent(sim::Clock, std::size_t, std::string_view command) {
+  judge_position();
   gcode_before_ = gcode_;
   item_in_flight_ = false;
   length_in_flight_ = 0;
@@ -69,7 +70,19 @@ void PathCheck::stepped(const devices::StepEdge& edge) {
   if (edge.axis >= 2) {
     return;
   }
+  if (edge.clock != last_edge_) {
+    judge_position();
+  }
+  last_edge_ = edge.clock;
   position_[edge.axis] = edge.position;
+  judged_ = false;
+}
+
+void PathCheck::judge_position() {
+  if (judged_) {
+    return;
+  }
+  judged_ = true;
   if (items_.empty() || items_.front().homing) {
     return;
   }
@@ -119,6 +132,7 @@ void PathCheck::pass_lost_point() {
 
 // Everything asked for has been made: what has not been reached by now has been missed.
 void PathCheck::finish_all() {
+  judge_position();
   pass_reached_points();
   while (!items_.empty()) {
     const Item item = items_.front();
@@ -128,7 +142,9 @@ void PathCheck::finish_all() {
     } else {
       ++points_missed_;
       if (items_.empty()) {
-        max_deviation_mm_ = std::max(max_deviation_mm_, distance_mm(item));
+        Item end = item;
+        end.from = item.to;
+        max_deviation_mm_ = std::max(max_deviation_mm_, distance_mm(end));
       }
     }
   }

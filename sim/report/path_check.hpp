@@ -13,8 +13,8 @@
 
 namespace report {
 
-// The G-code's points are taken in order. While a line is walked, the distance of each edge from it counts;
-// it is done when the edges have arrived at its end to the step. Homing is free until it is acknowledged.
+// The G-code's points are taken in order. While a line is walked, the distance of each edge from it counts
+// (edges of one clock together); it is done when the edges have arrived at its end to the step. Homing is free until it is acknowledged.
 class PathCheck : public devices::StepListener, public devices::HostListener {
  public:
   // `origin`: mechanical positions at the beginning, which the G-code calls 0 until it homes.
@@ -42,6 +42,7 @@ class PathCheck : public devices::StepListener, public devices::HostListener {
 
   Item item_of(const Move& move) const;
   double distance_mm(const Item& item) const;
+  void judge_position();
   void pass_reached_points();
   void pass_lost_point();
   void finish_all();
@@ -50,6 +51,8 @@ class PathCheck : public devices::StepListener, public devices::HostListener {
   std::array<double, 2> steps_per_mm_;
   std::array<std::int64_t, 2> origin_;
   std::array<std::int64_t, 2> position_;
+  sim::Clock last_edge_ = 0;
+  bool judged_ = true;  // position_ has been held against the lines
   GcodePath gcode_;
   GcodePath gcode_before_;  // the command in flight
   bool item_in_flight_ = false;

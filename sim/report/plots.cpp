@@ -114,7 +114,7 @@ void add_temperatures(Script& script, const char* name,
     add(script, "{:.2f} {:.2f} {:.1f}\n", samples[i].seconds, samples[i].celsius,
         samples[i].target_c);
   }
-  add(script, "{}", samples.empty() ? "nan nan nan\nEOD\n" : "EOD\n");
+  add(script, "{}", samples.empty() ? "0 0 0\nEOD\n" : "EOD\n");
 }
 
 }  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report's formats are contracts: names of report.json, columns of the edges, one page of HTML.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sim/report/edge_file.hpp"
+#include "sim/report/html_report.hpp"
+#include "sim/report/json_report.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+report::Results some_results() {
+  report::Results results;
+  results.file = "part <1>.gcode";
+  results.machine = "Prusa Mendel";
+  results.outcome = report::Outcome::faulted;
+  results.fault = "Error:Thermal Runaway";
+  results.clock_hz = 4'000'000;
+  results.axes[1].final_position_steps = -3;
+  results.hotend = {205, 206.5, 93.25, 0.5};
+  results.bed = {0, 22, -1, 0};
+  results.messages = {{1.5, 7, "echo:Unknown command: \"M999\"", false}};
+  return results;
+}
+
+void collect_names(const nlohmann::json& json, const std::string& prefix, std::set<std::string>& names) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      collect_names(value, prefix + key + ".", names);
+    } else {
+      names.insert(prefix + key);
+    }
+  }
+}
+
+// Why a picture is missing; empty where none is.
+std::string note_in(const std::string& page) {
+  const std::size_t at = page.find("No picture");
+  return at == std::string::npos ? "" : page.substr(at, 300);
+}
+
+TEST(JsonReport, has_every_name_of_the_contract) {
+  const nlohmann::json json = nlohmann::json::parse(report::to_json(some_results()));
+  std::set<std::string> names;
+  collect_names(json, "", names);
+  std::vector<std::string> contract{
+      "result", "fault", "clock_hz", "cycles", "simulated_seconds", "wall_seconds", "lines_sent",
+      "resends", "commands_executed", "path.max_deviation_mm", "path.length_mm", "queue.underruns",
+      "queue.guard_stalls_cycles", "queue.max_depth", "firmware.text_bytes", "firmware.data_bytes",
+      "firmware.bss_bytes", "firmware.stack_peak_bytes", "processor.busy_percent",
+      "processor.instructions"};
+  for (const char* axis : {"x", "y", "z", "e"}) {
+    for (const char* name : {"steps_forward", "steps_backward", "final_position_steps",
+                             "final_position_mm", "max_step_rate_hz", "illegal_pulses"}) {
+      contract.push_back(std::string("axes.") + axis + "." + name);
+    }
+  }
+  for (const char* heater : {"hotend", "bed"}) {
+    for (const char* name : {"target_c", "max_c", "seconds_to_target", "band_c"}) {
+      contract.push_back(std::string(heater) + "." + name);
+    }
+  }
+  for (const std::string& name : contract) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+}
+
+TEST(JsonReport, tells_values_as_they_are) {
+  const nlohmann::json json = nlohmann::json::parse(report::to_json(some_results()));
+  EXPECT_EQ(json["result"], "faulted");
+  EXPECT_EQ(json["fault"], "Error:Thermal Runaway");
+  EXPECT_EQ(json["axes"]["y"]["final_position_steps"], -3);
+  EXPECT_EQ(json["hotend"]["seconds_to_target"], 93.25);
+  EXPECT_TRUE(json["bed"]["seconds_to_target"].is_null());
+  EXPECT_EQ(json["messages"][0]["file_line"], 7);
+}
+
+TEST(EdgeFile, has_the_columns_of_the_contract) {
+  const fs::path file = fs::path(testing::TempDir()) / "edges_test.csv";
+  report::EdgeFile edges(file);
+  edges.stepped({12, 0, 1, 101});
+  edges.stepped({12, 3, -1, -7});
+  edges.stepped({13, 4, 1, 1});  // a second extruder has no column name
+  edges.close();
+  std::ifstream stream(file);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_EQ(text, "cycle,axis,direction,position\n12,x,1,101\n12,e,-1,-7\n");
+  fs::remove(file);
+}
+
+TEST(EdgeFile, says_where_it_cannot_write) {
+  EXPECT_THROW(report::EdgeFile("no/such/folder/edges.csv"), std::runtime_error);
+}
+
+TEST(HtmlReport, shows_pictures_numbers_and_escaped_texts_in_one_file) {
+  report::Courses courses;
+  courses.path = {{0, 0, 0, false}, {10, 0, 0.2F, false}, {10, 10, 0.2F, true}, {20, 10, 0.4F, true}};
+  courses.hotend = {{0, 22, 205}, {1, 30, 205}};
+  courses.bed = {{0, 22, 0}, {1, 22, 0}};
+  courses.steps = {{10, 0, 0, 3}, {0, 20, 0, 5}};
+  courses.intervals[0][40] = 9;
+  const std::string page = report::to_html(some_results(), courses);
+  EXPECT_THAT(page, HasSubstr("part &lt;1&gt;.gcode"));
+  EXPECT_THAT(page, HasSubstr("Thermal Runaway"));
+  EXPECT_THAT(page, HasSubstr("echo:Unknown command: &quot;M999&quot;"));
+  EXPECT_EQ(note_in(page), "");
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 5U);
+  EXPECT_THAT(page, testing::Not(HasSubstr("src=\"http")));
+}
+
+TEST(HtmlReport, shows_a_print_in_which_nothing_happened) {
+  const std::string page = report::to_html(some_results(), {});
+  EXPECT_EQ(note_in(page), "");
+}
+
+TEST(ToolPath, leaves_out_what_lies_on_a_line_and_keeps_corners_and_changes) {
+  std::vector<report::ToolPoint> points{{0, 0, 0, false}};
+  for (int i = 1; i <= 100; ++i) {
+    points.push_back({static_cast<float>(i), 0, 0, i > 50});
+  }
+  points.push_back({100, 50, 0, true});
+  const auto kept = report::simplified(points, 0.01);
+  ASSERT_EQ(kept.size(), 4U);
+  EXPECT_EQ(kept[1].x, 50);
+  EXPECT_FALSE(kept[1].extruding);
+  EXPECT_EQ(kept[2].x, 100);
+}
+
+}  // namespace
