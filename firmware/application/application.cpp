@@ -13,7 +13,8 @@ namespace {
 constexpr units::Milliseconds count_period{100};
 constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
-// So many bytes end the sleep before the next tick does: 5 ms at 3 Mbaud until a FIFO of 1024 is full.
+// So many bytes end the sleep before the next tick does: 5 ms at 3 Mbaud until a FIFO of 1024 is
+// full.
 constexpr std::size_t wake_level_bytes = 32;
 
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"
@@ -84,8 +85,8 @@ bool Application::update() {
 void Application::exchange_bytes(Now now) {
   receive(now);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
-  link_.update(now.milliseconds, executor_.busy() ? host_link::Activity::processing
-                                                  : host_link::Activity::idle);
+  link_.update(now.milliseconds,
+               executor_.busy() ? host_link::Activity::processing : host_link::Activity::idle);
 }
 
 void Application::receive(Now now) {
@@ -110,10 +111,17 @@ void Application::act_on_emergencies() {
   using Kind = host_link::EmergencyCommand::Kind;
   while (const auto command = link_.emergency()) {
     switch (command->kind) {
-      case Kind::kill: halt({}); return;
-      case Kind::cancel_wait: executor_.cancel_wait(); break;
-      case Kind::quick_stop: executor_.quick_stop(); break;
-      case Kind::prompt_response: break;  // nothing asks the user yet
+      case Kind::kill:
+        halt({});
+        return;
+      case Kind::cancel_wait:
+        executor_.cancel_wait();
+        break;
+      case Kind::quick_stop:
+        executor_.quick_stop();
+        break;
+      case Kind::prompt_response:
+        break;  // nothing asks the user yet
     }
   }
 }
@@ -130,10 +138,12 @@ void Application::look_for_faults() {
 }
 
 void Application::report(Now now) {
-  if (halted_ || executor_.report_interval().count() == 0 || now.milliseconds < next_report_) return;
+  if (halted_ || executor_.report_interval().count() == 0 || now.milliseconds < next_report_)
+    return;
   next_report_ = now.milliseconds + executor_.report_interval();
   // Without room this report is left out: the next one is newer.
-  link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed)).view());
+  link_.say(
+      host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed)).view());
 }
 
 void Application::switch_off_idle_motors(Now now) {
@@ -172,12 +182,14 @@ void Application::halt(std::string_view fault) {
   link_.say(host_link::halted);
 }
 
-// Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is answered
-// with the fault again, at most once a second, so that a host that connects now learns why.
+// Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
+// answered with the fault again, at most once a second, so that a host that connects now learns
+// why.
 void Application::serve_halted(Now now) {
   std::array<char, 128> bytes;
   const std::size_t count = hardware_.uart.read(bytes);
-  const bool line_ended = std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;
+  const bool line_ended =
+      std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;
   if (!line_ended || now.milliseconds < next_complaint_) return;
   next_complaint_ = now.milliseconds + complaint_period;
   if (!fault_.view().empty()) link_.say(fault_.view());

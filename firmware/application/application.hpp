@@ -21,17 +21,18 @@ class Application {
   Application(const MachineDescription& machine, const ThermalTables& tables, Hardware& hardware,
               Statistics& counters);
 
-  // Sets up the peripherals and greets the host. False where the clock is too slow for the serial line.
+  // Sets up the peripherals and greets the host. False where the clock is too slow for the serial
+  // line.
   [[nodiscard]] bool start();
 
-  // One pass over all tasks, with at most one command; never waits. True if there is more to do at once;
-  // otherwise the next pass is wanted at the next interrupt (timer, serial line, stop of motion).
+  // One pass over all tasks, with at most one command; never waits. True if there is more to do at
+  // once; otherwise the next pass is wanted at the next interrupt (timer, serial line, stop of
+  // motion).
   bool update();
 
   bool halted() const { return halted_; }
 
  private:
-
   void exchange_bytes(Now now);
   void receive(Now now);
   void transmit();
@@ -42,7 +43,6 @@ class Application {
   void count(Now now);
   void halt(std::string_view fault);
   void serve_halted(Now now);
-
 
   const MachineDescription& machine_;
   Hardware& hardware_;

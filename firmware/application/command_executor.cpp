@@ -9,7 +9,12 @@ namespace application {
 CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
                                  HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
                                  Statistics& counters)
-    : machine_(machine), motion_(motion), heat_(heat), fan_(fan), link_(link), counters_(counters) {}
+    : machine_(machine),
+      motion_(motion),
+      heat_(heat),
+      fan_(fan),
+      link_(link),
+      counters_(counters) {}
 
 bool CommandExecutor::update(Now now) {
   follow_position_jump();
@@ -71,15 +76,20 @@ CommandExecutor::Progress CommandExecutor::proceed(Now now) {
       parse_error_->fault == ParseFault::missing_code) {
     return refuse_unknown();
   }
-  return refuse(host_link::not_executed(gcode::describe(*parse_error_), parse_error_->position, text_));
+  return refuse(
+      host_link::not_executed(gcode::describe(*parse_error_), parse_error_->position, text_));
 }
 
 CommandExecutor::Progress CommandExecutor::execute(Now now) {
   switch (command_.letter) {
-    case 'G': return execute_g(now);
-    case 'M': return execute_m(now);
-    case 'T': return select_tool();
-    default: return refuse_unknown();
+    case 'G':
+      return execute_g(now);
+    case 'M':
+      return execute_m(now);
+    case 'T':
+      return select_tool();
+    default:
+      return refuse_unknown();
   }
 }
 
@@ -87,61 +97,107 @@ CommandExecutor::Progress CommandExecutor::execute_g(Now now) {
   if (command_.subcode != 0) return refuse_unknown();
   switch (command_.code) {
     case 0:
-    case 1: return move(now);
-    case 4: return dwell(now);
-    case 20: coordinates_.set_inches(true); return Progress::done;
-    case 21: coordinates_.set_inches(false); return Progress::done;
-    case 28: return home(now);
-    case 90: coordinates_.set_relative(false); return Progress::done;
-    case 91: coordinates_.set_relative(true); return Progress::done;
-    case 92: return set_position();
-    default: return refuse_unknown();
+    case 1:
+      return move(now);
+    case 4:
+      return dwell(now);
+    case 20:
+      coordinates_.set_inches(true);
+      return Progress::done;
+    case 21:
+      coordinates_.set_inches(false);
+      return Progress::done;
+    case 28:
+      return home(now);
+    case 90:
+      coordinates_.set_relative(false);
+      return Progress::done;
+    case 91:
+      coordinates_.set_relative(true);
+      return Progress::done;
+    case 92:
+      return set_position();
+    default:
+      return refuse_unknown();
   }
 }
 
 CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
   if (command_.subcode != 0) return refuse_unknown();
   switch (command_.code) {
-    case 17: return switch_motors(true);
+    case 17:
+      return switch_motors(true);
     case 18:
-    case 84: return switch_motors(false);
-    case 82: coordinates_.set_extruder_relative(false); return Progress::done;
-    case 83: coordinates_.set_extruder_relative(true); return Progress::done;
-    case 104: return set_temperature(Heater::hotend);
-    case 105: return report_temperature();
+    case 84:
+      return switch_motors(false);
+    case 82:
+      coordinates_.set_extruder_relative(false);
+      return Progress::done;
+    case 83:
+      coordinates_.set_extruder_relative(true);
+      return Progress::done;
+    case 104:
+      return set_temperature(Heater::hotend);
+    case 105:
+      return report_temperature();
     case 106:
-    case 107: return set_fan();
-    case 109: return set_and_wait(Heater::hotend, now);
-    case 114: return report_position();
-    case 115: return list_firmware();
-    case 118: return say_text();
-    case 119: return list_end_stops();
-    case 140: return set_temperature(Heater::bed);
-    case 155: return report_automatically();
-    case 190: return set_and_wait(Heater::bed, now);
-    case 400: return wait_for_rest();
-    case 410: quick_stop(); return Progress::done;
-    case 112: fatal_.emplace(Fatal::Reason::asked_for); return Progress::done;
+    case 107:
+      return set_fan();
+    case 109:
+      return set_and_wait(Heater::hotend, now);
+    case 114:
+      return report_position();
+    case 115:
+      return list_firmware();
+    case 118:
+      return say_text();
+    case 119:
+      return list_end_stops();
+    case 140:
+      return set_temperature(Heater::bed);
+    case 155:
+      return report_automatically();
+    case 190:
+      return set_and_wait(Heater::bed, now);
+    case 400:
+      return wait_for_rest();
+    case 410:
+      quick_stop();
+      return Progress::done;
+    case 112:
+      fatal_.emplace(Fatal::Reason::asked_for);
+      return Progress::done;
     // Progress and messages have no display here; numbering and cancelling were done on reception.
     case 73:
     case 108:
     case 110:
-    case 117: return Progress::done;
-    default: return execute_setting();
+    case 117:
+      return Progress::done;
+    default:
+      return execute_setting();
   }
 }
 
 CommandExecutor::Progress CommandExecutor::execute_setting() {
   switch (command_.code) {
-    case 92: return set_steps_per_millimeter();
-    case 113: return set_busy_interval();
-    case 201: return set_max_accelerations();
-    case 203: return set_max_speeds();
-    case 204: return set_accelerations();
-    case 205: return set_advanced();
-    case 220: return set_speed_factor();
-    case 221: return set_flow_factor();
-    default: return refuse_unknown();
+    case 92:
+      return set_steps_per_millimeter();
+    case 113:
+      return set_busy_interval();
+    case 201:
+      return set_max_accelerations();
+    case 203:
+      return set_max_speeds();
+    case 204:
+      return set_accelerations();
+    case 205:
+      return set_advanced();
+    case 220:
+      return set_speed_factor();
+    case 221:
+      return set_flow_factor();
+    default:
+      return refuse_unknown();
   }
 }
 

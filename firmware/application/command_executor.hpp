@@ -52,12 +52,12 @@ class CommandExecutor {
 
  private:
   enum class Stage : std::uint8_t {
-    idle,       // no line in hand
-    begin,      // the command is to be begun, as soon as what it needs is there
-    listing,    // a reply of several lines is being sent
-    dwelling,   // G4
-    homing,     // G28
-    heating,    // M109, M190
+    idle,  // no line in hand
+    begin,  // the command is to be begun, as soon as what it needs is there
+    listing,  // a reply of several lines is being sent
+    dwelling,  // G4
+    homing,  // G28
+    heating,  // M109, M190
     answering,  // done; the ok is due
   };
   // What a handler says: call me again, or I am done.

@@ -14,8 +14,8 @@ constexpr std::int64_t divided(std::int64_t value, std::int64_t divisor) {
   return (value < 0 ? value - divisor / 2 : value + divisor / 2) / divisor;
 }
 
-// A number of the G-code counts millionths; a millionth of an inch is 25.4 nm. |value| < 2^32 * 10^6, so
-// the product stays below 2^61.
+// A number of the G-code counts millionths; a millionth of an inch is 25.4 nm. |value| < 2^32 *
+// 10^6, so the product stays below 2^61.
 constexpr std::int64_t nanometers_of_inches(std::int64_t millionths) {
   return divided(millionths * 254, 10);
 }
@@ -58,15 +58,15 @@ void Coordinates::take_feedrate(const gcode::Command& command) {
   if (!per_minute || per_minute->count() <= 0) return;
   constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
   const std::int64_t speed = divided(per_minute->count(), nanometers_per_minute);
-  feedrate_ = units::MicrometersPerSecond(static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
+  feedrate_ = units::MicrometersPerSecond(
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
 }
 
 units::MicrometersPerSecond Coordinates::feedrate() const {
   if (speed_percent_ == 100) return feedrate_;
   const std::int64_t speed = divided(std::int64_t{feedrate_.count()} * speed_percent_, 100);
-  return units::MicrometersPerSecond(static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
+  return units::MicrometersPerSecond(
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
 }
 
 }  // namespace application

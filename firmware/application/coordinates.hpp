@@ -39,8 +39,8 @@ class Coordinates {
 
   // The logical positions that a move asks for.
   Positions target_of(const gcode::Command& command) const;
-  // The machine positions of a logical target, from where the machine is. Exact but for a flow that is
-  // not 100 %, where E is rounded to nanometres.
+  // The machine positions of a logical target, from where the machine is. Exact but for a flow that
+  // is not 100 %, where E is rounded to nanometres.
   Positions machine_target(const Positions& target, const Positions& machine) const;
 
   // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.

@@ -48,8 +48,9 @@ CommandExecutor::Progress CommandExecutor::set_and_wait(Heater heater, Now now) 
   }
   if (loop.at_target() || wait_cancelled_) return Progress::done;
   if (now.milliseconds >= deadline_) {
-    const auto line = host_link::heating_report(heat_.state(Heater::hotend), heat_.state(Heater::bed),
-                                                whole_seconds(loop.time_to_arrival(now.milliseconds)));
+    const auto line =
+        host_link::heating_report(heat_.state(Heater::hotend), heat_.state(Heater::bed),
+                                  whole_seconds(loop.time_to_arrival(now.milliseconds)));
     if (link_.say(line.view())) deadline_ += report_period;
   }
   return Progress::again;
@@ -59,8 +60,8 @@ CommandExecutor::Progress CommandExecutor::set_fan() {
   if (command_.integer('P').value_or(0) != 0) return Progress::done;  // there is one fan, number 0
   const bool on = command_.code == 106;
   const std::int64_t duty = on ? command_.integer('S').value_or(drivers::Fan::full_duty) : 0;
-  fan_.set_duty(static_cast<std::uint8_t>(
-      std::clamp<std::int64_t>(duty, 0, drivers::Fan::full_duty)));
+  fan_.set_duty(
+      static_cast<std::uint8_t>(std::clamp<std::int64_t>(duty, 0, drivers::Fan::full_duty)));
   return Progress::done;
 }
 

@@ -10,19 +10,21 @@ namespace {
 constexpr std::uint32_t charges = 16;
 // The capacitor is empty to 2^-16 after so many time constants of the low reference.
 constexpr std::int64_t discharge_time_constants = 11;
-// A charge may take so much longer than at the lowest temperature before it counts as an open sensor.
+// A charge may take so much longer than at the lowest temperature before it counts as an open
+// sensor.
 constexpr std::int64_t charge_margin = 2;
 constexpr units::Microseconds pause{1'000};
 constexpr units::Microseconds gate_slot{2'000};
 constexpr units::Milliseconds watchdog_timeout{1'000};
 constexpr units::Milliseconds sensor_timeout{1'000};
-// The hardware cuts off beyond the software's own limits, so that the fault has its proper name first.
+// The hardware cuts off beyond the software's own limits, so that the fault has its proper name
+// first.
 constexpr units::Millicelsius cut_off_margin{10'000};
 constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
 
 // A bed is slow: Marlin's WATCH_BED_TEMP_PERIOD and THERMAL_PROTECTION_BED_HYSTERESIS.
-constexpr thermal::ProtectionSettings bed_protection{
-    .watch_period = units::Milliseconds{60'000}, .unasked_settle = units::Milliseconds{60'000}};
+constexpr thermal::ProtectionSettings bed_protection{.watch_period = units::Milliseconds{60'000},
+                                                     .unasked_settle = units::Milliseconds{60'000}};
 
 thermal::HeaterSettings settings_of(const HeaterDescription& heater) {
   thermal::HeaterSettings settings;
@@ -56,18 +58,20 @@ HeatTask::HeatTask(const MachineDescription& machine, const ThermalTables& table
       bed_table_(tables.bed),
       converter_(converter),
       control_(control),
-      parts_{{{machine.hotend, {tables.hotend, references_of(machine.converter)},
+      parts_{{{machine.hotend,
+               {tables.hotend, references_of(machine.converter)},
                thermal::HeaterLoop(settings_of(machine.hotend))},
-              {machine.bed, {tables.bed, references_of(machine.converter)},
+              {machine.bed,
+               {tables.bed, references_of(machine.converter)},
                thermal::HeaterLoop(bed_settings_of(machine.bed))}}} {}
 
 void HeatTask::start() {
   constexpr std::int64_t picoseconds_per_microsecond = 1'000'000;
   constexpr std::int64_t milliohms_per_ohm = 1'000;
   const ConverterDescription& circuit = machine_.converter;
-  const std::int64_t coldest_ohms =
-      std::max(hotend_table_.resistance(machine_.hotend.min).count(),
-               bed_table_.resistance(machine_.bed.min).count()) / milliohms_per_ohm;
+  const std::int64_t coldest_ohms = std::max(hotend_table_.resistance(machine_.hotend.min).count(),
+                                             bed_table_.resistance(machine_.bed.min).count()) /
+                                    milliohms_per_ohm;
   const std::int64_t discharge = discharge_time_constants * circuit.reference_low.count() /
                                  milliohms_per_ohm * circuit.capacitor_picofarads /
                                  picoseconds_per_microsecond;
@@ -107,8 +111,8 @@ void HeatTask::update(Part& part, Now now) {
   if (tripped && was_heating) part.loop.report_cut_off();
   const thermal::Duty duty = part.loop.update(part.sensor.temperature(reading), now.milliseconds);
   if (const auto temperature = part.loop.temperature()) part.temperature = *temperature;
-  // What tripped while nothing was asked for (before the first conversion, say) is forgotten with the
-  // first wish for heat; what still holds trips again at once.
+  // What tripped while nothing was asked for (before the first conversion, say) is forgotten with
+  // the first wish for heat; what still holds trips again at once.
   if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
   control_.set_duty(gate, part.limits_locked ? duty : thermal::Duty{0});
 }

@@ -47,8 +47,8 @@ CommandExecutor::Progress CommandExecutor::move(Now now) {
   if (extruder != before) {
     const bool too_long = extruder - before > longest_extrusion;
     if (heat_.extrusion_is_cold() || too_long) {
-      const char* notice = too_long ? "echo: too long extrusion prevented"
-                                    : "echo: cold extrusion prevented";
+      const char* notice =
+          too_long ? "echo: too long extrusion prevented" : "echo: cold extrusion prevented";
       if (!notified_ && say(notice) == Progress::again) return Progress::again;
       notified_ = true;
       extruder = before;
@@ -130,8 +130,7 @@ CommandExecutor::Progress CommandExecutor::switch_motors(bool enabled) {
     // M84 S: only the time after which they are switched off by themselves.
     if (const auto seconds = command_.integer('S')) {
       constexpr std::int64_t longest_s = 24 * 3600;
-      motor_timeout_ =
-          units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
+      motor_timeout_ = units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
       return Progress::done;
     }
     if (wait_for_rest() == Progress::again) return Progress::again;
@@ -171,7 +170,8 @@ units::AxisSet CommandExecutor::named_axes() const {
   return axes;
 }
 
-// After a stop or homing the machine is not where the last move ended: what the host believes moves with it.
+// After a stop or homing the machine is not where the last move ended: what the host believes moves
+// with it.
 void CommandExecutor::follow_position_jump() {
   if (motion_.position_jumps() == position_jumps_) return;
   position_jumps_ = motion_.position_jumps();

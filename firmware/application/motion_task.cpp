@@ -72,8 +72,9 @@ void MotionTask::start() {
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =
       std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;
-  end_stops_.configure({.enabled = end_stops_of(machine_.limits),
-                        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
+  end_stops_.configure(
+      {.enabled = end_stops_of(machine_.limits),
+       .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
   step_generator_.enable_stop_interrupt(true);
 }
 
@@ -83,7 +84,8 @@ void MotionTask::update(Now now) {
   refill(now);
 }
 
-// Every stop ends in the same way: what was planned is void, and the planner learns where the axes are.
+// Every stop ends in the same way: what was planned is void, and the planner learns where the axes
+// are.
 void MotionTask::settle_stop() {
   const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (!stop.stopped) {
@@ -107,10 +109,10 @@ void MotionTask::settle_stop() {
 
 void MotionTask::lead_homing(Now now) {
   if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
-  carry_out(homing_.update({.at_rest = true,
-                            .stopped = stopped_by_end_stop_,
-                            .end_stops = end_stops_.triggered()}),
-            now);
+  carry_out(
+      homing_.update(
+          {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}),
+      now);
 }
 
 void MotionTask::carry_out(const motion::HomingRequest& request, Now now) {

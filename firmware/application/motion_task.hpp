@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the step generator's queue filled, leads homing, and brings planner and hardware together again
-// after every stop.
+// Keeps the step generator's queue filled, leads homing, and brings planner and hardware together
+// again after every stop.
 #pragma once
 
 #include <cstdint>

@@ -24,8 +24,9 @@ Quantity micrometers(units::Nanometers length) {
 
 // All axes or none: a line with one value out of range changes nothing.
 template <class Quantity>
-CommandExecutor::Progress CommandExecutor::set_per_axis(
-    motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity)) {
+CommandExecutor::Progress CommandExecutor::set_per_axis(motion::Accepted (*set)(motion::Limits&,
+                                                                                units::Axis,
+                                                                                Quantity)) {
   motion::Limits changed = motion_.limits();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = coordinates_.length(command_, units::axis_letters[i]);
@@ -74,7 +75,8 @@ CommandExecutor::Progress CommandExecutor::set_accelerations() {
   return set_for_all(settings);
 }
 
-// X Y Z E jerk, S slowest print move, T slowest travel; B and J (other planners' numbers) are ignored.
+// X Y Z E jerk, S slowest print move, T slowest travel; B and J (other planners' numbers) are
+// ignored.
 CommandExecutor::Progress CommandExecutor::set_advanced() {
   using Speed = units::MicrometersPerSecond;
   constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the firmware counts about itself. The simulation reads it from memory by the symbol `statistics`.
+// What the firmware counts about itself. The simulation reads it from memory by the symbol
+// `statistics`.
 #pragma once
 
 #include <cstdint>
 
 namespace application {
 
-// The layout is a contract with the simulation: words only, new ones at the end, and then a new version.
+// The layout is a contract with the simulation: words only, new ones at the end, and then a new
+// version.
 struct Statistics {
   static constexpr std::uint32_t current_version = 1;
 
-  std::uint32_t version{};             // word 0; 0 until the firmware has started
-  std::uint32_t commands_executed{};   // word 1: G-code commands carried out; not those refused
-  std::uint32_t commands_refused{};    // word 2: malformed, unknown, out of bounds
-  std::uint32_t lines_accepted{};      // word 3: by the host link
-  std::uint32_t resends{};             // word 4: asked of the host
-  std::uint32_t underruns{};           // word 5: queue empty at speed
+  std::uint32_t version{};  // word 0; 0 until the firmware has started
+  std::uint32_t commands_executed{};  // word 1: G-code commands carried out; not those refused
+  std::uint32_t commands_refused{};  // word 2: malformed, unknown, out of bounds
+  std::uint32_t lines_accepted{};  // word 3: by the host link
+  std::uint32_t resends{};  // word 4: asked of the host
+  std::uint32_t underruns{};  // word 5: queue empty at speed
   std::uint32_t guard_stall_clocks{};  // word 6: by which the guard has delayed the common base
-  std::uint32_t max_queue_level{};     // word 7: of the step generator's queue
-  std::uint32_t segments{};            // word 8: begun by the step generator
-  std::uint32_t halted{};              // word 9: 1 after a fault or M112
-  std::uint32_t uart_overruns{};       // word 10: bytes lost before the firmware saw them
+  std::uint32_t max_queue_level{};  // word 7: of the step generator's queue
+  std::uint32_t segments{};  // word 8: begun by the step generator
+  std::uint32_t halted{};  // word 9: 1 after a fault or M112
+  std::uint32_t uart_overruns{};  // word 10: bytes lost before the firmware saw them
   std::uint32_t longest_pass_clocks{};  // word 11: longest time from one wake-up to the next sleep
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Division with digits of 16 and 32 bits (Knuth, The Art of Computer Programming 2, 4.3.1, algorithm D;
-// for long divisors Warren, Hacker's Delight, 9-5).
+// Division with digits of 16 and 32 bits (Knuth, The Art of Computer Programming 2, 4.3.1,
+// algorithm D; for long divisors Warren, Hacker's Delight, 9-5).
 #include "platform/division.hpp"
 
 namespace platform {
@@ -21,7 +21,8 @@ unsigned leading_zeros(std::uint32_t value) {
   return zeros;
 }
 
-// One digit of 16 bits: of rest * 2^16 + next over a divisor whose highest bit is 1; rest < divisor.
+// One digit of 16 bits: of rest * 2^16 + next over a divisor whose highest bit is 1; rest <
+// divisor.
 std::uint32_t half_digit(std::uint32_t& rest, std::uint32_t next, std::uint32_t divisor) {
   const std::uint32_t high = divisor >> half_bits;
   std::uint32_t digit = rest / high;
@@ -57,11 +58,12 @@ std::uint64_t divide(std::uint64_t dividend, std::uint64_t divisor) {
   if (divisor_high == 0) {
     if (divisor_low == 0) return ~std::uint64_t{0};
     const std::uint32_t high = dividend_high / divisor_low;
-    const std::uint32_t low = divide_word(dividend_high % divisor_low,
-                                          static_cast<std::uint32_t>(dividend), divisor_low);
+    const std::uint32_t low =
+        divide_word(dividend_high % divisor_low, static_cast<std::uint32_t>(dividend), divisor_low);
     return std::uint64_t{high} << word_bits | low;
   }
-  // The quotient fits a word. It is estimated with the divisor's upper 32 bits, at most 1 too large.
+  // The quotient fits a word. It is estimated with the divisor's upper 32 bits, at most 1 too
+  // large.
   const unsigned shift = leading_zeros(divisor_high);
   const std::uint64_t half = dividend >> 1;
   const auto upper = static_cast<std::uint32_t>(divisor << shift >> word_bits);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names by which the compiler calls 64-bit division. They take the place of its library's, of which
-// each holds a copy of the whole algorithm: 3 KiB that the image cannot spare.
+// The names by which the compiler calls 64-bit division. They take the place of its library's, of
+// which each holds a copy of the whole algorithm: 3 KiB that the image cannot spare.
 #include <cstdint>
 
 #include "platform/division.hpp"

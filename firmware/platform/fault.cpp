@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what is broken.
+// Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what is
+// broken.
 #include "platform/fault.hpp"
 
 #include "drivers/registers/heater_control_registers.hpp"
@@ -34,22 +35,33 @@ const char* name_of(std::uint32_t cause) {
   constexpr std::uint32_t interrupt = 0x8000'0000;
   if ((cause & interrupt) != 0) return "unexpected interrupt";
   switch (cause) {
-    case 0: return "instruction address misaligned";
-    case 1: return "instruction access fault";
-    case 2: return "illegal instruction";
-    case 3: return "breakpoint";
-    case 4: return "load address misaligned";
-    case 5: return "load access fault";
-    case 6: return "store address misaligned";
-    case 7: return "store access fault";
-    case 11: return "environment call";
-    default: return "unknown trap";
+    case 0:
+      return "instruction address misaligned";
+    case 1:
+      return "instruction access fault";
+    case 2:
+      return "illegal instruction";
+    case 3:
+      return "breakpoint";
+    case 4:
+      return "load address misaligned";
+    case 5:
+      return "load access fault";
+    case 6:
+      return "store address misaligned";
+    case 7:
+      return "store access fault";
+    case 11:
+      return "environment call";
+    default:
+      return "unknown trap";
   }
 }
 
 void stop_everything() {
   using HeaterDuty = registers::heater_control::Duty;
-  for (std::size_t channel = 0; channel < HeaterDuty::count; ++channel) write(channel, HeaterDuty{});
+  for (std::size_t channel = 0; channel < HeaterDuty::count; ++channel)
+    write(channel, HeaterDuty{});
   write(registers::step_generator::Command{.flush = true, .stop = true});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tasks ask of the processor itself: sleep until something happens, clocks, the stack's guard.
+// What the tasks ask of the processor itself: sleep until something happens, clocks, the stack's
+// guard.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +19,16 @@ enum class WakeSource : std::uint32_t {
 
 void wake_by(WakeSource source, bool enabled);
 
-// Waits until an enabled source is pending; returns at once if one is. Nothing can be missed between a
-// task's last look and the sleep, because what happened in between is still pending.
+// Waits until an enabled source is pending; returns at once if one is. Nothing can be missed
+// between a task's last look and the sleep, because what happened in between is still pending.
 void sleep();
 
 // Clocks and completed instructions since reset, modulo 2^32.
 std::uint32_t clocks();
 std::uint32_t instructions();
 
-// False once the lowest word of the stack has been written: the stack has met the variables below it.
+// False once the lowest word of the stack has been written: the stack has met the variables below
+// it.
 bool stack_is_intact();
 
 }  // namespace platform

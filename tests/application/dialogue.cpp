@@ -26,7 +26,8 @@ Printer::Printer() {
   const auto identity = drivers::read_identity();
   hardware_.emplace(identity.value());
   application_ = std::make_unique<application::Application>(
-      description, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_, counters);
+      description, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_,
+      counters);
   EXPECT_TRUE(application_->start());
   EXPECT_EQ(reply(), "start");
 }

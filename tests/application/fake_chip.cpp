@@ -43,12 +43,15 @@ double clocks_of(double ticks, double rate, double acceleration) {
 FakeChip::FakeChip() { chip = this; }
 FakeChip::~FakeChip() { chip = nullptr; }
 
-std::uint32_t FakeChip::duty_address(std::size_t channel) { return heat::Duty::address_of(channel); }
+std::uint32_t FakeChip::duty_address(std::size_t channel) {
+  return heat::Duty::address_of(channel);
+}
 
 std::uint32_t FakeChip::end_stops() const {
   if (!end_stops_work) return 0;
   std::uint32_t triggered = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
   return triggered;
 }
 
@@ -63,12 +66,15 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
   using namespace registers;
   if (address == identity::Magic::address) return 0x53464142;
   if (address == identity::Clock::address) return clock_hz;
-  if (address == identity::Motion::address) return identity::Motion{.axes = 5, .queue_depth = 32}.encode();
+  if (address == identity::Motion::address)
+    return identity::Motion{.axes = 5, .queue_depth = 32}.encode();
   if (address == uart::Status::address) {
-    return uart::Status{.receive_level = static_cast<std::uint32_t>(std::min<std::size_t>(to_firmware.size(), 1023)),
+    return uart::Status{.receive_level = static_cast<std::uint32_t>(
+                            std::min<std::size_t>(to_firmware.size(), 1023)),
                         .transmit_space = 512,
                         .transmit_idle = true,
-                        .framing_error = uart_error}.encode();
+                        .framing_error = uart_error}
+        .encode();
   }
   if (address == uart::Data::address) {
     if (to_firmware.empty()) return 0;
@@ -81,31 +87,41 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return static_cast<std::uint32_t>(time);
   }
   if (address == timer::TimeHigh::address) return time_high_;
-  if (address == end_stops::Status::address) return end_stops::Status{.triggered = end_stops()}.encode();
+  if (address == end_stops::Status::address)
+    return end_stops::Status{.triggered = end_stops()}.encode();
   if (address == steps::Build::address) return steps::Build{.axes = 5, .queue_depth = 32}.encode();
   if (address == steps::Status::address) {
     const auto level = static_cast<std::uint32_t>(queue_.size());
-    return steps::Status{.moving = moving_, .idle = !moving_ && queue_.empty(), .stopped = stopped_,
-                         .level = level, .free = 32 - level}.encode();
+    return steps::Status{.moving = moving_,
+                         .idle = !moving_ && queue_.empty(),
+                         .stopped = stopped_,
+                         .level = level,
+                         .free = 32 - level}
+        .encode();
   }
   if (address == steps::MotorEnable::address) return motors;
   if (address == steps::StopCause::address) {
-    return steps::StopCause{.end_stops = stop_end_stops_, .software = stopped_by_software_}.encode();
+    return steps::StopCause{.end_stops = stop_end_stops_, .software = stopped_by_software_}
+        .encode();
   }
-  for (const std::size_t axis : {index_of<steps::SnapshotPosition>(address),
-                                 index_of<steps::StopPosition>(address),
-                                 index_of<steps::Position>(address)}) {
+  for (const std::size_t axis :
+       {index_of<steps::SnapshotPosition>(address), index_of<steps::StopPosition>(address),
+        index_of<steps::Position>(address)}) {
     if (axis < position.size()) return static_cast<std::uint32_t>(position[axis]);
   }
   if (const std::size_t i = index_of<heat::Status>(address); i < heaters.size()) {
-    return heat::Status{.permitted = true, .minimum_locked = true, .maximum_locked = true,
-                        .tripped = heaters[i].tripped}.encode();
+    return heat::Status{.permitted = true,
+                        .minimum_locked = true,
+                        .maximum_locked = true,
+                        .tripped = heaters[i].tripped}
+        .encode();
   }
   if (const std::size_t i = index_of<sense::Status>(address); i < heaters.size()) {
     using State = sense::Status::State;
     const auto state = heaters[i].open_sensor ? State::open : State::ok;
     return sense::Status{.state = static_cast<std::uint32_t>(state),
-                         .conversions = static_cast<std::uint32_t>(time / (clock_hz / 16)) & 0xFFu}.encode();
+                         .conversions = static_cast<std::uint32_t>(time / (clock_hz / 16)) & 0xFFu}
+        .encode();
   }
   if (const std::size_t i = index_of<sense::Thermistor>(address); i < heaters.size()) {
     return thermistor_count(i);
@@ -160,10 +176,12 @@ void FakeChip::commit() {
   segment.line_ticks = words_[steps::SegmentLineTicks::address];
   segment.ticks = words_[steps::SegmentTicks::address];
   segment.rate = std::ldexp(
-      static_cast<double>(wide(steps::SegmentRateLow::address, steps::SegmentRateHigh::address)), -64);
+      static_cast<double>(wide(steps::SegmentRateLow::address, steps::SegmentRateHigh::address)),
+      -64);
   segment.acceleration = std::ldexp(
       static_cast<double>(static_cast<std::int64_t>(
-          wide(steps::SegmentAccelerationLow::address, steps::SegmentAccelerationHigh::address))), -84);
+          wide(steps::SegmentAccelerationLow::address, steps::SegmentAccelerationHigh::address))),
+      -84);
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const std::int64_t count = words_[steps::SegmentSteps::address_of(axis)];
     segment.steps[axis] = (flags.backward >> axis & 1u) != 0 ? -count : count;
@@ -186,13 +204,15 @@ void FakeChip::advance_motion(std::uint32_t clocks) {
       line_ = queue_.front();
       queue_.pop_front();
       segment_end_tick_ = line_tick_ + line_.ticks;
-      segment_time_left_ = clocks_of(static_cast<double>(line_.ticks), line_.rate, line_.acceleration);
+      segment_time_left_ =
+          clocks_of(static_cast<double>(line_.ticks), line_.rate, line_.acceleration);
       moving_ = true;
     }
     if (segment_time_left_ > left) {
       const double share = left / segment_time_left_;
       segment_time_left_ -= left;
-      walk_to(line_tick_ + static_cast<std::int64_t>(static_cast<double>(segment_end_tick_ - line_tick_) * share));
+      walk_to(line_tick_ + static_cast<std::int64_t>(
+                               static_cast<double>(segment_end_tick_ - line_tick_) * share));
       return;
     }
     left -= segment_time_left_;

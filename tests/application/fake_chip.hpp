@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chip and its printer behind the bus, at the level of registers: enough of both for the application's
-// tests, with motion line by line instead of clock by clock.
+// A chip and its printer behind the bus, at the level of registers: enough of both for the
+// application's tests, with motion line by line instead of clock by clock.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class FakeChip {
     std::array<std::int64_t, 4> steps{};
     std::int64_t line_ticks{};
     std::int64_t ticks{};
-    double rate{};          // ticks per clock
+    double rate{};  // ticks per clock
     double acceleration{};  // ticks per clock^2
     std::uint32_t stop_mask{};
     bool continues{};
@@ -72,8 +72,8 @@ class FakeChip {
 
   std::map<std::uint32_t, std::uint32_t> words_;  // registers without behaviour
   std::deque<Segment> queue_;
-  Segment line_;               // the line under way, its flags those of its last segment
-  std::int64_t line_tick_{};   // ticks of the line that are done
+  Segment line_;  // the line under way, its flags those of its last segment
+  std::int64_t line_tick_{};  // ticks of the line that are done
   double segment_time_left_{};  // clocks
   std::int64_t segment_end_tick_{};
   bool moving_{};

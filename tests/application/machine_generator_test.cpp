@@ -63,13 +63,15 @@ TEST(machine_generator, names_what_it_does_not_know) {
 TEST(machine_generator, names_what_has_the_wrong_type) {
   EXPECT_THAT(complaint("baud = 250_000", "baud = \"fast\""),
               HasSubstr("serial.baud: must be a whole number"));
-  EXPECT_THAT(complaint("max_c = 275.0", "max_c = true"), HasSubstr("hotend.max_c: must be a number"));
+  EXPECT_THAT(complaint("max_c = 275.0", "max_c = true"),
+              HasSubstr("hotend.max_c: must be a number"));
 }
 
 TEST(machine_generator, names_what_is_out_of_range) {
   EXPECT_THAT(complaint("steps_per_mm = 80.0", "steps_per_mm = 0.0"),
               HasSubstr("axes.x.steps_per_mm: is 0, but must be"));
-  EXPECT_THAT(complaint("steps_per_mm = 80.0", "steps_per_mm = nan"), HasSubstr("axes.x.steps_per_mm"));
+  EXPECT_THAT(complaint("steps_per_mm = 80.0", "steps_per_mm = nan"),
+              HasSubstr("axes.x.steps_per_mm"));
   EXPECT_THAT(complaint("steps_per_mm = 80.0", "steps_per_mm = 80.00001"), HasSubstr("finer"));
 }
 
@@ -78,7 +80,8 @@ TEST(machine_generator, names_references_to_nothing) {
               HasSubstr("axes.x.driver: names none of [drivers]"));
   EXPECT_THAT(complaint("thermistor = \"ntc100k\"", "thermistor = \"ntc\""),
               HasSubstr("hotend.thermistor: names none of [thermistors]"));
-  EXPECT_THAT(complaint("endstop = 1", "endstop = 0"), HasSubstr("axes.y.endstop: is the input of another"));
+  EXPECT_THAT(complaint("endstop = 1", "endstop = 0"),
+              HasSubstr("axes.y.endstop: is the input of another"));
 }
 
 TEST(machine_generator, says_the_line_of_broken_toml) {

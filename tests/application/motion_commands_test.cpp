@@ -100,7 +100,8 @@ TEST(motion_commands, g92_changes_what_the_host_believes_and_no_step) {
 TEST(motion_commands, inches_are_25_4_millimetres) {
   Printer printer;
   prepare(printer);
-  printer.talk("-> G20\n<- ok\n-> G1 X1 F100\n<- ok\n-> G21\n<- ok\n-> G1 Y1\n<- ok\n-> M400\n<- ok");
+  printer.talk(
+      "-> G20\n<- ok\n-> G1 X1 F100\n<- ok\n-> G21\n<- ok\n-> G1 Y1\n<- ok\n-> M400\n<- ok");
   EXPECT_DOUBLE_EQ(printer.mm(x), 25.4);
   EXPECT_DOUBLE_EQ(printer.mm(y), 1.0);
 }

@@ -132,7 +132,8 @@ TEST(setting_commands, m92_changes_the_steps_of_later_moves) {
 
 TEST(setting_commands, m113_tells_and_sets_the_busy_interval) {
   Printer printer;
-  printer.talk("-> M113\n<- echo:M113 S2\n<- ok\n-> M113 S5\n<- ok\n-> M113\n<- echo:M113 S5\n<- ok");
+  printer.talk(
+      "-> M113\n<- echo:M113 S2\n<- ok\n-> M113 S5\n<- ok\n-> M113\n<- echo:M113 S5\n<- ok");
 }
 
 TEST(report_commands, says_busy_every_two_seconds_while_it_dwells) {
@@ -140,8 +141,9 @@ TEST(report_commands, says_busy_every_two_seconds_while_it_dwells) {
   printer.send("G4 S7");
   printer.run(6.5);
   std::size_t count = 0;
-  for (std::size_t at = 0; (at = printer.chip.from_firmware.find("echo:busy: processing", at)) !=
-                           std::string::npos; ++at) {
+  for (std::size_t at = 0;
+       (at = printer.chip.from_firmware.find("echo:busy: processing", at)) != std::string::npos;
+       ++at) {
     ++count;
   }
   EXPECT_EQ(count, 3u);

@@ -41,7 +41,8 @@ std::string length(Reader& reader, const char* key, std::int64_t least) {
 }
 
 std::string celsius(Reader& reader, const char* key) {
-  return quantity("Millicelsius", reader.scaled(key, thousand, -max_millicelsius, max_millicelsius));
+  return quantity("Millicelsius",
+                  reader.scaled(key, thousand, -max_millicelsius, max_millicelsius));
 }
 
 std::string ohms(Reader& reader, const char* key) {
@@ -71,10 +72,9 @@ std::string axis_limits(Reader& axis, bool bounded) {
 
 std::string driver_timings(Reader driver) {
   const auto time = [&driver](const char* key) { return driver.whole(key, 0, max_driver_ns); };
-  const std::string text =
-      fmt::format("{{.high_ns = {}, .low_ns = {}, .direction_setup_ns = {}, .direction_hold_ns = {}}}",
-                  time("high_ns"), time("low_ns"), time("direction_setup_ns"),
-                  time("direction_hold_ns"));
+  const std::string text = fmt::format(
+      "{{.high_ns = {}, .low_ns = {}, .direction_setup_ns = {}, .direction_hold_ns = {}}}",
+      time("high_ns"), time("low_ns"), time("direction_setup_ns"), time("direction_hold_ns"));
   driver.finish();
   return text;
 }
@@ -95,7 +95,8 @@ std::string gains(Reader reader) {
   };
   const std::string text = fmt::format(
       "{{.duty_per_celsius = {}, .duty_per_celsius_second = {},\n"
-      "                       .duty_per_celsius_per_second = {}, .feed_forward_duty_per_celsius = {}}}",
+      "                       .duty_per_celsius_per_second = {}, .feed_forward_duty_per_celsius = "
+      "{}}}",
       duty("proportional_per_c"), duty("integral_per_c_s"), duty("derivative_s_per_c"),
       duty("feed_forward_per_c"));
   reader.finish();
@@ -112,9 +113,9 @@ std::string heater(Reader& reader, Reader& thermistors) {
       "             .thermistor = {},\n"
       "             .min = {}, .max = {},\n"
       "             .gains = {}}}",
-      reader.whole("sensor_channel", 0, channels - 1), reader.whole("heater_channel", 0, channels - 1),
-      thermistor(thermistors.table(kind)), celsius(reader, "min_c"), celsius(reader, "max_c"),
-      gains(reader.table("control")));
+      reader.whole("sensor_channel", 0, channels - 1),
+      reader.whole("heater_channel", 0, channels - 1), thermistor(thermistors.table(kind)),
+      celsius(reader, "min_c"), celsius(reader, "max_c"), gains(reader.table("control")));
 }
 
 std::string converter(Reader reader) {
@@ -134,7 +135,8 @@ std::string header_of(const std::filesystem::path& file) {
   const toml::table table = Reader::parse(file);
   Reader root(file, table);
   const std::string name = root.text("name");
-  if (name.find_first_of("\"\\\n") != std::string::npos) root.fail("name", "holds \", \\ or a line end");
+  if (name.find_first_of("\"\\\n") != std::string::npos)
+    root.fail("name", "holds \", \\ or a line end");
   if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
 
   Reader serial = root.table("serial");
@@ -152,7 +154,8 @@ std::string header_of(const std::filesystem::path& file) {
     limits += axis_limits(axis, bounded);
     const std::string chip = axis.text("driver");
     if (!driver_chips.has(chip)) axis.fail("driver", "names none of [drivers]");
-    drivers += "                  drivers::DriverChipTimings" + driver_timings(driver_chips.table(chip)) + ",\n";
+    drivers += "                  drivers::DriverChipTimings" +
+               driver_timings(driver_chips.table(chip)) + ",\n";
     if (bounded) {
       const std::int64_t bit = std::int64_t{1} << axis.whole("endstop", 0, end_stop_inputs - 1);
       if ((used_end_stops & bit) != 0) axis.fail("endstop", "is the input of another axis already");
@@ -164,7 +167,8 @@ std::string header_of(const std::filesystem::path& file) {
 
   Reader motion = root.table("motion");
   const std::string accelerations = fmt::format(
-      "      .print_acceleration = {},\n      .travel_acceleration = {},\n      .retract_acceleration = {},\n",
+      "      .print_acceleration = {},\n      .travel_acceleration = {},\n      "
+      ".retract_acceleration = {},\n",
       acceleration(motion, "acceleration_mm_s2"), acceleration(motion, "travel_acceleration_mm_s2"),
       acceleration(motion, "retract_acceleration_mm_s2"));
   motion.finish();

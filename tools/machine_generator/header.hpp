@@ -7,8 +7,8 @@
 
 namespace machine_generator {
 
-// The text of machine/machine.hpp. Throws DescriptionError on anything missing, ill-typed, out of the
-// firmware's range or unknown.
+// The text of machine/machine.hpp. Throws DescriptionError on anything missing, ill-typed, out of
+// the firmware's range or unknown.
 std::string header_of(const std::filesystem::path& file);
 
 }  // namespace machine_generator

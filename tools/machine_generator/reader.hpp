@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads one table of a machine description: every value is wanted, of the right type and within bounds,
-// and what nobody asked for is an error too.
+// Reads one table of a machine description: every value is wanted, of the right type and within
+// bounds, and what nobody asked for is an error too.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,10 @@ class Reader {
   Reader table(const std::string& key);
   std::string text(const std::string& key);
   std::int64_t whole(const std::string& key, std::int64_t least, std::int64_t most);
-  // A decimal number times `scale`, which must give a whole number within the bounds: 62.745 steps/mm are
-  // 62745 steps/m, but 0.0001 steps/mm are refused.
-  std::int64_t scaled(const std::string& key, std::int64_t scale, std::int64_t least, std::int64_t most);
+  // A decimal number times `scale`, which must give a whole number within the bounds: 62.745
+  // steps/mm are 62745 steps/m, but 0.0001 steps/mm are refused.
+  std::int64_t scaled(const std::string& key, std::int64_t scale, std::int64_t least,
+                      std::int64_t most);
 
   // For entries that only the simulated printer uses.
   void leave(const std::string& key) { used_.insert(key); }
