@@ -17,11 +17,11 @@ void EndStop::stepped(const StepEdge& edge) {
 }
 
 void EndStop::set_position(std::int64_t position) {
-  const bool closed = fault_ == EndStopFault::never_opens ||
-                      (fault_ == EndStopFault::none && position <= 0);
+  const bool closed =
+      fault_ == EndStopFault::never_opens || (fault_ == EndStopFault::none && position <= 0);
   const auto mask = static_cast<std::uint8_t>(1U << input_);
-  inputs_.end_stops = static_cast<std::uint8_t>(closed ? inputs_.end_stops | mask
-                                                       : inputs_.end_stops & ~mask);
+  inputs_.end_stops =
+      static_cast<std::uint8_t>(closed ? inputs_.end_stops | mask : inputs_.end_stops & ~mask);
 }
 
 }  // namespace devices

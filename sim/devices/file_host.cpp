@@ -140,8 +140,9 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
   } else if (text == "start") {
     fail(fmt::format("the chip restarted during {}", place()));
   } else if (text.starts_with("echo:") && in_flight_) {
-    refused_ = refused_ || contains_any(text, {"unknown", "refused", "cold extrusion", "out of", "ignored",
-                                               "too long", "overflow", "invalid", "malformed", "bad "});
+    refused_ =
+        refused_ || contains_any(text, {"unknown", "refused", "cold extrusion", "out of", "ignored",
+                                        "too long", "overflow", "invalid", "malformed", "bad "});
   }
 }
 
@@ -192,11 +193,13 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   resend_asked_at_ = now;
 }
 
-// The errors that announce a resend are those that hosts tell apart by these words; others are fatal.
+// The errors that announce a resend are those that hosts tell apart by these words; others are
+// fatal.
 void FileHost::take_error(sim::Clock, const std::string& reply) {
   last_error_ = reply;
   const std::string text = lower_case(reply);
-  if (contains_any(text, {"checksum", "line number", "last line", "expected line", "format error"}) &&
+  if (contains_any(text,
+                   {"checksum", "line number", "last line", "expected line", "format error"}) &&
       !text.contains("kill")) {
     return;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host program that prints a G-code file: line numbers and checksums, one line in flight, resends.
+// A host program that prints a G-code file: line numbers and checksums, one line in flight,
+// resends.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +20,14 @@ struct HostCounts {
   std::uint64_t lines_sent{};  // on the wire, resends included
   std::uint64_t resends{};
   std::uint64_t commands_executed{};  // commands of the file that the chip carried out
-  std::uint64_t commands_refused{};   // commands of the file that the chip did not know or refused
+  std::uint64_t commands_refused{};  // commands of the file that the chip did not know or refused
   std::uint64_t busy_replies{};
 };
 
-// The dialogue is that of Marlin's hosts: `N<number> <command>*<checksum>`, then `ok`; `Resend: N` names the
-// line to send again after the next `ok`. `echo:` lines are remarks; `Error:` lines announce a resend or are
-// fatal. After the file comes M400, so that `completed` means that the last move has been made.
+// The dialogue is that of Marlin's hosts: `N<number> <command>*<checksum>`, then `ok`; `Resend: N`
+// names the line to send again after the next `ok`. `echo:` lines are remarks; `Error:` lines
+// announce a resend or are fatal. After the file comes M400, so that `completed` means that the
+// last move has been made.
 class FileHost : public sim::Device, public ByteListener {
  public:
   FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::ClockRate rate);
@@ -62,11 +64,11 @@ class FileHost : public sim::Device, public ByteListener {
   std::string fault_;
   HostCounts counts_;
   std::string reply_;
-  std::size_t next_ = 0;          // line to send next
+  std::size_t next_ = 0;  // line to send next
   std::size_t acknowledged_ = 0;  // lines before this one are done
   bool in_flight_ = false;
   bool resend_asked_ = false;
-  bool refused_ = false;          // the chip has spoken against the line in flight
+  bool refused_ = false;  // the chip has spoken against the line in flight
   unsigned resends_of_line_ = 0;
   std::string last_error_;
   sim::Clock silent_since_ = 0;

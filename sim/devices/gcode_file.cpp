@@ -13,7 +13,8 @@ namespace devices {
 
 namespace {
 
-// The number of bytes of the UTF-8 character at the beginning of `text`, or nothing where it is none.
+// The number of bytes of the UTF-8 character at the beginning of `text`, or nothing where it is
+// none.
 std::optional<std::size_t> character_length(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text.front());
   std::size_t length = 1;
@@ -40,7 +41,8 @@ std::optional<std::size_t> character_length(std::string_view text) {
 
 bool is_control_character(char character) {
   const auto code = static_cast<std::uint8_t>(character);
-  return (code < 0x20 && character != '\t' && character != '\r' && character != '\n') || code == 0x7f;
+  return (code < 0x20 && character != '\t' && character != '\r' && character != '\n') ||
+         code == 0x7f;
 }
 
 // The printable ASCII text of a line of the file, or nothing where the line is not text.
@@ -91,8 +93,8 @@ std::expected<std::vector<FileCommand>, std::string> parse_gcode_text(std::strin
     const std::size_t end = text.find('\n');
     const std::optional<std::string> line = printable(text.substr(0, end));
     if (!line) {
-      return std::unexpected(
-          fmt::format("{} is not a G-code file: line {} holds bytes that are no text", name, file_line));
+      return std::unexpected(fmt::format(
+          "{} is not a G-code file: line {} holds bytes that are no text", name, file_line));
     }
     std::string command = without_comment(*line);
     if (!command.empty()) {

@@ -13,12 +13,13 @@ namespace devices {
 
 struct FileCommand {
   std::size_t file_line{};  // from 1
-  std::string text;         // without comment and outer blanks, printable ASCII only
+  std::string text;  // without comment and outer blanks, printable ASCII only
 };
 
-// Comments are `; ...` to the end of the line and `( ... )`. Characters beyond ASCII become `?`, since no
-// firmware of the field reads them. The error is a sentence for a person: the file is missing, unreadable,
-// binary (a NUL or another control character, or not UTF-8), or holds no command.
+// Comments are `; ...` to the end of the line and `( ... )`. Characters beyond ASCII become `?`,
+// since no firmware of the field reads them. The error is a sentence for a person: the file is
+// missing, unreadable, binary (a NUL or another control character, or not UTF-8), or holds no
+// command.
 std::expected<std::vector<FileCommand>, std::string> read_gcode_file(
     const std::filesystem::path& file);
 

@@ -51,7 +51,8 @@ void MotorDriver::rise(sim::Clock now) {
     counts_.shortest_interval = std::min(counts_.shortest_interval, now - rose_at_);
   }
   const bool low_too_short = any_fall_ && now - fell_at_ < low_;
-  const bool setup_too_short = any_direction_change_ && now - direction_changed_at_ < direction_setup_;
+  const bool setup_too_short =
+      any_direction_change_ && now - direction_changed_at_ < direction_setup_;
   rose_at_ = now;
   any_rise_ = true;
   last_step_direction_ = direction_;

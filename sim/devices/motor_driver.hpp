@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stepper driver chip such as the A4988: takes steps whose timing keeps its data sheet, loses others.
+// A stepper driver chip such as the A4988: takes steps whose timing keeps its data sheet, loses
+// others.
 #pragma once
 
 #include <vector>
@@ -19,9 +20,9 @@ struct DriverTiming {
 };
 
 struct PulseCounts {
-  std::uint64_t forward{};   // all rising edges with the direction pin low
+  std::uint64_t forward{};  // all rising edges with the direction pin low
   std::uint64_t backward{};
-  std::uint64_t illegal{};   // pulses that broke the timing; their steps are lost
+  std::uint64_t illegal{};  // pulses that broke the timing; their steps are lost
   std::uint64_t disabled{};  // pulses while the driver was off; their steps are lost
   sim::Clock shortest_interval = sim::never;  // between rising edges
 };

@@ -9,9 +9,9 @@
 
 namespace devices {
 
-// The slave is set raw before anybody opens it and one descriptor of it stays open, so that hosts may
-// close and open it at any time. Throws std::system_error where no pseudo-terminal can be made, and
-// std::runtime_error where `link` is there already and is no symlink.
+// The slave is set raw before anybody opens it and one descriptor of it stays open, so that hosts
+// may close and open it at any time. Throws std::system_error where no pseudo-terminal can be made,
+// and std::runtime_error where `link` is there already and is no symlink.
 class PseudoTerminal : public sim::Device, public ByteListener {
  public:
   PseudoTerminal(const std::filesystem::path& link, SerialLine& line, sim::ClockRate rate);

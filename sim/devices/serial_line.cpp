@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bits on the wire in both directions; bit times are counted from the first start bit after a pause, so
-// that no rounding adds up.
+// Bits on the wire in both directions; bit times are counted from the first start bit after a
+// pause, so that no rounding adds up.
 #include "sim/devices/serial_line.hpp"
 
 #include <algorithm>

@@ -66,7 +66,7 @@ class SerialLine : public sim::Device {
 
   std::deque<std::uint8_t> waiting_;
   bool sending_ = false;
-  unsigned sent_bits_ = 0;       // of the frame on the wire
+  unsigned sent_bits_ = 0;  // of the frame on the wire
   std::uint16_t send_frame_ = 0;  // start bit lowest
   sim::Clock send_start_ = 0, send_at_ = sim::never;  // start: of frames without a pause between
   std::uint64_t frames_since_start_ = 0;

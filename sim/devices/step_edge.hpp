@@ -12,7 +12,7 @@ namespace devices {
 struct StepEdge {
   sim::Clock clock{};
   std::size_t axis{};
-  int direction{};          // 1 or -1
+  int direction{};  // 1 or -1
   std::int64_t position{};  // of the axis after this edge, in steps; 0 where its end stop switches
 };
 

@@ -33,8 +33,8 @@ enum class SensorFault : std::uint8_t { none, open, shorted, sense_stuck_high, s
 class ThermistorInput {
  public:
   // `celsius` gives the temperature of the thermistor at a time in seconds.
-  ThermistorInput(const ThermistorInputProperties& properties, std::function<double(double)> celsius,
-                  std::uint64_t seed);
+  ThermistorInput(const ThermistorInputProperties& properties,
+                  std::function<double(double)> celsius, std::uint64_t seed);
 
   // Times never go back.
   void set_pins(double seconds, std::uint8_t drive, std::uint8_t level);

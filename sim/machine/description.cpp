@@ -23,9 +23,7 @@ class Entry {
   }
   explicit operator bool() const { return static_cast<bool>(node_); }
 
-  double number() const {
-    return positive(required(node_.value<double>(), "a number"));
-  }
+  double number() const { return positive(required(node_.value<double>(), "a number")); }
   std::uint64_t whole_number() const {
     const std::int64_t value = required(node_.value<std::int64_t>(), "a whole number");
     if (value < 0) {
@@ -80,9 +78,12 @@ AxisDescription axis_of(const Entry& root, char letter) {
 HeaterDescription heater_of(const Entry& root, std::string_view name) {
   const Entry entry = root[name];
   const Entry thermistor = root["thermistors"][entry["thermistor"].text()];
-  return {entry["sensor_channel"].whole_number(), entry["heater_channel"].whole_number(),
-          entry["heater_watts"].number(),         entry["max_c"].number(),
-          thermistor["resistance_25c_ohms"].number(), thermistor["beta_k"].number()};
+  return {entry["sensor_channel"].whole_number(),
+          entry["heater_channel"].whole_number(),
+          entry["heater_watts"].number(),
+          entry["max_c"].number(),
+          thermistor["resistance_25c_ohms"].number(),
+          thermistor["beta_k"].number()};
 }
 
 }  // namespace
@@ -106,8 +107,8 @@ Description read_description(const std::filesystem::path& file) {
                              converter["supply_v"].number(), converter["threshold_v"].number()};
     return description;
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(fmt::format("{}:{}: {}", file.string(), error.source().begin.line,
-                                         error.description()));
+    throw std::runtime_error(
+        fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   }

@@ -17,10 +17,11 @@ using devices::EndStopFault;
 using devices::SensorFault;
 using plants::HeaterFault;
 
-constexpr std::array sensor_faults{std::pair{std::string_view("open"), SensorFault::open},
-                                   std::pair{std::string_view("short"), SensorFault::shorted},
-                                   std::pair{std::string_view("stuck-high"), SensorFault::sense_stuck_high},
-                                   std::pair{std::string_view("stuck-low"), SensorFault::sense_stuck_low}};
+constexpr std::array sensor_faults{
+    std::pair{std::string_view("open"), SensorFault::open},
+    std::pair{std::string_view("short"), SensorFault::shorted},
+    std::pair{std::string_view("stuck-high"), SensorFault::sense_stuck_high},
+    std::pair{std::string_view("stuck-low"), SensorFault::sense_stuck_low}};
 constexpr std::array heater_faults{
     std::pair{std::string_view("heater-stuck-on"), HeaterFault::stuck_on},
     std::pair{std::string_view("heater-stuck-off"), HeaterFault::stuck_off}};
@@ -29,7 +30,8 @@ constexpr std::array end_stop_faults{
     std::pair{std::string_view("end-stop-never-opens"), EndStopFault::never_opens}};
 
 [[noreturn]] void refuse(std::string_view text) {
-  throw std::invalid_argument(fmt::format("no such fault: {}. Possible are:\n{}", text, fault_forms()));
+  throw std::invalid_argument(
+      fmt::format("no such fault: {}. Possible are:\n{}", text, fault_forms()));
 }
 
 std::optional<double> number(std::string_view text) {
@@ -80,10 +82,13 @@ bool add_end_stop_fault(FaultPlan& plan, std::string_view text) {
 }  // namespace
 
 std::string_view fault_forms() {
-  return "  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS hotend-stuck-low@SECONDS\n"
-         "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-\n"
+  return "  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS "
+         "hotend-stuck-low@SECONDS\n"
+         "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with "
+         "bed-\n"
          "  x-end-stop-never-closes x-end-stop-never-opens, and the same with y- and z-\n"
-         "  serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001\n";
+         "  serial=SHARE of the bytes to the chip that get one wrong bit, for example "
+         "serial=0.001\n";
 }
 
 void add_fault(FaultPlan& plan, std::string_view text) {

@@ -32,14 +32,14 @@ struct FaultPlan {
   std::vector<TimedSensorFault> sensors;
   std::vector<TimedHeaterFault> heaters;
   std::array<devices::EndStopFault, 3> end_stops{};  // x y z
-  double corrupted_bytes = 0;                        // share of the bytes to the chip
+  double corrupted_bytes = 0;  // share of the bytes to the chip
 };
 
 // The forms, one line each, for help texts.
 std::string_view fault_forms();
 
-// Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`, `x-end-stop-never-closes`,
-// `serial=0.001`. Throws std::invalid_argument with the possible forms.
+// Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`,
+// `x-end-stop-never-closes`, `serial=0.001`. Throws std::invalid_argument with the possible forms.
 void add_fault(FaultPlan& plan, std::string_view text);
 
 }  // namespace machine

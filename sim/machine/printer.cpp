@@ -13,8 +13,8 @@ namespace machine {
 
 namespace {
 
-// A printer is switched on wherever the last print left it; not far from the end stops, so that homing
-// does not take longer than it teaches.
+// A printer is switched on wherever the last print left it; not far from the end stops, so that
+// homing does not take longer than it teaches.
 constexpr double least_start_mm = 2.0;
 constexpr std::array<double, 3> most_start_mm{40.0, 40.0, 8.0};
 // How far an axis can go beyond its end stop and beyond its travel.
@@ -32,8 +32,7 @@ double uniform(std::mt19937_64& random) { return static_cast<double>(random() >>
 plants::AxisProperties properties_of(const AxisDescription& axis) {
   plants::AxisProperties properties;
   properties.steps_per_mm = axis.steps_per_mm;
-  properties.torque_acceleration =
-      torque_reserve * axis.max_acceleration_mm_s2 * axis.steps_per_mm;
+  properties.torque_acceleration = torque_reserve * axis.max_acceleration_mm_s2 * axis.steps_per_mm;
   properties.speed_limit = speed_reserve * axis.max_speed_mm_s * axis.steps_per_mm;
   if (axis.travel_mm) {
     properties.lower_frame = std::llround(-lower_frame_mm * axis.steps_per_mm);
@@ -64,10 +63,12 @@ Printer::HeatedPart::HeatedPart(const HeaterDescription& description,
                                 const ConverterDescription& converter, double start_c,
                                 std::uint64_t seed, sim::Simulation& simulation)
     : block(properties, ambient_celsius, start_c),
-      thermistor(properties_of(description, converter, seed),
-                 [this](double seconds) { return block.sensor_celsius(seconds); }, seed),
+      thermistor(
+          properties_of(description, converter, seed),
+          [this](double seconds) { return block.sensor_celsius(seconds); }, seed),
       gate(description.heater_channel, simulation.rate(), block),
-      sensor(description.sensor_channel, simulation.rate(), thermistor, simulation.chip().inputs()) {
+      sensor(description.sensor_channel, simulation.rate(), thermistor,
+             simulation.chip().inputs()) {
   simulation.attach(gate, sim::OutputPins::heater_pin(description.heater_channel));
   simulation.attach(sensor, sim::OutputPins::sensor_pins(description.sensor_channel));
 }

@@ -31,7 +31,8 @@ struct PrinterOptions {
 
 class Printer {
  public:
-  Printer(const Description& description, const PrinterOptions& options, sim::Simulation& simulation);
+  Printer(const Description& description, const PrinterOptions& options,
+          sim::Simulation& simulation);
   ~Printer();
 
   devices::SerialLine& serial_line() { return serial_line_; }
@@ -46,7 +47,8 @@ class Printer {
 
  private:
   struct HeatedPart {
-    HeatedPart(const HeaterDescription& description, const plants::HeatedBlockProperties& properties,
+    HeatedPart(const HeaterDescription& description,
+               const plants::HeatedBlockProperties& properties,
                const ConverterDescription& converter, double start_c, std::uint64_t seed,
                sim::Simulation& simulation);
     plants::HeatedBlock block;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inner parts of the printer that follow no pin: filament that takes heat along, and planned faults.
+// Inner parts of the printer that follow no pin: filament that takes heat along, and planned
+// faults.
 #pragma once
 
 #include <cmath>
@@ -33,7 +34,8 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
   static constexpr double filament_diameter_mm = 1.75;
   static constexpr double filament_square_mm =
       std::numbers::pi / 4 * filament_diameter_mm * filament_diameter_mm;
-  static constexpr double flow_step = 0.25;  // mm^3/s: finer ones change no temperature that matters
+  static constexpr double flow_step =
+      0.25;  // mm^3/s: finer ones change no temperature that matters
 
   sim::ClockRate rate_;
   plants::HeatedBlock& hotend_;

@@ -8,8 +8,8 @@ namespace machine {
 
 inline constexpr double ambient_celsius = 22.0;
 
-// An all-metal hotend: 20 g aluminium block with a 40 W cartridge, bead in a hole of the block. Holding
-// 205 °C takes about a third of the power, heating up about 100 s.
+// An all-metal hotend: 20 g aluminium block with a 40 W cartridge, bead in a hole of the block.
+// Holding 205 °C takes about a third of the power, heating up about 100 s.
 constexpr plants::HeatedBlockProperties hotend_properties(double heater_watts) {
   return {.heater_watts = heater_watts,
           .path = {.heater_joules_per_kelvin = 2.5,
@@ -20,8 +20,8 @@ constexpr plants::HeatedBlockProperties hotend_properties(double heater_watts) {
           .fan_loss_watts_per_kelvin = 0.025};
 }
 
-// A circuit board heater under 200 mm of glass. Holding 60 °C takes about a third of the power, heating
-// up about four minutes.
+// A circuit board heater under 200 mm of glass. Holding 60 °C takes about a third of the power,
+// heating up about four minutes.
 constexpr plants::HeatedBlockProperties bed_properties(double heater_watts) {
   return {.heater_watts = heater_watts,
           .path = {.heater_joules_per_kelvin = 120.0,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stepper motor with the axis that it moves: follows steps while its torque suffices, up to the frame.
+// A stepper motor with the axis that it moves: follows steps while its torque suffices, up to the
+// frame.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,16 @@ namespace plants {
 struct AxisProperties {
   double steps_per_mm{};
   double torque_acceleration{};  // of the unloaded rotor under full torque, steps/s^2
-  double speed_limit{};          // where friction and back EMF eat up the torque, steps/s
+  double speed_limit{};  // where friction and back EMF eat up the torque, steps/s
   std::int64_t microsteps_per_full_step = 16;
   std::optional<std::int64_t> lower_frame;  // the last position before the axis hits its frame
   std::optional<std::int64_t> upper_frame;
 };
 
-// The rotor hangs on the field like a mass on a spring: its torque is the sine of the lag, over a period
-// of four full steps (Acarnley, "Stepping motors", chapter 4: the static torque characteristic). A lag of
-// more than two full steps makes it fall into a neighbouring equilibrium: four full steps are lost.
+// The rotor hangs on the field like a mass on a spring: its torque is the sine of the lag, over a
+// period of four full steps (Acarnley, "Stepping motors", chapter 4: the static torque
+// characteristic). A lag of more than two full steps makes it fall into a neighbouring equilibrium:
+// four full steps are lost.
 class Axis {
  public:
   Axis(const AxisProperties& properties, std::int64_t position);
@@ -45,11 +47,11 @@ class Axis {
 
   AxisProperties properties_;
   std::int64_t position_;  // of the field's equilibrium
-  double lag_ = 0;         // rotor minus field, microsteps
-  double speed_ = 0;       // of the rotor, microsteps/s
+  double lag_ = 0;  // rotor minus field, microsteps
+  double speed_ = 0;  // of the rotor, microsteps/s
   double last_step_seconds_ = 0;
   double longest_interval_;  // of the integration, s
-  double settle_seconds_;    // after which the rotor is at rest
+  double settle_seconds_;  // after which the rotor is at rest
   std::uint64_t slipped_steps_ = 0;
   std::uint64_t frame_steps_ = 0;
   double peak_load_ = 0;

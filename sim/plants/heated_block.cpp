@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI units.
+// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI
+// units.
 #include "sim/plants/heated_block.hpp"
 
 #include <cmath>
@@ -47,7 +48,9 @@ void HeatedBlock::set_fault(double seconds, HeaterFault fault) {
   fault_ = fault;
 }
 
-double HeatedBlock::celsius(double seconds) const { return ambient_celsius_ + state_at(seconds)[1]; }
+double HeatedBlock::celsius(double seconds) const {
+  return ambient_celsius_ + state_at(seconds)[1];
+}
 
 double HeatedBlock::sensor_celsius(double seconds) const {
   return ambient_celsius_ + state_at(seconds)[2];

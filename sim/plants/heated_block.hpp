@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI units.
+// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI
+// units.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +12,18 @@ namespace plants {
 struct HeatedBlockProperties {
   double heater_watts{};
   ThermalPathProperties path;
-  double loss_watts_per_kelvin{};      // to the surroundings, in still air
+  double loss_watts_per_kelvin{};  // to the surroundings, in still air
   double fan_loss_watts_per_kelvin{};  // in addition, with the fan at full speed
 };
 
 enum class HeaterFault : std::uint8_t { none, stuck_on, stuck_off };
 
-// Times are in seconds since the start and never go back. A look at a temperature changes nothing, so the
-// course does not depend on how often one looks.
+// Times are in seconds since the start and never go back. A look at a temperature changes nothing,
+// so the course does not depend on how often one looks.
 class HeatedBlock {
  public:
-  HeatedBlock(const HeatedBlockProperties& properties, double ambient_celsius, double start_celsius);
+  HeatedBlock(const HeatedBlockProperties& properties, double ambient_celsius,
+              double start_celsius);
 
   void set_heater(double seconds, bool on);
   // 0 to 1.
@@ -31,9 +33,9 @@ class HeatedBlock {
   // What the transistor does from now on, whatever its gate says.
   void set_fault(double seconds, HeaterFault fault);
 
-  double celsius(double seconds) const;         // of the block: what the plastic feels
+  double celsius(double seconds) const;  // of the block: what the plastic feels
   double sensor_celsius(double seconds) const;  // of the thermistor's bead
-  double heater_joules(double seconds) const;   // given off by the heater since the start
+  double heater_joules(double seconds) const;  // given off by the heater since the start
 
  private:
   double watts() const;
@@ -45,7 +47,7 @@ class HeatedBlock {
   double ambient_celsius_;
   HeatState state_;
   std::int64_t state_us_ = 0;  // the time of state_
-  double joules_ = 0;          // until then
+  double joules_ = 0;  // until then
   bool on_ = false;
   HeaterFault fault_ = HeaterFault::none;
   double fan_speed_ = 0;

@@ -2,8 +2,8 @@
 // A small interpreter of the G-codes that move, in floating point and millimetres.
 #include "sim/report/gcode_path.hpp"
 
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <optional>
 
 namespace report {
@@ -57,28 +57,47 @@ Request GcodePath::read(std::string_view command) {
   if (letter == 'G') {
     switch (code) {
       case 0:
-      case 1: return move(words);
-      case 20: unit_mm_ = inch_mm; break;
-      case 21: unit_mm_ = 1.0; break;
-      case 28: return home(words);
-      case 90: absolute_ = extruder_absolute_ = true; break;
-      case 91: absolute_ = extruder_absolute_ = false; break;
-      case 92: set_position(words); break;
-      default: break;
+      case 1:
+        return move(words);
+      case 20:
+        unit_mm_ = inch_mm;
+        break;
+      case 21:
+        unit_mm_ = 1.0;
+        break;
+      case 28:
+        return home(words);
+      case 90:
+        absolute_ = extruder_absolute_ = true;
+        break;
+      case 91:
+        absolute_ = extruder_absolute_ = false;
+        break;
+      case 92:
+        set_position(words);
+        break;
+      default:
+        break;
     }
   } else if (letter == 'M') {
     switch (code) {
-      case 82: extruder_absolute_ = true; break;
-      case 83: extruder_absolute_ = false; break;
+      case 82:
+        extruder_absolute_ = true;
+        break;
+      case 83:
+        extruder_absolute_ = false;
+        break;
       case 104:
       case 109:
       case 140:
       case 190:
         if (const std::optional<double> celsius = word(words, has_word(words, 'S') ? 'S' : 'R')) {
-          return TemperatureTarget{code == 140 || code == 190, *celsius, code == 109 || code == 190};
+          return TemperatureTarget{code == 140 || code == 190, *celsius,
+                                   code == 109 || code == 190};
         }
         break;
-      default: break;
+      default:
+        break;
     }
   }
   return NoMotion{};

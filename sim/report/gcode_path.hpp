@@ -27,7 +27,8 @@ struct TemperatureTarget {
 struct NoMotion {};
 using Request = std::variant<NoMotion, Move, Homing, TemperatureTarget>;
 
-// Understands G0 G1 G20 G21 G28 G90 G91 G92 M82 M83 and M104 M109 M140 M190; all else asks no motion.
+// Understands G0 G1 G20 G21 G28 G90 G91 G92 M82 M83 and M104 M109 M140 M190; all else asks no
+// motion.
 class GcodePath {
  public:
   Request read(std::string_view command);
@@ -39,7 +40,7 @@ class GcodePath {
   void set_position(std::string_view words);
 
   Point position_{};  // of the machine
-  Point offset_{};    // machine position minus what the file calls it
+  Point offset_{};  // machine position minus what the file calls it
   double unit_mm_ = 1.0;
   bool absolute_ = true;
   bool extruder_absolute_ = true;

@@ -11,8 +11,8 @@ struct PictureSize {
   int height{};
 };
 
-// `name` keeps the identifiers of several pictures on one page apart. Throws std::runtime_error with
-// gnuplot's message.
+// `name` keeps the identifiers of several pictures on one page apart. Throws std::runtime_error
+// with gnuplot's message.
 std::string svg_of(const std::string& name, PictureSize size, const std::string& script);
 
 }  // namespace report

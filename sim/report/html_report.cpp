@@ -51,11 +51,20 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (const char character : text) {
     switch (character) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += character;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += character;
     }
   }
   return result;
@@ -76,7 +85,8 @@ std::string duration(double seconds) {
 }
 
 void add_fact(Page& page, const std::string& value, const char* what, bool bad = false) {
-  add(page, "<div class=\"fact{}\"><b>{}</b><span>{}</span></div>\n", bad ? " bad" : "", value, what);
+  add(page, "<div class=\"fact{}\"><b>{}</b><span>{}</span></div>\n", bad ? " bad" : "", value,
+      what);
 }
 
 void add_facts(Page& page, const Results& results) {
@@ -92,8 +102,9 @@ void add_facts(Page& page, const Results& results) {
   add_fact(page, fmt::format("{:.3g} MHz", results.clock_hz * 1e-6), "clock of the chip");
   add_fact(page, fmt::format("{:.1f} µm", 1000 * results.max_deviation_mm),
            "largest distance from the G-code's lines");
-  add_fact(page, fmt::format("{} / {}", grouped(results.points_reached),
-                             grouped(results.points_reached + results.points_missed)),
+  add_fact(page,
+           fmt::format("{} / {}", grouped(results.points_reached),
+                       grouped(results.points_reached + results.points_missed)),
            "points reached to the step", results.points_missed > 0);
   add_fact(page, grouped(illegal), "illegal pulses", illegal > 0);
   add_fact(page, grouped(lost), "steps lost otherwise", lost > 0);
@@ -102,7 +113,8 @@ void add_facts(Page& page, const Results& results) {
   add_fact(page, grouped(results.lines_sent), "lines sent");
   add_fact(page, grouped(results.resends), "resends");
   add_fact(page, fmt::format("{:.2f} m", results.length_mm / 1000), "path asked for");
-  add_fact(page, fmt::format("{:.2f} M/s", clocks_per_second * 1e-6), "clocks simulated per second");
+  add_fact(page, fmt::format("{:.2f} M/s", clocks_per_second * 1e-6),
+           "clocks simulated per second");
   add(page, "</div>\n");
 }
 
@@ -117,13 +129,16 @@ void add_picture(Page& page, const std::function<std::string(const Courses&)>& p
 }
 
 void add_axes(Page& page, const Results& results) {
-  add(page, "<section><h2>Axes</h2><table><tr><th>axis</th><th>steps forward</th><th>steps backward</th>"
-            "<th>final position</th><th>highest step rate</th><th>motor load</th><th>illegal</th>"
-            "<th>while off</th><th>slipped</th><th>at the frame</th></tr>\n");
+  add(page,
+      "<section><h2>Axes</h2><table><tr><th>axis</th><th>steps forward</th><th>steps backward</th>"
+      "<th>final position</th><th>highest step rate</th><th>motor load</th><th>illegal</th>"
+      "<th>while off</th><th>slipped</th><th>at the frame</th></tr>\n");
   for (std::size_t i = 0; i < results.axes.size(); ++i) {
     const AxisResult& axis = results.axes[i];
-    add(page, "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} mm</td><td>{:.2f} kHz</td><td>{:.0f} %</td>"
-              "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+    add(page,
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f} mm</td><td>{:.2f} kHz</td><td>{:.0f} "
+        "%</td>"
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         static_cast<char>(axis_names[i][0] - 'a' + 'A'), grouped(axis.steps_forward),
         grouped(axis.steps_backward), axis.final_position_mm, axis.max_step_rate_hz / 1000,
         100 * axis.peak_load, axis.illegal_pulses, axis.disabled_pulses, axis.slipped_steps,
@@ -133,7 +148,8 @@ void add_axes(Page& page, const Results& results) {
 }
 
 void add_heater_row(Page& page, const char* name, const TemperatureResult& heater) {
-  add(page, "<tr><td>{}</td><td>{:.1f} °C</td><td>{:.1f} °C</td><td>{}</td><td>± {:.2f} °C</td></tr>\n",
+  add(page,
+      "<tr><td>{}</td><td>{:.1f} °C</td><td>{:.1f} °C</td><td>{}</td><td>± {:.2f} °C</td></tr>\n",
       name, heater.target_c, heater.max_c,
       heater.seconds_to_target >= 0 ? duration(heater.seconds_to_target) : "never", heater.band_c);
 }
@@ -141,8 +157,9 @@ void add_heater_row(Page& page, const char* name, const TemperatureResult& heate
 void add_heaters(Page& page, const Results& results, const Courses& courses) {
   add(page, "<section><h2>Temperatures</h2>\n");
   add_picture(page, plot_temperatures, courses);
-  add(page, "<table><tr><th>heater</th><th>target</th><th>highest</th><th>time to target</th>"
-            "<th>held within</th></tr>\n");
+  add(page,
+      "<table><tr><th>heater</th><th>target</th><th>highest</th><th>time to target</th>"
+      "<th>held within</th></tr>\n");
   add_heater_row(page, "hotend", results.hotend);
   add_heater_row(page, "bed", results.bed);
   add(page, "</table></section>\n");
@@ -154,7 +171,9 @@ void add_messages(Page& page, const Results& results) {
     add(page, "<p class=\"note\">Nothing but acknowledgements and temperatures.</p></section>\n");
     return;
   }
-  add(page, "<table><tr><th>time</th><th>line of the file</th><th style=\"text-align:left\">message</th></tr>\n");
+  add(page,
+      "<table><tr><th>time</th><th>line of the file</th><th "
+      "style=\"text-align:left\">message</th></tr>\n");
   for (const Message& message : results.messages) {
     add(page, "<tr class=\"{}\"><td>{:.3f} s</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
         message.error ? "error" : "", message.seconds,
@@ -172,11 +191,15 @@ void add_messages(Page& page, const Results& results) {
 
 std::string to_html(const Results& results, const Courses& courses) {
   Page page;
-  add(page, "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{} – StepFabric</title>\n"
-            "<meta name=\"viewport\" content=\"width=device-width\">\n<style>{}</style></head><body><main>\n",
+  add(page,
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{} – "
+      "StepFabric</title>\n"
+      "<meta name=\"viewport\" "
+      "content=\"width=device-width\">\n<style>{}</style></head><body><main>\n",
       escaped(results.file), style);
-  add(page, "<header><h1>{}</h1><span class=\"badge {}\">{}</span><p>printed on the simulated {} by the "
-            "chip's own step pulses</p></header>\n",
+  add(page,
+      "<header><h1>{}</h1><span class=\"badge {}\">{}</span><p>printed on the simulated {} by the "
+      "chip's own step pulses</p></header>\n",
       escaped(results.file), name_of(results.outcome), name_of(results.outcome),
       escaped(results.machine));
   add_facts(page, results);
@@ -187,8 +210,10 @@ std::string to_html(const Results& results, const Courses& courses) {
   add_picture(page, plot_path_from_above, courses);
   add(page, "</div><div>\n");
   add_picture(page, plot_path_in_space, courses);
-  add(page, "</div></div><p class=\"note\">Drawn from the step pulses, not from the G-code. Colour: height of the "
-            "lines on which filament was pushed; grey: travel.</p></section>\n");
+  add(page,
+      "</div></div><p class=\"note\">Drawn from the step pulses, not from the G-code. Colour: "
+      "height of the "
+      "lines on which filament was pushed; grey: travel.</p></section>\n");
   add_heaters(page, results, courses);
   add(page, "<section><h2>Step rates</h2>\n");
   add_picture(page, plot_step_rates, courses);
@@ -197,10 +222,13 @@ std::string to_html(const Results& results, const Courses& courses) {
   add(page, "</section>\n");
   add_axes(page, results);
   add_messages(page, results);
-  add(page, "<section><h2>Chip</h2><table><tr><th>cycles</th><th>instructions</th><th>queue, deepest</th>"
-            "<th>guard stalls</th><th>firmware text</th><th>data</th><th>bss</th><th>stack, peak</th></tr>"
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>"
-            "</table></section>\n</main></body></html>\n",
+  add(page,
+      "<section><h2>Chip</h2><table><tr><th>cycles</th><th>instructions</th><th>queue, deepest</th>"
+      "<th>guard stalls</th><th>firmware text</th><th>data</th><th>bss</th><th>stack, "
+      "peak</th></tr>"
+      "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</"
+      "td></tr>"
+      "</table></section>\n</main></body></html>\n",
       grouped(results.cycles), grouped(results.instructions), results.max_queue_depth,
       grouped(results.guard_stalls_cycles), grouped(results.firmware.text_bytes),
       grouped(results.firmware.data_bytes), grouped(results.firmware.bss_bytes),

@@ -33,7 +33,10 @@ void MessageLog::reply(sim::Clock now, std::string_view line) {
   // The chip's bytes are not under our control, and a report is text.
   std::string text(line);
   std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e; },
+      text,
+      [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e;
+      },
       '?');
   const bool error = starts_with_any(line, {"Error", "error", "!!", "Resend"});
   messages_.push_back({rate_.seconds(now), file_line_, std::move(text), error});

@@ -106,8 +106,7 @@ double PathCheck::distance_mm(const Item& item) const {
     length_squared += square(line[i]);
     projection += line[i] * point[i];
   }
-  const double part =
-      length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
+  const double part = length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
   return std::hypot(point[0] - part * line[0], point[1] - part * line[1]);
 }
 
@@ -119,7 +118,8 @@ void PathCheck::pass_reached_points() {
   }
 }
 
-// The next line is nearer than the present one: it was left without arriving at its end to the step.
+// The next line is nearer than the present one: it was left without arriving at its end to the
+// step.
 void PathCheck::pass_lost_point() {
   const Item& item = items_.front();
   const bool near = std::abs(position_[0] - item.target[0]) <= near_end_steps &&

@@ -13,8 +13,9 @@
 
 namespace report {
 
-// The G-code's points are taken in order. While a line is walked, the distance of each edge from it counts
-// (edges of one clock together); it is done when the edges have arrived at its end to the step. Homing is free until it is acknowledged.
+// The G-code's points are taken in order. While a line is walked, the distance of each edge from it
+// counts (edges of one clock together); it is done when the edges have arrived at its end to the
+// step. Homing is free until it is acknowledged.
 class PathCheck : public devices::StepListener, public devices::HostListener {
  public:
   // `origin`: mechanical positions at the beginning, which the G-code calls 0 until it homes.

@@ -23,7 +23,8 @@ constexpr const char* common =
     "set grid lc rgb '#e6e9ed' lt 1\nset key top right textcolor rgb '#4a525c' samplen 2\n";
 
 constexpr const char* height_palette =
-    "set palette defined (0 '#3b2f80', 0.25 '#2f6f9f', 0.5 '#25a186', 0.75 '#86c840', 1 '#f2cf1d')\n"
+    "set palette defined (0 '#3b2f80', 0.25 '#2f6f9f', 0.5 '#25a186', 0.75 '#86c840', 1 "
+    "'#f2cf1d')\n"
     "set cblabel 'Z (mm)' textcolor rgb '#4a525c'\nset colorbox noborder\n";
 
 using Script = fmt::memory_buffer;
@@ -71,8 +72,8 @@ Box box_of(const std::vector<ToolPoint>& points) {
     }
     const double x = point.x, y = point.y, z = point.z;
     box = first ? Box{x, x, y, y, z, z}
-                : Box{std::min(box.x_low, x), std::max(box.x_high, x), std::min(box.y_low, y),
-                      std::max(box.y_high, y), std::min(box.z_low, z), std::max(box.z_high, z)};
+                : Box{std::min(box.x_low, x),  std::max(box.x_high, x), std::min(box.y_low, y),
+                      std::max(box.y_high, y), std::min(box.z_low, z),  std::max(box.z_high, z)};
     first = false;
   }
   constexpr double margin_mm = 3.0;
@@ -91,17 +92,20 @@ std::string path_script(const Courses& courses, bool in_space) {
   add(script, "{}{}unset key\n", common, height_palette);
   add_path(script, "travel", points, false);
   add_path(script, "print", points, true);
-  add(script, "set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n", box.x_low, box.x_high,
-      box.y_low, box.y_high, box.z_low, box.z_high);
-  add(script, "set xlabel 'X (mm)' textcolor rgb '#4a525c'\nset ylabel 'Y (mm)' textcolor rgb '#4a525c'\n");
+  add(script, "set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n", box.x_low,
+      box.x_high, box.y_low, box.y_high, box.z_low, box.z_high);
+  add(script,
+      "set xlabel 'X (mm)' textcolor rgb '#4a525c'\nset ylabel 'Y (mm)' textcolor rgb '#4a525c'\n");
   if (in_space) {
     add(script, "set view 58,30,1.25\nset view equal xyz\nset xyplane at {}\nset zrange [{}:{}]\n",
         box.z_low, box.z_low, box.z_high);
-    add(script, "unset ztics\nset border 15\nunset colorbox\n"
-                "splot $print using 1:2:3:3 with lines lw 1.1 lc palette\n");
+    add(script,
+        "unset ztics\nset border 15\nunset colorbox\n"
+        "splot $print using 1:2:3:3 with lines lw 1.1 lc palette\n");
   } else {
-    add(script, "set size ratio -1\nplot $travel using 1:2 with lines lw 0.6 lc rgb '#c3c9d1', "
-                "$print using 1:2:3 with lines lw 1.3 lc palette\n");
+    add(script,
+        "set size ratio -1\nplot $travel using 1:2 with lines lw 0.6 lc rgb '#c3c9d1', "
+        "$print using 1:2:3 with lines lw 1.3 lc palette\n");
   }
   return fmt::to_string(script);
 }
@@ -132,12 +136,14 @@ std::string plot_temperatures(const Courses& courses) {
   add(script, "{}", common);
   add_temperatures(script, "hotend", courses.hotend);
   add_temperatures(script, "bed", courses.bed);
-  add(script, "set xlabel 'time (s)' textcolor rgb '#4a525c'\nset ylabel '°C' textcolor rgb '#4a525c'\n"
-              "set yrange [0:*]\nset key outside top center horizontal\n"
-              "plot $hotend using 1:($3>0?$3:NaN) with lines dt 2 lw 1.2 lc rgb '#e5a3ab' title 'hotend, target', "
-              "$bed using 1:($3>0?$3:NaN) with lines dt 2 lw 1.2 lc rgb '#9db8e3' title 'bed, target', "
-              "$hotend using 1:2 with lines lw 2 lc rgb '#c8374b' title 'hotend', "
-              "$bed using 1:2 with lines lw 2 lc rgb '#2f62b8' title 'bed'\n");
+  add(script,
+      "set xlabel 'time (s)' textcolor rgb '#4a525c'\nset ylabel '°C' textcolor rgb '#4a525c'\n"
+      "set yrange [0:*]\nset key outside top center horizontal\n"
+      "plot $hotend using 1:($3>0?$3:NaN) with lines dt 2 lw 1.2 lc rgb '#e5a3ab' title 'hotend, "
+      "target', "
+      "$bed using 1:($3>0?$3:NaN) with lines dt 2 lw 1.2 lc rgb '#9db8e3' title 'bed, target', "
+      "$hotend using 1:2 with lines lw 2 lc rgb '#c8374b' title 'hotend', "
+      "$bed using 1:2 with lines lw 2 lc rgb '#2f62b8' title 'bed'\n");
   return svg_of("temperatures", {1100, 360}, fmt::to_string(script));
 }
 
@@ -159,17 +165,20 @@ std::string plot_step_rates(const Courses& courses) {
         most[2] * scale, most[3] * scale);
   }
   add(script, "{}", courses.steps.empty() ? "0 0 0 0 0\nEOD\n" : "EOD\n");
-  add(script, "unset key\nset yrange [0:*]\nset xrange [0:{}]\nset lmargin 9\nset tmargin 0.8\n"
-              "set bmargin 1.2\nset ytics autofreq\nset multiplot layout 4,1 margins 0.075,0.985,0.1,0.985 spacing 0.03\n",
+  add(script,
+      "unset key\nset yrange [0:*]\nset xrange [0:{}]\nset lmargin 9\nset tmargin 0.8\n"
+      "set bmargin 1.2\nset ytics autofreq\nset multiplot layout 4,1 margins 0.075,0.985,0.1,0.985 "
+      "spacing 0.03\n",
       std::max(1.0, static_cast<double>(courses.steps.size()) * StepStatistics::bucket_seconds));
   for (std::size_t axis = 0; axis < axis_colours.size(); ++axis) {
     const bool last = axis + 1 == axis_colours.size();
-    add(script, "set format x '{}'\n{}set ylabel '{} (kHz)' textcolor rgb '{}' offset 1\n"
-                "plot $rates using 1:{} with fillsteps fs solid 0.35 noborder lc rgb '{}', "
-                "$rates using 1:{} with steps lw 0.8 lc rgb '{}'\n",
+    add(script,
+        "set format x '{}'\n{}set ylabel '{} (kHz)' textcolor rgb '{}' offset 1\n"
+        "plot $rates using 1:{} with fillsteps fs solid 0.35 noborder lc rgb '{}', "
+        "$rates using 1:{} with steps lw 0.8 lc rgb '{}'\n",
         last ? "%g" : "", last ? "set xlabel 'time (s)' textcolor rgb '#4a525c'\n" : "",
-        static_cast<char>(axis_names[axis][0] - 'a' + 'A'), axis_colours[axis], axis + 2, axis_colours[axis], axis + 2,
-        axis_colours[axis]);
+        static_cast<char>(axis_names[axis][0] - 'a' + 'A'), axis_colours[axis], axis + 2,
+        axis_colours[axis], axis + 2, axis_colours[axis]);
   }
   add(script, "unset multiplot\n");
   return svg_of("rates", {1100, 640}, fmt::to_string(script));
@@ -193,8 +202,9 @@ std::string plot_step_intervals(const Courses& courses) {
   }
   add(script, "EOD\nset logscale x\nset logscale y\nset xrange [{}:{}]\nset yrange [0.8:*]\n",
       std::min(lowest, highest) / 1.5, highest * 2);
-  add(script, "set xlabel 'time between two steps of an axis (µs)' textcolor rgb '#4a525c'\n"
-              "set ylabel 'steps' textcolor rgb '#4a525c'\nset format y '10^{{%T}}'\nplot ");
+  add(script,
+      "set xlabel 'time between two steps of an axis (µs)' textcolor rgb '#4a525c'\n"
+      "set ylabel 'steps' textcolor rgb '#4a525c'\nset format y '10^{{%T}}'\nplot ");
   for (std::size_t axis = 0; axis < axis_colours.size(); ++axis) {
     add(script, "{}$intervals using 1:(${}>0?${}:0.8) with steps lw 1.6 lc rgb '{}' title '{}'",
         axis == 0 ? "" : ", ", axis + 2, axis + 2, axis_colours[axis],

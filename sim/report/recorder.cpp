@@ -29,9 +29,9 @@ Recorder::Recorder(machine::Printer& printer, devices::FileHost& host, sim::Simu
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      path_check_({printer.description().axes[0].steps_per_mm,
-                   printer.description().axes[1].steps_per_mm},
-                  {printer.axis(0).position(), printer.axis(1).position()}),
+      path_check_(
+          {printer.description().axes[0].steps_per_mm, printer.description().axes[1].steps_per_mm},
+          {printer.axis(0).position(), printer.axis(1).position()}),
       tool_path_(resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       hotend_(false, simulation.rate(), [&printer] { return printer.hotend_c(); }),

@@ -49,8 +49,8 @@ class Recorder : public devices::HostListener {
   std::unique_ptr<EdgeFile> edges_;
 };
 
-// Bytes of the stack that were ever used, from the paint that the firmware's start-up left; 0 where the
-// image has no symbols `_stack_bottom` and `_stack_top`.
+// Bytes of the stack that were ever used, from the paint that the firmware's start-up left; 0 where
+// the image has no symbols `_stack_bottom` and `_stack_top`.
 std::uint32_t stack_peak_bytes(const sim::ElfImage& firmware, const sim::Chip& chip);
 
 }  // namespace report

@@ -79,9 +79,12 @@ struct Courses {
 
 constexpr const char* name_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::completed: return "completed";
-    case Outcome::faulted: return "faulted";
-    case Outcome::stopped: return "stopped";
+    case Outcome::completed:
+      return "completed";
+    case Outcome::faulted:
+      return "faulted";
+    case Outcome::stopped:
+      return "stopped";
   }
   return "";
 }

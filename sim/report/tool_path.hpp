@@ -12,7 +12,7 @@ namespace report {
 
 struct ToolPoint {
   float x{}, y{}, z{};  // mm
-  bool extruding{};     // filament was pushed on the way from the point before to this one
+  bool extruding{};  // filament was pushed on the way from the point before to this one
 };
 
 class ToolPath : public devices::StepListener {

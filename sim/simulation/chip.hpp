@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip as the co-simulation needs it: pins, clocks, memory and counters, whatever model is behind it.
+// The chip as the co-simulation needs it: pins, clocks, memory and counters, whatever model is
+// behind it.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace sim {
 struct QueueStatistics {
   std::uint64_t underruns{};
   std::uint64_t guard_stall_clocks{};
-  std::uint32_t depth{};      // segments waiting now
+  std::uint32_t depth{};  // segments waiting now
   std::uint32_t max_depth{};  // largest depth ever
 };
 
@@ -29,8 +30,8 @@ class Chip {
   Chip& operator=(const Chip&) = delete;
   virtual ~Chip() = default;
 
-  // Clocks until an output pin changes or `now() == limit`, whichever comes first; at least one clock if
-  // limit > now().
+  // Clocks until an output pin changes or `now() == limit`, whichever comes first; at least one
+  // clock if limit > now().
   virtual void advance(Clock limit) = 0;
 
   // RAM, at addresses of the processor, word by word. Throws std::out_of_range beside it.

@@ -174,9 +174,10 @@ void load(const ElfImage& image, Chip& chip) {
         chip.write_memory(word, value);
       }
     } catch (const std::out_of_range&) {
-      throw std::runtime_error(fmt::format(
-          "the program does not fit: it loads {} bytes at {:#010x}, which the chip's memory does not hold",
-          segment.bytes.size(), segment.address));
+      throw std::runtime_error(
+          fmt::format("the program does not fit: it loads {} bytes at {:#010x}, which the chip's "
+                      "memory does not hold",
+                      segment.bytes.size(), segment.address));
     }
   }
 }

@@ -21,7 +21,7 @@ struct ElfSegment {
 struct ElfSizes {
   std::uint32_t text_bytes{};  // code and constants
   std::uint32_t data_bytes{};  // variables with initial values
-  std::uint32_t bss_bytes{};   // variables that start as zero, without the stack
+  std::uint32_t bss_bytes{};  // variables that start as zero, without the stack
 };
 
 struct ElfImage {

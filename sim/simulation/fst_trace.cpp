@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "Vprinter_controller.h"
 #include "sim/simulation/trace.hpp"
+#include "Vprinter_controller.h"
 
 namespace sim {
 

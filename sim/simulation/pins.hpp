@@ -8,18 +8,18 @@
 
 namespace sim {
 
-// Rising clock edges since the start of the simulation. Outputs seen at `now` were set by edge number
-// `now`; an input set at `now` is sampled by edge number `now + 1`.
+// Rising clock edges since the start of the simulation. Outputs seen at `now` were set by edge
+// number `now`; an input set at `now` is sampled by edge number `now + 1`.
 using Clock = std::uint64_t;
 inline constexpr Clock never = std::numeric_limits<Clock>::max();
 
-inline constexpr std::size_t axis_count = 5;      // x y z e0 e1
-inline constexpr std::size_t sensor_count = 2;    // hotend, bed
-inline constexpr std::size_t heater_count = 2;    // hotend, bed
+inline constexpr std::size_t axis_count = 5;  // x y z e0 e1
+inline constexpr std::size_t sensor_count = 2;  // hotend, bed
+inline constexpr std::size_t heater_count = 2;  // hotend, bed
 inline constexpr std::size_t end_stop_count = 8;
 
-// The three resistors of a sensor channel through which the chip charges its capacitor, in the order of
-// the bits of sensor_drive() and sensor_level().
+// The three resistors of a sensor channel through which the chip charges its capacitor, in the
+// order of the bits of sensor_drive() and sensor_level().
 enum class SensorResistor : std::uint8_t { thermistor, reference_low, reference_high };
 
 // All outputs in one word, so that one comparison tells whether any has changed.
@@ -33,7 +33,7 @@ struct OutputPins {
   static constexpr unsigned fan_bit = 25;
   static constexpr unsigned heater_bit = 26;
   static constexpr unsigned fault_bit = 30;
-  static constexpr unsigned sensor_bit = 32;     // channel n: 8 bits from here + 8 n: 3 drive, 3 level
+  static constexpr unsigned sensor_bit = 32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level
   static constexpr unsigned sensor_level_bit = 3;
 
   static constexpr std::uint64_t bit(unsigned position) { return std::uint64_t{1} << position; }
@@ -55,7 +55,9 @@ struct OutputPins {
   constexpr bool direction(std::size_t axis) const {
     return at(direction_bit + static_cast<unsigned>(axis));
   }
-  constexpr bool enable(std::size_t axis) const { return at(enable_bit + static_cast<unsigned>(axis)); }
+  constexpr bool enable(std::size_t axis) const {
+    return at(enable_bit + static_cast<unsigned>(axis));
+  }
   constexpr bool transmit() const { return at(transmit_bit); }
   constexpr bool fan() const { return at(fan_bit); }
   constexpr bool heater(std::size_t channel) const {
@@ -74,9 +76,9 @@ struct OutputPins {
 };
 
 struct InputPins {
-  bool receive = true;                    // serial line, idle high
-  std::uint8_t end_stops{};               // bit n = switch n, 1 = triggered
-  std::uint8_t sense{};                   // bit n = capacitor of sensor channel n is above the threshold
+  bool receive = true;  // serial line, idle high
+  std::uint8_t end_stops{};  // bit n = switch n, 1 = triggered
+  std::uint8_t sense{};  // bit n = capacitor of sensor channel n is above the threshold
   bool emergency_stop{};
 };
 

@@ -14,8 +14,8 @@ class Simulation {
  public:
   Simulation(Chip& chip, ClockRate rate) : chip_(chip), rate_(rate), previous_(chip.outputs()) {}
 
-  // `device` is called on changes of the output pins that are 1 in `watched`, in the order of attaching.
-  // It must outlive the simulation's last run.
+  // `device` is called on changes of the output pins that are 1 in `watched`, in the order of
+  // attaching. It must outlive the simulation's last run.
   void attach(Device& device, OutputPins watched);
 
   // Runs until `limit`, or until a device has called stop().

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waveforms of the model: real in fst_trace.cpp, refused in no_trace.cpp, since tracing slows a model down.
+// Waveforms of the model: real in fst_trace.cpp, refused in no_trace.cpp, since tracing slows a
+// model down.
 #pragma once
 
 #include <cstdint>

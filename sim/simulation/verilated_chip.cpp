@@ -7,18 +7,19 @@
 
 #include <cstdint>
 
+#include "sim/simulation/trace.hpp"
 #include "Vprinter_controller.h"
 #include "Vprinter_controller___024root.h"
-#include "sim/simulation/trace.hpp"
 
 // The model calls this where an assertion fails; it was made with VL_USER_STOP and VL_USER_FATAL.
 void vl_stop(const char* file, int line, const char*) VL_MT_UNSAFE {
-  throw sim::HardwareAssertion(
-      fmt::format("an assertion of the hardware failed, see its label above (netlist {}:{})", file, line));
+  throw sim::HardwareAssertion(fmt::format(
+      "an assertion of the hardware failed, see its label above (netlist {}:{})", file, line));
 }
 
 void vl_fatal(const char* file, int line, const char*, const char* message) VL_MT_UNSAFE {
-  throw sim::HardwareAssertion(fmt::format("the model of the chip failed: {} ({}:{})", message, file, line));
+  throw sim::HardwareAssertion(
+      fmt::format("the model of the chip failed: {} ({}:{})", message, file, line));
 }
 
 namespace sim {
@@ -70,7 +71,8 @@ OutputPins VerilatedChip::sampled_outputs() const {
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
                        std::uint64_t{model.fault} << OutputPins::fault_bit;
   for (unsigned channel = 0; channel < sensor_count; ++channel) {
-    const std::uint64_t drive = model.sensor_drive_enable >> (channel_pins * channel) & channel_mask;
+    const std::uint64_t drive =
+        model.sensor_drive_enable >> (channel_pins * channel) & channel_mask;
     const std::uint64_t level = model.sensor_drive_level >> (channel_pins * channel) & channel_mask;
     word |= (drive | level << OutputPins::sensor_level_bit)
             << (OutputPins::sensor_bit + 8 * channel);

@@ -33,7 +33,8 @@ void FakeChip::plan_step(sim::Clock clock, std::size_t axis, bool backward, sim:
 void FakeChip::say(const std::string& text) {
   line_free_at_ = std::max(line_free_at_, now_ + 1);
   for (const char character : text) {
-    const unsigned frame = 1U << 9 | static_cast<unsigned>(static_cast<unsigned char>(character)) << 1;
+    const unsigned frame = 1U << 9 | static_cast<unsigned>(static_cast<unsigned char>(character))
+                                         << 1;
     for (unsigned bit = 0; bit < 10; ++bit) {
       plan(line_free_at_, sim::OutputPins::transmit_bit, (frame >> bit & 1) != 0);
       line_free_at_ += clocks_per_bit_;

@@ -86,7 +86,8 @@ TEST_F(FileHostTest, waits_for_ok_before_the_next_line) {
 TEST_F(FileHostTest, sends_the_line_again_that_the_chip_asks_for) {
   print("G28\nG1 X1\n",
         {"ok\n", "Error:checksum mismatch, Last Line: 0\nResend: 1\nok\n", "ok\n", "ok\n"});
-  EXPECT_THAT(sent, ElementsAre("N0 M110 N0*125", "N1 G28*18", "N1 G28*18", testing::_, testing::_));
+  EXPECT_THAT(sent,
+              ElementsAre("N0 M110 N0*125", "N1 G28*18", "N1 G28*18", testing::_, testing::_));
   EXPECT_EQ(host->state(), HostState::completed);
   EXPECT_EQ(host->counts().resends, 1U);
   EXPECT_EQ(host->counts().commands_executed, 2U);

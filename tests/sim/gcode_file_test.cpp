@@ -30,7 +30,10 @@ TEST(GcodeFile, sends_characters_beyond_ascii_as_question_marks) {
 
 TEST(GcodeFile, refuses_what_is_no_text) {
   using namespace std::string_literals;
-  for (const std::string& text : {"G28\nG1 X\0Y\n"s, "\x7f""ELF\x01\x01"s, "G28\nG1\x80\n"s, "G1 \xc3\n"s}) {
+  for (const std::string& text : {"G28\nG1 X\0Y\n"s,
+                                  "\x7f"
+                                  "ELF\x01\x01"s,
+                                  "G28\nG1\x80\n"s, "G1 \xc3\n"s}) {
     const auto commands = parse_gcode_text(text, "part.gcode");
     ASSERT_FALSE(commands);
     EXPECT_THAT(commands.error(), HasSubstr("part.gcode is not a G-code file: line "));

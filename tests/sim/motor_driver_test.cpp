@@ -12,8 +12,11 @@ namespace {
 // An A4988 at 10 MHz: 10 clocks high, 10 clocks low, 2 clocks of set-up and hold.
 constexpr devices::DriverTiming a4988{1000, 1000, 200, 200};
 constexpr sim::ClockRate rate(10'000'000);
-constexpr plants::AxisProperties strong_axis{
-    .steps_per_mm = 80, .torque_acceleration = 1e9, .speed_limit = 1e6, .lower_frame = {}, .upper_frame = {}};
+constexpr plants::AxisProperties strong_axis{.steps_per_mm = 80,
+                                             .torque_acceleration = 1e9,
+                                             .speed_limit = 1e6,
+                                             .lower_frame = {},
+                                             .upper_frame = {}};
 
 struct Edges : devices::StepListener {
   void stepped(const devices::StepEdge& edge) override { all.push_back(edge); }

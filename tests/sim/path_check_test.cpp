@@ -28,13 +28,14 @@ class PathCheckTest : public testing::Test {
   }
   // In small steps along the line, like a Bresenham walk.
   void go_to(double x_mm, double y_mm) {
-    const std::array<std::int64_t, 2> from = position,
-                                      to{std::llround(x_mm * steps_per_mm), std::llround(y_mm * steps_per_mm)};
+    const std::array<std::int64_t, 2> from = position, to{std::llround(x_mm * steps_per_mm),
+                                                          std::llround(y_mm * steps_per_mm)};
     const std::int64_t ticks = std::max(std::abs(to[0] - from[0]), std::abs(to[1] - from[1]));
     for (std::int64_t tick = 1; tick <= ticks; ++tick) {
       ++clock;
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        const auto ideal = static_cast<double>((to[axis] - from[axis]) * tick) / static_cast<double>(ticks);
+        const auto ideal =
+            static_cast<double>((to[axis] - from[axis]) * tick) / static_cast<double>(ticks);
         const std::int64_t next = from[axis] + std::llround(ideal);
         if (next != position[axis]) {
           step(axis, next > position[axis] ? 1 : -1);

@@ -69,7 +69,9 @@ TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
 
 TEST_F(PseudoTerminalTest, replaces_a_stale_symlink_but_no_file) {
   fs::create_symlink("/dev/pts/no-such-terminal", link);
-  { devices::PseudoTerminal terminal(link, line, rate); }
+  {
+    devices::PseudoTerminal terminal(link, line, rate);
+  }
   std::ofstream(link) << "precious";
   EXPECT_THROW(devices::PseudoTerminal(link, line, rate), std::runtime_error);
   EXPECT_EQ(fs::file_size(link), 8U);

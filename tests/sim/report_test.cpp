@@ -31,7 +31,8 @@ report::Results some_results() {
   return results;
 }
 
-void collect_names(const nlohmann::json& json, const std::string& prefix, std::set<std::string>& names) {
+void collect_names(const nlohmann::json& json, const std::string& prefix,
+                   std::set<std::string>& names) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object()) {
       collect_names(value, prefix + key + ".", names);
@@ -51,12 +52,26 @@ TEST(JsonReport, has_every_name_of_the_contract) {
   const nlohmann::json json = nlohmann::json::parse(report::to_json(some_results()));
   std::set<std::string> names;
   collect_names(json, "", names);
-  std::vector<std::string> contract{
-      "result", "fault", "clock_hz", "cycles", "simulated_seconds", "wall_seconds", "lines_sent",
-      "resends", "commands_executed", "path.max_deviation_mm", "path.length_mm", "queue.underruns",
-      "queue.guard_stalls_cycles", "queue.max_depth", "firmware.text_bytes", "firmware.data_bytes",
-      "firmware.bss_bytes", "firmware.stack_peak_bytes", "processor.busy_percent",
-      "processor.instructions"};
+  std::vector<std::string> contract{"result",
+                                    "fault",
+                                    "clock_hz",
+                                    "cycles",
+                                    "simulated_seconds",
+                                    "wall_seconds",
+                                    "lines_sent",
+                                    "resends",
+                                    "commands_executed",
+                                    "path.max_deviation_mm",
+                                    "path.length_mm",
+                                    "queue.underruns",
+                                    "queue.guard_stalls_cycles",
+                                    "queue.max_depth",
+                                    "firmware.text_bytes",
+                                    "firmware.data_bytes",
+                                    "firmware.bss_bytes",
+                                    "firmware.stack_peak_bytes",
+                                    "processor.busy_percent",
+                                    "processor.instructions"};
   for (const char* axis : {"x", "y", "z", "e"}) {
     for (const char* name : {"steps_forward", "steps_backward", "final_position_steps",
                              "final_position_mm", "max_step_rate_hz", "illegal_pulses"}) {
@@ -102,7 +117,8 @@ TEST(EdgeFile, says_where_it_cannot_write) {
 
 TEST(HtmlReport, shows_pictures_numbers_and_escaped_texts_in_one_file) {
   report::Courses courses;
-  courses.path = {{0, 0, 0, false}, {10, 0, 0.2F, false}, {10, 10, 0.2F, true}, {20, 10, 0.4F, true}};
+  courses.path = {
+      {0, 0, 0, false}, {10, 0, 0.2F, false}, {10, 10, 0.2F, true}, {20, 10, 0.4F, true}};
   courses.hotend = {{0, 22, 205}, {1, 30, 205}};
   courses.bed = {{0, 22, 0}, {1, 22, 0}};
   courses.steps = {{10, 0, 0, 3}, {0, 20, 0, 5}};
@@ -113,7 +129,8 @@ TEST(HtmlReport, shows_pictures_numbers_and_escaped_texts_in_one_file) {
   EXPECT_THAT(page, HasSubstr("echo:Unknown command: &quot;M999&quot;"));
   EXPECT_EQ(note_in(page), "");
   std::size_t pictures = 0;
-  for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
+  for (std::size_t at = page.find("<svg"); at != std::string::npos;
+       at = page.find("<svg", at + 1)) {
     ++pictures;
   }
   EXPECT_EQ(pictures, 5U);

@@ -96,6 +96,8 @@ void build(const std::vector<std::string>& targets) {
   }
 }
 
-int run_program(const std::vector<std::string>& arguments) { return run_with_output(arguments, {}); }
+int run_program(const std::vector<std::string>& arguments) {
+  return run_with_output(arguments, {});
+}
 
 }  // namespace command

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "sim/machine/fault_plan.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/print_job.hpp"
@@ -13,7 +14,6 @@
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
-#include "sim/machine/fault_plan.hpp"
 
 namespace command {
 
@@ -31,19 +31,24 @@ struct Jobs {
 };
 
 void add_printer_options(CLI::App& job, PrinterChoices& choices) {
-  job.add_option("--machine", choices.machine,
-                 "description of the simulated printer (TOML); the firmware is built for the default")
+  job.add_option(
+         "--machine", choices.machine,
+         "description of the simulated printer (TOML); the firmware is built for the default")
       ->type_name("FILE.toml");
   job.add_option("--clock-hz", choices.clock_hz, "clock of the chip, 4 to 100 MHz")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
-  job.add_option("--baud", choices.baud, "baud rate of the host's end of the line; default: the machine's")
+  job.add_option("--baud", choices.baud,
+                 "baud rate of the host's end of the line; default: the machine's")
       ->check(CLI::Range(1'200, 3'000'000));
-  job.add_option("--seed", choices.seed, "seed of all that is random: start position, tolerances, noise")
+  job.add_option("--seed", choices.seed,
+                 "seed of all that is random: start position, tolerances, noise")
       ->capture_default_str();
-  job.add_flag("--warm", choices.warm, "the heaters start near their targets, which saves simulated minutes");
-  job.add_option("--fault", choices.faults,
-                 "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
+  job.add_flag("--warm", choices.warm,
+               "the heaters start near their targets, which saves simulated minutes");
+  job.add_option(
+         "--fault", choices.faults,
+         "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
       ->type_name("FAULT");
 }
 
@@ -66,13 +71,14 @@ void add_print(CLI::App& app, PrintOptions& options) {
       ->check(CLI::PositiveNumber);
   add_printer_options(job, options.printer);
   job.footer(
-      "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a file\n"
+      "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a "
+      "file\n"
       "that cannot be printed, 130 interrupted. The report is written in every case.");
 }
 
 void add_serve(CLI::App& app, ServeOptions& options) {
-  CLI::App& job =
-      *app.add_subcommand("serve", "Put the printer's serial line on a pseudo-terminal, until Ctrl-C.");
+  CLI::App& job = *app.add_subcommand(
+      "serve", "Put the printer's serial line on a pseudo-terminal, until Ctrl-C.");
   job.add_option("--pty", options.terminal, "symlink to make, for host programs to open")
       ->type_name("PATH")
       ->capture_default_str();
@@ -85,7 +91,8 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 
 void add_run(CLI::App& app, RunOptions& options) {
   CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IM program on the chip.");
-  job.add_option("program", options.program, "linked to 0x80000000, 64 KiB; ends by a store to `tohost`")
+  job.add_option("program", options.program,
+                 "linked to 0x80000000, 64 KiB; ends by a store to `tohost`")
       ->required()
       ->type_name("PROGRAM.elf");
   job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
@@ -94,18 +101,22 @@ void add_run(CLI::App& app, RunOptions& options) {
   job.add_option("--clock-hz", options.clock_hz, "clock that the chip tells the program")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
-  job.add_option("--baud", options.baud, "show what the program sends on the serial line at this rate")
+  job.add_option("--baud", options.baud,
+                 "show what the program sends on the serial line at this rate")
       ->check(CLI::Range(1'200, 3'000'000));
   job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
   job.footer(
-      "Exit status: 0 where 1 was stored to `tohost`, otherwise the value >> 1 (1 to 255); 2 for a file\n"
-      "that is no such program, 124 where nothing was stored within --max-cycles, 130 interrupted.");
+      "Exit status: 0 where 1 was stored to `tohost`, otherwise the value >> 1 (1 to 255); 2 for a "
+      "file\n"
+      "that is no such program, 124 where nothing was stored within --max-cycles, 130 "
+      "interrupted.");
 }
 
 void add_later_jobs(CLI::App& app, Jobs& jobs) {
-  for (const auto& [name, what] : {std::pair{"bench", "Run the benchmarks. Not part of this version."},
-                                   std::pair{"prove", "Run the formal proofs. Not part of this version."},
-                                   std::pair{"synth", "Synthesise for a board. Not part of this version."}}) {
+  for (const auto& [name, what] :
+       {std::pair{"bench", "Run the benchmarks. Not part of this version."},
+        std::pair{"prove", "Run the formal proofs. Not part of this version."},
+        std::pair{"synth", "Synthesise for a board. Not part of this version."}}) {
     app.add_subcommand(name, what)
         ->add_option("arguments", jobs.later_arguments, "see the documentation")
         ->type_name("")
@@ -150,7 +161,8 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
 }
 
 int run_command(int count, char** arguments) {
-  CLI::App app("StepFabric: an FPGA motion controller for 3D printers, and its co-simulation.", "stepfabric");
+  CLI::App app("StepFabric: an FPGA motion controller for 3D printers, and its co-simulation.",
+               "stepfabric");
   app.require_subcommand(1);
   Jobs jobs;
   add_print(app, jobs.print);

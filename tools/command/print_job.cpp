@@ -86,7 +86,8 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
 }
 
 // Runs to the end of the print. Returns how it ended.
-report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devices::FileHost& host) {
+report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup,
+                          devices::FileHost& host) {
   sim::Simulation& simulation = setup.simulation();
   const sim::ClockRate rate = simulation.rate();
   const sim::Clock chunk = std::max<sim::Clock>(1, rate.clocks(chunk_seconds));
@@ -113,27 +114,33 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devi
 void print_summary(const PrintOptions& options, const report::Results& results) {
   fmt::print("{}: {}{}{}\n", results.file, name_of(results.outcome),
              results.fault.empty() ? "" : ": ", results.fault);
-  fmt::print("  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
-             results.simulated_seconds, results.clock_hz * 1e-6, results.wall_seconds,
-             static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6);
-  fmt::print("  {} lines, {} resends; {} of {} points reached to the step, at most {:.4f} mm off the lines\n",
-             results.lines_sent, results.resends, results.points_reached,
-             results.points_reached + results.points_missed, results.max_deviation_mm);
+  fmt::print(
+      "  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
+      results.simulated_seconds, results.clock_hz * 1e-6, results.wall_seconds,
+      static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6);
+  fmt::print(
+      "  {} lines, {} resends; {} of {} points reached to the step, at most {:.4f} mm off the "
+      "lines\n",
+      results.lines_sent, results.resends, results.points_reached,
+      results.points_reached + results.points_missed, results.max_deviation_mm);
   std::uint64_t illegal = 0, lost = 0;
   for (const report::AxisResult& axis : results.axes) {
     illegal += axis.illegal_pulses;
     lost += axis.disabled_pulses + axis.slipped_steps + axis.frame_steps;
   }
-  fmt::print("  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
-             illegal, lost, results.underruns, results.processor_busy_percent);
+  fmt::print(
+      "  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
+      illegal, lost, results.underruns, results.processor_busy_percent);
   fmt::print("  {} messages of the chip; report: {}\n", results.messages.size(),
              (options.report / "report.html").string());
 }
 
 int exit_status_of(const PrintOptions& options, report::Outcome outcome) {
   switch (outcome) {
-    case report::Outcome::completed: return success;
-    case report::Outcome::faulted: return failure;
+    case report::Outcome::completed:
+      return success;
+    case report::Outcome::faulted:
+      return failure;
     case report::Outcome::stopped:
       return options.until_seconds && !interrupt_requested() ? success : interrupted;
   }
@@ -144,12 +151,15 @@ int exit_status_of(const PrintOptions& options, report::Outcome outcome) {
 
 int print(const PrintOptions& options) {
   if (options.stepping != "hardware") {
-    return refuse(options, "--stepping software is not part of this version: steps are made in hardware only");
+    return refuse(
+        options,
+        "--stepping software is not part of this version: steps are made in hardware only");
   }
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) {
     return refuse(options, commands.error());
   }
+  std::filesystem::create_directories(options.report);  // fails now rather than after the print
   PrinterSetup setup(options.printer, near_first_targets(*commands));
   devices::FileHost host(*commands, setup.printer().serial_line(), setup.simulation().rate());
   setup.simulation().attach(host, {});

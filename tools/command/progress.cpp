@@ -27,13 +27,14 @@ void Progress::show(const ProgressFacts& facts) {
   const double seconds = std::chrono::duration<double>(now - shown_at_).count();
   const double clocks_per_second =
       static_cast<double>(facts.clocks - shown_clocks_) / std::max(seconds, 1e-9);
-  const double percent = facts.total == 0 ? 0.0
-                                          : 100.0 * static_cast<double>(facts.done) /
-                                                static_cast<double>(facts.total);
+  const double percent =
+      facts.total == 0 ? 0.0
+                       : 100.0 * static_cast<double>(facts.done) / static_cast<double>(facts.total);
   const std::string line = fmt::format(
-      "{:5.1f} %  {:7.1f} s  X{:7.2f} Y{:7.2f} Z{:6.2f}  hotend {:5.1f} °C  bed {:5.1f} °C  {:5.2f} M clocks/s",
-      percent, facts.simulated_seconds, facts.x_mm, facts.y_mm, facts.z_mm, facts.hotend_c, facts.bed_c,
-      clocks_per_second * 1e-6);
+      "{:5.1f} %  {:7.1f} s  X{:7.2f} Y{:7.2f} Z{:6.2f}  hotend {:5.1f} °C  bed {:5.1f} °C  "
+      "{:5.2f} M clocks/s",
+      percent, facts.simulated_seconds, facts.x_mm, facts.y_mm, facts.z_mm, facts.hotend_c,
+      facts.bed_c, clocks_per_second * 1e-6);
   if (terminal_) {
     fmt::print(stderr, "\r{}\x1b[K", line);
     line_open_ = true;

@@ -28,7 +28,8 @@ class PrintedBytes : public devices::ByteListener {
   void byte_received(sim::Clock, std::uint8_t byte) override { std::putchar(byte); }
 };
 
-// A program may begin elsewhere than where the chip starts: then a jump is put there, if there is room.
+// A program may begin elsewhere than where the chip starts: then a jump is put there, if there is
+// room.
 void make_start(const sim::ElfImage& image, sim::Chip& chip) {
   if (image.entry == reset_address) {
     return;
@@ -45,7 +46,7 @@ void make_start(const sim::ElfImage& image, sim::Chip& chip) {
   }
   const std::uint32_t upper = (image.entry + 0x800) & 0xffff'f000;
   const std::uint32_t lower = (image.entry - upper) & 0xfff;
-  chip.write_memory(reset_address, upper | 0x2b7);             // lui t0, upper
+  chip.write_memory(reset_address, upper | 0x2b7);  // lui t0, upper
   chip.write_memory(reset_address + 4, lower << 20 | 0x28067);  // jalr zero, lower(t0)
 }
 

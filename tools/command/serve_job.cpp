@@ -41,14 +41,14 @@ int serve(const ServeOptions& options) {
   while (!interrupt_requested()) {
     simulation.run_until(simulation.now() + chunk);
     if (options.real_time) {
-      std::this_thread::sleep_until(
-          started + std::chrono::duration_cast<Time::duration>(
-                        std::chrono::duration<double>(simulation.seconds())));
+      std::this_thread::sleep_until(started +
+                                    std::chrono::duration_cast<Time::duration>(
+                                        std::chrono::duration<double>(simulation.seconds())));
     }
   }
   const double wall = std::chrono::duration<double>(Time::now() - started).count();
-  fmt::print("\n{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s\n", simulation.seconds(),
-             wall, static_cast<double>(simulation.now()) / wall * 1e-6);
+  fmt::print("\n{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s\n",
+             simulation.seconds(), wall, static_cast<double>(simulation.now()) / wall * 1e-6);
   return success;
 }
 
