@@ -81,7 +81,17 @@ void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
   framed_seen_ = true;
   last_framed_ = now_;
   rescues_left_ = rescues;
-  const Judgement judgement = numbering_.judge(line, now_);
+  handle_judgement(line, emergency, numbering_.judge(line, now_));
+}
+
+void HostLink::handle_framed_unfinished(const ReceivedLine& line) {
+  framed_seen_ = true;
+  last_framed_ = now_;
+  rescues_left_ = rescues;
+  handle_judgement(line, false, numbering_.judge_broken(line, LineError::unfinished, now_));
+}
+
+void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement) {
   switch (judgement.verdict) {
     case Verdict::accept:
       if (line.too_long) {

@@ -81,6 +81,8 @@ class HostLink {
   void handle(const ReceivedLine& line);
   void handle_plain(const ReceivedLine& line, bool emergency);
   void handle_framed(const ReceivedLine& line, bool emergency);
+  void handle_framed_unfinished(const ReceivedLine& line);
+  void handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement);
   void accept(const ReceivedLine& line, bool emergency);
   bool in_numbered_session() const;
 

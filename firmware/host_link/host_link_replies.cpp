@@ -142,13 +142,11 @@ void HostLink::end_unfinished_line() {
   if (!receiver_.unfinished()) return;
   const units::Milliseconds silence = now_ - last_heard_;
   if (receiver_.unfinished_is_framed()) {
-    if (silence < framed_line_time_out) return;
-    receiver_.discard();
-    if (numbering_.within_patience(now_)) return numbering_.ignored();
-    return request_resend(LineError::unfinished);
+    if (silence >= framed_line_time_out) handle_framed_unfinished(receiver_.give_up());
+    return;
   }
   if (rescues_left_ == 0 || silence < plain_line_time_out) return;
-  receiver_.discard();
+  receiver_.give_up();
   notify(Notice::unfinished);
 }
 

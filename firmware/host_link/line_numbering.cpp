@@ -86,12 +86,20 @@ Judgement LineNumbering::refuse_or_ignore(units::Milliseconds now) const {
 
 Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
                                       units::Milliseconds now) {
+  if (begins_numbering(line, now)) lost_start_ = 0;
   if (within_patience(now) && line.number != asked_for()) return {Verdict::ignore};
   refused_number_ = line.number;
-  // A spoilt M110 must be asked for by its own number: the old numbering means nothing to this
-  // host, or, worse, another line of its new job. No host knows a negative number in a Resend.
-  if (line.number && sets_numbering(line.text)) lost_start_ = std::max<std::int32_t>(*line.number, 0);
   return {Verdict::refuse, error};
+}
+
+// A spoilt first line or M110 must be asked for as line 0: the number that the old numbering wants
+// means nothing to this host, or, worse, another line of its new job.
+bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Milliseconds now) const {
+  if (!line.number) return false;
+  const std::int32_t number = *line.number;
+  if (!established_ && number <= 0) return true;
+  if (!sets_numbering(line.text)) return false;
+  return !established_ || (number >= -1 && number <= 1 && !may_be_sent_back(now));
 }
 
 Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) {
@@ -111,10 +119,13 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
 }
 
 // A Resend whose number was spoilt on its way can send a host back to the M110 that opened its job.
+bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
+  return awaiting_resend_ && !lost_start_ && history_size_ != 0 && now - asked_ < restart_pause;
+}
+
 Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
-  const bool sent_back = awaiting_resend_ && !lost_start_ && history_size_ != 0 &&
-                         *line.number >= 0 && now - asked_ < restart_pause;
-  if (sent_back) return refuse_or_ignore(now);
+  // printcore's N-1 is sent once and never again.
+  if (*line.number >= 0 && may_be_sent_back(now)) return refuse_or_ignore(now);
   return {Verdict::accept};
 }
 

@@ -51,6 +51,8 @@ class LineNumbering {
 
   // Of a line with number or checksum. Takes nothing, but remembers what it refuses.
   Judgement judge(const ReceivedLine& line, units::Milliseconds now);
+  // Of one that is known to be broken.
+  Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now);
   // The line judged `accept` is really taken.
   void accepted(const ReceivedLine& line, units::Milliseconds now);
   // M110 N<last> without number and checksum.
@@ -71,7 +73,7 @@ class LineNumbering {
   bool must_ask_again(units::Milliseconds now) const;
 
   // So often the lost beginning of a numbering is asked for; then the host is taken not to have it.
-  static constexpr std::uint8_t lost_start_requests = 3;
+  static constexpr std::uint8_t lost_start_requests = 6;
 
  private:
   struct Taken {
@@ -81,13 +83,14 @@ class LineNumbering {
   };
   static constexpr std::size_t history_length = 16;
 
-  Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now);
   Judgement judge_number(const ReceivedLine& line, units::Milliseconds now);
   bool taken_before(std::int32_t number, std::uint32_t fingerprint) const;
   bool opened_with(std::int32_t number, std::uint32_t fingerprint) const;
   Judgement judge_restart(const ReceivedLine& line, units::Milliseconds now) const;
   Judgement judge_first_number(const ReceivedLine& line, units::Milliseconds now) const;
   Judgement refuse_or_ignore(units::Milliseconds now) const;
+  bool begins_numbering(const ReceivedLine& line, units::Milliseconds now) const;
+  bool may_be_sent_back(units::Milliseconds now) const;
   bool start_may_be_lost(const ReceivedLine& line) const;
   bool asked_recently(units::Milliseconds now) const;
   void forget();

@@ -34,8 +34,12 @@ std::optional<ReceivedLine> LineReceiver::put(char byte) {
     put_into_line(byte);
     return std::nullopt;
   }
-  const ReceivedLine line = finish();
-  discard();
+  return give_up();
+}
+
+ReceivedLine LineReceiver::give_up() {
+  const ReceivedLine line = read();
+  clear();
   return line;
 }
 
@@ -61,7 +65,7 @@ void LineReceiver::put_into_line(char byte) {
   if (length_ < std::numeric_limits<std::uint32_t>::max()) ++length_;
 }
 
-ReceivedLine LineReceiver::finish() const {
+ReceivedLine LineReceiver::read() const {
   ReceivedLine line;
   line.too_long = length_ > max_line_length;
   line.unprintable = unprintable_;
@@ -89,7 +93,7 @@ bool LineReceiver::unfinished_is_framed() const {
   return star_seen_ || (length_ > 0 && buffer_[0] == 'N');
 }
 
-void LineReceiver::discard() {
+void LineReceiver::clear() {
   length_ = 0;
   exclusive_or_ = 0;
   star_seen_ = false;

@@ -35,13 +35,15 @@ class LineReceiver {
   void spoil() { spoilt_ = true; }
 
   bool unfinished() const { return length_ != 0; }
-  // Whether the unfinished line has a number or a checksum.
+  // The line in progress as far as it has come, which is then forgotten.
+  ReceivedLine give_up();
+  // Whether it has a number or a checksum.
   bool unfinished_is_framed() const;
-  void discard();
 
  private:
   void put_into_line(char byte);
-  ReceivedLine finish() const;
+  ReceivedLine read() const;
+  void clear();
 
   std::array<char, max_line_length> buffer_{};
   std::uint32_t length_{};  // counts on beyond the buffer
