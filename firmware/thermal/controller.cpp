@@ -54,8 +54,8 @@ Duty Controller::update(units::Millicelsius target, units::Millicelsius measured
   const std::int64_t derivative = gains_.duty_per_celsius_per_second * slope_per_s / milli;
   const std::int64_t demand = feed_forward + proportional - derivative + integral_ / integral_scale;
 
-  // The integral learns from the error that is left after the one for which the slope already provides:
-  // nothing while the temperature comes in as planned, so that it does not overshoot.
+  // The integral learns from the error that is left after the one for which the slope already
+  // provides: nothing while the temperature comes in as planned, so that it does not overshoot.
   const std::int64_t unexplained =
       error - gains_.duty_per_celsius_per_second * slope_per_s / gains_.duty_per_celsius;
   // And an output at its end learns only what leads it back.
@@ -63,8 +63,8 @@ Duty Controller::update(units::Millicelsius target, units::Millicelsius measured
   if (error > integral_band_millicelsius || error < -integral_band_millicelsius) {
     integral_ = 0;
   } else if (may_grow) {
-    integral_ +=
-        gains_.duty_per_celsius_second * unexplained * elapsed.count() * integral_scale / (milli * milli);
+    integral_ += gains_.duty_per_celsius_second * unexplained * elapsed.count() * integral_scale /
+                 (milli * milli);
   }
   return static_cast<Duty>(std::clamp<std::int64_t>(demand, 0, full_duty));
 }

@@ -13,7 +13,7 @@ using Duty = std::uint16_t;
 inline constexpr Duty full_duty = 65'535;
 
 struct ControllerGains {
-  std::int32_t duty_per_celsius{};  // of error
+  std::int32_t duty_per_celsius{};  // of error; above 0
   std::int32_t duty_per_celsius_second{};  // of error's integral
   std::int32_t duty_per_celsius_per_second{};  // against the temperature's slope
   std::int32_t feed_forward_duty_per_celsius{};  // of the target above the surroundings

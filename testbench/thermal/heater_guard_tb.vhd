@@ -167,6 +167,14 @@ begin
       report to_string(clocks_open - open_before) severity error;
     heat_fully;
 
+    -- The limits themselves are within.
+    convert(1_000);
+    wait_clocks(3);
+    heats_at_its_hottest : assert gate = '1' report "closed at a limit" severity error;
+    convert(50_000);
+    wait_clocks(3);
+    heats_at_its_coldest : assert gate = '1' report "closed at a limit" severity error;
+
     expected := heater_trips_none;
     expected.watchdog := '1';
     watchdog_alive <= '0';

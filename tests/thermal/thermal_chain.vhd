@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Temperature converter and heater control as the chip wires them, on one bus, for the test of the whole chain.
+-- Temperature converter and heater control wired as in the chip, on one bus, to test the whole chain.
 
 library ieee;
 use ieee.std_logic_1164.all;
