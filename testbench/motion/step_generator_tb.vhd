@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The step generator on the bus: settings, a segment, its pulses, errors and interrupts as software sees them.
+-- The step generator on the bus: settings, a segment, its pulses, errors and interrupts.
 
 library ieee;
 use ieee.std_logic_1164.all;

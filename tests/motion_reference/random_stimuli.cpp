@@ -26,12 +26,14 @@ class Player {
   }
 
   RandomRun play() {
-    while (segments_left_ > 0 || !writes_.empty() || !run_.reference.idle()) {
+    // The last write takes effect a clock later, and the last pulse has a width.
+    constexpr int rest_clocks = 300;
+    for (int rest = 0; rest < rest_clocks; ++rest) {
+      if (segments_left_ > 0 || !writes_.empty() || !run_.reference.idle()) rest = 0;
       if (run_.reference.now() >= next_inputs_) change_inputs();
       if (run_.reference.now() >= next_write_) use_the_bus();
       clock();
     }
-    for (int i = 0; i < 300; ++i) clock();
     run_.clocks = run_.reference.now();
     return std::move(run_);
   }
