@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# `run` tells how a program ended by its exit status. Usage: run_programs.sh STEPFABRIC
+set -euo pipefail
+stepfabric=$1
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+compile() {
+  riscv64-unknown-elf-gcc -march=rv32im_zicsr -mabi=ilp32 -O1 -nostdlib -nostartfiles \
+    -Wl,--no-warn-rwx-segments -T "$here/programs.ld" "$@" -o "$work/program.elf"
+}
+
+expect() {
+  local wanted=$1 status=0
+  shift
+  "$stepfabric" "$@" > "$work/output" 2>&1 || status=$?
+  if [ "$status" != "$wanted" ]; then
+    echo "exit status $status instead of $wanted of: stepfabric $*"
+    cat "$work/output"
+    failures=$((failures + 1))
+  fi
+}
+
+expect_text() {
+  grep -q "$1" "$work/output" || { echo "\"$1\" is not in:"; cat "$work/output"; failures=$((failures + 1)); }
+}
+
+program() { compile -DEXIT_VALUE="$1" "$here/programs.S" "$here/programs.c"; }
+
+program 1
+expect 0 run "$work/program.elf"
+expect_text '^cycles [1-9]'
+expect_text '^instructions [1-9]'
+program 7
+expect 3 run "$work/program.elf"
+program 0
+expect 124 run "$work/program.elf" --max-cycles 20000
+expect_text 'within 20000 cycles'
+
+expect 2 run "$work/missing.elf"
+expect_text 'No such file'
+echo 'G28' > "$work/text.elf"
+expect 2 run "$work/text.elf"
+expect_text 'is not an ELF file'
+expect 2 run /bin/true
+expect_text 'not a program for 32-bit RISC-V'
+expect 2 run "$work/program.elf" --max-cycles none
+compile -Wl,--defsym=stack_top=0x80010000 -x assembler - <<< '.globl _start
+_start: j _start'
+expect 2 run "$work/program.elf"
+expect_text 'no symbol `tohost`'
+
+# What cannot be printed is told before anything moves, and the report says it too.
+printf 'G28\n\0\n' > "$work/binary.gcode"
+: > "$work/empty.gcode"
+for case in 'missing does not exist' 'binary is not a G-code file' 'empty holds no G-code command'; do
+  expect 2 print "$work/${case%% *}.gcode" --report "$work/report"
+  expect_text "${case#* }"
+  grep -q '"result": "faulted"' "$work/report/report.json" || { echo "no report of: $case"; failures=1; }
+done
+for job in bench prove synth; do
+  expect 1 "$job"
+  expect_text 'not part of this version'
+done
+[ "$failures" = 0 ]
