@@ -106,6 +106,8 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   const std::int32_t number = *line.number;
   if (sets_numbering(line.text)) return judge_restart(line, now);
   if (start_may_be_lost(line)) {
+    // In the midst of a job it is rather a host that was sent back, or a fault that the XOR missed.
+    if (established_ && now - last_taken_ < restart_pause) return refuse_or_ignore(now);
     const bool asked_for_it = asked_for() == 0;
     lost_start_ = 0;
     if (asked_for_it) return refuse_or_ignore(now);
