@@ -81,7 +81,10 @@ Box box_of(const std::vector<ToolPoint>& points) {
   box.x_high += margin_mm;
   box.y_low -= margin_mm;
   box.y_high += margin_mm;
-  box.z_high = std::max(box.z_high, box.z_low + 0.1);
+  // Also against the rounding of the data's text, which would clip the lowest layer.
+  constexpr double height_margin_mm = 0.05;
+  box.z_low -= height_margin_mm;
+  box.z_high += height_margin_mm;
   return box;
 }
 
@@ -97,7 +100,7 @@ std::string path_script(const Courses& courses, bool in_space) {
   add(script,
       "set xlabel 'X (mm)' textcolor rgb '#4a525c'\nset ylabel 'Y (mm)' textcolor rgb '#4a525c'\n");
   if (in_space) {
-    add(script, "set view 58,30,1.25\nset view equal xyz\nset xyplane at {}\nset zrange [{}:{}]\n",
+    add(script, "set view 58,30,1.55\nset view equal xyz\nset xyplane at {}\nset zrange [{}:{}]\n",
         box.z_low, box.z_low, box.z_high);
     add(script,
         "unset ztics\nset border 15\nunset colorbox\n"
