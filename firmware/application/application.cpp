@@ -72,7 +72,7 @@ bool Application::update() {
     heat_.update(now);
     look_for_faults();
     report(now);
-    switch_off_idle_motors(now);
+    if (!halted_) switch_off_idle_motors(now);
   }
   transmit();
   count(now);
@@ -147,12 +147,14 @@ void Application::report(Now now) {
 }
 
 void Application::switch_off_idle_motors(Now now) {
-  if (halted_) return;
-  if (!motion_.at_rest()) at_rest_since_ = now.milliseconds;
   const units::Milliseconds timeout = executor_.motor_timeout();
-  if (timeout.count() != 0 && now.milliseconds - at_rest_since_ == timeout) {
-    motion_.enable_motors(units::AxisSet::all(), false);
+  if (timeout.count() == 0 || !motion_.at_rest()) {
+    at_rest_since_ = now.milliseconds;
+    return;
   }
+  if (now.milliseconds - at_rest_since_ < timeout) return;
+  motion_.enable_motors(units::AxisSet::all(), false);
+  at_rest_since_ = now.milliseconds;
 }
 
 void Application::count(Now now) {

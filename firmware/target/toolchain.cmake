@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The compiler for the chip's processor: RV32IM without operating system, picolibc for what C++ needs.
+# The compiler for the chip: RV32IM without operating system, picolibc for what C++ needs.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR riscv32)
 set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)

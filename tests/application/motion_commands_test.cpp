@@ -219,5 +219,16 @@ TEST(motion_commands, m84_switches_the_motors_off_when_the_motion_has_ended) {
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
+TEST(motion_commands, motors_at_rest_are_switched_off_after_the_time_of_m84_s) {
+  Printer printer;
+  prepare(printer);
+  printer.run(5);
+  printer.talk("-> M84 S2\n<- ok");
+  printer.run(1.8);
+  EXPECT_NE(printer.chip.motors, 0u);
+  printer.run(0.4);
+  EXPECT_EQ(printer.chip.motors, 0u);
+}
+
 }  // namespace
 }  // namespace application_test
