@@ -141,8 +141,7 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
     fail(fmt::format("the chip restarted during {}", place()));
   } else if (text.starts_with("echo:") && in_flight_) {
     refused_ =
-        refused_ || contains_any(text, {"unknown", "refused", "cold extrusion", "out of", "ignored",
-                                        "too long", "overflow", "invalid", "malformed", "bad "});
+        refused_ || contains_any(text, {"unknown command", "not executed", "invalid extruder"});
   }
 }
 

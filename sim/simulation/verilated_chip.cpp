@@ -55,8 +55,11 @@ void VerilatedChip::hold_reset() {
 
 void VerilatedChip::clock() {
   model_->clk = 1;
+  // Edges that change nothing need not be evaluated: most of a print the processor sleeps.
+  model_->processor_clk = !model_->processor_at_rest;
   model_->eval();
   model_->clk = 0;
+  model_->processor_clk = 0;
   model_->eval();
 }
 

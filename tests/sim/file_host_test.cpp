@@ -125,6 +125,18 @@ TEST_F(FileHostTest, goes_on_after_an_unknown_command_and_counts_it_as_refused) 
   EXPECT_EQ(acknowledged[2], std::pair(std::size_t{2}, false));
 }
 
+TEST_F(FileHostTest, takes_other_remarks_for_no_refusal) {
+  print("G28\nG1 E5\n", {"ok\n", "ok\n", "echo: cold extrusion prevented\nok\n"});
+  EXPECT_EQ(host->counts().commands_executed, 2U);
+  EXPECT_EQ(host->counts().commands_refused, 0U);
+}
+
+TEST_F(FileHostTest, counts_what_the_chip_says_it_did_not_execute) {
+  print("G28\nG1 X900\n",
+        {"ok\n", "ok\n", "echo:Move beyond the end of X, not executed: \"G1 X900\"\nok\n"});
+  EXPECT_EQ(host->counts().commands_refused, 1U);
+}
+
 TEST_F(FileHostTest, ends_at_a_fatal_error_and_names_the_line) {
   print("G28\nM109 S200\nG1 X1\n",
         {"ok\n", "ok\n", "Error:Thermal Runaway\nError:Printer halted. kill() called!\n"});
