@@ -31,6 +31,9 @@ entity printer_controller is
   port (
     -- The one clock, 4 to 100 MHz.
     clk : in std_ulogic;
+    -- The same clock for processor, memory and bus. A model may leave out its edges while
+    -- `processor_at_rest` is high, since they change nothing; on a board it is `clk`.
+    processor_clk : in std_ulogic;
     -- Its frequency: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
     -- Synchronous.
@@ -57,6 +60,7 @@ entity printer_controller is
     fault : out std_ulogic;
     -- The processor waits for an interrupt; it has completed an instruction.
     sleeping : out std_ulogic;
+    processor_at_rest : out std_ulogic;
     retired : out std_ulogic
   );
 end entity;
@@ -126,7 +130,8 @@ begin
       memory_size_bytes => memory_size_bytes
     )
     port map (
-      clk => clk,
+      clk => processor_clk,
+      always_clk => clk,
       reset => reset_registered,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
@@ -138,6 +143,7 @@ begin
       external_interrupt => '0',
       interrupts => interrupts,
       sleeping => sleeping,
+      at_rest => processor_at_rest,
       retired => retired,
       retirement => open
     );
@@ -147,7 +153,7 @@ begin
       size_bytes => memory_size_bytes
     )
     port map (
-      clk => clk,
+      clk => processor_clk,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
       data_request => memory_request,
@@ -159,7 +165,7 @@ begin
       base_addresses => base_addresses
     )
     port map (
-      clk => clk,
+      clk => processor_clk,
       reset => reset_registered,
       request => bus_request,
       response => bus_response,

@@ -10,6 +10,8 @@ use work.processor_pkg.all;
 entity control_status_registers is
   port (
     clk : in std_ulogic;
+    -- The same clock, never left out.
+    always_clk : in std_ulogic;
     reset : in std_ulogic;
     -- A CSR instruction; the response comes in the same clock.
     request : in csr_request_t;
@@ -22,6 +24,8 @@ entity control_status_registers is
     timer_interrupt : in std_ulogic;
     external_interrupt : in std_ulogic;
     interrupts : in std_ulogic_vector(15 downto 0);
+    -- An interrupt that mie lets through is there now.
+    interrupt_requested : out std_ulogic;
     -- An interrupt that mie lets through was there in the clock before: wfi ends.
     awake : out std_ulogic;
     -- ... and mstatus lets it through too.
@@ -169,9 +173,10 @@ begin
   return_address <= exception_address & "00";
 
   cycle_event <= not cycle_stopped;
+  -- Counts while the rest of the processor is at rest, too.
   cycle_counter : entity work.event_counter
     port map (
-      clk => clk,
+      clk => always_clk,
       reset => reset,
       happens => cycle_event,
       write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
@@ -198,5 +203,6 @@ begin
       pending => awake,
       cause => interrupt_cause);
   interrupt_pending <= awake and interrupt_enable;
+  interrupt_requested <= or (requested_interrupts and enabled_interrupts);
 
 end architecture;

@@ -19,6 +19,8 @@ entity processor is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for what never rests. Edges of `clk` may be left out while `at_rest` is high.
+    always_clk : in std_ulogic;
     reset : in std_ulogic;
     -- The memory's port for instructions.
     instruction_request : out instruction_request_t;
@@ -35,6 +37,8 @@ entity processor is
     interrupts : in std_ulogic_vector(15 downto 0);
     -- The processor waits in wfi.
     sleeping : out std_ulogic;
+    -- The next edge of `clk` changes nothing: asleep, all pipeline stages empty, no interrupt to wake it.
+    at_rest : out std_ulogic;
     -- An instruction was completed.
     retired : out std_ulogic;
     -- What was completed, for tests; leave it open and it costs nothing.
@@ -72,6 +76,9 @@ architecture rtl of processor is
   signal data_enable, data_misaligned, data_in_memory, data_done, data_error : std_ulogic;
   signal bus_active : std_ulogic;
   signal csr_operand : word_t;
+  signal asleep, interrupt_requested : std_ulogic;
+  -- Clocks asleep so far; the stages behind are empty when all are set.
+  signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
   signal csr_request : csr_request_t;
   signal csr_response : csr_response_t;
   signal trap : trap_t;
@@ -254,6 +261,7 @@ begin
   control_status_registers : entity work.control_status_registers
     port map (
       clk => clk,
+      always_clk => always_clk,
       reset => reset,
       request => csr_request,
       response => csr_response,
@@ -263,6 +271,7 @@ begin
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
+      interrupt_requested => interrupt_requested,
       awake => awake,
       interrupt_pending => interrupt_pending,
       interrupt_cause => interrupt_cause,
@@ -330,7 +339,19 @@ begin
                    loaded when writing.load else
                    writing_result;
 
-  sleeping <= executing.valid and executing.wait_for_interrupt and not awake;
+  asleep <= executing.valid and executing.wait_for_interrupt and not awake;
+  sleeping <= asleep;
+  at_rest <= asleep and (and asleep_before) and not interrupt_requested;
+
+  watch_sleep : process
+  begin
+    wait until rising_edge(always_clk);
+    asleep_before <= asleep_before(2 downto 0) & '1' when asleep = '1' else (others => '0');
+    if reset then
+      asleep_before <= (others => '0');
+    end if;
+  end process;
+
   retired <= writing.valid;
   retirement <= (
     valid => writing.valid,

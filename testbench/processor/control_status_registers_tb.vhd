@@ -33,6 +33,7 @@ begin
   uut : entity work.control_status_registers
     port map (
       clk => clk,
+      always_clk => clk,
       reset => reset,
       request => request,
       response => response,

@@ -70,6 +70,7 @@ begin
     generic map (memory_size_bytes => 1024)
     port map (
       clk => clk,
+      always_clk => clk,
       reset => reset,
       instruction_request => instruction_request,
       instruction_data => instruction_data,

@@ -39,6 +39,7 @@ begin
     generic map (memory_size_bytes => memory_size_bytes)
     port map (
       clk => clk,
+      always_clk => clk,
       reset => reset,
       instruction_request => instruction_request,
       instruction_data => instruction_word,
