@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real prints on the whole chip: every point is reached to the step, no pulse is illegal, at any clock.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/scenarios/job.hpp"
+
+namespace {
+
+using scenarios::Print;
+using scenarios::print_file;
+using scenarios::print_text;
+
+const std::string washer = PROJECT_DIRECTORY "/examples/washer.gcode";
+
+std::string first_lines(const std::string& file, int count) {
+  std::ifstream stream(file);
+  std::string text, line;
+  while (count-- > 0 && std::getline(stream, line)) text += line + "\n";
+  return text;
+}
+
+void expect_clean(const Print& print) {
+  ASSERT_EQ(print.job.status, 0) << print.job.output;
+  EXPECT_EQ(print.report["result"], "completed");
+  for (const char* axis : {"x", "y", "z", "e"}) {
+    EXPECT_EQ(print.report["axes"][axis]["illegal_pulses"], 0) << axis;
+  }
+  EXPECT_EQ(print.report["queue"]["underruns"], 0);
+  EXPECT_EQ(print.report["path"]["points_missed"], 0);
+  EXPECT_LE(print.report["path"]["max_deviation_mm"].get<double>(), 1.0 / 80);
+  EXPECT_LT(print.report["hotend"]["max_c"].get<double>(),
+            print.report["hotend"]["target_c"].get<double>() + 5.0);
+}
+
+// The judge that shares nothing with firmware and simulation.
+void expect_edges_as_asked(const std::string& gcode, const Print& print, int clock_hz) {
+  const std::string step_us = std::to_string(2 * (clock_hz / 1'000'000));
+  const std::string command = std::string(BUILD_DIRECTORY) + "/bin/check_edges '" + gcode + "' '" +
+                              print.edges.string() + "' --shortest-interval " + step_us;
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+std::string totals(const Print& print) {
+  std::string text;
+  for (const char* axis : {"x", "y", "z", "e"}) {
+    const auto& numbers = print.report["axes"][axis];
+    text += std::to_string(numbers["steps_forward"].get<long>()) + "/" +
+            std::to_string(numbers["steps_backward"].get<long>()) + " ";
+  }
+  return text;
+}
+
+TEST(print, the_first_lines_of_the_washer_are_made_to_the_step) {
+  const std::string gcode = first_lines(washer, 110);
+  const Print print = print_text(gcode, {"--warm"});
+  expect_clean(print);
+  expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), print, 4'000'000);
+  EXPECT_GT(print.report["hotend"]["target_c"].get<double>(), 200.0);
+}
+
+TEST(print, the_same_steps_are_made_at_every_clock) {
+  const std::string gcode =
+      "G28 X Y\nG1 X30 Y10 F9000\nG1 X32.5 Y17.3\nG1 X31 Y22\nG1 X5 Y5 F12000\nG1 X5.02\n";
+  std::string reference;
+  for (const int clock_hz : {4'000'000, 8'000'000, 50'000'000}) {
+    const Print print = print_text(gcode, {"--clock-hz", std::to_string(clock_hz)});
+    expect_clean(print);
+    expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), print, clock_hz);
+    if (reference.empty()) reference = totals(print);
+    EXPECT_EQ(totals(print), reference) << clock_hz;
+  }
+}
+
+TEST(whole_print, the_washer_is_printed_to_the_step) {
+  const Print print = print_file(washer, {"--warm"});
+  expect_clean(print);
+  expect_edges_as_asked(washer, print, 4'000'000);
+  EXPECT_LT(print.report["hotend"]["band_c"].get<double>(), 2.0);
+}
+
+}  // namespace
