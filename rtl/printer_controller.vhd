@@ -183,6 +183,7 @@ begin
     )
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       clock_frequency_hz => clock_frequency,
       reset => reset_registered,
       request => requests(identity_slave),
@@ -192,6 +193,7 @@ begin
   serial_line : entity work.uart
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(uart_slave),
       response => responses(uart_slave),
@@ -204,6 +206,7 @@ begin
   machine_timer : entity work.timer
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(timer_slave),
       response => responses(timer_slave),
@@ -213,6 +216,7 @@ begin
   end_stop_inputs : entity work.end_stops
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(end_stops_slave),
       response => responses(end_stops_slave),
@@ -256,6 +260,7 @@ begin
     )
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(temperature_converter_slave),
       response => responses(temperature_converter_slave),
@@ -272,6 +277,7 @@ begin
     )
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       clock_frequency_hz => clock_frequency,
       reset => reset_registered,
       request => requests(heater_control_slave),
@@ -285,6 +291,7 @@ begin
   cooling_fan : entity work.fan
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(fan_slave),
       response => responses(fan_slave),

@@ -12,6 +12,8 @@ use work.end_stops_registers_pkg.all;
 entity end_stops is
   port (
     clk : in std_ulogic;
+    -- The same clock for the registers; edges may be left out while no access is made.
+    bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
@@ -34,7 +36,7 @@ begin
 
   registers : entity work.end_stops_registers
     port map (
-      clk => clk,
+      clk => bus_clk,
       reset => reset,
       request => request,
       response => response,

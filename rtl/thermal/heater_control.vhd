@@ -21,6 +21,8 @@ entity heater_control is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for the registers; edges may be left out while no access is made.
+    bus_clk : in std_ulogic;
     -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
     reset : in std_ulogic;
@@ -222,7 +224,7 @@ begin
 
   registers : entity work.heater_control_registers
     port map (
-      clk => clk,
+      clk => bus_clk,
       reset => reset,
       request => request,
       response => response,

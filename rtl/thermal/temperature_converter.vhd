@@ -17,6 +17,8 @@ entity temperature_converter is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for the registers; edges may be left out while no access is made.
+    bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
@@ -133,7 +135,7 @@ begin
 
   registers : entity work.temperature_converter_registers
     port map (
-      clk => clk,
+      clk => bus_clk,
       reset => reset,
       request => request,
       response => response,

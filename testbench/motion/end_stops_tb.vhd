@@ -35,7 +35,8 @@ begin
 
   end_stops : entity work.end_stops
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response,
       switches => switches, triggered => triggered);
 
   check : process

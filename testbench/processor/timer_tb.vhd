@@ -36,7 +36,8 @@ begin
 
   timer : entity work.timer
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response,
       timer_interrupt => timer_interrupt);
 
   count : process

@@ -51,7 +51,8 @@ begin
   uart : entity work.uart
     generic map (receive_depth => receive_depth, transmit_depth => transmit_depth)
     port map (
-      clk => clk, reset => reset, request => request, response => response, receive => receive,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response, receive => receive,
       transmit => transmit, receive_interrupt => receive_interrupt,
       transmit_interrupt => transmit_interrupt);
 

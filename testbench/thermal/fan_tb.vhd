@@ -33,7 +33,8 @@ begin
 
   fan : entity work.fan
     port map (
-      clk => clk, reset => reset, request => request, response => response, output => output);
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response, output => output);
 
   watch : process
     variable before : std_ulogic := '0';

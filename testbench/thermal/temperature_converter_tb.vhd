@@ -43,7 +43,8 @@ begin
 
   converter : entity work.temperature_converter
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response,
       drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
       sense => sense, readings => readings);
 

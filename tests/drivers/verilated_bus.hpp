@@ -31,7 +31,7 @@ class ClockedPeripheral {
   virtual void write(std::uint32_t address, std::uint32_t value) = 0;
 };
 
-// A Verilated entity with the ports clk, reset, request and response:
+// A Verilated entity with the ports clk, perhaps bus_clk, reset, request and response:
 //   tests::VerilatedPeripheral<Vuart> uart(registers::uart::base);
 //   uart->receive_pin = 1;  uart.clock(100);
 // Time passes in `clock` and in every access (2 clocks each, as on the chip's bus).
@@ -58,11 +58,11 @@ class VerilatedPeripheral : public ClockedPeripheral {
 
   void clock(std::uint64_t count = 1) {
     for (; count > 0; --count) {
-      model_->clk = 1;
+      set_clocks(1);
       model_->eval();
       ++now_;
       if (after_clock) after_clock();
-      model_->clk = 0;
+      set_clocks(0);
       model_->eval();
     }
   }
@@ -71,6 +71,12 @@ class VerilatedPeripheral : public ClockedPeripheral {
   void write(std::uint32_t address, std::uint32_t value) override { access(address, true, value); }
 
  private:
+  // A peripheral has a clock for its registers too; here they always run together.
+  void set_clocks(unsigned char level) {
+    model_->clk = level;
+    if constexpr (requires { model_->bus_clk; }) model_->bus_clk = level;
+  }
+
   std::uint32_t access(std::uint32_t address, bool write, std::uint32_t value) {
     constexpr int patience_clocks = 16;
     model_->request_strobe = 1;
