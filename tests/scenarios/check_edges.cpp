@@ -129,6 +129,7 @@ class Walk {
         if (position_[axis] < low || position_[axis] > high) return fail(move, "leaves the line");
       }
       const double distance = distance_xy(position_, from, move);
+      if (trying_ && distance > 2) return false;  // still homing
       if (distance > worst_distance_) {
         worst_distance_ = distance;
         worst_line_ = move.line;
@@ -159,9 +160,9 @@ class Walk {
     const auto position = position_;
     const auto next = next_;
     const auto distance = worst_distance_;
-    quiet_ = true;
+    trying_ = true;
     const bool good = follow(from, moves_[following]);
-    quiet_ = false;
+    trying_ = false;
     position_ = position;
     next_ = next;
     worst_distance_ = distance;
@@ -176,7 +177,7 @@ class Walk {
   }
 
   bool fail(const AskedMove& move, const char* what) {
-    if (!quiet_) {
+    if (!trying_) {
       fmt::print("line {}: {} at {},{},{},{}; asked for {},{},{},{}\n", move.line, what,
                  position_[0], position_[1], position_[2], position_[3], move.steps[0],
                  move.steps[1], move.steps[2], move.steps[3]);
@@ -188,7 +189,7 @@ class Walk {
   const std::vector<AskedMove>& moves_;
   Position position_{};
   std::size_t next_ = 0;
-  bool quiet_ = false;
+  bool trying_ = false;
   double worst_distance_ = 0;
   int worst_line_ = 0;
 };
