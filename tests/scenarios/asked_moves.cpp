@@ -35,19 +35,31 @@ Words words_of(std::string line) {
 
 class Interpreter {
  public:
-  explicit Interpreter(const std::array<double, axes>& steps_per_mm) : steps_per_mm_(steps_per_mm) {}
+  explicit Interpreter(const std::array<double, axes>& steps_per_mm)
+      : steps_per_mm_(steps_per_mm) {}
 
   void line(int number, const std::string& text) {
     const Words words = words_of(text);
     if (const auto g = words.find('G'); g != words.end() && g->second) {
       switch (static_cast<int>(*g->second)) {
         case 0:
-        case 1: move(number, words); break;
-        case 28: home(number, words); break;
-        case 90: relative_ = relative_e_ = false; break;
-        case 91: relative_ = relative_e_ = true; break;
-        case 92: set_position(words); break;
-        default: break;
+        case 1:
+          move(number, words);
+          break;
+        case 28:
+          home(number, words);
+          break;
+        case 90:
+          relative_ = relative_e_ = false;
+          break;
+        case 91:
+          relative_ = relative_e_ = true;
+          break;
+        case 92:
+          set_position(words);
+          break;
+        default:
+          break;
       }
     } else if (const auto m = words.find('M'); m != words.end() && m->second) {
       if (*m->second == 82) relative_e_ = false;
@@ -67,8 +79,7 @@ class Interpreter {
       const auto word = words.find(letters[axis]);
       if (word == words.end() || !word->second) continue;
       const bool relative = axis == 3 ? relative_e_ : relative_;
-      physical_[axis] =
-          units(*word->second) + (relative ? physical_[axis] : offset_[axis]);
+      physical_[axis] = units(*word->second) + (relative ? physical_[axis] : offset_[axis]);
     }
     add(number, false, {});
   }
@@ -76,7 +87,8 @@ class Interpreter {
   void home(int number, const Words& words) {
     std::array<bool, axes> homed{};
     bool some = false;
-    for (std::size_t axis = 0; axis < 3; ++axis) some |= homed[axis] = words.contains(letters[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      some |= homed[axis] = words.contains(letters[axis]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!some) homed[axis] = true;
       if (homed[axis]) physical_[axis] = offset_[axis] = 0;
@@ -93,7 +105,8 @@ class Interpreter {
   }
 
   void add(int number, bool homing, const std::array<bool, axes>& homed) {
-    AskedMove move{.line = number, .homing = homing, .homed = homed, .steps = {}, .exact_steps = {}};
+    AskedMove move{
+        .line = number, .homing = homing, .homed = homed, .steps = {}, .exact_steps = {}};
     for (std::size_t axis = 0; axis < axes; ++axis) {
       move.exact_steps[axis] = static_cast<double>(physical_[axis]) * unit_mm * steps_per_mm_[axis];
       // Half away from zero; the tiny slack keeps binary fractions from turning an exact half.
@@ -105,7 +118,7 @@ class Interpreter {
 
   std::array<double, axes> steps_per_mm_;
   std::array<std::int64_t, axes> physical_{};  // 10^-5 mm
-  std::array<std::int64_t, axes> offset_{};    // physical - logical
+  std::array<std::int64_t, axes> offset_{};  // physical - logical
   bool relative_ = false;
   bool relative_e_ = false;
   std::vector<AskedMove> moves_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a G-code file asks for, in steps: an interpreter of its own, written from the meaning of the codes
-// and sharing nothing with the firmware or the simulation.
+// What a G-code file asks for, in steps: an interpreter of its own, written from the meaning of the
+// codes and sharing nothing with the firmware or the simulation.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@ namespace scenarios {
 inline constexpr std::size_t axes = 4;  // x y z e
 
 struct AskedMove {
-  int line{};                             // in the file, from 1
-  bool homing{};                          // G28: ends with the homed axes at 0
-  std::array<bool, axes> homed{};         // which
+  int line{};  // in the file, from 1
+  bool homing{};  // G28: ends with the homed axes at 0
+  std::array<bool, axes> homed{};  // which
   std::array<std::int64_t, axes> steps{};  // position asked for at the end
   std::array<double, axes> exact_steps{};  // the same before rounding
 };
 
-// Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else asks for no motion). Positions are mechanical: they start
-// at 0 on every axis, E counts from its position at the start.
+// Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else asks for no motion). Positions are mechanical: they
+// start at 0 on every axis, E counts from its position at the start.
 std::vector<AskedMove> asked_moves(const std::filesystem::path& gcode,
                                    const std::array<double, axes>& steps_per_mm);
 

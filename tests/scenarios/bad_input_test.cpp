@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input that no printer should obey: a clear message, no motion and no heat from it, and the print goes on.
+// Input that no printer should obey: a clear message, no motion and no heat from it, and the print
+// goes on.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -32,7 +33,8 @@ TEST(bad_input, a_binary_file_is_refused_before_anything_moves) {
   EXPECT_EQ(print.report["result"], "faulted");
 }
 
-// Every kind of bad line between good ones, cold: the good ones are executed, the bad ones are named.
+// Every kind of bad line between good ones, cold: the good ones are executed, the bad ones are
+// named.
 TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_executed) {
   const std::string gcode =
       "G28 X Y\n"
@@ -43,7 +45,9 @@ TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_execute
       "G1 E10 F300\n"
       "G1 X99999999999999999999999\n"
       "G1 X1.2.3\n"
-      "G1 X" + std::string(10'000, '1') + "\n"
+      "G1 X" +
+      std::string(10'000, '1') +
+      "\n"
       "M104 S900\n"
       "G1 X20 Y15 F6000\n";
   const auto print = print_text(gcode);

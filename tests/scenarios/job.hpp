@@ -23,7 +23,7 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 
 struct Print {
   JobResult job;
-  nlohmann::json report;       // null where there is none
+  nlohmann::json report;  // null where there is none
   std::filesystem::path edges;
 
   // Whether the chip said something that contains this.

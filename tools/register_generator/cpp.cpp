@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the C++ header of a peripheral's registers: one struct per register with encode and decode.
+// Writes the C++ header of a peripheral's registers: one struct per register with encode and
+// decode.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -25,34 +26,37 @@ std::string pascal_case(const std::string& name) {
 
 std::string type_of(const Field& field) {
   switch (field.type) {
-    case FieldType::bit: return "bool";
-    case FieldType::signed_number: return "std::int32_t";
-    default: return "std::uint32_t";
+    case FieldType::bit:
+      return "bool";
+    case FieldType::signed_number:
+      return "std::int32_t";
+    default:
+      return "std::uint32_t";
   }
 }
 
 std::string decoded(const Field& field) {
-  const std::string shifted =
-      field.lsb == 0 ? "word" : fmt::format("(word >> {}u)", field.lsb);
+  const std::string shifted = field.lsb == 0 ? "word" : fmt::format("(word >> {}u)", field.lsb);
   const std::string masked =
       field.width() == 32 ? shifted : fmt::format("({} & 0x{:X}u)", shifted, field.mask());
   switch (field.type) {
-    case FieldType::bit: return fmt::format("{} != 0", masked);
+    case FieldType::bit:
+      return fmt::format("{} != 0", masked);
     case FieldType::signed_number: {
       const unsigned spare = 32 - field.width();
       if (spare == 0) return "static_cast<std::int32_t>(word)";
       return fmt::format("static_cast<std::int32_t>({} << {}u) >> {}", shifted, spare, spare);
     }
-    default: return masked;
+    default:
+      return masked;
   }
 }
 
 std::string encoded(const Field& field) {
-  std::string value = field.type == FieldType::bit
-                          ? fmt::format("({} ? 1u : 0u)", field.name)
-                          : field.type == FieldType::signed_number
-                                ? fmt::format("static_cast<std::uint32_t>({})", field.name)
-                                : field.name;
+  std::string value = field.type == FieldType::bit ? fmt::format("({} ? 1u : 0u)", field.name)
+                      : field.type == FieldType::signed_number
+                          ? fmt::format("static_cast<std::uint32_t>({})", field.name)
+                          : field.name;
   if (field.width() < 32 && field.type != FieldType::bit) {
     value = fmt::format("({} & 0x{:X}u)", value, field.mask());
   }
@@ -74,13 +78,15 @@ void write_register(std::string& text, const Register& r) {
   for (const Field& field : r.fields) {
     if (field.values.empty()) continue;
     text += fmt::format("  enum class {} : std::uint32_t {{\n", pascal_case(field.name));
-    for (const auto& [name, value] : field.values) text += fmt::format("    {} = {},\n", name, value);
+    for (const auto& [name, value] : field.values)
+      text += fmt::format("    {} = {},\n", name, value);
     text += "  };\n";
   }
   for (const Field& field : r.fields) {
     text += fmt::format("  // {}\n  {} {}{{}};\n", field.summary, type_of(field), field.name);
   }
-  text += fmt::format("\n  static constexpr {} decode([[maybe_unused]] std::uint32_t word) {{\n", type);
+  text +=
+      fmt::format("\n  static constexpr {} decode([[maybe_unused]] std::uint32_t word) {{\n", type);
   text += "    return {\n";
   for (const Field& field : r.fields) {
     text += fmt::format("      .{} = {},\n", field.name, decoded(field));

@@ -86,8 +86,9 @@ class Reader {
     field.reset = number(table, "reset", place, 0, field.mask());
     if (const auto* values = table["values"].as_table()) {
       for (const auto& [key, node] : *values) {
-        field.values.emplace_back(std::string(key.str()),
-                                  number(*values, std::string(key.str()).c_str(), place, 0, field.mask()));
+        field.values.emplace_back(
+            std::string(key.str()),
+            number(*values, std::string(key.str()).c_str(), place, 0, field.mask()));
       }
       std::ranges::sort(field.values, {}, &std::pair<std::string, std::uint32_t>::second);
     }
@@ -106,8 +107,10 @@ class Reader {
     unsigned lsb = 0;
     char rest = 0;
     const int found = std::sscanf(text.c_str(), "%u:%u%c", &msb, &lsb, &rest);
-    if (found == 1 && text.find(':') == std::string::npos) lsb = msb;
-    else if (found != 2) fail(place, "'bits' must be a number or \"msb:lsb\"");
+    if (found == 1 && text.find(':') == std::string::npos)
+      lsb = msb;
+    else if (found != 2)
+      fail(place, "'bits' must be a number or \"msb:lsb\"");
     if (msb > 31 || lsb > msb) fail(place, "'bits' must be within 31 to 0, the higher first");
     field.msb = msb;
     field.lsb = lsb;
@@ -136,8 +139,9 @@ Register read_register(const Reader& reader, const toml::table& table, unsigned&
   Register result;
   result.name = reader.name(table, "a register");
   const std::string place = result.name;
-  reader.only_keys(table, place, {"name", "access", "summary", "offset", "count", "read_event",
-                                  "write_event", "field"});
+  reader.only_keys(
+      table, place,
+      {"name", "access", "summary", "offset", "count", "read_event", "write_event", "field"});
   result.summary = reader.summary(table, place);
   result.access = reader.access(table, place);
   result.is_array = table.contains("count");
@@ -150,8 +154,10 @@ Register read_register(const Reader& reader, const toml::table& table, unsigned&
   if (next_offset > window_bytes) reader.fail(place, "lies beyond the 4 KiB of a peripheral");
   result.read_event = reader.flag(table, "read_event", place);
   result.write_event = reader.flag(table, "write_event", place);
-  if (result.read_event && !result.readable()) reader.fail(place, "read_event on a write-only register");
-  if (result.write_event && !result.writable()) reader.fail(place, "write_event on a read-only register");
+  if (result.read_event && !result.readable())
+    reader.fail(place, "read_event on a write-only register");
+  if (result.write_event && !result.writable())
+    reader.fail(place, "write_event on a read-only register");
 
   const auto* fields = table["field"].as_array();
   if (!fields || fields->empty()) reader.fail(place, "needs at least one field");
@@ -174,7 +180,8 @@ Register read_register(const Reader& reader, const toml::table& table, unsigned&
 }  // namespace
 
 bool Peripheral::has_from_software() const {
-  return std::ranges::any_of(registers, [](const Register& r) { return r.writable() || r.read_event; });
+  return std::ranges::any_of(registers,
+                             [](const Register& r) { return r.writable() || r.read_event; });
 }
 
 bool Peripheral::has_to_software() const {
@@ -187,7 +194,8 @@ Peripheral load(const std::filesystem::path& file) {
   try {
     table = toml::parse_file(file.string());
   } catch (const toml::parse_error& error) {
-    reader.fail(fmt::format("line {}", error.source().begin.line), std::string(error.description()));
+    reader.fail(fmt::format("line {}", error.source().begin.line),
+                std::string(error.description()));
   }
   reader.only_keys(table, "top level", {"name", "address", "summary", "register"});
   Peripheral peripheral;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// register_generator: from register descriptions to VHDL, C++ and Markdown, or a check that those are fresh.
+// register_generator: from register descriptions to VHDL, C++ and Markdown, or a check that those
+// are fresh.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,8 @@ std::string contents(const fs::path& file) {
   return text.str();
 }
 
-// Writes the file, or with `check` only compares. Returns false if it is stale (or could not be written).
+// Writes the file, or with `check` only compares. Returns false if it is stale (or could not be
+// written).
 bool settle(const fs::path& file, const std::string& text, bool check) {
   if (fs::exists(file) && contents(file) == text) return true;
   if (check) {
@@ -40,7 +42,9 @@ int main(int argument_count, char** arguments) {
   CLI::App app{"Writes VHDL, C++ and Markdown from register descriptions."};
   fs::path project;
   bool check = false;
-  app.add_option("--project", project, "The project's folder")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--project", project, "The project's folder")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--check", check, "Write nothing; fail if a generated file is stale");
   CLI11_PARSE(app, argument_count, arguments);
 
@@ -51,7 +55,8 @@ int main(int argument_count, char** arguments) {
       const auto peripheral = register_generator::load(entry.path());
       const std::string source = fs::relative(entry.path(), project).generic_string();
       const std::string stem = peripheral.name + "_registers";
-      good &= settle(project / "rtl/registers" / (stem + ".vhd"), vhdl_file(peripheral, source), check);
+      good &=
+          settle(project / "rtl/registers" / (stem + ".vhd"), vhdl_file(peripheral, source), check);
       good &= settle(project / "firmware/drivers/registers" / (stem + ".hpp"),
                      cpp_file(peripheral, source), check);
       good &= settle(project / "rtl/registers" / (peripheral.name + ".md"),

@@ -9,10 +9,14 @@ namespace {
 
 const char* name_of(Access access) {
   switch (access) {
-    case Access::read: return "read";
-    case Access::write: return "write";
-    case Access::read_write: return "read, write";
-    case Access::external: return "read, write (by the hardware's rules)";
+    case Access::read:
+      return "read";
+    case Access::write:
+      return "write";
+    case Access::read_write:
+      return "read, write";
+    case Access::external:
+      return "read, write (by the hardware's rules)";
   }
   return "";
 }
@@ -30,15 +34,16 @@ std::string markdown_file(const Peripheral& peripheral, const std::string& sourc
       "Registers are read and written as whole words; anything else is a bus error.\n",
       peripheral.name, peripheral.summary, peripheral.address, source);
   for (const Register& r : peripheral.registers) {
-    const std::string place =
-        r.is_array ? fmt::format("0x{:03X} + 4·i, i = 0…{}", r.offset, r.count - 1)
-                   : fmt::format("0x{:03X}", r.offset);
+    const std::string place = r.is_array
+                                  ? fmt::format("0x{:03X} + 4·i, i = 0…{}", r.offset, r.count - 1)
+                                  : fmt::format("0x{:03X}", r.offset);
     text += fmt::format("\n## {} `{}` ({})\n\n{}\n", place, r.name, name_of(r.access), r.summary);
     if (r.read_event) text += "Reading has an effect in the hardware.\n";
     text += "\n| bits | field | reset | meaning |\n|---|---|---|---|\n";
     for (const Field& field : r.fields) {
       std::string meaning = field.summary;
-      for (const auto& [name, value] : field.values) meaning += fmt::format(" `{}` = {}.", name, value);
+      for (const auto& [name, value] : field.values)
+        meaning += fmt::format(" `{}` = {}.", name, value);
       text += fmt::format("| {} | `{}` | {} | {} |\n", bits_of(field), field.name,
                           r.stored() ? fmt::format("{}", field.reset) : "", meaning);
     }

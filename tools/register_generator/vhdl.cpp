@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the VHDL of a peripheral's registers: a package of records and the bus slave that holds them.
+// Writes the VHDL of a peripheral's registers: a package of records and the bus slave that holds
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,10 +31,14 @@ class VhdlWriter {
 
   std::string type_of(const Field& field) const {
     switch (field.type) {
-      case FieldType::bit: return "std_ulogic";
-      case FieldType::unsigned_number: return fmt::format("unsigned({} downto 0)", field.width() - 1);
-      case FieldType::signed_number: return fmt::format("signed({} downto 0)", field.width() - 1);
-      case FieldType::bits: return fmt::format("std_ulogic_vector({} downto 0)", field.width() - 1);
+      case FieldType::bit:
+        return "std_ulogic";
+      case FieldType::unsigned_number:
+        return fmt::format("unsigned({} downto 0)", field.width() - 1);
+      case FieldType::signed_number:
+        return fmt::format("signed({} downto 0)", field.width() - 1);
+      case FieldType::bits:
+        return fmt::format("std_ulogic_vector({} downto 0)", field.width() - 1);
     }
     return {};
   }
@@ -78,8 +83,8 @@ class VhdlWriter {
       }
       for (const Field& field : r.fields) {
         for (const auto& [name, value] : field.values) {
-          line("  constant {}_{}_{}_{} : natural := {};", peripheral_.name, r.name, field.name, name,
-               value);
+          line("  constant {}_{}_{}_{} : natural := {};", peripheral_.name, r.name, field.name,
+               name, value);
         }
       }
     }
@@ -206,13 +211,12 @@ class VhdlWriter {
     for (std::size_t i = 0; i < found.size(); ++i) {
       const auto [first, last] = found[i];
       const std::string range =
-          first == last
-              ? fmt::format("request.address(11 downto 2) = {}", first)
-              : first == 0
-                    ? fmt::format("request.address(11 downto 2) <= {}", last)
-                    : fmt::format("(request.address(11 downto 2) >= {} and "
-                                  "request.address(11 downto 2) <= {})",
-                                  first, last);
+          first == last ? fmt::format("request.address(11 downto 2) = {}", first)
+          : first == 0  ? fmt::format("request.address(11 downto 2) <= {}", last)
+                        : fmt::format(
+                             "(request.address(11 downto 2) >= {} and "
+                              "request.address(11 downto 2) <= {})",
+                             first, last);
       line("  {}{}{}", i == 0 ? fmt::format("{} <= '1' when ", signal) : "    or ", range,
            i + 1 == found.size() ? " else '0';" : "");
     }
@@ -221,7 +225,9 @@ class VhdlWriter {
   void answer_process() {
     line("  access_begins <= request.strobe and not answered;");
     line("");
-    line("  -- Answers in the clock after the strobe; an error for everything that is not described.");
+    line(
+        "  -- Answers in the clock after the strobe; an error for everything that is not "
+        "described.");
     line("  answer : process");
     line("  begin");
     line("    wait until rising_edge(clk);");
@@ -248,7 +254,9 @@ class VhdlWriter {
 
   void known_registers() {
     line("  -- Whole words only.");
-    line("  known <= writable and (and request.select_bytes) when request.write = '1' else readable;");
+    line(
+        "  known <= writable and (and request.select_bytes) when request.write = '1' else "
+        "readable;");
     line("");
     decode("readable", ranges([](const Register& r) { return r.readable(); }));
     line("");
@@ -274,7 +282,8 @@ class VhdlWriter {
       if (above > 0) value += zeros(above) + " & ";
       value.resize(value.size() - 3);
       line("  {} <= {}", target, value);
-      line("    when request.address(11 downto 2) = {} else (others => '0');", r.offset / 4 + index);
+      line("    when request.address(11 downto 2) = {} else (others => '0');",
+           r.offset / 4 + index);
     });
     line("");
     line("  read_word <= {};", all.empty() ? "(others => '0')" : all);
