@@ -241,6 +241,7 @@ begin
     )
     port map (
       clk => clk,
+      bus_clk => processor_clk,
       reset => reset_registered,
       request => requests(step_generator_slave),
       response => responses(step_generator_slave),

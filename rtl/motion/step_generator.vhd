@@ -17,6 +17,8 @@ entity step_generator is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for the registers; edges may be left out while no access is made.
+    bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
     request : in bus_request_t;
@@ -85,7 +87,7 @@ begin
 
   registers : entity work.step_generator_registers
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => bus_clk, reset => reset, request => request, response => response,
       from_software => from_software, to_software => to_software);
 
   command <= from_software.command when from_software.command_written = '1' else (others => '0');

@@ -46,7 +46,8 @@ begin
   generator : entity work.step_generator
     generic map (axes => axes)
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response,
       end_stops => end_stops, emergency_stop => emergency_stop, step => step,
       direction => direction, enable => open, moving => open, queue_interrupt => open,
       stop_interrupt => open);

@@ -56,7 +56,8 @@ begin
   generator : entity work.step_generator
     generic map (axes => axes, queue_depth => 8)
     port map (
-      clk => clk, reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk,
+      reset => reset, request => request, response => response,
       end_stops => x"00", emergency_stop => emergency_stop, step => step,
       direction => direction, enable => enable, moving => moving,
       queue_interrupt => queue_interrupt, stop_interrupt => stop_interrupt);
