@@ -2,7 +2,6 @@
 // Quantities as types: an integer that knows its unit, so that a length is never added to a speed.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 
 namespace units {
@@ -20,7 +19,12 @@ class Quantity {
 
   constexpr Integer count() const { return count_; }
 
-  constexpr auto operator<=>(const Quantity&) const = default;
+  constexpr bool operator==(const Quantity&) const = default;
+  // One by one, since compilers make a call of `<=>` where an instruction does.
+  constexpr bool operator<(Quantity other) const { return count_ < other.count_; }
+  constexpr bool operator>(Quantity other) const { return count_ > other.count_; }
+  constexpr bool operator<=(Quantity other) const { return count_ <= other.count_; }
+  constexpr bool operator>=(Quantity other) const { return count_ >= other.count_; }
   constexpr Quantity operator-() const { return Quantity(static_cast<Integer>(-count_)); }
   constexpr Quantity operator+(Quantity other) const { return Quantity(count_ + other.count_); }
   constexpr Quantity operator-(Quantity other) const { return Quantity(count_ - other.count_); }
