@@ -24,6 +24,9 @@ entity axis_stepper is
     begin_line : in std_ulogic;
     steps : in ticks_t;
     backward : in std_ulogic;
+    -- They come a quarter of a step early or late, not both.
+    ahead : in std_ulogic;
+    behind : in std_ulogic;
     -- Of the line that is executed: already the new value in the clock after begin_line.
     line_ticks : in ticks_t;
 
@@ -53,6 +56,8 @@ architecture rtl of axis_stepper is
 
   signal line_steps : ticks_t := (others => '0');
   signal wanted_direction : std_ulogic := '0';
+  signal begins_ahead : std_ulogic := '0';
+  signal begins_behind : std_ulogic := '0';
   signal line_begins : std_ulogic := '0';
   signal ticked : std_ulogic := '0';
   -- Error term after the next tick, and whether that tick brings a step.
@@ -65,6 +70,19 @@ architecture rtl of axis_stepper is
   signal direction_left : guard_clocks_t := (others => '0');
   signal setting_up : std_ulogic := '0';
   signal legal : std_ulogic;
+
+  -- Where the error term of a line starts. Any start below line_ticks makes exactly the line's steps.
+  function first_error(ticks : ticks_t; early, late : std_ulogic) return unsigned is
+    constant half : unsigned(31 downto 0) := "00" & ticks(30 downto 1);
+    constant quarter : unsigned(31 downto 0) := "000" & ticks(30 downto 2);
+  begin
+    if early then
+      return half + quarter;
+    elsif late then
+      return quarter;
+    end if;
+    return half;
+  end function;
 
   function less_one(clocks : guard_clocks_t) return guard_clocks_t is
   begin
@@ -90,13 +108,15 @@ begin
     ticked <= tick;
     if begin_line then
       line_steps <= steps;
+      begins_ahead <= ahead;
+      begins_behind <= behind;
       if steps /= 0 then
         wanted_direction <= backward;
       end if;
     end if;
     if line_begins or ticked then
       if line_begins then
-        sum := ("00" & line_ticks(30 downto 1)) + line_steps;
+        sum := first_error(line_ticks, begins_ahead, begins_behind) + line_steps;
       else
         sum := ('0' & error_term) + line_steps;
       end if;
@@ -161,6 +181,8 @@ begin
       stalls <= (others => '0');
     end if;
 
+    no_line_begins_ahead_and_behind : assert reset = '1' or begin_line = '0' or
+      (ahead and behind) = '0' severity failure;
     every_step_is_legal : assert reset = '1' or tick = '0' or step_wanted = '0' or legal = '1'
       severity failure;
     an_idle_axis_makes_no_step : assert reset = '1' or tick = '0' or step_wanted = '0' or line_steps /= 0

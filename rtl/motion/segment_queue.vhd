@@ -80,6 +80,8 @@ begin
   end generate;
 
   head.backward <= words(flags_lane)(axis_limit - 1 downto 0);
+  head.ahead <= x"0" & words(flags_lane)(ahead_bits);
+  head.behind <= x"0" & words(flags_lane)(behind_bits);
   head.continues_line <= words(flags_lane)(continues_line_bit);
   head.ends_motion <= words(flags_lane)(ends_motion_bit);
   head.stop_mask <= words(flags_lane)(23 downto 16);

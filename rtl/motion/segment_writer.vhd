@@ -97,7 +97,8 @@ begin
         when flags_lane =>
           written <= (others => '0');
           written(flags_lane) <= not queue_full;
-          illegal <= '0';
+          illegal <= not write.data(continues_line_bit) and
+            (or (write.data(ahead_bits) and write.data(behind_bits)));
           continues_line <= write.data(continues_line_bit);
           limit_known <= write.data(continues_line_bit);
           if write.data(continues_line_bit) then

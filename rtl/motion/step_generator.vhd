@@ -119,7 +119,8 @@ begin
   begin
     write <= (valid => '0', lane => 0, data => (others => '0'));
     if from_software.segment_flags_written then
-      put(flags_lane, x"00" & from_software.segment_flags.stop_mask & "000000" &
+      put(flags_lane, from_software.segment_flags.behind & from_software.segment_flags.ahead &
+        from_software.segment_flags.stop_mask & "000000" &
         from_software.segment_flags.ends_motion & from_software.segment_flags.continues_line &
         from_software.segment_flags.backward);
     end if;

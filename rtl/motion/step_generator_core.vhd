@@ -140,11 +140,11 @@ begin
     stepper : entity work.axis_stepper
       port map (
         clk => clk, reset => reset, guard => guards(axis), begin_line => begin_line,
-        steps => head_steps(axis), backward => head.backward(axis), line_ticks => line_ticks,
-        due => due, ready => ready(axis), tick => tick, step => step(axis),
-        direction => direction(axis), busy => busy(axis), position => positions(axis),
-        set_position => allowed_position(axis), new_position => new_position,
-        stalls => axis_stalls(axis));
+        steps => head_steps(axis), backward => head.backward(axis), ahead => head.ahead(axis),
+        behind => head.behind(axis), line_ticks => line_ticks, due => due, ready => ready(axis),
+        tick => tick, step => step(axis), direction => direction(axis), busy => busy(axis),
+        position => positions(axis), set_position => allowed_position(axis),
+        new_position => new_position, stalls => axis_stalls(axis));
 
     at_stop : entity work.position_latch
       port map (

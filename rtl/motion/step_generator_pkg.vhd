@@ -43,6 +43,9 @@ package step_generator_pkg is
   type segment_t is record
     -- Direction of each axis, 1 = negative.
     backward : std_ulogic_vector(axis_limit - 1 downto 0);
+    -- Axes whose steps come a quarter of a step early or late, never both.
+    ahead : std_ulogic_vector(axis_limit - 1 downto 0);
+    behind : std_ulogic_vector(axis_limit - 1 downto 0);
     continues_line : std_ulogic;
     ends_motion : std_ulogic;
     stop_mask : std_ulogic_vector(7 downto 0);
@@ -69,9 +72,11 @@ package step_generator_pkg is
   constant steps_lane : natural := 9;
   subtype lane_t is natural range 0 to steps_lane + axis_limit - 1;
 
-  -- The flags word holds stop_mask from bit 16, backward from bit 0, and between them:
+  -- The flags word holds stop_mask from bit 16, backward from bit 0, and:
   constant continues_line_bit : natural := 8;
   constant ends_motion_bit : natural := 9;
+  subtype ahead_bits is natural range 27 downto 24;
+  subtype behind_bits is natural range 31 downto 28;
 
   -- One word that software writes.
   type lane_write_t is record

@@ -66,6 +66,8 @@ package step_generator_registers_pkg is
     continues_line : std_ulogic;
     ends_motion : std_ulogic;
     stop_mask : std_ulogic_vector(7 downto 0);
+    ahead : std_ulogic_vector(3 downto 0);
+    behind : std_ulogic_vector(3 downto 0);
   end record;
 
   -- Ticks of the whole line, 1 .. 2^31 - 1; to be written before ticks and steps.
@@ -551,6 +553,8 @@ begin
   from_software.segment_flags.continues_line <= written_data(8);
   from_software.segment_flags.ends_motion <= written_data(9);
   from_software.segment_flags.stop_mask <= written_data(23 downto 16);
+  from_software.segment_flags.ahead <= written_data(27 downto 24);
+  from_software.segment_flags.behind <= written_data(31 downto 28);
   from_software.segment_line_ticks_written <= '1' when writing = '1' and register_index = 8 else '0';
   from_software.segment_line_ticks.ticks <= unsigned(written_data(31 downto 0));
   from_software.segment_ticks_written <= '1' when writing = '1' and register_index = 9 else '0';

@@ -22,6 +22,8 @@ architecture simulation of axis_stepper_tb is
   signal begin_line : std_ulogic := '0';
   signal steps : ticks_t := (others => '0');
   signal backward : std_ulogic := '0';
+  signal ahead : std_ulogic := '0';
+  signal behind : std_ulogic := '0';
   signal line_ticks : ticks_t := (others => '0');
   signal due : std_ulogic := '0';
   signal ready : std_ulogic;
@@ -43,9 +45,10 @@ begin
   axis : entity work.axis_stepper
     port map (
       clk => clk, reset => reset, guard => guard, begin_line => begin_line, steps => steps,
-      backward => backward, line_ticks => line_ticks, due => due, ready => ready, tick => tick,
-      step => step, direction => direction, busy => busy, position => position,
-      set_position => set_position, new_position => new_position, stalls => stalls);
+      backward => backward, ahead => ahead, behind => behind, line_ticks => line_ticks, due => due,
+      ready => ready, tick => tick, step => step, direction => direction, busy => busy,
+      position => position, set_position => set_position, new_position => new_position,
+      stalls => stalls);
 
   monitor : entity work.pulse_monitor
     port map (
@@ -71,14 +74,19 @@ begin
       end loop;
     end procedure;
 
-    procedure start_line(count, of_ticks : natural; negative : std_ulogic) is
+    procedure start_line(count, of_ticks : natural; negative : std_ulogic;
+      early, late : std_ulogic := '0') is
     begin
       steps <= to_unsigned(count, 31);
       backward <= negative;
+      ahead <= early;
+      behind <= late;
       begin_line <= '1';
       wait until rising_edge(clk);
       line_ticks <= to_unsigned(of_ticks, 31);
       begin_line <= '0';
+      ahead <= late;
+      behind <= early;
       wait until rising_edge(clk);
     end procedure;
 
@@ -105,6 +113,8 @@ begin
     variable count : natural;
     variable of_ticks : natural;
     variable negative : std_ulogic;
+    variable start : natural;
+    variable made : natural;
   begin
     clocks(2);
     reset <= '0';
@@ -151,7 +161,8 @@ begin
     clocks(20);
     assert direction = '1' report "an axis without steps has turned" severity failure;
 
-    -- Any line under any guard: exactly its steps, in its direction, and the monitor keeps watch.
+    -- Any line under any guard: exactly its steps, in its direction, each at its tick, and the monitor
+    -- keeps watch.
     for line in 1 to 300 loop
       if line mod 10 = 0 then
         set_guard(random(0, 6), random(0, 6), random(0, 9), random(0, 9));
@@ -161,10 +172,25 @@ begin
       negative := '1' when random(0, 1) = 1 else '0';
       pulses_before := pulses;
       position_before := position;
-      start_line(count, of_ticks, negative);
+      case random(0, 2) is
+        when 0 =>
+          start := of_ticks / 2;
+          start_line(count, of_ticks, negative);
+        when 1 =>
+          start := of_ticks / 2 + of_ticks / 4;
+          start_line(count, of_ticks, negative, early => '1', late => '0');
+        when others =>
+          start := of_ticks / 4;
+          start_line(count, of_ticks, negative, early => '0', late => '1');
+      end case;
       for i in 1 to of_ticks loop
         clocks(random(0, 3));
         make_tick;
+        made := to_integer(abs (position - position_before));
+        assert made = (i * count + start) / of_ticks
+          report to_string(made) & " of " & to_string(count) & " steps after " & to_string(i) &
+            " of " & to_string(of_ticks) & " ticks from " & to_string(start)
+          severity failure;
       end loop;
       clocks(1);
       assert pulses - pulses_before = count

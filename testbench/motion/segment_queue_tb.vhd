@@ -35,10 +35,13 @@ architecture simulation of segment_queue_tb is
   signal may_take : boolean := false;
   signal taken : natural := 0;
 
-  -- Word of a lane of the n-th segment, different everywhere.
+  -- Word of a lane of the n-th segment, different everywhere, in its upper half too.
   function word(segment : natural; lane : lane_t) return std_ulogic_vector is
+    constant half : std_ulogic_vector(15 downto 0) :=
+      std_ulogic_vector(to_unsigned(segment * 64 + lane, 16));
+    constant both : std_ulogic_vector(31 downto 0) := half & half;
   begin
-    return std_ulogic_vector(to_unsigned(segment * 64 + lane, 32));
+    return both;
   end function;
 
 begin
@@ -71,6 +74,9 @@ begin
         assert clocks_since_take >= 2 severity failure;
         clocks_since_take := 0;
         assert head.backward = word(taken, flags_lane)(7 downto 0) severity failure;
+        assert head.stop_mask = word(taken, flags_lane)(23 downto 16) severity failure;
+        assert head.ahead = x"0" & word(taken, flags_lane)(27 downto 24) severity failure;
+        assert head.behind = x"0" & word(taken, flags_lane)(31 downto 28) severity failure;
         assert head.line_ticks = unsigned(word(taken, line_ticks_lane)) severity failure;
         assert head.ticks = unsigned(word(taken, ticks_lane)) severity failure;
         assert head.rate = unsigned(word(taken, rate_high_lane)) & unsigned(word(taken, rate_low_lane))

@@ -58,9 +58,10 @@ begin
       end loop;
     end procedure;
 
-    procedure put_line(line_ticks, ticks, x_steps, y_steps : natural) is
+    procedure put_line(line_ticks, ticks, x_steps, y_steps : natural;
+      flags : std_ulogic_vector(31 downto 0) := x"00000000") is
     begin
-      put(flags_lane, 0);
+      put(flags_lane, flags);
       put(line_ticks_lane, line_ticks);
       put(steps_lane, x_steps);
       put(steps_lane + 1, y_steps);
@@ -85,6 +86,7 @@ begin
       wait for 1 ns;
     end procedure;
 
+    variable both : std_ulogic_vector(31 downto 0);
     constant full : refusal_t := (queue_full => '1', others => '0');
     constant incomplete : refusal_t := (incomplete => '1', others => '0');
     constant illegal : refusal_t := (illegal => '1', others => '0');
@@ -151,13 +153,26 @@ begin
     put(rate_low_lane, 0);
     expect("a rate of 1/2", '1');
 
+    -- No axis is ahead and behind.
+    for axis in 0 to 3 loop
+      both := (others => '0');
+      both(24 + axis) := '1';
+      both(28 + axis) := '1';
+      put_line(10, 4, 1, 1, both);
+      expect("axis " & to_string(axis) & " both ahead and behind", '0', illegal);
+    end loop;
+    put_line(10, 4, 1, 1, x"A5000000");
+    expect("some axes ahead, the others behind", '1');
+
     -- A line is continued to its end and no further.
     put_line(10, 4, 10, 10);
     expect("first part", '1');
     put_continuation(7);
     expect("more than is left", '0', illegal);
-    put_continuation(5);
-    expect("second part", '1');
+    put(flags_lane, x"FF000000" or std_ulogic_vector(to_unsigned(continues_line, 32)));
+    put(ticks_lane, 5);
+    put_course;
+    expect("second part, where ahead and behind mean nothing", '1');
     put_continuation(1);
     expect("last part", '1');
     put_continuation(1);

@@ -140,6 +140,7 @@ begin
     variable line_ticks : natural;
     variable steps : natural;
     variable backward : natural;
+    variable starts : natural;
     variable pulses_at_stop : naturals_t(axes - 1 downto 0);
   begin
     wait until rising_edge(clk);
@@ -150,7 +151,16 @@ begin
       wait_for_space;
       line_ticks := random(1, 20);
       backward := random(0, 7);
-      put(flags_lane, backward);
+      -- Some axes ahead, some behind.
+      starts := 0;
+      for axis in 0 to axes - 1 loop
+        case random(0, 2) is
+          when 1 => starts := starts + 2 ** (24 + axis);
+          when 2 => starts := starts + 2 ** (28 + axis);
+          when others => null;
+        end case;
+      end loop;
+      put(flags_lane, starts + backward);
       put(line_ticks_lane, line_ticks);
       for axis in 0 to axes - 1 loop
         steps := random(0, line_ticks);

@@ -27,8 +27,8 @@ architecture simulation of time_base_tb is
   signal head_valid : std_ulogic := '0';
   signal head : segment_t := (
     backward => x"00", ahead => x"00", behind => x"00", continues_line => '0', ends_motion => '0',
-    stop_mask => x"00", line_ticks => (others => '0'), ticks => (others => '0'), rate => (others => '0'),
-    acceleration => (others => '0'), jerk => (others => '0'));
+    stop_mask => x"00", line_ticks => (others => '0'), ticks => (others => '0'),
+    rate => (others => '0'), acceleration => (others => '0'), jerk => (others => '0'));
   signal take : std_ulogic;
   signal due : std_ulogic;
   signal axes_ready : std_ulogic := '1';

@@ -138,10 +138,15 @@ class Player {
   void put_segment() {
     --segments_left_;
     const bool continues = line_left_ > 0 && chance(70);
+    const std::uint32_t ahead = below(16);
+    // Only by mistake the same axes; where a line is continued neither counts.
+    const std::uint32_t behind = continues || chance(1) ? below(16) : below(16) & ~ahead;
     put(registers::SegmentFlags{.backward = below(256),
                                 .continues_line = continues,
                                 .ends_motion = chance(20),
-                                .stop_mask = chance(30) ? below(256) : 0});
+                                .stop_mask = chance(30) ? below(256) : 0,
+                                .ahead = ahead,
+                                .behind = behind});
     if (!continues) put_line();
     const std::uint32_t ticks = line_left_ == 0 ? 1
                                 : chance(50)    ? line_left_

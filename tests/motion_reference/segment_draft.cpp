@@ -34,8 +34,13 @@ void SegmentDraft::write(std::uint32_t address, std::uint32_t value, std::uint64
   if (address == registers::SegmentFlags::address) {
     forget();
     flags_ = value;
-    continues_line_ = registers::SegmentFlags::decode(value).continues_line;
-    if (continues_line_) limit_ = line_left;
+    const auto flags = registers::SegmentFlags::decode(value);
+    continues_line_ = flags.continues_line;
+    if (continues_line_) {
+      limit_ = line_left;
+    } else if ((flags.ahead & flags.behind) != 0) {
+      in_range_ = false;
+    }
   } else if (address == registers::SegmentLineTicks::address) {
     if (continues_line_) return;
     line_ticks_ = value;
@@ -68,6 +73,8 @@ bool SegmentDraft::executable() const { return in_range_ && joined(course_, rate
 Segment SegmentDraft::segment() const {
   const auto flags = registers::SegmentFlags::decode(flags_.value_or(0));
   Segment result{.backward = flags.backward,
+                 .ahead = flags.ahead,
+                 .behind = flags.behind,
                  .continues_line = flags.continues_line,
                  .ends_motion = flags.ends_motion,
                  .stop_mask = flags.stop_mask,

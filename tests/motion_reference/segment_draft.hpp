@@ -14,6 +14,8 @@ inline constexpr std::size_t queue_depth = 32;
 
 struct Segment {
   std::uint32_t backward{};
+  std::uint32_t ahead{};
+  std::uint32_t behind{};
   bool continues_line{};
   bool ends_motion{};
   std::uint32_t stop_mask{};

@@ -19,8 +19,9 @@ constexpr std::uint64_t fetch_clocks = 2;
 constexpr std::uint32_t emergency_bit = 0x100u, software_bit = 0x200u;
 
 // Steps of an axis after so many ticks of a line.
-std::uint64_t steps_after(std::uint64_t ticks, std::uint64_t steps, std::uint64_t line_ticks) {
-  const Wide sum = Wide(ticks) * Wide(steps) + Wide(line_ticks / 2);
+std::uint64_t steps_after(std::uint64_t ticks, std::uint64_t steps, std::uint64_t first_error,
+                          std::uint64_t line_ticks) {
+  const Wide sum = Wide(ticks) * Wide(steps) + Wide(first_error);
   return static_cast<std::uint64_t>(sum / Wide(line_ticks));
 }
 
@@ -58,8 +59,8 @@ bool StepGeneratorReference::idle() const {
 }
 
 bool StepGeneratorReference::steps_at_next_tick(const Axis& axis) const {
-  return steps_after(line_ticks_done_ + 1, axis.steps, line_ticks_) >
-         steps_after(line_ticks_done_, axis.steps, line_ticks_);
+  return steps_after(line_ticks_done_ + 1, axis.steps, axis.first_error, line_ticks_) >
+         steps_after(line_ticks_done_, axis.steps, axis.first_error, line_ticks_);
 }
 
 bool StepGeneratorReference::may_rise_in_next_clock(const Axis& axis) const {
@@ -169,6 +170,9 @@ void StepGeneratorReference::take() {
   line_ticks_done_ = 0;
   for (std::size_t i = 0; i < axes; ++i) {
     axis_[i].steps = active_->steps[i];
+    axis_[i].first_error = line_ticks_ / 2;
+    if ((active_->ahead >> i & 1u) != 0) axis_[i].first_error += line_ticks_ / 4;
+    if ((active_->behind >> i & 1u) != 0) axis_[i].first_error = line_ticks_ / 4;
     if (axis_[i].steps != 0) axis_[i].wanted_backward = (active_->backward >> i & 1u) != 0;
   }
 }

@@ -58,6 +58,7 @@ class StepGeneratorReference {
   struct Axis {
     Guard guard{};
     std::uint64_t steps{};
+    std::uint64_t first_error{};  // with which the line began
     bool wanted_backward{}, backward{};
     std::int32_t position{};
     // First clocks in which the pins showed it.

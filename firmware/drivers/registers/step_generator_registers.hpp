@@ -130,7 +130,7 @@ struct Errors {
   bool queue_full{};
   // A segment was committed of which not every word was written.
   bool incomplete{};
-  // A segment was committed that cannot be executed: ticks, steps or rate out of range.
+  // A segment was committed that cannot be executed: a number out of range, or an axis ahead and behind.
   bool illegal{};
   // A segment was committed before a stop was acknowledged.
   bool while_stopped{};
@@ -192,12 +192,16 @@ struct SegmentFlags {
   static constexpr std::uint32_t address = base + 0x1Cu;
   // Axes that move in negative direction; not used with continues_line.
   std::uint32_t backward{};
-  // The line of the segment before goes on: line_ticks, steps and backward stay, and are not written.
+  // The line of the segment before goes on: line_ticks, steps, backward, ahead and behind stay.
   bool continues_line{};
   // Standing still after this segment is intended, not an underrun.
   bool ends_motion{};
   // End stops that end all motion during this segment.
   std::uint32_t stop_mask{};
+  // Axes 0..3 a quarter of a step early: their error terms start at line_ticks/2 + line_ticks/4.
+  std::uint32_t ahead{};
+  // Axes 0..3 a quarter of a step late: start at line_ticks/4, those of neither set at line_ticks/2.
+  std::uint32_t behind{};
 
   static constexpr SegmentFlags decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -205,13 +209,17 @@ struct SegmentFlags {
       .continues_line = ((word >> 8u) & 0x1u) != 0,
       .ends_motion = ((word >> 9u) & 0x1u) != 0,
       .stop_mask = ((word >> 16u) & 0xFFu),
+      .ahead = ((word >> 24u) & 0xFu),
+      .behind = ((word >> 28u) & 0xFu),
     };
   }
   constexpr std::uint32_t encode() const {
     return (backward & 0xFFu) |
            (continues_line ? 1u : 0u) << 8u |
            (ends_motion ? 1u : 0u) << 9u |
-           (stop_mask & 0xFFu) << 16u;
+           (stop_mask & 0xFFu) << 16u |
+           (ahead & 0xFu) << 24u |
+           (behind & 0xFu) << 28u;
   }
 };
 
