@@ -95,7 +95,9 @@ bool StepGenerator::append(const motion::Segment& segment) {
   platform::write(registers::SegmentFlags{.backward = backward_axes(segment),
                                           .continues_line = segment.continues_line,
                                           .ends_motion = segment.ends_motion,
-                                          .stop_mask = segment.stop_mask});
+                                          .stop_mask = segment.stop_mask,
+                                          .ahead = segment.start.ahead.bits(),
+                                          .behind = segment.start.behind.bits()});
   if (!segment.continues_line) write_line(segment, hardware_axes_);
   write_course(segment);
   platform::write(registers::SegmentCommit{});

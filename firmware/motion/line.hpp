@@ -6,6 +6,8 @@
 
 #include "motion/limits.hpp"
 #include "motion/scaled.hpp"
+#include "motion/segment.hpp"
+#include "motion/steps.hpp"
 #include "units/axes.hpp"
 #include "units/quantity.hpp"
 
@@ -36,6 +38,7 @@ struct Line {
   units::PerAxis<std::int32_t> steps{};
   std::uint32_t ticks{};  // the largest |steps|
   std::uint8_t stop_mask{};  // end stops that end all motion
+  LineStart start{};
   Scaled rate_of_root{};  // tick rate in ticks per clock = this * sqrt(energy)
   SpecificEnergy work{};  // of the acceleration over the whole length
   SpecificEnergy nominal{};  // energies of the speed asked for,
@@ -48,6 +51,7 @@ struct Line {
 struct Displacement {
   units::PerAxis<units::Nanometers> distance{};
   units::PerAxis<std::int32_t> steps{};
+  units::PerAxis<StepParts> residual{};  // of the position at the start plus that at the end
 };
 
 // What the junctions at the ends of a line depend on.
@@ -64,9 +68,9 @@ class Geometry {
   const Limits& limits() const { return limits_; }
   units::Hertz clock() const { return clock_; }
 
-  // Writes all of `line` but the energies at its ends and its stop mask. Not all steps are 0;
-  // feedrate 1 .. max_speed. Distances keep the course and the speed true where steps are coarse;
-  // the pulse rate of no axis exceeds what its maximum speed and its driver allow.
+  // Writes all of `line` but the energies at its ends, its start and its stop mask. Not all steps
+  // are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true where steps are
+  // coarse; the pulse rate of no axis exceeds what its maximum speed and its driver allow.
   Course make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
                    Line& line) const;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "motion/line_start.hpp"
 #include "motion/steps.hpp"
 
 namespace motion {
@@ -38,21 +39,28 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
 
   constexpr std::int64_t most_steps = 0x7FFF'FFFF;
   Displacement displacement;
-  units::PerAxis<std::int64_t> target_steps = position_steps_;
+  units::PerAxis<std::int64_t> target_steps;
+  units::PerAxis<StepParts> residual;
   bool moves = false;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    if (move.target[i] == position_[i]) continue;
-    target_steps[i] = steps_at(move.target[i], limits().axes[i].steps_per_meter);
-    const std::int64_t steps = target_steps[i] - position_steps_[i];
+    StepPosition target{.steps = position_steps_[i], .residual = residual_[i]};
+    if (move.target[i] != position_[i]) {
+      target = steps_at(move.target[i], limits().axes[i].steps_per_meter);
+    }
+    const std::int64_t steps = target.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
     displacement.distance[i] = move.target[i] - position_[i];
     displacement.steps[i] = static_cast<std::int32_t>(steps);
+    displacement.residual[i] = residual_[i] + target.residual;
+    target_steps[i] = target.steps;
+    residual[i] = target.residual;
     moves |= steps != 0;
   }
   if (!moves) return {};
   append(displacement, move, now);
   position_ = move.target;
   position_steps_ = target_steps;
+  residual_ = residual;
   return {};
 }
 
@@ -61,6 +69,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   Line& added = lines_[(first_ + count_) % capacity];
   const Course course =
       geometry_.make_line(displacement, std::min(move.feedrate, max_speed), added);
+  added.start = line_start(added.steps, added.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
     added.max_entry = energy_of(jerk_limited_speed(course.direction, limits(), course.speed));
@@ -110,6 +119,7 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
   }
   const Phase& phase = profile_.phases[next_phase_];
   Segment segment{.steps = steps_,
+                  .start = start_,
                   .line_ticks = ticks_,
                   .ticks = phase.ticks,
                   .continues_line = next_phase_ > 0,
@@ -131,6 +141,7 @@ void Planner::hand_over_first(units::Microseconds now) {
   const Line& first = line(0);
   profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock());
   steps_ = first.steps;
+  start_ = first.start;
   ticks_ = first.ticks;
   stop_mask_ = first.stop_mask;
   next_phase_ = 0;
@@ -157,12 +168,15 @@ void Planner::clear() {
 void Planner::set_position(const units::PerAxis<units::Nanometers>& position) {
   position_ = position;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    position_steps_[i] = steps_at(position[i], limits().axes[i].steps_per_meter);
+    const StepPosition here = steps_at(position[i], limits().axes[i].steps_per_meter);
+    position_steps_[i] = here.steps;
+    residual_[i] = here.residual;
   }
 }
 
 void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
   position_steps_ = steps;
+  residual_ = {};
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     position_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
   }

@@ -14,6 +14,7 @@
 #include "motion/line.hpp"
 #include "motion/profile.hpp"
 #include "motion/segment.hpp"
+#include "motion/steps.hpp"
 #include "units/axes.hpp"
 #include "units/quantity.hpp"
 
@@ -83,6 +84,7 @@ class Planner {
   Geometry geometry_;
   units::PerAxis<units::Nanometers> position_{};
   units::PerAxis<std::int64_t> position_steps_{};
+  units::PerAxis<StepParts> residual_{};  // of position_ at position_steps_
 
   std::array<Line, capacity> lines_{};
   Course last_course_{};  // of the last appended line
@@ -97,6 +99,7 @@ class Planner {
 
   // The line whose phases are being handed over.
   units::PerAxis<std::int32_t> steps_{};
+  LineStart start_{};
   std::uint32_t ticks_{};
   std::uint8_t stop_mask_{};
   Profile profile_{};

@@ -9,13 +9,21 @@
 
 namespace motion {
 
+// Axes whose steps come a quarter of a step early or late in a line, never both: their Bresenham
+// error terms start at 3/4 or 1/4 of line_ticks, those of the others at 1/2.
+struct LineStart {
+  units::AxisSet ahead, behind;
+};
+
 // A line with |steps| per axis is walked in `line_ticks` base ticks (line_ticks >= every |steps|,
 // normally equal to the largest). It is cut into segments of `ticks` base ticks each, one for each
-// phase of its speed profile; all segments of a line carry the same steps and line_ticks, and every
-// one but the first sets `continues_line`, so that the Bresenham error terms run on and the line
-// stays straight to the step. After line_ticks ticks in all, every axis has made exactly its steps.
+// phase of its speed profile; all segments of a line carry the same steps, start and line_ticks,
+// and every one but the first sets `continues_line`, so that the Bresenham error terms run on and
+// the line stays straight to the step. After line_ticks ticks in all, every axis has made exactly
+// its steps.
 struct Segment {
   units::PerAxis<std::int32_t> steps{};  // signed, of the whole line
+  LineStart start{};
   std::uint32_t line_ticks{};  // 1 .. 2^31 - 1
   std::uint32_t ticks{};  // 1 .. line_ticks
   bool continues_line{};

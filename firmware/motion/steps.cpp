@@ -10,15 +10,22 @@ namespace {
 
 constexpr std::uint64_t nanometers_per_meter = 1'000'000'000;
 
+struct Quotient {
+  std::uint64_t whole;
+  std::uint32_t rest;  // in 2^9
+};
+
 // value / 10^9 for value < 2^63: 10^9 is 2^9 * 1 953 125, and the latter has 21 bits, so that three
 // 32-bit divisions of 32, 11 and 11 new bits suffice.
-std::uint64_t divide_by_billion(std::uint64_t value) {
-  constexpr std::uint32_t divisor = 1'953'125;
+Quotient divide_by_billion(std::uint64_t value) {
+  constexpr auto divisor = static_cast<std::uint32_t>(one_step.count());
+  static_assert(std::uint64_t{divisor} << 9 == nanometers_per_meter);
   const auto upper = static_cast<std::uint32_t>(value >> 31);
   const auto lower = static_cast<std::uint32_t>(value >> 9) & 0x3F'FFFF;
   const std::uint32_t middle = upper % divisor << 11 | lower >> 11;
   const std::uint32_t last = middle % divisor << 11 | (lower & 0x7FF);
-  return (std::uint64_t{upper / divisor} << 22) + (middle / divisor << 11) + last / divisor;
+  return {(std::uint64_t{upper / divisor} << 22) + (middle / divisor << 11) + last / divisor,
+          last % divisor};
 }
 
 std::uint64_t magnitude(std::int64_t value) {
@@ -33,19 +40,21 @@ std::int64_t with_sign_of(std::int64_t sign, std::uint64_t value) {
 
 }  // namespace
 
-std::int64_t steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter) {
+StepPosition steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter) {
   constexpr std::uint64_t product_fits = (std::uint64_t{1} << 63) / 10'000'001;
   static_assert(max_steps_per_meter.count() < 10'000'001);
   const auto factor = static_cast<std::uint32_t>(steps_per_meter.count());
   std::uint64_t distance = magnitude(position.count());
   std::uint64_t steps = 0;
   if (distance > product_fits) {
-    const std::uint64_t meters = divide_by_billion(distance);
+    const std::uint64_t meters = divide_by_billion(distance).whole;
     distance -= meters * nanometers_per_meter;
     steps = meters * factor;
   }
-  steps += divide_by_billion(distance * factor + nanometers_per_meter / 2);
-  return with_sign_of(position.count(), steps);
+  const Quotient rounded = divide_by_billion(distance * factor + nanometers_per_meter / 2);
+  const std::int32_t residual = static_cast<std::int32_t>(rounded.rest) - one_step.count() / 2;
+  return {.steps = with_sign_of(position.count(), steps + rounded.whole),
+          .residual = StepParts(position.count() < 0 ? -residual : residual)};
 }
 
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter) {

@@ -13,9 +13,20 @@ namespace motion {
 // Positions beyond this (1000 km of filament) are refused.
 inline constexpr units::Nanometers max_position{1'000'000'000'000'000};
 
+// Parts of a step, 1 953 125 of which are one (10^9 / 2^9: what the division leaves).
+using StepParts = units::Quantity<struct StepPartUnit, std::int32_t>;
+inline constexpr StepParts one_step{1'953'125};
+
+// The steps at a position, and what is left of it: position less steps, -1/2 .. 1/2 step.
+struct StepPosition {
+  std::int64_t steps{};
+  StepParts residual{};
+};
+
 // position * steps_per_meter / 10^9, rounded to the nearest step, halves away from 0, without
-// error. |position| <= max_position, steps_per_meter <= max_steps_per_meter.
-std::int64_t steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter);
+// error; the residual is rounded to a part. |position| <= max_position, steps_per_meter <=
+// max_steps_per_meter.
+StepPosition steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter);
 
 // The position of a step count, rounded to the nearest nanometre, halves away from 0.
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter);

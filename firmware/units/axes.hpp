@@ -39,6 +39,8 @@ class AxisSet {
   constexpr void remove(Axis axis) {
     bits_ = static_cast<std::uint8_t>(bits_ & ~(1u << index_of(axis)));
   }
+  // Bit = index of the axis.
+  constexpr std::uint32_t bits() const { return bits_; }
   constexpr bool operator==(const AxisSet&) const = default;
 
  private:

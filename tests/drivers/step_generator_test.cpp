@@ -135,6 +135,55 @@ TEST_F(StepGeneratorTest, keeps_a_line_straight_over_all_its_segments) {
   EXPECT_EQ(generator_.counters().underruns, 0);
 }
 
+TEST_F(StepGeneratorTest, begins_a_line_a_quarter_of_a_step_early_or_late) {
+  // The only step of an axis in 8 ticks comes at the fourth, early at the second, late at the
+  // sixth.
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    for (const int shift : {0, 1, -1}) {
+      Segment segment = line({0, 0, 0, 0}, rate(0.01));
+      segment.line_ticks = 8;
+      segment.steps.fill(1);
+      segment.steps[(axis + 1) % 4] = 8;
+      if (shift > 0) segment.start.ahead.insert(static_cast<Axis>(axis));
+      if (shift < 0) segment.start.behind.insert(static_cast<Axis>(axis));
+      segment.ticks = 1;
+      segment.ends_motion = false;
+      append(segment);
+      segment.ticks = 7;
+      segment.continues_line = true;
+      segment.ends_motion = true;
+      append(segment);
+      const auto before = pulses_.counts();
+      std::array<std::int64_t, 4> tick_of_step{};
+      while (!generator_.idle()) {
+        const auto counts = pulses_.counts();
+        for (std::size_t i = 0; i < 4; ++i) {
+          if (counts[i] > before[i] && tick_of_step[i] == 0) {
+            tick_of_step[i] = counts[(axis + 1) % 4] - before[(axis + 1) % 4];
+          }
+        }
+      }
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (i == (axis + 1) % 4) continue;
+        EXPECT_EQ(tick_of_step[i], i == axis ? 4 - 2 * shift : 4) << axis << ' ' << shift;
+        EXPECT_EQ(pulses_.counts()[i], before[i] + 1);
+      }
+    }
+  }
+}
+
+TEST_F(StepGeneratorTest, refuses_an_axis_both_early_and_late) {
+  Segment segment = line({5, 3, 0, 0});
+  segment.start.ahead.insert(Axis::y);
+  segment.start.behind.insert(Axis::y);
+  EXPECT_FALSE(generator_.append(segment));
+  segment.start.behind.remove(Axis::y);
+  segment.start.behind.insert(Axis::x);
+  append(segment);
+  run_until_idle();
+  EXPECT_THAT(pulses_.counts(), ElementsAre(5, 3, 0, 0, 0));
+}
+
 TEST_F(StepGeneratorTest, counts_an_underrun_only_where_motion_was_to_go_on) {
   Segment segment = line({5, 0, 0, 0});
   append(segment);

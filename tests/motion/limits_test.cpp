@@ -23,11 +23,11 @@ using units::StepsPerMeter;
 
 TEST(steps, round_halves_away_from_zero) {
   const StepsPerMeter eighty(80'000);
-  EXPECT_EQ(motion::steps_at(Nanometers(6'249), eighty), 0);
-  EXPECT_EQ(motion::steps_at(Nanometers(6'250), eighty), 1);
-  EXPECT_EQ(motion::steps_at(Nanometers(-6'249), eighty), 0);
-  EXPECT_EQ(motion::steps_at(Nanometers(-6'250), eighty), -1);
-  EXPECT_EQ(motion::steps_at(Nanometers(1'000'000), StepsPerMeter(62'745)), 63);
+  EXPECT_EQ(motion::steps_at(Nanometers(6'249), eighty).steps, 0);
+  EXPECT_EQ(motion::steps_at(Nanometers(6'250), eighty).steps, 1);
+  EXPECT_EQ(motion::steps_at(Nanometers(-6'249), eighty).steps, 0);
+  EXPECT_EQ(motion::steps_at(Nanometers(-6'250), eighty).steps, -1);
+  EXPECT_EQ(motion::steps_at(Nanometers(1'000'000), StepsPerMeter(62'745)).steps, 63);
 }
 
 TEST(steps, are_exact_for_any_position) {
@@ -36,7 +36,32 @@ TEST(steps, are_exact_for_any_position) {
     const auto size = static_cast<std::int64_t>(random() >> (14 + random() % 49));
     const Nanometers position(std::min(size, motion::max_position.count()) * (i % 2 == 0 ? 1 : -1));
     const StepsPerMeter factor(static_cast<std::int32_t>(1 + random() % 10'000'000));
-    ASSERT_EQ(motion::steps_at(position, factor), motion_test::exact_steps(position, factor))
+    ASSERT_EQ(motion::steps_at(position, factor).steps, motion_test::exact_steps(position, factor))
+        << position.count() << " nm at " << factor.count();
+  }
+}
+
+TEST(steps, leave_a_residual_to_the_position) {
+  const StepsPerMeter eighty(80'000);
+  const std::int32_t step = motion::one_step.count();
+  EXPECT_EQ(motion::steps_at(Nanometers(12'500), eighty).residual.count(), 0);
+  EXPECT_EQ(motion::steps_at(Nanometers(-12'500), eighty).residual.count(), 0);
+  EXPECT_NEAR(motion::steps_at(Nanometers(15'625), eighty).residual.count(), step / 4, 1);
+  EXPECT_NEAR(motion::steps_at(Nanometers(-15'625), eighty).residual.count(), -step / 4, 1);
+  EXPECT_NEAR(motion::steps_at(Nanometers(6'250), eighty).residual.count(), -step / 2, 1);
+  EXPECT_NEAR(motion::steps_at(Nanometers(-6'250), eighty).residual.count(), step / 2, 1);
+}
+
+TEST(steps, and_residual_make_the_position) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 100'000; ++i) {
+    const auto size = static_cast<std::int64_t>(random() >> (14 + random() % 49));
+    const Nanometers position(std::min(size, motion::max_position.count()) * (i % 2 == 0 ? 1 : -1));
+    const StepsPerMeter factor(static_cast<std::int32_t>(1 + random() % 10'000'000));
+    const motion::StepPosition result = motion::steps_at(position, factor);
+    const auto exact = static_cast<motion_test::Wide>(position.count()) * factor.count();
+    const auto rest = exact - static_cast<motion_test::Wide>(result.steps) * 1'000'000'000;
+    ASSERT_NEAR(result.residual.count(), static_cast<double>(rest) / 512, 1)
         << position.count() << " nm at " << factor.count();
   }
 }
@@ -46,7 +71,7 @@ TEST(steps, come_back_from_their_position) {
   for (int i = 0; i < 100'000; ++i) {
     const auto steps = static_cast<std::int64_t>(random() % 2'000'000'000'000) - 1'000'000'000'000;
     const StepsPerMeter factor(static_cast<std::int32_t>(1'000 + random() % 5'000'000));
-    ASSERT_EQ(motion::steps_at(motion::position_of(steps, factor), factor), steps);
+    ASSERT_EQ(motion::steps_at(motion::position_of(steps, factor), factor).steps, steps);
   }
 }
 

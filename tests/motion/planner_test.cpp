@@ -32,7 +32,9 @@ LineMove to(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t e, std:
 void expect_exact_and_within_limits(const RunResult& result) {
   EXPECT_EQ(result.wrong_line_ends, 0u);
   EXPECT_EQ(result.underruns, 0u);
-  EXPECT_LE(result.worst_deviation_steps, 1.0);
+  // A line's ends are rounded by up to half a step, and its steps come up to 3/4 early or late.
+  EXPECT_LE(result.worst_deviation_steps, 1.25);
+  EXPECT_LE(result.worst_distance_steps, std::numbers::sqrt2);
   EXPECT_LE(result.worst_speed_excess, 1e-5);
   EXPECT_LE(result.worst_acceleration_excess, 1e-5);
   EXPECT_LE(result.worst_jump_excess_mm_s, 1e-3);
@@ -165,7 +167,7 @@ TEST(planner, starts_at_once_when_flushed) {
 
 TEST(planner, hands_over_no_more_than_the_horizon_needs) {
   motion::Planner planner(mendel(), motion_test::timing(4'000'000));
-  for (const LineMove& move : arc(60, 1, 20, 50'000)) ASSERT_TRUE(planner.append(move, {}));
+  for (const LineMove& move : arc(30, 1, 20, 50'000)) ASSERT_TRUE(planner.append(move, {}));
   planner.flush();
   int segments = 0;
   while (planner.next_segment({})) ++segments;
@@ -196,7 +198,8 @@ TEST(planner, keeps_the_feedrate_on_moves_of_less_than_a_step) {
 // X and Y step shortly after each other: every other line is a step in a sixth of a step's length.
 TEST(planner, does_not_slow_down_where_rounding_puts_steps_close_together) {
   motion::Limits limits = mendel();
-  limits.travel_acceleration = units::MicrometersPerSecondSquared(3'000'000);
+  limits.travel_acceleration = units::MicrometersPerSecondSquared(6'000'000);
+  for (motion::AxisLimits& axis : limits.axes) axis.max_acceleration = limits.travel_acceleration;
   std::vector<LineMove> moves;
   for (int i = 1; i <= 5'000; ++i) moves.push_back(to(1'400 * i, 1'400 * i + 1'400, 0, 0, 100'000));
   PrintRun run(limits, {});
@@ -206,10 +209,12 @@ TEST(planner, does_not_slow_down_where_rounding_puts_steps_close_together) {
 }
 
 TEST(planner, does_not_crawl_where_steps_are_coarser_than_segments) {
-  PrintRun run(mendel(), {});
+  motion::Limits limits = mendel();
+  limits.travel_acceleration = units::MicrometersPerSecondSquared(3'000'000);
+  PrintRun run(limits, {});
   const RunResult result = run.run(arc(3'000, 0.005, 20, 60'000, 1));
   expect_exact_and_within_limits(result);
-  // The ring looks 0.7 mm ahead, which permits 46 mm/s: 0.33 s.
+  // The ring looks 0.35 mm ahead, which permits 46 mm/s: 0.33 s.
   EXPECT_LT(result.seconds, 0.37);
 }
 

@@ -80,6 +80,7 @@ void PrintRun::check_tick(std::uint32_t ticks, const motion::Segment& segment) {
     const double deviation = std::abs(ideal - static_cast<double>(model_.positions()[i]));
     result_.worst_deviation_steps = std::max(result_.worst_deviation_steps, deviation);
   }
+  result_.worst_distance_steps = std::max(result_.worst_distance_steps, distance_steps(line));
   if (ticks < segment.line_ticks) return;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const bool exact =
@@ -88,6 +89,20 @@ void PrintRun::check_tick(std::uint32_t ticks, const motion::Segment& segment) {
   }
   expected_.pop_front();
   ++result_.lines;
+}
+
+// Of the position on X and Y from the nearest point of the line.
+double PrintRun::distance_steps(const ExpectedLine& line) const {
+  std::array<double, 2> way{}, gone{};
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const auto from = static_cast<double>(line.from[i].count()) * 1e-6 / step_mm(i);
+    way[i] = static_cast<double>(line.to[i].count()) * 1e-6 / step_mm(i) - from;
+    gone[i] = static_cast<double>(model_.positions()[i]) - from;
+  }
+  const double square = way[0] * way[0] + way[1] * way[1];
+  const double along = way[0] * gone[0] + way[1] * gone[1];
+  const double part = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  return std::hypot(gone[0] - part * way[0], gone[1] - part * way[1]);
 }
 
 void PrintRun::check_segment(const motion::Segment& segment, std::uint64_t rate_before_bits) {

@@ -28,7 +28,8 @@ struct RunResult {
   std::uint64_t underruns{};
   std::uint64_t rests{};  // times that motion came to rest
   std::uint64_t wrong_line_ends{};  // lines whose last tick left an axis beside its target
-  double worst_deviation_steps{};  // from the line, of any axis at any tick
+  double worst_deviation_steps{};  // of any axis at any tick from where the exact line is then
+  double worst_distance_steps{};  // of X and Y together from the exact line, at any tick
   double worst_speed_excess{};  // as a part of the limit
   double worst_acceleration_excess{};
   double worst_jump_excess_mm_s{};  // change of an axis' speed beyond its jerk
@@ -56,6 +57,7 @@ class PrintRun {
 
   void feed(const std::vector<motion::LineMove>& moves);
   void check_tick(std::uint32_t ticks, const motion::Segment& segment);
+  double distance_steps(const ExpectedLine& line) const;
   void check_segment(const motion::Segment& segment, std::uint64_t rate_before);
   void check_jump(std::size_t axis, const motion::Segment& segment, double rate,
                   double rate_before);

@@ -53,7 +53,7 @@ class StepModel {
     queue_.pop_front();
     if (!segment_.continues_line) {
       line_ticks_done_ = 0;
-      errors_.fill(segment_.line_ticks / 2);
+      for (std::size_t i = 0; i < units::axis_count; ++i) errors_[i] = first_error(i);
     }
     if (on_segment) on_segment(segment_, resting_ ? 0 : static_cast<std::uint64_t>(rate_ >> 20));
     if (resting_) phase_ = 0;
@@ -62,6 +62,13 @@ class StepModel {
     ticks_left_ = segment_.ticks;
     busy_ = true;
     return true;
+  }
+
+  std::uint32_t first_error(std::size_t index) const {
+    const auto axis = static_cast<units::Axis>(index);
+    const std::uint32_t quarter = segment_.line_ticks / 4;
+    if (segment_.start.behind.contains(axis)) return quarter;
+    return segment_.line_ticks / 2 + (segment_.start.ahead.contains(axis) ? quarter : 0);
   }
 
   void make_tick() {
