@@ -15,6 +15,8 @@ entity segment_queue is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for words written; edges may be left out while none are.
+    bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
     -- Words of the segment behind the last one; lost while the queue is full.
@@ -67,12 +69,17 @@ begin
   lanes : for lane in words'range generate
     signal memory : word_array_t(depth - 1 downto 0) := (others => (others => '0'));
   begin
-    access_memory : process
+    write_memory : process
     begin
-      wait until rising_edge(clk);
+      wait until rising_edge(bus_clk);
       if write.valid = '1' and write.lane = lane and count /= depth then
         memory(last) <= write.data;
       end if;
+    end process;
+
+    read_memory : process
+    begin
+      wait until rising_edge(clk);
       if fetch then
         words(lane) <= memory(first);
       end if;

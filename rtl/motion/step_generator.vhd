@@ -95,7 +95,7 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
-      clk => clk, reset => reset, guards => guards, rate_floor => rate_floor,
+      clk => clk, bus_clk => bus_clk, reset => reset, guards => guards, rate_floor => rate_floor,
       run => control.run, write => write,
       commit => from_software.segment_commit_written, refused => refused,
       flush => command.flush, level => level, max_level => max_level, moving => moving,

@@ -14,6 +14,8 @@ entity step_generator_core is
   );
   port (
     clk : in std_ulogic;
+    -- The same clock for segments being written; edges may be left out while none are.
+    bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
     -- Settings, to be changed at rest.
@@ -68,6 +70,9 @@ architecture rtl of step_generator_core is
 
   signal now : time_t := (others => '0');
   signal forget : std_ulogic;
+  signal writer_forgets : std_ulogic;
+  -- Modulo 2.
+  signal forgettings, forgettings_seen : std_ulogic := '0';
   signal append : std_ulogic;
   signal full : std_ulogic;
 
@@ -92,16 +97,32 @@ begin
 
   forget <= flush or stop_begins;
 
+  -- A stop may come while bus_clk rests: the writer forgets then too, before it is written to again.
+  writer_forgets <= forget or (forgettings xor forgettings_seen);
+
+  count_forgettings : process
+  begin
+    wait until rising_edge(clk);
+    forgettings <= (forgettings xor forget) and not reset;
+  end process;
+
+  see_forgettings : process
+  begin
+    wait until rising_edge(bus_clk);
+    forgettings_seen <= (forgettings xor forget) and not reset;
+  end process;
+
   writer : entity work.segment_writer
     generic map (axes => axes)
     port map (
-      clk => clk, reset => reset, write => write, commit => commit, flush => forget,
+      clk => bus_clk, reset => reset, write => write, commit => commit, flush => writer_forgets,
       queue_full => full, stopped => stopped, accepted => append, refused => refused);
 
   queue : entity work.segment_queue
     generic map (axes => axes, depth => queue_depth)
     port map (
-      clk => clk, reset => reset, write => write, append => append, flush => forget,
+      clk => clk, bus_clk => bus_clk, reset => reset, write => write, append => append,
+      flush => forget,
       level => level, max_level => max_level, full => full, head_valid => head_valid,
       head => head, head_steps => head_steps, take => take);
 

@@ -51,7 +51,7 @@ begin
   queue : entity work.segment_queue
     generic map (axes => axes, depth => depth)
     port map (
-      clk => clk, reset => reset, write => write, append => append, flush => flush,
+      clk => clk, bus_clk => clk, reset => reset, write => write, append => append, flush => flush,
       level => level, max_level => max_level, full => full, head_valid => head_valid,
       head => head, head_steps => head_steps, take => take);
 

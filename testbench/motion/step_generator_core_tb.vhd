@@ -66,7 +66,7 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => depth)
     port map (
-      clk => clk, reset => reset, guards => guards, rate_floor => to_unsigned(2 ** 20, 31),
+      clk => clk, bus_clk => clk, reset => reset, guards => guards, rate_floor => to_unsigned(2 ** 20, 31),
       run => '1', write => write, commit => commit, refused => refused, flush => flush,
       level => level, max_level => max_level, moving => moving, idle => idle,
       segments => segments, underruns => underruns, stalls => stalls,
