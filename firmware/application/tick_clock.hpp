@@ -29,6 +29,8 @@ class TickClock {
   }
 
   units::Cycles next_tick() const { return tick_begin_ + units::Cycles(clocks_per_tick_); }
+  // When a tick that may be skipped has gone by.
+  units::Cycles second_next_tick() const { return next_tick() + units::Cycles(clocks_per_tick_); }
 
  private:
   std::uint32_t clocks_per_tick_;
