@@ -78,8 +78,8 @@ bool Application::update() {
   count(now);
   const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
   counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
-  // Every second tick is soon enough for all tasks: segments are handed over with 40 ms in hand, and
-  // bytes that come faster end the sleep.
+  // Every second tick is soon enough for all tasks: segments are handed over with 40 ms in hand,
+  // and bytes that come faster end the sleep.
   hardware_.timer.set_deadline(clock_.second_next_tick());
   return more;
 }
