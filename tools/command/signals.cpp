@@ -3,16 +3,32 @@
 #include "tools/command/signals.hpp"
 
 #include <csignal>
+#include <ctime>
 
 namespace command {
 
 namespace {
 
+// One Ctrl-C can arrive twice: from the terminal and from a program that passes it on.
+constexpr std::time_t echo_seconds = 1;
+
 volatile std::sig_atomic_t requested = 0;
+volatile std::time_t first_time = 0;
+
+std::time_t seconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec;
+}
 
 void remember(int signal) {
-  requested = 1;
-  std::signal(signal, SIG_DFL);
+  if (requested == 0) {
+    requested = 1;
+    first_time = seconds_now();
+  } else if (seconds_now() - first_time > echo_seconds) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace
@@ -20,6 +36,7 @@ void remember(int signal) {
 void catch_interrupts() {
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
+  std::signal(SIGHUP, remember);
 }
 
 bool interrupt_requested() { return requested != 0; }

@@ -4,8 +4,8 @@
 
 namespace command {
 
-// From now on the first SIGINT or SIGTERM only sets the wish; a second one ends the program at
-// once.
+// From now on the first SIGINT, SIGTERM or SIGHUP only sets the wish; one that comes two seconds
+// later ends the program at once.
 void catch_interrupts();
 bool interrupt_requested();
 

@@ -39,6 +39,32 @@ inner_environment() {
   return 0
 }
 
+# The program that enters the root would die of Ctrl-C or `kill` at once and take the command with it,
+# before it can write its report. So it is deaf to them, and the command gets them.
+enter_and_pass_signals() {
+  local enterer inner status passed
+  (trap '' INT TERM HUP; exec "$@") <&0 &
+  enterer=$!
+  pass_signal() {
+    passed=yes
+    for inner in $(cat "/proc/$enterer/task/$enterer/children" 2>/dev/null || pgrep -P "$enterer"); do
+      kill "-$1" "$inner" 2>/dev/null || true
+    done
+  }
+  trap 'pass_signal INT' INT
+  trap 'pass_signal TERM' TERM
+  trap 'pass_signal HUP' HUP
+  passed=yes
+  while [ -n "$passed" ]; do
+    passed=
+    status=0
+    wait "$enterer" || status=$?
+  done
+  exit "$status"
+}
+# Inside, the signals have their usual effect again.
+hearing=(env --default-signal=INT,TERM,HUP)
+
 enter_with_bubblewrap() {
   local root=$1 folder setting
   shift
@@ -48,7 +74,7 @@ enter_with_bubblewrap() {
   while read -r setting; do
     arguments+=(--setenv "${setting%%=*}" "${setting#*=}")
   done < <(inner_environment)
-  exec bwrap "${arguments[@]}" -- "$@"
+  enter_and_pass_signals bwrap "${arguments[@]}" -- "${hearing[@]}" "$@"
 }
 
 enter_with_proot() {
@@ -59,7 +85,8 @@ enter_with_proot() {
   while read -r folder; do arguments+=(-b "$folder"); done < <(visible_host_folders)
   while read -r setting; do settings+=("$setting"); done < <(inner_environment)
   settings+=("PATH=$environment/proot_bin:/usr/sbin:/usr/bin:/sbin:/bin")
-  exec env -i "${settings[@]}" "$(command -v proot)" "${arguments[@]}" "$@"
+  enter_and_pass_signals env -i "${settings[@]}" "$(command -v proot)" "${arguments[@]}" \
+    "${hearing[@]}" "$@"
 }
 
 if [ "${STEPFABRIC_TOOLS:-}" != root ] && native_tools_suffice; then
