@@ -53,6 +53,9 @@ bool Application::start() {
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
   hardware_.uart.interrupt_on(wake_level_bytes, 0);
+  // On the chip an address has 32 bits; elsewhere nobody reads this word.
+  counters_.accepted_lines =
+      static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(link_.accepted_lines()));
   counters_.version = Statistics::current_version;
   link_.say(host_link::greeting);
   return true;
@@ -98,7 +101,9 @@ void Application::receive(Now now) {
   }
   std::array<char, 128> bytes;
   const std::size_t count = hardware_.uart.read(bytes);
-  if (count != 0) link_.receive({bytes.data(), count}, now.milliseconds);
+  if (count == 0) return;
+  link_.receive({bytes.data(), count}, now.milliseconds);
+  counters_.lines_accepted = link_.statistics().accepted;
 }
 
 void Application::transmit() {
@@ -164,7 +169,6 @@ void Application::count(Now now) {
   next_count_ = now.milliseconds + count_period;
   const auto link = link_.statistics();
   const auto motion = hardware_.step_generator.counters();
-  counters_.lines_accepted = link.accepted;
   counters_.resends = link.resends;
   counters_.underruns = motion.underruns;
   counters_.guard_stall_clocks = motion.stall_clocks;

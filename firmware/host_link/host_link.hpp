@@ -70,6 +70,8 @@ class HostLink {
   // When the last byte came from the host.
   units::Milliseconds last_heard() const { return last_heard_; }
   const Statistics& statistics() const { return statistics_; }
+  // Of the lines counted as accepted, the last LineQueue::capacity.
+  const LineQueue::Slot* accepted_lines() const { return queue_.slots(); }
 
  private:
   // Told to the host about lines that are answered but not executed. They are counted, so that no

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,7 +32,8 @@ class LineQueue {
   AcceptedLine front() const;
   void drop();
 
- private:
+  // Line n of all that were ever put, counted from 0, lies in slot n % capacity. The layout is a
+  // contract with the simulation, which writes down what was accepted.
   struct Slot {
     std::array<char, max_line_length> text;
     std::int32_t number;
@@ -40,7 +42,11 @@ class LineQueue {
     bool emergency;
   };
   static_assert(max_line_length <= 255, "length of a slot fits its type");
+  static_assert(sizeof(Slot) == 136 && offsetof(Slot, number) == 128 &&
+                offsetof(Slot, length) == 132 && offsetof(Slot, numbered) == 133);
+  const Slot* slots() const { return slots_.data(); }
 
+ private:
   std::array<Slot, capacity> slots_{};
   std::size_t first_{};
   std::size_t size_{};
