@@ -16,29 +16,18 @@ namespace devices {
 
 enum class HostState : std::uint8_t { waiting_for_start, printing, completed, faulted };
 
-struct HostCounts {
-  std::uint64_t lines_sent{};  // on the wire, resends included
-  std::uint64_t resends{};
-  std::uint64_t commands_executed{};  // commands of the file that the chip carried out
-  std::uint64_t commands_refused{};  // commands of the file that the chip did not know or refused
-  std::uint64_t busy_replies{};
-};
-
 // The dialogue is that of Marlin's hosts: `N<number> <command>*<checksum>`, then `ok`; `Resend: N`
 // names the line to send again after the next `ok`. `echo:` lines are remarks; `Error:` lines
 // announce a resend or are fatal. After the file comes M400, so that `completed` means that the
 // last move has been made.
-class FileHost : public sim::Device, public ByteListener {
+class FileHost : public sim::Device, public ByteListener, public Host {
  public:
   FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::ClockRate rate);
-
-  void add_listener(HostListener& listener) { listeners_.push_back(&listener); }
 
   HostState state() const { return state_; }
   bool ended() const { return state_ == HostState::completed || state_ == HostState::faulted; }
   // Why the print has faulted: one sentence, with the line of the file.
   const std::string& fault() const { return fault_; }
-  const HostCounts& counts() const { return counts_; }
   // Commands of the file that are done, and all of them.
   std::size_t done() const { return acknowledged_; }
   std::size_t total() const { return script_.size(); }
@@ -59,10 +48,8 @@ class FileHost : public sim::Device, public ByteListener {
   std::vector<FileCommand> script_;  // index = line number; 0 is M110
   SerialLine& line_;
   sim::ClockRate rate_;
-  std::vector<HostListener*> listeners_;
   HostState state_ = HostState::waiting_for_start;
   std::string fault_;
-  HostCounts counts_;
   std::string reply_;
   std::size_t next_ = 0;  // line to send next
   std::size_t acknowledged_ = 0;  // lines before this one are done

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a host program notices while it sends a file, told to the recorder and to the progress line.
+// Who sends commands to the chip, and what is noticed of them, told to the recorder.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "sim/simulation/pins.hpp"
 
@@ -27,6 +28,30 @@ class HostListener {
                                     [[maybe_unused]] bool executed) {}
   // Every line from the chip.
   virtual void reply([[maybe_unused]] sim::Clock now, [[maybe_unused]] std::string_view line) {}
+};
+
+struct HostCounts {
+  std::uint64_t lines_sent{};  // on the wire, resends included
+  std::uint64_t resends{};
+  std::uint64_t commands_executed{};  // that the chip carried out
+  std::uint64_t commands_refused{};  // that the chip did not know or refused
+  std::uint64_t busy_replies{};
+};
+
+// Whatever is at the other end of the serial line, as far as its commands can be observed.
+class Host {
+ public:
+  Host() = default;
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+  virtual ~Host() = default;
+
+  void add_listener(HostListener& listener) { listeners_.push_back(&listener); }
+  const HostCounts& counts() const { return counts_; }
+
+ protected:
+  std::vector<HostListener*> listeners_;
+  HostCounts counts_;
 };
 
 }  // namespace devices

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "sim/devices/terminal_settings.hpp"
+
 namespace devices {
 
 namespace {
@@ -20,7 +22,8 @@ namespace {
 constexpr double poll_interval_seconds = 0.0005;
 // Bytes that wait for the wire; the kernel holds back the rest, as a USB adapter's buffer would.
 constexpr std::size_t line_buffer_bytes = 64;
-// What the kernel does not take because no host reads is kept up to this size, then dropped.
+// What the kernel does not take because the host does not read is kept up to this size, then
+// dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
 
 [[noreturn]] void fail(const char* what) {
@@ -30,12 +33,19 @@ constexpr std::size_t host_buffer_bytes = 65'536;
 }  // namespace
 
 PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, SerialLine& line,
-                               sim::ClockRate rate)
-    : link_(link), line_(line), poll_interval_(rate.clocks(poll_interval_seconds) + 1) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(link)) &&
-      !std::filesystem::is_symlink(link)) {
-    throw std::runtime_error(link.string() + " exists and is not a symlink");
-  }
+                               sim::ClockRate rate, std::uint32_t baud)
+    : link_(link),
+      line_(line),
+      poll_interval_(rate.clocks(poll_interval_seconds) + 1),
+      chip_baud_(baud),
+      host_baud_(baud) {
+  make_slave();
+  make_link();
+  line_.set_listener(*this);
+  next_wake_ = poll_interval_;
+}
+
+void PseudoTerminal::make_slave() {
   master_ = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (master_ < 0 || grantpt(master_) != 0 || unlockpt(master_) != 0) {
     fail("cannot make a pseudo-terminal");
@@ -45,20 +55,26 @@ PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, SerialLine& li
     fail("cannot name the pseudo-terminal");
   }
   slave_path_ = name.data();
-  slave_ = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  termios settings{};
-  if (slave_ < 0 || tcgetattr(slave_, &settings) != 0) {
+  // Only after its first use does a terminal tell that nobody has it open.
+  const int slave = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (slave < 0) {
     fail("cannot open the pseudo-terminal");
   }
-  cfmakeraw(&settings);
-  cfsetspeed(&settings, B115200);
-  if (tcsetattr(slave_, TCSANOW, &settings) != 0) {
-    fail("cannot set the pseudo-terminal");
+  close(slave);
+  set_raw(master_, chip_baud_);
+}
+
+void PseudoTerminal::make_link() {
+  if (std::filesystem::exists(std::filesystem::symlink_status(link_)) &&
+      !std::filesystem::is_symlink(link_)) {
+    close(master_);
+    throw std::runtime_error(link_.string() + " exists and is not a symlink");
   }
-  std::filesystem::remove(link);
-  std::filesystem::create_symlink(slave_path_, link);
-  line_.set_listener(*this);
-  next_wake_ = poll_interval_;
+  // Renamed into its place, so that a host never finds it missing.
+  const std::filesystem::path fresh = link_.string() + ".new";
+  std::filesystem::remove(fresh);
+  std::filesystem::create_symlink(slave_path_, fresh);
+  std::filesystem::rename(fresh, link_);
 }
 
 PseudoTerminal::~PseudoTerminal() {
@@ -66,24 +82,76 @@ PseudoTerminal::~PseudoTerminal() {
   if (std::filesystem::read_symlink(link_, ignored) == slave_path_) {
     std::filesystem::remove(link_, ignored);
   }
-  close(slave_);
   close(master_);
 }
 
 void PseudoTerminal::wake(sim::Clock now) {
   next_wake_ = now + poll_interval_;
   flush();
-  if (line_.waiting_bytes() >= line_buffer_bytes) {
-    return;
+  if (line_.waiting_bytes() < line_buffer_bytes) {
+    take_from_host(now);
   }
+}
+
+void PseudoTerminal::take_from_host(sim::Clock now) {
   std::array<char, line_buffer_bytes> buffer{};
   const ssize_t count = read(master_, buffer.data(), buffer.size());
+  if (count < 0 && errno == EIO) {
+    host_left(now);
+    return;
+  }
+  host_came(now);
   if (count > 0) {
+    follow_speed(now);
     line_.send(now, std::string_view(buffer.data(), static_cast<std::size_t>(count)));
   }
 }
 
-void PseudoTerminal::byte_received(sim::Clock, std::uint8_t byte) {
+void PseudoTerminal::host_came(sim::Clock now) {
+  if (connected_) {
+    return;
+  }
+  connected_ = true;
+  if (on_open) {
+    on_open(now);
+  }
+}
+
+void PseudoTerminal::host_left(sim::Clock now) {
+  if (!connected_) {
+    return;
+  }
+  connected_ = false;
+  to_host_.clear();
+  // The next host finds neither this one's settings nor what was said to it.
+  set_raw(master_, chip_baud_);
+  const int slave = open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (slave >= 0) {
+    tcflush(slave, TCIFLUSH);
+    close(slave);
+  }
+  follow_speed(now);
+  if (on_close) {
+    on_close(now);
+  }
+}
+
+void PseudoTerminal::follow_speed(sim::Clock now) {
+  const std::uint32_t chosen = baud_of(master_);
+  if (chosen == 0 || chosen == host_baud_) {
+    return;
+  }
+  host_baud_ = chosen;
+  line_.set_baud(now, chosen);
+}
+
+void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {
+  if (on_byte) {
+    on_byte(now, static_cast<char>(byte));
+  }
+  if (!connected_) {
+    return;
+  }
   to_host_ += static_cast<char>(byte);
   if (byte == '\n') {
     flush();

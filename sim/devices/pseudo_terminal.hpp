@@ -3,35 +3,58 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "sim/devices/serial_line.hpp"
 
 namespace devices {
 
-// The slave is set raw before anybody opens it and one descriptor of it stays open, so that hosts
-// may close and open it at any time. Throws std::system_error where no pseudo-terminal can be made,
-// and std::runtime_error where `link` is there already and is no symlink.
+// As with a USB serial adapter, hosts come and go: who comes finds a raw terminal at the chip's
+// speed and nothing old in it; what is said while nobody is there is lost; the wire runs at the
+// speed that the host chooses, right or wrong.
 class PseudoTerminal : public sim::Device, public ByteListener {
  public:
-  PseudoTerminal(const std::filesystem::path& link, SerialLine& line, sim::ClockRate rate);
+  // The wire runs at `baud` until a host chooses otherwise. Throws std::system_error where no
+  // pseudo-terminal can be made, and std::runtime_error where `link` is there already and is no
+  // symlink.
+  PseudoTerminal(const std::filesystem::path& link, SerialLine& line, sim::ClockRate rate,
+                 std::uint32_t baud);
   ~PseudoTerminal() override;
 
+  // A host has opened the port (an adapter would raise DTR), or the last one has closed it.
+  std::function<void(sim::Clock now)> on_open;
+  std::function<void(sim::Clock now)> on_close;
+  // Every byte of the chip, whether a host is there or not.
+  std::function<void(sim::Clock now, char byte)> on_byte;
+
   const std::string& slave_path() const { return slave_path_; }
+  bool connected() const { return connected_; }
+  // What the host has chosen, or the chip's own.
+  std::uint32_t host_baud() const { return host_baud_; }
+  // Said by the chip and not read by a host that was there.
   std::uint64_t bytes_dropped() const { return bytes_dropped_; }
 
   void wake(sim::Clock now) override;
   void byte_received(sim::Clock now, std::uint8_t byte) override;
 
  private:
+  void make_slave();
+  void make_link();
+  void take_from_host(sim::Clock now);
+  void host_came(sim::Clock now);
+  void host_left(sim::Clock now);
+  void follow_speed(sim::Clock now);
   void flush();
 
   std::filesystem::path link_;
   SerialLine& line_;
   sim::Clock poll_interval_;
+  std::uint32_t chip_baud_;
+  std::uint32_t host_baud_;
   int master_ = -1;
-  int slave_ = -1;
   std::string slave_path_;
+  bool connected_ = false;
   std::string to_host_;
   std::uint64_t bytes_dropped_ = 0;
 };

@@ -4,6 +4,7 @@
 #include "sim/devices/serial_line.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace devices {
 
@@ -23,6 +24,20 @@ void SerialLine::send(sim::Clock now, std::string_view bytes) {
     send_start_ = now;
     frames_since_start_ = 0;
     start_frame(now);
+  }
+  schedule();
+}
+
+void SerialLine::set_baud(sim::Clock now, std::uint32_t baud) {
+  baud_ = baud;
+  receiving_ = false;
+  receive_at_ = sim::never;
+  if (sending_) {
+    // The line rests for a frame, in which the chip finds its way again.
+    inputs_.receive = true;
+    sent_bits_ = frame_bits;
+    send_start_ = send_at_ = after_half_bits(now, 2 * frame_bits);
+    frames_since_start_ = std::numeric_limits<std::uint64_t>::max();  // the next one is the first
   }
   schedule();
 }

@@ -37,6 +37,9 @@ class SerialLine : public sim::Device {
 
   void set_listener(ByteListener& listener) { listener_ = &listener; }
 
+  // From now on at another speed; a frame under way in either direction is lost.
+  void set_baud(sim::Clock now, std::uint32_t baud);
+
   // Bytes to the chip, after those that still wait.
   void send(sim::Clock now, std::string_view bytes);
   std::size_t waiting_bytes() const { return waiting_.size(); }

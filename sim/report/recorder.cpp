@@ -24,7 +24,7 @@ std::array<double, 4> resolutions(const machine::Printer& printer) {
 
 }  // namespace
 
-Recorder::Recorder(machine::Printer& printer, devices::FileHost& host, sim::Simulation& simulation,
+Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulation& simulation,
                    const std::filesystem::path& edges)
     : printer_(printer),
       host_(host),

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "sim/devices/file_host.hpp"
+#include "sim/devices/host_listener.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/report/edge_file.hpp"
 #include "sim/report/message_log.hpp"
@@ -22,7 +22,7 @@ namespace report {
 class Recorder : public devices::HostListener {
  public:
   // Listens from now on; to be made before the simulation runs. `edges` empty: no file of edges.
-  Recorder(machine::Printer& printer, devices::FileHost& host, sim::Simulation& simulation,
+  Recorder(machine::Printer& printer, devices::Host& host, sim::Simulation& simulation,
            const std::filesystem::path& edges);
 
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
@@ -38,7 +38,7 @@ class Recorder : public devices::HostListener {
   AxisResult axis_result(std::size_t axis) const;
 
   machine::Printer& printer_;
-  devices::FileHost& host_;
+  devices::Host& host_;
   sim::Simulation& simulation_;
   PathCheck path_check_;
   ToolPath tool_path_;

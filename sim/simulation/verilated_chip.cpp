@@ -125,6 +125,13 @@ void VerilatedChip::advance(Clock limit) {
   }
 }
 
+void VerilatedChip::reset() {
+  started_ = false;
+  model_->reset = 1;
+  hold_reset();
+  outputs_ = sampled_outputs();
+}
+
 std::uint32_t VerilatedChip::word_index(std::uint32_t address) {
   using Root = Vprinter_controller___024root;
   constexpr std::size_t words =

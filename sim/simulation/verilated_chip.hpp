@@ -19,13 +19,15 @@ class HardwareAssertion : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The chip is in reset until the first advance(). Clocks in reset do not count.
+// The chip is in reset until the first advance(), and until the next one after reset(). Clocks in
+// reset do not count.
 class VerilatedChip : public Chip {
  public:
   explicit VerilatedChip(std::uint32_t clock_hz);
   ~VerilatedChip() override;
 
   void advance(Clock limit) override;
+  void reset() override;
   std::uint32_t read_memory(std::uint32_t address) const override;
   void write_memory(std::uint32_t address, std::uint32_t word) override;
   QueueStatistics queue_statistics() const override;

@@ -32,12 +32,14 @@ class FakeChip : public sim::Chip {
   void say(const std::string& text);
 
   void advance(sim::Clock limit) override;
+  void reset() override { ++resets; }
   std::uint32_t read_memory(std::uint32_t address) const override;
   void write_memory(std::uint32_t address, std::uint32_t word) override;
   sim::QueueStatistics queue_statistics() const override { return queue; }
   sim::ProcessorStatistics processor_statistics() const override { return processor; }
   void trace_to(const std::string&) override { throw std::runtime_error("no traces"); }
 
+  unsigned resets = 0;
   sim::QueueStatistics queue;
   sim::ProcessorStatistics processor;
 

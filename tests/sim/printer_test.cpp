@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "sim/devices/file_host.hpp"
 #include "sim/machine/thermal_properties.hpp"
 #include "sim/report/recorder.hpp"
 #include "tests/sim/fake_chip.hpp"

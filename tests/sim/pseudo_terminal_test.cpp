@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/devices/terminal_settings.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "tests/sim/fake_chip.hpp"
 
@@ -44,14 +45,14 @@ class PseudoTerminalTest : public testing::Test {
 };
 
 TEST_F(PseudoTerminalTest, carries_a_dialogue_without_echo_or_translation) {
-  devices::PseudoTerminal terminal(link, line, rate);
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
   simulation.attach(terminal, {});
   EXPECT_EQ(ask("M105\n"), "ok M105\n");
   EXPECT_EQ(ask("N1 G28*18\r\n"), "ok N1 G28*18\r\n");
 }
 
 TEST_F(PseudoTerminalTest, survives_hosts_that_close_and_open_the_port) {
-  devices::PseudoTerminal terminal(link, line, rate);
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
   simulation.attach(terminal, {});
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(ask("M105\n"), "ok M105\n");
@@ -59,9 +60,59 @@ TEST_F(PseudoTerminalTest, survives_hosts_that_close_and_open_the_port) {
   }
 }
 
+TEST_F(PseudoTerminalTest, gives_a_new_host_nothing_that_was_said_to_the_one_before) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  int opened = 0, closed = 0;
+  terminal.on_open = [&](sim::Clock) { ++opened; };
+  terminal.on_close = [&](sim::Clock) { ++closed; };
+  chip.say("to nobody\n");
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  EXPECT_FALSE(terminal.connected());
+  // One that never reads, and is gone in the midst of a line.
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_EQ(write(port, "M105\nM10", 8), 8);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  EXPECT_TRUE(terminal.connected());
+  close(port);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  EXPECT_FALSE(terminal.connected());
+  EXPECT_EQ(ask("9\n"), "ok M109\n");
+  EXPECT_EQ(opened, 2);
+  EXPECT_EQ(closed, 1);
+}
+
+TEST_F(PseudoTerminalTest, runs_the_wire_at_the_speed_that_the_host_chooses) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  devices::set_raw(port, 115'200);
+  ASSERT_EQ(write(port, "M105\n", 5), 5);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  EXPECT_EQ(terminal.host_baud(), 115'200U);
+  close(port);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  EXPECT_EQ(terminal.host_baud(), 250'000U);
+  ask("\n");  // ends the noise that the chip has heard
+  EXPECT_EQ(ask("M105\n"), "ok M105\n");
+}
+
+TEST_F(PseudoTerminalTest, forgets_what_a_host_does_not_read_but_stays_alive) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  chip.say(std::string(120'000, 'x') + "\n");
+  simulation.run_until(simulation.now() + rate.clocks(5.0));
+  EXPECT_GT(terminal.bytes_dropped(), 0U);
+  close(port);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  EXPECT_EQ(ask("M105\n"), "ok M105\n");
+}
+
 TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
   {
-    devices::PseudoTerminal terminal(link, line, rate);
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
     EXPECT_EQ(fs::read_symlink(link), terminal.slave_path());
   }
   EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
@@ -70,10 +121,10 @@ TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
 TEST_F(PseudoTerminalTest, replaces_a_stale_symlink_but_no_file) {
   fs::create_symlink("/dev/pts/no-such-terminal", link);
   {
-    devices::PseudoTerminal terminal(link, line, rate);
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
   }
   std::ofstream(link) << "precious";
-  EXPECT_THROW(devices::PseudoTerminal(link, line, rate), std::runtime_error);
+  EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
   EXPECT_EQ(fs::file_size(link), 8U);
   fs::remove(link);
 }

@@ -30,13 +30,13 @@ struct Jobs {
   std::vector<std::string> later_arguments;
 };
 
-void add_printer_options(CLI::App& job, PrinterChoices& choices) {
+void add_printer_options(CLI::App& job, PrinterChoices& choices, std::uint32_t lowest_hz) {
   job.add_option(
          "--machine", choices.machine,
          "description of the simulated printer (TOML); the firmware is built for the default")
       ->type_name("FILE.toml");
-  job.add_option("--clock-hz", choices.clock_hz, "clock of the chip, 4 to 100 MHz")
-      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+  job.add_option("--clock-hz", choices.clock_hz, "clock of the chip")
+      ->check(CLI::Range(lowest_hz, highest_clock_hz))
       ->capture_default_str();
   job.add_option("--baud", choices.baud,
                  "baud rate of the host's end of the line; default: the machine's")
@@ -46,6 +46,9 @@ void add_printer_options(CLI::App& job, PrinterChoices& choices) {
       ->capture_default_str();
   job.add_flag("--warm", choices.warm,
                "the heaters start near their targets, which saves simulated minutes");
+  job.add_option("--accept-log", choices.accept_log,
+                 "write each line that the firmware took: <number or ->TAB<command>")
+      ->type_name("FILE");
   job.add_option(
          "--fault", choices.faults,
          "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
@@ -69,7 +72,7 @@ void add_print(CLI::App& app, PrintOptions& options) {
   job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  add_printer_options(job, options.printer);
+  add_printer_options(job, options.printer, lowest_clock_hz);
   job.footer(
       "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a "
       "file\n"
@@ -84,9 +87,29 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       ->capture_default_str();
   job.add_option_function<std::string>(
          "--speed", [&options](const std::string& speed) { options.real_time = speed == "real"; },
-         "real: not faster than a real printer; max: as fast as it goes (default)")
+         "real: in step with the clock on the wall (default); max: as fast as it goes")
       ->check(CLI::IsMember({"real", "max"}));
-  add_printer_options(job, options.printer);
+  job.add_flag("--reset-on-open", options.reset_on_open,
+               "opening the port resets the chip, as DTR does on an Arduino");
+  job.add_option("--report", options.report, "folder for report.json and report.html")
+      ->type_name("DIR")
+      ->capture_default_str();
+  job.add_option("--edges", options.edges,
+                 "write every rising step edge: cycle,axis,direction,position")
+      ->type_name("FILE.csv");
+  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  add_printer_options(job, options.printer, lowest_serve_clock_hz);
+  job.footer(
+      "Any program that opens the port with the machine's baud rate can print; it may close and "
+      "open it\n"
+      "again at any time. A slow clock changes no pulse: choose one with which the status line "
+      "shows "
+      "1.00 of\n"
+      "real time. Exit status: 0 after Ctrl-C or --until, 1 where the hardware failed an "
+      "assertion, 2 "
+      "bad usage.");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {

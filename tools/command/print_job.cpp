@@ -11,6 +11,7 @@
 #include "sim/devices/file_host.hpp"
 #include "sim/devices/gcode_file.hpp"
 #include "sim/machine/thermal_properties.hpp"
+#include "sim/report/accept_log.hpp"
 #include "sim/report/gcode_path.hpp"
 #include "sim/report/html_report.hpp"
 #include "sim/report/json_report.hpp"
@@ -164,6 +165,15 @@ int print(const PrintOptions& options) {
   devices::FileHost host(*commands, setup.printer().serial_line(), setup.simulation().rate());
   setup.simulation().attach(host, {});
   report::Recorder recorder(setup.printer(), host, setup.simulation(), options.edges);
+  report::FirmwareWatch watch(setup.firmware(), setup.chip());
+  std::optional<report::AcceptLog> accept_log;
+  if (!options.printer.accept_log.empty()) {
+    accept_log.emplace(options.printer.accept_log);
+    watch.on_accepted = [&](sim::Clock, const report::AcceptedLine& line) {
+      accept_log->put(line);
+    };
+    setup.simulation().attach(watch, {});
+  }
   if (!options.trace.empty()) {
     setup.chip().trace_to(options.trace);
   }
@@ -183,6 +193,9 @@ int print(const PrintOptions& options) {
   results.fault = fault;
   results.wall_seconds = std::chrono::duration<double>(Time::now() - started).count();
   recorder.close_edges();
+  if (accept_log) {
+    accept_log->close();
+  }
   write_report(options, results, recorder.courses());
   print_summary(options, results);
   return exit_status_of(options, outcome);

@@ -17,6 +17,7 @@ struct PrinterChoices {
   std::uint64_t seed = 1;
   bool warm = false;
   std::vector<std::string> faults;
+  std::filesystem::path accept_log;
 };
 
 struct PrintOptions {

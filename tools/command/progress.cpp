@@ -35,6 +35,11 @@ void Progress::show(const ProgressFacts& facts) {
       "{:5.2f} M clocks/s",
       percent, facts.simulated_seconds, facts.x_mm, facts.y_mm, facts.z_mm, facts.hotend_c,
       facts.bed_c, clocks_per_second * 1e-6);
+  show_text(line);
+  shown_clocks_ = facts.clocks;
+}
+
+void Progress::show_text(const std::string& line) {
   if (terminal_) {
     fmt::print(stderr, "\r{}\x1b[K", line);
     line_open_ = true;
@@ -42,8 +47,7 @@ void Progress::show(const ProgressFacts& facts) {
     fmt::print(stderr, "{}\n", line);
   }
   std::fflush(stderr);
-  shown_at_ = now;
-  shown_clocks_ = facts.clocks;
+  shown_at_ = Time::now();
 }
 
 void Progress::finish() {

@@ -24,6 +24,7 @@ class Progress {
   // Whether enough time has passed to show something new.
   bool due() const;
   void show(const ProgressFacts& facts);
+  void show_text(const std::string& line);
   // Ends the line that is rewritten.
   void finish();
 

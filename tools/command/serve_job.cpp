@@ -1,55 +1,230 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running the printer for host programs, in step with the clock on the wall if asked.
+// Running the printer for host programs, in step with the clock on the wall unless told otherwise.
 #include "tools/command/serve_job.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "sim/devices/pseudo_terminal.hpp"
+#include "sim/report/accept_log.hpp"
+#include "sim/report/html_report.hpp"
+#include "sim/report/json_report.hpp"
+#include "sim/report/recorder.hpp"
+#include "sim/report/served_host.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/pacer.hpp"
 #include "tools/command/printer_setup.hpp"
+#include "tools/command/progress.hpp"
 #include "tools/command/signals.hpp"
 
 namespace command {
 
 namespace {
 
-using Time = std::chrono::steady_clock;
-
 constexpr double chunk_seconds = 0.005;
 // Typical of PLA, for a warm start.
 constexpr StartTemperatures warm_start{.hotend_c = 200.0, .bed_c = 57.0};
+// A model that is slower than this for so long is worth a word.
+constexpr double slow_ratio = 0.9;
+constexpr double slow_seconds = 10.0;
+
+class Service {
+ public:
+  explicit Service(const ServeOptions& options)
+      : options_(options),
+        setup_(options.printer, warm_start),
+        simulation_(setup_.simulation()),
+        terminal_(options.terminal, setup_.printer().serial_line(), simulation_.rate(),
+                  setup_.baud()),
+        watch_(setup_.firmware(), setup_.chip()),
+        recorder_(setup_.printer(), host_, simulation_, options.edges),
+        pacer_(options.real_time) {
+    if (!options.printer.accept_log.empty()) {
+      accept_log_.emplace(options.printer.accept_log);
+    }
+    listen();
+    simulation_.attach(terminal_, {});
+    simulation_.attach(watch_, {});
+  }
+
+  void run() {
+    const sim::ClockRate rate = simulation_.rate();
+    const sim::Clock chunk = rate.clocks(chunk_seconds);
+    const sim::Clock until =
+        options_.until_seconds ? rate.clocks(*options_.until_seconds) : sim::never;
+    while (!interrupt_requested() && simulation_.now() < until) {
+      simulation_.run_until(std::min(simulation_.now() + chunk, until));
+      if (reset_wanted_) {
+        reset();
+      }
+      if (progress_.due()) {
+        show_status();
+      }
+      pacer_.keep(simulation_.seconds());
+    }
+    progress_.finish();
+  }
+
+  report::Results results() {
+    host_.set_resends(watch_.resends());
+    report::Results results = recorder_.results(setup_.firmware());
+    results.outcome = report::Outcome::stopped;
+    results.wall_seconds = pacer_.wall_seconds();
+    return results;
+  }
+  void close_files() {
+    recorder_.close_edges();
+    if (accept_log_) {
+      accept_log_->close();
+    }
+  }
+  report::Courses courses() const { return recorder_.courses(); }
+
+  void greet() {
+    fmt::print(
+        "serving {} on {} ({}), {} baud, chip at {:.3g} MHz{}.\n"
+        "  Pronterface, pronsole:  connect {} {}\n"
+        "  OctoPrint:              additional serial port {}, {} baud\n"
+        "Ctrl-C ends it and writes {}.\n",
+        setup_.printer().description().name, options_.terminal.string(), terminal_.slave_path(),
+        setup_.baud(), simulation_.rate().hertz() * 1e-6,
+        options_.real_time ? ", in real time" : ", as fast as it goes", options_.terminal.string(),
+        setup_.baud(), options_.terminal.string(), setup_.baud(),
+        (options_.report / "report.html").string());
+    std::fflush(stdout);
+  }
+
+ private:
+  void listen() {
+    terminal_.on_open = [this](sim::Clock) { opened(); };
+    terminal_.on_close = [this](sim::Clock) { say("the host has closed the port"); };
+    terminal_.on_byte = [this](sim::Clock now, char byte) { host_.heard(now, byte); };
+    watch_.on_accepted = [this](sim::Clock now, const report::AcceptedLine& line) {
+      host_.accepted(now, line);
+      if (accept_log_) {
+        accept_log_->put(line);
+      }
+    };
+    watch_.on_finished = [this](sim::Clock now, bool executed) { host_.finished(now, executed); };
+  }
+
+  void opened() {
+    say("a host has opened the port");
+    reset_wanted_ = options_.reset_on_open;
+    if (reset_wanted_) {
+      simulation_.stop();
+    }
+  }
+
+  void reset() {
+    reset_wanted_ = false;
+    setup_.chip().reset();
+    sim::load(setup_.firmware(), setup_.chip());
+    watch_.begin_anew();
+    host_.begin_anew();
+  }
+
+  void say(const std::string& text) {
+    progress_.finish();
+    fmt::print(stderr, "{:8.1f} s  {}\n", simulation_.seconds(), text);
+  }
+
+  void show_status() {
+    machine::Printer& printer = setup_.printer();
+    const double wall = pacer_.wall_seconds();
+    const double seconds = simulation_.seconds();
+    const double wall_passed = std::max(wall - shown_wall_, 1e-9);
+    const double ratio = (seconds - shown_seconds_) / wall_passed;
+    const std::uint64_t lines = host_.counts().lines_sent;
+    progress_.show_text(fmt::format(
+        "{:8.1f} s  X{:7.2f} Y{:7.2f} Z{:6.2f}  hotend {:5.1f} °C  bed {:5.1f} °C  {:5.1f} lines/s"
+        "  {:4.2f} of real time  {}",
+        seconds, printer.axis(0).position_mm(), printer.axis(1).position_mm(),
+        printer.axis(2).position_mm(), printer.hotend_c(), printer.bed_c(),
+        static_cast<double>(lines - shown_lines_) / wall_passed, ratio, connection()));
+    shown_wall_ = wall;
+    shown_seconds_ = seconds;
+    shown_lines_ = lines;
+    if (accept_log_) {
+      accept_log_->flush();
+    }
+    complain_if_slow(ratio, wall_passed);
+  }
+
+  std::string connection() const {
+    if (!terminal_.connected()) {
+      return "no host";
+    }
+    if (terminal_.host_baud() != setup_.baud()) {
+      return fmt::format("the host is at {} baud, not {}!", terminal_.host_baud(), setup_.baud());
+    }
+    return "connected";
+  }
+
+  // Hosts wait for a sign of life in wall time.
+  void complain_if_slow(double ratio, double seconds) {
+    slow_for_ = ratio < slow_ratio ? slow_for_ + seconds : 0;
+    if (!options_.real_time || complained_ || slow_for_ < slow_seconds) {
+      return;
+    }
+    complained_ = true;
+    say(fmt::format(
+        "this machine simulates {:.2f} million clocks/s: with --clock-hz {} the printer "
+        "would keep up with real time",
+        ratio * simulation_.rate().hertz() * 1e-6,
+        std::max(
+            lowest_serve_clock_hz,
+            static_cast<std::uint32_t>(ratio * simulation_.rate().hertz()) / 100'000 * 100'000)));
+  }
+
+  const ServeOptions& options_;
+  PrinterSetup setup_;
+  sim::Simulation& simulation_;
+  devices::PseudoTerminal terminal_;
+  report::FirmwareWatch watch_;
+  report::ServedHost host_;
+  report::Recorder recorder_;
+  std::optional<report::AcceptLog> accept_log_;
+  Pacer pacer_;
+  Progress progress_;
+  bool reset_wanted_ = false;
+  double shown_wall_ = 0, shown_seconds_ = 0;
+  std::uint64_t shown_lines_ = 0;
+  double slow_for_ = 0;
+  bool complained_ = false;
+};
 
 }  // namespace
 
 int serve(const ServeOptions& options) {
-  PrinterSetup setup(options.printer, warm_start);
-  sim::Simulation& simulation = setup.simulation();
-  const sim::ClockRate rate = simulation.rate();
-  devices::PseudoTerminal terminal(options.terminal, setup.printer().serial_line(), rate);
-  simulation.attach(terminal, {});
-  fmt::print("serving {} on {} ({}), {} baud. Ctrl-C ends it.\n",
-             setup.printer().description().name, options.terminal.string(), terminal.slave_path(),
-             setup.baud());
-  std::fflush(stdout);
-
-  const sim::Clock chunk = rate.clocks(chunk_seconds);
-  const Time::time_point started = Time::now();
-  while (!interrupt_requested()) {
-    simulation.run_until(simulation.now() + chunk);
-    if (options.real_time) {
-      std::this_thread::sleep_until(started +
-                                    std::chrono::duration_cast<Time::duration>(
-                                        std::chrono::duration<double>(simulation.seconds())));
-    }
+  std::filesystem::create_directories(options.report);  // fails now rather than at the end
+  Service service(options);
+  service.greet();
+  int status = success;
+  std::string fault;
+  try {
+    service.run();
+  } catch (const sim::HardwareAssertion& failed) {
+    fault = failed.what();
+    status = failure;
   }
-  const double wall = std::chrono::duration<double>(Time::now() - started).count();
-  fmt::print("\n{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s\n",
-             simulation.seconds(), wall, static_cast<double>(simulation.now()) / wall * 1e-6);
-  return success;
+  report::Results results = service.results();
+  results.fault = fault;
+  if (status != success) {
+    results.outcome = report::Outcome::faulted;
+  }
+  service.close_files();
+  report::write_file(options.report / "report.json", report::to_json(results));
+  report::write_file(options.report / "report.html", report::to_html(results, service.courses()));
+  fmt::print(
+      "{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s; {} lines taken, {} "
+      "resends; report: {}\n",
+      results.simulated_seconds, results.wall_seconds,
+      static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6,
+      results.lines_sent, results.resends, (options.report / "report.html").string());
+  return status;
 }
 
 }  // namespace command

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads from the chip's memory which lines the firmware has accepted and which of them it has done.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "sim/simulation/chip.hpp"
+#include "sim/simulation/device.hpp"
+#include "sim/simulation/elf_image.hpp"
+
+namespace report {
+
+struct AcceptedLine {
+  std::optional<std::int32_t> number;  // empty for a line without one
+  std::string text;  // without number and checksum, as the firmware keeps it
+};
+
+// Looks at the block of words that the firmware keeps at its symbol `statistics`
+// (firmware/application/statistics.hpp), so often that no accepted line is overwritten unseen.
+// Throws std::runtime_error where the firmware has no such block, and, from wake(), where lines
+// were missed all the same.
+class FirmwareWatch : public sim::Device {
+ public:
+  FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chip);
+
+  // Told each accepted line, once, in order; and what became of each. (Of several that are done
+  // between two looks, the executed ones are told first.)
+  std::function<void(sim::Clock now, const AcceptedLine& line)> on_accepted;
+  std::function<void(sim::Clock now, bool executed)> on_finished;
+
+  // Asked of the host, since the last reset.
+  std::uint64_t resends() const { return word(Word::resends); }
+  // Longest time from a wake-up of the processor to its next sleep, in clocks.
+  std::uint64_t longest_pass_clocks() const { return word(Word::longest_pass_clocks); }
+
+  // The chip has been reset: its counters begin at 0.
+  void begin_anew();
+
+  void wake(sim::Clock now) override;
+
+ private:
+  enum class Word : std::uint32_t {
+    version,
+    commands_executed,
+    commands_refused,
+    lines_accepted,
+    resends,
+    longest_pass_clocks = 11,
+    accepted_lines,
+  };
+
+  std::uint32_t word(Word which) const;
+  AcceptedLine line(std::uint32_t index) const;
+
+  const sim::Chip& chip_;
+  std::uint32_t block_;
+  std::uint32_t accepted_ = 0;
+  std::uint32_t executed_ = 0;
+  std::uint32_t refused_ = 0;
+};
+
+}  // namespace report
