@@ -13,9 +13,13 @@ namespace {
 constexpr units::Milliseconds count_period{100};
 constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
-// So many bytes end the sleep before the next tick does: 5 ms at 3 Mbaud until a FIFO of 1024 is
-// full.
-constexpr std::size_t wake_level_bytes = 32;
+// How long the loop sleeps if nothing wakes it. Segments are handed over with 40 ms in hand.
+constexpr std::uint32_t ticks_at_work = 2;
+constexpr std::uint32_t ticks_at_rest = 8;
+// So many bytes end the sleep: the first of a line at rest; within one the next look comes soon
+// enough by itself (5 ms at 3 Mbaud until a FIFO of 1024 is full).
+constexpr std::size_t wake_level_at_work = 32;
+constexpr std::size_t wake_level_at_rest = 1;
 
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
@@ -52,7 +56,6 @@ bool Application::start() {
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
-  hardware_.uart.interrupt_on(wake_level_bytes, 0);
   // On the chip an address has 32 bits; elsewhere nobody reads this word.
   counters_.accepted_lines =
       static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(link_.accepted_lines()));
@@ -81,10 +84,15 @@ bool Application::update() {
   count(now);
   const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
   counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
-  // Every second tick is soon enough for all tasks: segments are handed over with 40 ms in hand,
-  // and bytes that come faster end the sleep.
-  hardware_.timer.set_deadline(clock_.second_next_tick());
+  set_alarms();
   return more;
+}
+
+// What ends the sleep after this pass.
+void Application::set_alarms() {
+  const bool at_rest = halted_ || (executor_.can_wait() && !link_.mid_line());
+  hardware_.uart.interrupt_on(at_rest ? wake_level_at_rest : wake_level_at_work, 0);
+  hardware_.timer.set_deadline(clock_.in_ticks(at_rest ? ticks_at_rest : ticks_at_work));
 }
 
 void Application::exchange_bytes(Now now) {

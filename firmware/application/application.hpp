@@ -33,6 +33,7 @@ class Application {
   bool halted() const { return halted_; }
 
  private:
+  void set_alarms();
   void exchange_bytes(Now now);
   void receive(Now now);
   void transmit();

@@ -42,6 +42,10 @@ class CommandExecutor {
 
   // A line is in hand that is not yet answered.
   bool busy() const { return stage_ != Stage::idle; }
+  // Nothing is lost if it is not called for some milliseconds.
+  bool can_wait() const {
+    return stage_ == Stage::idle || stage_ == Stage::heating || waits_for_room_;
+  }
   // Something that must end everything.
   const std::optional<Fatal>& fatal() const { return fatal_; }
 
@@ -121,6 +125,7 @@ class CommandExecutor {
   template <class Quantity>
   Progress set_per_axis(motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity));
 
+  std::optional<char> letter_without_number(std::string_view letters) const;
   units::AxisSet named_axes() const;
   bool wants_other_tool() const;
   void follow_position_jump();
@@ -145,6 +150,7 @@ class CommandExecutor {
   units::AxisSet homing_axes_;
   units::Milliseconds deadline_{};  // of a dwell, or of the next report while heating
   bool wait_cancelled_{};
+  bool waits_for_room_{};  // the planner holds as many lines as it can
   bool refused_{};
   bool notified_{};  // of the extrusion that this move leaves out
   units::Milliseconds busy_interval_{2000};

@@ -33,10 +33,19 @@ host_link::TextLine beyond(Axis axis, units::Nanometers travel) {
   return line.text(" (0.00 to ").decimal(travel.count(), 6, 2).character(')');
 }
 
+// "Number missing after X"
+host_link::TextLine missing_number(char letter) {
+  host_link::TextLine line;
+  return line.text("Number missing after ").character(letter);
+}
+
 }  // namespace
 
 CommandExecutor::Progress CommandExecutor::move(Now now) {
-  if (!motion_.has_room() || motion_.stopping()) return Progress::again;
+  waits_for_room_ = !motion_.has_room();
+  if (waits_for_room_ || motion_.stopping()) return Progress::again;
+  if (const auto letter = letter_without_number("XYZEF"))
+    return refuse(missing_number(*letter).view());
   coordinates_.take_feedrate(command_);
   const Positions wanted = coordinates_.target_of(command_);
   if (!representable(wanted)) return refuse("Number out of range");
@@ -109,6 +118,8 @@ CommandExecutor::Progress CommandExecutor::home(Now) {
 }
 
 CommandExecutor::Progress CommandExecutor::set_position() {
+  if (const auto letter = letter_without_number("XYZE"))
+    return refuse(missing_number(*letter).view());
   Positions positions = coordinates_.logical();
   for (const Axis axis : all_axes) {
     const auto value = coordinates_.length(command_, units::axis_letters[index_of(axis)]);
@@ -160,6 +171,14 @@ CommandExecutor::Progress CommandExecutor::set_flow_factor() {
   if (*percent < 1 || *percent > largest_percentage) return refuse("Factor not within 1 to 999");
   coordinates_.set_flow(static_cast<std::int32_t>(*percent));
   return Progress::done;
+}
+
+// The first of `letters` that the line has, but without a number.
+std::optional<char> CommandExecutor::letter_without_number(std::string_view letters) const {
+  const auto bare = std::ranges::find_if(letters, [this](char letter) {
+    return command_.has(letter) && !command_.value(letter).has_value();
+  });
+  return bare == letters.end() ? std::nullopt : std::optional(*bare);
 }
 
 units::AxisSet CommandExecutor::named_axes() const {

@@ -29,8 +29,10 @@ class TickClock {
   }
 
   units::Cycles next_tick() const { return tick_begin_ + units::Cycles(clocks_per_tick_); }
-  // When a tick that may be skipped has gone by.
-  units::Cycles second_next_tick() const { return next_tick() + units::Cycles(clocks_per_tick_); }
+  // When so many ticks from now have begun.
+  units::Cycles in_ticks(std::uint32_t ticks) const {
+    return tick_begin_ + units::Cycles(std::int64_t{clocks_per_tick_} * ticks);
+  }
 
  private:
   std::uint32_t clocks_per_tick_;

@@ -54,6 +54,26 @@ TEST(motion_commands, halts_when_an_end_stop_is_never_found) {
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
+TEST(motion_commands, refuses_a_coordinate_without_a_number) {
+  Printer printer;
+  prepare(printer);
+  const auto before = printer.chip.mechanical;
+  printer.talk(R"(
+    -> G1 Xabc Y10
+    <- echo:Number missing after X, not executed: "G1 Xabc Y10"
+    <- ok
+    -> G0 Z
+    <- echo:Number missing after Z, not executed: "G0 Z"
+    <- ok
+    -> G92 E
+    <- echo:Number missing after E, not executed: "G92 E"
+    <- ok
+    -> M400
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.mechanical, before);
+}
+
 TEST(motion_commands, moves_to_where_the_line_says_to_the_step) {
   Printer printer;
   prepare(printer);

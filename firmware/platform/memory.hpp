@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copying and filling of memory, a word at a time where both ends lie on words.
+#pragma once
+
+#include <cstddef>
+
+namespace platform {
+
+// The pieces do not overlap.
+void copy(void* to, const void* from, std::size_t bytes);
+void fill(void* begin, unsigned char byte, std::size_t bytes);
+
+}  // namespace platform
