@@ -16,7 +16,8 @@ entity memory is
   port (
     clk : in std_ulogic;
     instruction_request : in instruction_request_t;
-    -- The word asked for in the clock before; stays until the next enabled request.
+    -- The half words asked for in the clock before, each in its place in a word; they stay until the
+    -- next enabled request.
     instruction_data : out std_ulogic_vector(31 downto 0);
     data_request : in memory_request_t;
     -- The word asked for in the clock before; undefined after a write.
@@ -30,21 +31,25 @@ architecture rtl of memory is
 
   subtype word_address_t is natural range 0 to 2 ** address_bits - 1;
 
-  signal instruction_word, data_word : word_address_t;
+  signal upper_word, lower_word, data_word : word_address_t;
 
 begin
 
   size_is_a_power_of_two : assert size_bytes = 4 * 2 ** address_bits
     report "the memory has " & integer'image(size_bytes) & " bytes" severity failure;
 
-  instruction_word <= to_integer(instruction_request.address(address_bits + 1 downto 2));
+  upper_word <= to_integer(instruction_request.upper_address(address_bits + 1 downto 2));
+  lower_word <= to_integer(instruction_request.lower_address(address_bits + 1 downto 2));
   data_word <= to_integer(data_request.address(address_bits + 1 downto 2));
 
   -- One array of bytes per lane: the form in which every tool finds block RAM with byte writes.
   lanes : for lane in 0 to 3 generate
     type bytes_t is array (2 ** address_bits - 1 downto 0) of std_ulogic_vector(7 downto 0);
     signal bytes : bytes_t;
+    signal instruction_word : word_address_t;
   begin
+
+    instruction_word <= lower_word when lane < 2 else upper_word;
 
     read_instruction : process
     begin

@@ -7,16 +7,17 @@ use ieee.numeric_std.all;
 
 package memory_pkg is
 
-  -- Read of one instruction word. While `enable` is low the port keeps its last data.
+  -- Read of 32 bits that begin at any half word: the upper half word of one word and the lower half
+  -- word of the same or of the next. While `enable` is low the port keeps its last data.
   type instruction_request_t is record
     enable : std_ulogic;
-    -- Address of the word; the memory looks only at as many low bits as it has words.
-    address : unsigned(31 downto 2);
+    -- Addresses of the two words; the memory looks only at as many low bits as it has words.
+    upper_address : unsigned(31 downto 2);
+    lower_address : unsigned(31 downto 2);
   end record;
 
   -- Read or write of one data word. While `enable` is low the port keeps its last data; what it
-  -- shows
-  -- after a write is undefined.
+  -- shows after a write is undefined.
   type memory_request_t is record
     enable : std_ulogic;
     -- Byte lanes to write, bit 0 for data(7 downto 0); a read has none.
@@ -26,7 +27,7 @@ package memory_pkg is
   end record;
 
   constant instruction_request_idle : instruction_request_t := (
-    enable => '0', address => (others => '0'));
+    enable => '0', upper_address => (others => '0'), lower_address => (others => '0'));
   constant memory_request_idle : memory_request_t := (
     enable => '0', write_bytes => (others => '0'), address => (others => '0'),
     data => (others => '0'));

@@ -13,8 +13,10 @@ entity alu is
     second : in word_t;
     -- In the coding of funct3.
     operation : in std_ulogic_vector(2 downto 0);
-    -- Subtract instead of add, arithmetic instead of logical shift to the right.
-    alternate : in std_ulogic;
+    -- Subtract instead of add; needed for comparisons, too.
+    subtract : in std_ulogic;
+    -- Arithmetic instead of logical shift to the right.
+    arithmetic_shift : in std_ulogic;
     compare_unsigned : in std_ulogic;
     result : out word_t;
     equal : out std_ulogic;
@@ -24,40 +26,39 @@ end entity;
 
 architecture rtl of alu is
 
-  signal sum, difference, shifted_left, shifted_right, logical : word_t;
-  signal arithmetic_or_left, conditional : word_t;
-  signal wide_difference : unsigned(32 downto 0);
-  signal first_carry, second_carry : std_ulogic;
-  signal wide_shifted : signed(32 downto 0);
+  signal addend, shifted, conditional, logical : word_t;
+  signal first_sign, second_sign, is_left, fill : std_ulogic;
+  signal sum : unsigned(33 downto 0);
+  signal to_shift : unsigned(62 downto 0);
   signal distance : natural range 0 to 31;
 
 begin
 
-  sum <= std_ulogic_vector(unsigned(first) + unsigned(second));
-
-  -- One bit more than the operands: then its top bit is the answer of both comparisons.
-  first_carry <= first(31) and not compare_unsigned;
-  second_carry <= second(31) and not compare_unsigned;
-  wide_difference <= unsigned(first_carry & first) - unsigned(second_carry & second);
-  difference <= std_ulogic_vector(wide_difference(31 downto 0));
-  less <= wide_difference(32);
+  -- One adder for all: with a bit below, from which the carry comes, and one above, which answers
+  -- both comparisons.
+  addend <= second xor (31 downto 0 => subtract);
+  first_sign <= first(31) and not compare_unsigned;
+  second_sign <= (second(31) and not compare_unsigned) xor subtract;
+  sum <= unsigned(first_sign & first & '1') + unsigned(second_sign & addend & subtract);
+  less <= sum(33);
   equal <= first ?= second;
 
-  distance <= to_integer(unsigned(second(4 downto 0)));
-  shifted_left <= std_ulogic_vector(shift_left(unsigned(first), distance));
-  wide_shifted <= shift_right(signed((first(31) and alternate) & first), distance);
-  shifted_right <= std_ulogic_vector(wide_shifted(31 downto 0));
+  -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
+  is_left <= not operation(2);
+  fill <= first(31) and arithmetic_shift;
+  to_shift <= unsigned(first) & (30 downto 0 => '0') when is_left else
+              (30 downto 0 => fill) & unsigned(first);
+  distance <= to_integer(unsigned(second(4 downto 0) xor (4 downto 0 => is_left)));
+  shifted <= std_ulogic_vector(resize(shift_right(to_shift, distance), 32));
 
   -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right, 6 or, 7 and.
-  arithmetic_or_left <= shifted_left when operation(0) else
-                        difference when alternate else
-                        sum;
-  conditional <= (31 downto 1 => '0') & wide_difference(32) when operation(1) else
-                 arithmetic_or_left;
+  conditional <= (31 downto 1 => '0') & sum(33) when operation(1) else
+                 std_ulogic_vector(sum(32 downto 1));
   logical <= first and second when operation(1) and operation(0) else
-           first or second when operation(1) else
-           shifted_right when operation(0) else
-           first xor second;
-  result <= logical when operation(2) else conditional;
+             first or second when operation(1) else
+             first xor second;
+  result <= shifted when operation(0) and not operation(1) else
+            logical when operation(2) else
+            conditional;
 
 end architecture;

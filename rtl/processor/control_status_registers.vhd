@@ -40,7 +40,7 @@ end entity;
 
 architecture rtl of control_status_registers is
 
-  constant misa : word_t := x"40001100";  -- RV32, I and M.
+  constant misa : word_t := x"40001104";  -- RV32, I, M and C.
   constant writable_interrupts : word_t := x"ffff0880";
 
   signal interrupt_enable, previous_interrupt_enable : std_ulogic;
@@ -48,13 +48,16 @@ architecture rtl of control_status_registers is
   signal trap_base : unsigned(31 downto 2);
   signal trap_vectored : std_ulogic;
   signal scratch, last_trap_value : word_t;
-  signal exception_address : unsigned(31 downto 2);
+  signal exception_address : unsigned(31 downto 1);
   signal last_trap_cause : std_ulogic_vector(4 downto 0);
   signal last_trap_was_interrupt : std_ulogic;
   signal cycle_stopped, instructions_stopped : std_ulogic;
   signal cycle, instructions : unsigned(63 downto 0);
 
   signal read_data, write_data, status : word_t;
+  signal counter_half : unsigned(31 downto 0);
+  signal trap_state, setup : word_t;
+  signal is_counter, is_trap_state, is_setup : std_ulogic;
   signal exists, write, writes_counter : std_ulogic;
   signal cycle_event, instruction_event : std_ulogic;
 
@@ -70,29 +73,16 @@ begin
                            19 => interrupts(3), 18 => interrupts(2), 17 => interrupts(1),
                            16 => interrupts(0), others => '0');
 
-  read : process (all)
+  -- What exists is decided by the whole address; what is read by as few of its bits as tell apart
+  -- what exists: the gates stay few.
+  check_address : process (all)
   begin
     exists <= '1';
-    read_data <= (others => '0');
     case request.address is
-      when x"300" => read_data <= status;
-      when x"301" => read_data <= misa;
-      when x"304" => read_data <= enabled_interrupts;
-      when x"305" => read_data <= std_ulogic_vector(trap_base) & '0' & trap_vectored;
-      when x"310" => null;  -- mstatush: little endian.
-      when x"320" => read_data(2) <= instructions_stopped; read_data(0) <= cycle_stopped;
-      when x"340" => read_data <= scratch;
-      when x"341" => read_data <= std_ulogic_vector(exception_address) & "00";
-      when x"342" =>
-        read_data(31) <= last_trap_was_interrupt;
-        read_data(4 downto 0) <= last_trap_cause;
-      when x"343" => read_data <= last_trap_value;
-      when x"344" => read_data <= requested_interrupts;
+      when x"300" | x"301" | x"304" | x"305" | x"310" | x"320" | x"340" | x"341" | x"342" | x"343" |
+           x"344" => null;
       when x"7a0" | x"7a1" => null;  -- tselect, tdata1: "there is no trigger".
-      when x"b00" | x"c00" => read_data <= std_ulogic_vector(cycle(31 downto 0));
-      when x"b80" | x"c80" => read_data <= std_ulogic_vector(cycle(63 downto 32));
-      when x"b02" | x"c02" => read_data <= std_ulogic_vector(instructions(31 downto 0));
-      when x"b82" | x"c82" => read_data <= std_ulogic_vector(instructions(63 downto 32));
+      when x"b00" | x"c00" | x"b80" | x"c80" | x"b02" | x"c02" | x"b82" | x"c82" => null;
       when x"f11" | x"f12" | x"f13" | x"f14" | x"f15" => null;  -- Who made it: unnamed; hart 0.
       when others =>
         -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero; nothing else.
@@ -102,6 +92,37 @@ begin
                    (or request.address(4 downto 2) or (and request.address(1 downto 0))));
     end case;
   end process;
+
+  is_counter <= request.address(11) and (request.address(10) nand request.address(9)) and
+                not (or request.address(4 downto 2)) and not request.address(0);
+  counter_half <= cycle(63 downto 32) when request.address(7) and not request.address(1) else
+                  instructions(63 downto 32) when request.address(7) else
+                  cycle(31 downto 0) when not request.address(1) else
+                  instructions(31 downto 0);
+  -- 34x: scratch, and what the last trap left.
+  is_trap_state <= request.address(9) and request.address(6);
+  trap_state <= requested_interrupts when request.address(2) else
+                last_trap_value when request.address(1) and request.address(0) else
+                (31 => last_trap_was_interrupt, 4 => last_trap_cause(4), 3 => last_trap_cause(3),
+                 2 => last_trap_cause(2), 1 => last_trap_cause(1), 0 => last_trap_cause(0),
+                 others => '0') when request.address(1) else
+                std_ulogic_vector(exception_address) & '0' when request.address(0) else
+                scratch;
+  -- 30x: mstatus, misa, mie, mtvec; 310 (mstatush) and 32x are zero but for mcountinhibit.
+  is_setup <= not request.address(11) and not request.address(10) and not request.address(6) and
+              not request.address(4);
+  setup <= (2 => instructions_stopped and not (or request.address(4 downto 0)),
+            0 => cycle_stopped and not (or request.address(4 downto 0)), others => '0') when
+             request.address(5) else
+           std_ulogic_vector(trap_base) & '0' & trap_vectored when
+             request.address(2) and request.address(0) else
+           enabled_interrupts when request.address(2) else
+           misa when request.address(0) else
+           status;
+  read_data <= std_ulogic_vector(counter_half) when is_counter else
+               trap_state when is_trap_state else
+               setup when is_setup else
+               x"00000000";
 
   response.data <= read_data;
   -- The upper two bits of an address say that it cannot be written.
@@ -134,7 +155,7 @@ begin
           cycle_stopped <= write_data(0);
           instructions_stopped <= write_data(2);
         when x"340" => scratch <= write_data;
-        when x"341" => exception_address <= unsigned(write_data(31 downto 2));
+        when x"341" => exception_address <= unsigned(write_data(31 downto 1));
         when x"342" =>
           last_trap_was_interrupt <= write_data(31);
           last_trap_cause <= write_data(4 downto 0);
@@ -146,7 +167,7 @@ begin
     if trap.enable then
       previous_interrupt_enable <= interrupt_enable;
       interrupt_enable <= '0';
-      exception_address <= trap.address(31 downto 2);
+      exception_address <= trap.address(31 downto 1);
       last_trap_was_interrupt <= trap.interrupt;
       last_trap_cause <= trap.cause;
       last_trap_value <= trap.value;
@@ -170,7 +191,7 @@ begin
 
   trap_target <= trap_base & "00" when not (trap_vectored and trap.interrupt) else
                  (trap_base + unsigned(trap.cause)) & "00";
-  return_address <= exception_address & "00";
+  return_address <= exception_address & '0';
 
   cycle_event <= not cycle_stopped;
   -- Counts while the rest of the processor is at rest, too.

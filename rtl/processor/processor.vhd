@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor: RV32IM with machine mode, each instruction in a time that depends only on itself.
+-- The processor: RV32IMC with machine mode, each instruction in a time that depends only on itself.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -50,29 +50,28 @@ architecture rtl of processor is
 
   constant memory_address_bits : positive := integer(ceil(log2(real(memory_size_bytes))));
 
-  -- Fetch.
-  signal fetched_valid, fetch_fault, jump : std_ulogic;
+  -- Fetch and decode.
+  signal fetched_valid, fetch_fault, leaves_memory : std_ulogic;
   signal fetched_address : unsigned(31 downto 0);
+  signal fetched_instruction : word_t;
   signal redirect : std_ulogic;
   signal redirect_address : unsigned(31 downto 0);
-
-  -- Decode.
   signal decoded : decoded_t;
-  alias first_index : register_index_t is instruction_data(19 downto 15);
-  alias second_index : register_index_t is instruction_data(24 downto 20);
-  signal first_stored, second_stored, first_value, second_value : word_t;
-  signal result_missing, advance, follow : std_ulogic;
+  signal decoded_immediate : word_t;
+  signal advance, follow : std_ulogic;
 
   -- Execute.
   signal executing : executing_t;
-  signal executing_instruction, executing_first, executing_second : word_t;
-  signal executing_address, executing_base, executing_offset : unsigned(31 downto 0);
-  alias destination : register_index_t is executing_instruction(11 downto 7);
-  alias funct3 : std_ulogic_vector(2 downto 0) is executing_instruction(14 downto 12);
-  signal start, stall, complete, take_interrupt : std_ulogic;
+  signal kind : decoded_t;
+  signal executing_instruction, executing_immediate : word_t;
+  signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
+  signal able, waiting, start, stall, complete, take_interrupt : std_ulogic;
+  signal first_stored, first_value, second_stored, second_alternative, second_value : word_t;
+  signal first_matches, second_matches : std_ulogic;
   signal alu_result, divider_result : word_t;
   signal equal, less, condition, divider_done : std_ulogic;
-  signal target : unsigned(31 downto 0);
+  signal jump, jump_register : std_ulogic;
+  signal target, target_plus_2, register_target, register_target_plus_2 : unsigned(31 downto 0);
   signal data_enable, data_misaligned, data_in_memory, data_done, data_error : std_ulogic;
   signal bus_active : std_ulogic;
   signal csr_operand : word_t;
@@ -98,7 +97,6 @@ begin
     memory_size_bytes = 2 ** memory_address_bits and
     to_integer(reset_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
 
-  -- Fetch: the memory's port for instructions holds what is decoded.
   instruction_fetch : entity work.instruction_fetch
     generic map (reset_address => reset_address, memory_address_bits => memory_address_bits)
     port map (
@@ -107,140 +105,138 @@ begin
       redirect => redirect,
       redirect_address => redirect_address,
       jump => jump,
-      jump_address => target,
+      target => target,
+      target_plus_2 => target_plus_2,
+      jump_register => jump_register,
+      register_target => register_target,
+      register_target_plus_2 => register_target_plus_2,
       advance => advance,
       instruction_request => instruction_request,
+      instruction_data => instruction_data,
       valid => fetched_valid,
       address => fetched_address,
-      fault => fetch_fault);
+      instruction => fetched_instruction,
+      fault => fetch_fault,
+      leaves_memory => leaves_memory);
 
-  -- Decode: the registers are read, or what is about to be written to them.
   instruction_decoder : entity work.instruction_decoder
-    port map (instruction => instruction_data, decoded => decoded);
+    port map (
+      instruction => fetched_instruction,
+      decoded => decoded,
+      immediate => decoded_immediate);
 
+  advance <= not stall;
+  -- What is decoded comes after what is executed.
+  follow <= fetched_valid and not (jump or jump_register or trap.enable or return_from_trap);
+
+  pass_to_execute : process
+  begin
+    wait until rising_edge(clk);
+    if advance then
+      executing <= (
+        valid => follow,
+        fetch_fault => fetch_fault,
+        leaves_memory => leaves_memory,
+        refused => fetch_fault or decoded.illegal);
+      kind <= decoded;
+      executing_immediate <= decoded_immediate;
+      executing_address <= fetched_address;
+      executing_instruction <= fetched_instruction;
+      if not (and fetched_instruction(1 downto 0)) then
+        executing_instruction(31 downto 16) <= (others => '0');
+      end if;
+    end if;
+
+    if reset then
+      executing.valid <= '0';
+    end if;
+  end process;
+
+  -- Execute: everything that an instruction does, it does here, or it traps. The registers are read,
+  -- or what is just being written to them.
   register_file : entity work.register_file
     port map (
       clk => clk,
-      first_index => first_index,
+      first_index => kind.first_index,
       first => first_stored,
-      second_index => second_index,
+      second_index => kind.second_index,
       second => second_stored,
       write => writing.writes,
       write_index => writing.destination,
       write_data => written_value);
 
-  first_value <= alu_result when executing.writes and (first_index ?= destination) else
-                 written_value when writing.writes and (first_index ?= writing.destination) else
-                 first_stored;
-  second_value <= alu_result when executing.writes and (second_index ?= destination) else
-                  written_value when writing.writes and (second_index ?= writing.destination) else
+  first_matches <= writing.writes and (kind.first_index ?= writing.destination);
+  second_matches <= writing.writes and (kind.second_index ?= writing.destination);
+  first_value <= writing_result when first_matches else first_stored;
+  second_alternative <= executing_immediate when kind.second_is_constant else writing_result;
+  second_value <= second_alternative when kind.second_is_constant or second_matches else
                   second_stored;
 
-  result_missing <= executing.writes and executing.late and
-                    ((decoded.reads_first and (first_index ?= destination)) or
-                     (decoded.reads_second and (second_index ?= destination)));
-  advance <= not stall and not result_missing;
-  -- What is decoded comes after what is executed.
-  follow <= fetched_valid and not (jump or trap.enable or return_from_trap);
-
-  pass_to_execute : process
-  begin
-    wait until rising_edge(clk);
-    if not stall then
-      executing.valid <= follow and not result_missing;
-      executing.writes <= decoded.writes and follow and not result_missing;
-    end if;
-    if advance then
-      executing_address <= fetched_address;
-      executing_instruction <= instruction_data;
-      executing.fetch_fault <= fetch_fault;
-      executing.refused <= fetch_fault or decoded.illegal;
-      executing_first <= std_ulogic_vector(fetched_address) when decoded.first_is_address else
-                         x"00000000" when decoded.first_is_zero else
-                         first_value;
-      executing_second <= decoded.constant_operand when decoded.second_is_constant else
-                          second_value;
-      executing_base <= fetched_address when decoded.relative else unsigned(first_value);
-      executing_offset <= unsigned(decoded.offset);
-      executing.operation <= decoded.operation;
-      executing.alternate <= decoded.alternate;
-      executing.compare_unsigned <= decoded.compare_unsigned;
-      executing.late <= decoded.late;
-      executing.load <= decoded.load;
-      executing.store <= decoded.store;
-      executing.branch <= decoded.branch;
-      executing.jump <= decoded.jump;
-      executing.multiply <= decoded.multiply;
-      executing.divide <= decoded.divide;
-      executing.csr <= decoded.csr;
-      executing.environment_call <= decoded.environment_call;
-      executing.breakpoint <= decoded.breakpoint;
-      executing.trap_return <= decoded.trap_return;
-      executing.wait_for_interrupt <= decoded.wait_for_interrupt;
-    end if;
-
-    if reset then
-      executing.valid <= '0';
-      executing.writes <= '0';
-    end if;
-  end process;
-
-  -- Execute: everything that an instruction does, it does here, or it traps.
+  able <= executing.valid and not executing.refused;
+  waiting <= able and writing.late and ((kind.reads_first and first_matches) or
+                                        (kind.reads_second and second_matches));
   take_interrupt <= interrupt_pending and (executing.valid or fetched_valid) and not bus_active and
-                    not (executing.valid and executing.wait_for_interrupt);
-  start <= executing.valid and not executing.refused and not take_interrupt;
-  stall <= start and ((executing.divide and not divider_done) or
-                      ((executing.load or executing.store) and not data_done) or
-                      (executing.wait_for_interrupt and not awake));
+                    not (executing.valid and kind.wait_for_interrupt);
+  start <= able and not waiting and not take_interrupt;
+  stall <= able and not take_interrupt and
+           (waiting or (kind.divide and not divider_done) or
+            ((kind.load or kind.store) and not data_done) or
+            (kind.wait_for_interrupt and not awake));
   complete <= executing.valid and not stall and not trap.enable;
 
   arithmetic : entity work.alu
     port map (
-      first => executing_first,
-      second => executing_second,
-      operation => executing.operation,
-      alternate => executing.alternate,
-      compare_unsigned => executing.compare_unsigned,
+      first => first_value,
+      second => second_value,
+      operation => kind.operation,
+      subtract => kind.subtract,
+      arithmetic_shift => kind.arithmetic_shift,
+      compare_unsigned => kind.compare_unsigned,
       result => alu_result,
       equal => equal,
       less => less);
 
-  target <= executing_base + executing_offset;
-  condition <= less xor funct3(0) when funct3(2) else equal xor funct3(0);
-  jump <= executing.valid and not executing.refused and
-          (executing.jump or (executing.branch and condition));
+  offset <= unsigned(executing_immediate);
+  offset_plus_2 <= offset + 2;
+  target <= executing_address + offset;
+  target_plus_2 <= executing_address + offset_plus_2;
+  register_target <= unsigned(first_value) + offset;
+  register_target_plus_2 <= unsigned(first_value) + offset_plus_2;
+  condition <= less xor kind.funct3(0) when kind.funct3(2) else equal xor kind.funct3(0);
+  jump <= able and not waiting and (kind.jump or (kind.branch and condition));
+  jump_register <= able and not waiting and kind.jump_register;
 
   multiplication : entity work.multiplier
     port map (
       clk => clk,
-      enable => executing.multiply,
-      operation => funct3(1 downto 0),
-      first => executing_first,
-      second => executing_second,
+      enable => kind.multiply,
+      operation => kind.funct3(1 downto 0),
+      first => first_value,
+      second => second_value,
       result => product);
 
   division : entity work.divider
     port map (
       clk => clk,
       reset => reset,
-      request => start and executing.divide,
-      operation => funct3(1 downto 0),
-      first => executing_first,
-      second => executing_second,
+      request => start and kind.divide,
+      operation => kind.funct3(1 downto 0),
+      first => first_value,
+      second => second_value,
       done => divider_done,
       result => divider_result);
 
-  data_enable <= start and (executing.load or executing.store);
+  data_enable <= start and (kind.load or kind.store);
   data_access : entity work.data_access
     generic map (memory_address => reset_address, memory_address_bits => memory_address_bits)
     port map (
       clk => clk,
       reset => reset,
       enable => data_enable,
-      store => executing.store,
-      address => target,
-      size => funct3(1 downto 0),
-      store_data => executing_second,
+      store => kind.store,
+      address => register_target,
+      size => kind.funct3(1 downto 0),
+      store_data => second_value,
       memory_request => memory_request,
       bus_request => bus_request,
       bus_response => bus_response,
@@ -250,14 +246,14 @@ begin
       done => data_done,
       error => data_error);
 
-  csr_operand <= 27x"0" & executing_instruction(19 downto 15) when funct3(2) else executing_first;
+  csr_operand <= 27x"0" & executing_instruction(19 downto 15) when kind.funct3(2) else first_value;
   csr_request <= (
-    enable => start and executing.csr,
+    enable => start and kind.csr,
     address => executing_instruction(31 downto 20),
-    operation => funct3(1 downto 0),
+    operation => kind.funct3(1 downto 0),
     operand => csr_operand,
-    writes => not funct3(1) or (or executing_instruction(19 downto 15)));
-  return_from_trap <= start and executing.trap_return;
+    writes => not kind.funct3(1) or (or executing_instruction(19 downto 15)));
+  return_from_trap <= start and kind.trap_return;
   control_status_registers : entity work.control_status_registers
     port map (
       clk => clk,
@@ -279,16 +275,18 @@ begin
       return_address => return_address);
 
   trap_control : entity work.trap_control
+    generic map (memory_end => reset_address + memory_size_bytes)
     port map (
       executing => executing,
+      kind => kind,
+      ready => not waiting,
       address => executing_address,
       instruction => executing_instruction,
       take_interrupt => take_interrupt,
       interrupt_cause => interrupt_cause,
       next_address => fetched_address,
       csr_legal => csr_response.legal,
-      jump => jump,
-      target => target,
+      data_address => register_target,
       data_misaligned => data_misaligned,
       data_error => data_error,
       trap => trap);
@@ -302,20 +300,23 @@ begin
     writing.valid <= complete;
     writing.trapped <= trap.enable;
     writing.interrupted <= trap.interrupt;
-    writing.writes <= complete and executing.writes;
+    writing.writes <= complete and kind.writes;
     writing_address <= trap.address;
     writing_instruction <= executing_instruction;
     if complete then
-      writing.destination <= destination;
-      writing_result <= divider_result when executing.divide else
-                        csr_response.data when executing.csr else
-                        bus_response.data when executing.load else
+      writing.destination <= kind.destination;
+      writing.late <= kind.late;
+      writing_result <= divider_result when kind.divide else
+                        csr_response.data when kind.csr else
+                        bus_response.data when kind.load else
+                        std_ulogic_vector(target) when kind.address_result else
+                        std_ulogic_vector(fetched_address) when kind.jump or kind.jump_register else
                         alu_result;
-      writing.multiply <= executing.multiply;
-      writing.load <= executing.load;
+      writing.multiply <= kind.multiply;
+      writing.load <= kind.load;
       writing.from_memory <= data_in_memory;
-      writing.size <= funct3;
-      writing.byte_index <= std_ulogic_vector(target(1 downto 0));
+      writing.size <= kind.funct3;
+      writing.byte_index <= std_ulogic_vector(register_target(1 downto 0));
     end if;
 
     if reset then
@@ -339,7 +340,7 @@ begin
                    loaded when writing.load else
                    writing_result;
 
-  asleep <= executing.valid and executing.wait_for_interrupt and not awake;
+  asleep <= able and kind.wait_for_interrupt and not awake;
   sleeping <= asleep;
   at_rest <= asleep and (and asleep_before) and not interrupt_requested;
 

@@ -10,34 +10,40 @@ package processor_pkg is
   subtype word_t is std_ulogic_vector(31 downto 0);
   subtype register_index_t is std_ulogic_vector(4 downto 0);
 
-  -- What the decoder reads from an instruction word. It looks at nothing else.
+  -- What the decoder reads from an instruction, beside its constant. The words of a stage (constant,
+  -- address, instruction) are signals of their own beside its record: together GHDL makes them one
+  -- register of more than 64 bits, which Verilator moves in pieces, and the simulation is an eighth
+  -- slower. The same holds for `writing_t`.
   type decoded_t is record
     -- Not an instruction of this processor. CSR addresses are judged by the CSRs themselves.
     illegal : std_ulogic;
+    first_index : register_index_t;
+    second_index : register_index_t;
+    destination : register_index_t;
     reads_first : std_ulogic;
     reads_second : std_ulogic;
-    -- Writes a register other than x0.
+    -- Writes `destination`, which is not x0.
     writes : std_ulogic;
     -- The result comes one clock after execution: who reads it next waits one clock.
     late : std_ulogic;
-    -- First operand of the arithmetic unit: register rs1 if none of both.
-    first_is_address : std_ulogic;
-    first_is_zero : std_ulogic;
-    -- Second operand: register rs2 or this.
+    -- Second operand of the arithmetic unit: the constant instead of a register.
     second_is_constant : std_ulogic;
-    constant_operand : word_t;
-    -- The target or data address is offset plus rs1, or plus the instruction's own address.
-    relative : std_ulogic;
-    offset : word_t;
-    -- Operation of the arithmetic unit in funct3's coding; `alternate`: subtract, arithmetic shift.
+    -- Operation of the arithmetic unit in funct3's coding. Comparisons subtract, too.
     operation : std_ulogic_vector(2 downto 0);
-    alternate : std_ulogic;
+    subtract : std_ulogic;
+    arithmetic_shift : std_ulogic;
     compare_unsigned : std_ulogic;
+    -- Which load, store, branch, multiplication, division or CSR instruction.
+    funct3 : std_ulogic_vector(2 downto 0);
     -- At most one of these; none is an operation of the arithmetic unit, or nothing at all.
     load : std_ulogic;
     store : std_ulogic;
     branch : std_ulogic;
+    -- To its own address plus the constant, to a register plus the constant.
     jump : std_ulogic;
+    jump_register : std_ulogic;
+    -- auipc: its own address plus the constant is the result.
+    address_result : std_ulogic;
     multiply : std_ulogic;
     divide : std_ulogic;
     csr : std_ulogic;
@@ -47,31 +53,14 @@ package processor_pkg is
     wait_for_interrupt : std_ulogic;
   end record;
 
-  -- The instruction in the execute stage. Its words (address, operands) are signals of their own
-  -- beside this record: together GHDL makes them one register of 213 bits, which Verilator moves in
-  -- pieces, and the simulation is an eighth slower. The same holds for `writing_t`.
+  -- Of the instruction in the execute stage, beside what was decoded.
   type executing_t is record
     valid : std_ulogic;
-    -- Fetched from outside the memory.
+    -- Fetched from outside the memory; begun in its last two bytes.
     fetch_fault : std_ulogic;
+    leaves_memory : std_ulogic;
     -- A fetch fault or an illegal instruction: nothing of it may happen.
     refused : std_ulogic;
-    operation : std_ulogic_vector(2 downto 0);
-    alternate : std_ulogic;
-    compare_unsigned : std_ulogic;
-    writes : std_ulogic;
-    late : std_ulogic;
-    load : std_ulogic;
-    store : std_ulogic;
-    branch : std_ulogic;
-    jump : std_ulogic;
-    multiply : std_ulogic;
-    divide : std_ulogic;
-    csr : std_ulogic;
-    environment_call : std_ulogic;
-    breakpoint : std_ulogic;
-    trap_return : std_ulogic;
-    wait_for_interrupt : std_ulogic;
   end record;
 
   -- The completed instruction whose result is written to its register.
@@ -80,6 +69,8 @@ package processor_pkg is
     trapped : std_ulogic;
     interrupted : std_ulogic;
     writes : std_ulogic;
+    -- `value` is not in `writing_result` yet.
+    late : std_ulogic;
     destination : register_index_t;
     -- The result, or the data that came over the bus.
     multiply : std_ulogic;

@@ -8,8 +8,15 @@ use ieee.numeric_std.all;
 use work.processor_pkg.all;
 
 entity trap_control is
+  generic (
+    -- The first address behind the memory.
+    memory_end : unsigned(31 downto 0)
+  );
   port (
     executing : in executing_t;
+    kind : in decoded_t;
+    -- It has the operands that it needs.
+    ready : in std_ulogic;
     -- Of the instruction executed.
     address : in unsigned(31 downto 0);
     instruction : in word_t;
@@ -18,9 +25,8 @@ entity trap_control is
     interrupt_cause : in std_ulogic_vector(4 downto 0);
     next_address : in unsigned(31 downto 0);
     csr_legal : in std_ulogic;
-    jump : in std_ulogic;
-    -- Of the jump, the load or the store.
-    target : in unsigned(31 downto 0);
+    -- Of the load or the store.
+    data_address : in unsigned(31 downto 0);
     data_misaligned : in std_ulogic;
     data_error : in std_ulogic;
     trap : out trap_t
@@ -29,30 +35,31 @@ end entity;
 
 architecture rtl of trap_control is
 
-  signal illegal, misaligned_jump, misaligned_data, exception : std_ulogic;
+  signal illegal, misaligned, exception : std_ulogic;
+  signal fetch_address : unsigned(31 downto 0);
 
 begin
 
-  illegal <= executing.refused or (executing.csr and not csr_legal);
-  misaligned_jump <= jump and target(1);
-  misaligned_data <= (executing.load or executing.store) and data_misaligned;
-  exception <= illegal or executing.environment_call or executing.breakpoint or misaligned_jump or
-               misaligned_data or data_error;
+  illegal <= executing.refused or (kind.csr and not csr_legal);
+  misaligned <= (kind.load or kind.store) and data_misaligned;
+  exception <= illegal or kind.environment_call or kind.breakpoint or misaligned or data_error;
 
-  trap.enable <= take_interrupt or (executing.valid and exception);
+  trap.enable <= take_interrupt or (executing.valid and ready and exception);
   trap.interrupt <= take_interrupt;
   trap.address <= address when executing.valid else next_address;
   trap.cause <= interrupt_cause when take_interrupt else
                 cause_instruction_access when executing.fetch_fault else
                 cause_illegal_instruction when illegal else
-                cause_environment_call when executing.environment_call else
-                cause_breakpoint when executing.breakpoint else
-                cause_instruction_misaligned when misaligned_jump else
-                "001" & executing.store & not misaligned_data;
-  trap.value <= x"00000000" when take_interrupt or executing.environment_call else
-                instruction when illegal and not executing.fetch_fault else
-                std_ulogic_vector(address) when
-                  executing.fetch_fault or executing.breakpoint else
-                std_ulogic_vector(target(31 downto 1)) & (target(0) and not misaligned_jump);
+                cause_environment_call when kind.environment_call else
+                cause_breakpoint when kind.breakpoint else
+                "001" & kind.store & not misaligned;
+  -- Where an instruction begins within the memory and ends outside, only its end is at fault.
+  fetch_address <= memory_end when executing.leaves_memory else address;
+  trap.value <= x"00000000" when take_interrupt else
+                std_ulogic_vector(fetch_address) when executing.fetch_fault else
+                instruction when illegal else
+                x"00000000" when kind.environment_call else
+                std_ulogic_vector(address) when kind.breakpoint else
+                std_ulogic_vector(data_address);
 
 end architecture;

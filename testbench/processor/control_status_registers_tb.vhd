@@ -94,7 +94,7 @@ begin
     clock;
     reset <= '0';
     expect(x"300", x"00001800");
-    expect(x"301", x"40001100");
+    expect(x"301", x"40001104");
     write(x"340", x"12345678");
     access_csr(x"340", "10", x"0000000f", '1');
     assert response.data = x"12345678" severity failure;

@@ -1,11 +1,13 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Instructions are asked one after the other, from jumps at once, from redirections a clock later.
+-- Instructions of both lengths are fetched one after the other at any half word, from jumps at once,
+-- from redirections a clock later.
 
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.memory_pkg.all;
+use work.processor_pkg.all;
 
 entity instruction_fetch_tb is
 end entity;
@@ -14,13 +16,19 @@ architecture tb of instruction_fetch_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal redirect, jump, advance, valid, fault : std_ulogic := '0';
-  signal redirect_address, jump_address, address : unsigned(31 downto 0) := (others => '0');
+  signal redirect, jump, jump_register, advance, valid, fault, leaves_memory : std_ulogic := '0';
+  signal redirect_address, target, register_target, address : unsigned(31 downto 0) :=
+    (others => '0');
+  signal target_plus_2, register_target_plus_2 : unsigned(31 downto 0);
   signal instruction_request : instruction_request_t;
+  signal instruction_data : word_t := (others => '0');
+  signal instruction : word_t;
 
 begin
 
   clk <= not clk after 5 ns;
+  target_plus_2 <= target + 2;
+  register_target_plus_2 <= register_target + 2;
 
   uut : entity work.instruction_fetch
     generic map (reset_address => x"80000000", memory_address_bits => 16)
@@ -30,12 +38,39 @@ begin
       redirect => redirect,
       redirect_address => redirect_address,
       jump => jump,
-      jump_address => jump_address,
+      target => target,
+      target_plus_2 => target_plus_2,
+      jump_register => jump_register,
+      register_target => register_target,
+      register_target_plus_2 => register_target_plus_2,
       advance => advance,
       instruction_request => instruction_request,
+      instruction_data => instruction_data,
       valid => valid,
       address => address,
-      fault => fault);
+      instruction => instruction,
+      fault => fault,
+      leaves_memory => leaves_memory);
+
+  -- Each half word holds the number of its place; the lowest two bits tell the length: every third
+  -- half word would begin a short instruction.
+  remember : process
+    function half_word(place : unsigned(31 downto 1)) return std_ulogic_vector is
+      variable half : std_ulogic_vector(15 downto 0);
+    begin
+      half := std_ulogic_vector(place(14 downto 1)) & "11";
+      if to_integer(place(14 downto 1)) mod 3 = 0 then
+        half(1 downto 0) := "01";
+      end if;
+      return half;
+    end function;
+  begin
+    wait until rising_edge(clk);
+    if instruction_request.enable then
+      instruction_data <= half_word(instruction_request.upper_address & '1') &
+                          half_word(instruction_request.lower_address & '0');
+    end if;
+  end process;
 
   check : process
     procedure clock is
@@ -43,50 +78,88 @@ begin
       wait until rising_edge(clk);
       wait for 1 ns;
     end procedure;
-    procedure expect_request(wanted : unsigned(31 downto 0)) is
+
+    impure function is_short return boolean is
     begin
-      wait for 1 ns;
-      assert instruction_request.enable = '1' and instruction_request.address = wanted(31 downto 2)
-        report "asks for " & to_hstring(instruction_request.address & "00") severity failure;
+      return instruction(1 downto 0) /= "11";
+    end function;
+
+    procedure expect(wanted : unsigned(31 downto 0)) is
+    begin
+      assert valid = '1' and address = wanted
+        report "shows " & to_hstring(address) & " and not " & to_hstring(wanted) severity failure;
+      assert unsigned(instruction(15 downto 2)) = wanted(14 downto 1)
+        report "what lies there" severity failure;
+      assert is_short = (to_integer(wanted(14 downto 1)) mod 3 = 0) severity failure;
+      assert is_short or unsigned(instruction(31 downto 18)) = wanted(14 downto 1) + 1
+        report "the second half" severity failure;
     end procedure;
+
+    variable place : unsigned(31 downto 0);
   begin
     clock;
     reset <= '0';
-    expect_request(x"80000000");
+    wait for 1 ns;
     assert valid = '0' severity failure;
     clock;
-    assert valid = '1' and address = x"80000000" and fault = '0' severity failure;
+    expect(x"80000000");
+    assert fault = '0' severity failure;
     assert instruction_request.enable = '0' report "nobody has taken it" severity failure;
+
     advance <= '1';
-    expect_request(x"80000004");
-    clock;
-    assert address = x"80000004" severity failure;
+    place := x"80000000";
+    for count in 1 to 100 loop
+      place := place + 2 when is_short else place + 4;
+      clock;
+      expect(place);
+    end loop;
     advance <= '0';
     clock;
-    assert address = x"80000004" severity failure;
-    jump <= '1';
-    jump_address <= x"80000103";
-    expect_request(x"80000100");
-    clock;
-    jump <= '0';
-    assert valid = '1' and address = x"80000100" severity failure;
+    expect(place);
+
+    -- Jumps, of which bit 0 is ignored, while nothing is taken or something is.
+    for half_words in 0 to 7 loop
+      target <= x"80000100" + 2 * half_words;
+      register_target <= x"80000201" + 2 * half_words;
+      jump <= '1';
+      clock;
+      jump <= '0';
+      expect(x"80000100" + 2 * half_words);
+      jump_register <= '1';
+      clock;
+      jump_register <= '0';
+      expect(x"80000200" + 2 * half_words);
+      advance <= not advance;
+    end loop;
+    advance <= '0';
+
     redirect <= '1';
-    redirect_address <= x"80000200";
+    redirect_address <= x"80000302";
+    jump <= '1';
     clock;
     redirect <= '0';
-    assert valid = '0' severity failure;
-    jump <= '1';
-    expect_request(x"80000200");
-    clock;
     jump <= '0';
-    assert valid = '1' and address = x"80000200" and fault = '0' severity failure;
-    jump <= '1';
-    jump_address <= x"80010000";
+    assert valid = '0' severity failure;
     clock;
-    assert fault = '1' severity failure;
-    jump_address <= x"8000fffc";
+    expect(x"80000302");
+
+    -- The end of the memory: a short instruction fits, a long one does not.
+    jump <= '1';
+    target <= x"80010000";
+    clock;
+    assert fault = '1' and leaves_memory = '0' severity failure;
+    target <= x"7ffffffe";
+    clock;
+    assert fault = '1' and leaves_memory = '0' severity failure;
+    target <= x"8000fffc";
     clock;
     assert fault = '0' severity failure;
+    target <= x"8000fffe";
+    clock;
+    assert is_short and fault = '0' and leaves_memory = '0' severity failure;
+    instruction_data <= force x"00030000";
+    wait for 1 ns;
+    assert fault = '1' and leaves_memory = '1' severity failure;
     std.env.finish;
   end process;
 

@@ -86,15 +86,19 @@ begin
       retirement => open);
 
   give_instructions : process
-    variable word : natural;
+    impure function word_at(address : unsigned(31 downto 2)) return word_t is
+      constant index : natural := to_integer(address(9 downto 2));
+    begin
+      if index < program'length then
+        return program(index);
+      end if;
+      return x"00000000";
+    end function;
   begin
     wait until rising_edge(clk);
     if instruction_request.enable then
-      word := to_integer(instruction_request.address(9 downto 2));
-      instruction_data <= x"00000000";
-      if word < program'length then
-        instruction_data <= program(word);
-      end if;
+      instruction_data <= word_at(instruction_request.upper_address)(31 downto 16) &
+                          word_at(instruction_request.lower_address)(15 downto 0);
     end if;
     assert not (sleeping = '1' and instruction_request.enable = '1')
       report "a sleeping processor fetches nothing" severity failure;

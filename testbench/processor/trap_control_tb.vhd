@@ -12,30 +12,30 @@ end entity;
 
 architecture tb of trap_control_tb is
 
-  constant nothing : executing_t := (
-    valid => '1', operation => "000", others => '0');
-
-  signal executing : executing_t := nothing;
-  signal take_interrupt, jump, data_misaligned, data_error : std_ulogic := '0';
-  signal csr_legal : std_ulogic := '1';
+  signal executing : executing_t := (valid => '1', others => '0');
+  signal kind : decoded_t := (
+    first_index | second_index | destination => "00000", operation | funct3 => "000", others => '0');
+  signal take_interrupt, data_misaligned, data_error : std_ulogic := '0';
+  signal csr_legal, ready : std_ulogic := '1';
   signal interrupt_cause : std_ulogic_vector(4 downto 0) := 5d"20";
   signal next_address : unsigned(31 downto 0) := x"80000200";
-  signal target : unsigned(31 downto 0) := x"80000303";
   signal trap : trap_t;
 
 begin
 
   uut : entity work.trap_control
+    generic map (memory_end => x"80010000")
     port map (
       executing => executing,
+      kind => kind,
+      ready => ready,
       address => x"80000100",
       instruction => x"12345678",
       take_interrupt => take_interrupt,
       interrupt_cause => interrupt_cause,
       next_address => next_address,
       csr_legal => csr_legal,
-      jump => jump,
-      target => target,
+      data_address => x"80000303",
       data_misaligned => data_misaligned,
       data_error => data_error,
       trap => trap);
@@ -61,39 +61,39 @@ begin
     data_misaligned <= '1';
     csr_legal <= '0';
     expect_none;
-    executing.load <= '1';
+    kind.load <= '1';
     expect(4, x"80000303");
-    executing.load <= '0';
-    executing.store <= '1';
+    kind.load <= '0';
+    kind.store <= '1';
     expect(6, x"80000303");
     data_misaligned <= '0';
     data_error <= '1';
     expect(7, x"80000303");
-    executing.store <= '0';
-    executing.load <= '1';
+    kind.store <= '0';
+    kind.load <= '1';
     expect(5, x"80000303");
     data_error <= '0';
-    executing.load <= '0';
-    executing.csr <= '1';
+    kind.load <= '0';
+    kind.csr <= '1';
     expect(2, x"12345678");
     csr_legal <= '1';
     expect_none;
-    executing.csr <= '0';
-    jump <= '1';
-    expect(0, x"80000302");
-    target(1) <= '0';
-    expect_none;
-    jump <= '0';
-    executing.environment_call <= '1';
+    kind.csr <= '0';
+    kind.environment_call <= '1';
     expect(11, x"00000000");
-    executing.environment_call <= '0';
-    executing.breakpoint <= '1';
+    kind.environment_call <= '0';
+    kind.breakpoint <= '1';
     expect(3, x"80000100");
-    executing.breakpoint <= '0';
+    kind.breakpoint <= '0';
     executing.refused <= '1';
     expect(2, x"12345678");
     executing.fetch_fault <= '1';
     expect(1, x"80000100");
+    executing.leaves_memory <= '1';
+    expect(1, x"80010000");
+    ready <= '0';
+    expect_none;
+    ready <= '1';
     executing.valid <= '0';
     expect_none;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instructions of RV32IM but those of SYSTEM; see instruction_set_model_system.cpp for these.
+// Fetch, and the instructions of RV32IM but those of SYSTEM, for which see
+// instruction_set_model_system.cpp; instruction_set_model_compressed.cpp for C.
 #include "tests/processor/instruction_set_model.hpp"
 
 #include <limits>
@@ -9,7 +10,7 @@ namespace processor {
 namespace {
 
 constexpr std::uint32_t memory_base = 0x80000000;
-constexpr std::uint32_t misaligned_target = 0, fetch_access = 1, illegal_instruction = 2;
+constexpr std::uint32_t fetch_access = 1, illegal_instruction = 2;
 constexpr std::uint32_t load_misaligned = 4, load_access = 5, store_misaligned = 6,
                         store_access = 7;
 
@@ -99,6 +100,19 @@ std::uint32_t InstructionSetModel::word_at(std::uint32_t address) const {
          static_cast<std::uint32_t>(memory_[place + 3]) << 24;
 }
 
+std::uint32_t InstructionSetModel::half_word_at(std::uint32_t address) const {
+  return word_at(address) >> (8 * (address & 2)) & 0xFFFF;
+}
+
+std::optional<InstructionSetModel::Exception> InstructionSetModel::fetch(Step& step) const {
+  for (const std::uint32_t place : {program_counter_, program_counter_ + 2}) {
+    if (!in_memory(place)) return Exception{fetch_access, place};
+    step.instruction |= half_word_at(place) << (place == program_counter_ ? 0 : 16);
+    if ((step.instruction & 3) != 3) break;
+  }
+  return std::nullopt;
+}
+
 void InstructionSetModel::write_register(unsigned index, std::uint32_t value, Step& step) {
   if (index == 0) return;
   registers_[index] = value;
@@ -113,12 +127,15 @@ Step InstructionSetModel::step() {
   // As it was before the instruction, which may change it (as in the specification's Sail model).
   const bool counts = (mcountinhibit_ & 4) == 0;
   std::uint32_t next = program_counter_ + 4;
-  std::optional<Exception> exception;
-  if (in_memory(program_counter_)) {
-    step.instruction = word_at(program_counter_);
-    exception = execute(step.instruction, next, step);
-  } else {
-    exception = Exception{fetch_access, program_counter_};
+  auto exception = fetch(step);
+  if (!exception) {
+    std::optional<std::uint32_t> word = step.instruction;
+    if ((step.instruction & 3) != 3) {
+      next = program_counter_ + 2;
+      word = expand_compressed(static_cast<std::uint16_t>(step.instruction));
+    }
+    exception = word ? execute(*word, next, step)
+                     : std::optional(Exception{illegal_instruction, step.instruction});
   }
   if (exception) {
     step = Step{.trap = true, .address = program_counter_, .instruction = step.instruction};
@@ -128,13 +145,6 @@ Step InstructionSetModel::step() {
   if (!counter_written_ && counts) ++instret_;
   program_counter_ = next;
   return step;
-}
-
-std::optional<InstructionSetModel::Exception> InstructionSetModel::jump(std::uint32_t target,
-                                                                        std::uint32_t& next) const {
-  if ((target & 3) != 0) return Exception{misaligned_target, target};
-  next = target;
-  return std::nullopt;
 }
 
 std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::uint32_t word,
@@ -157,15 +167,15 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::
           sign_extend(field(word, 31, 31) << 20 | field(word, 19, 12) << 12 |
                           field(word, 20, 20) << 11 | field(word, 30, 21) << 1,
                       21);
-      const auto exception = jump(program_counter_ + offset, next);
-      if (!exception) write_register(rd, program_counter_ + 4, step);
-      return exception;
+      write_register(rd, next, step);
+      next = program_counter_ + offset;
+      return std::nullopt;
     }
     case 0x67: {
       if (funct3 != 0) return illegal;
-      const auto exception = jump((a + immediate) & ~1u, next);
-      if (!exception) write_register(rd, program_counter_ + 4, step);
-      return exception;
+      write_register(rd, next, step);
+      next = (a + immediate) & ~1u;
+      return std::nullopt;
     }
     case 0x63: {
       const std::uint32_t offset =
@@ -195,7 +205,7 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::
         default:
           return illegal;
       }
-      if (taken) return jump(program_counter_ + offset, next);
+      if (taken) next = program_counter_ + offset;
       return std::nullopt;
     }
     case 0x03:

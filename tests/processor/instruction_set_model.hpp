@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RV32IM with machine mode as the specification tells it, one instruction at a time, without any
+// RV32IMC with machine mode as the specification tells it, one instruction at a time, without any
 // clock.
 #pragma once
 
@@ -12,18 +12,21 @@
 
 namespace processor {
 
+// The instruction of 32 bits for which a compressed one stands; nothing where it is reserved.
+std::optional<std::uint32_t> expand_compressed(std::uint16_t instruction);
+
 // What one step did.
 struct Step {
   bool trap = false;
   std::uint32_t address = 0;
+  // As it lies in memory: of a compressed one the upper half is 0.
   std::uint32_t instruction = 0;
   unsigned destination = 0;
   std::uint32_t value = 0;
 };
 
 // Written from "The RISC-V Instruction Set Manual" (volume I 20240411, volume II 20240411) and not
-// from
-// the VHDL. Bus accesses go to a TestDevice of its own.
+// from the VHDL. Bus accesses go to a TestDevice of its own.
 class InstructionSetModel {
  public:
   InstructionSetModel(std::vector<std::uint8_t> image, std::size_t memory_size);
@@ -47,15 +50,17 @@ class InstructionSetModel {
     std::uint32_t value;
   };
 
+  // `next`: the address behind the instruction on entry, of the one to go on with on return.
   std::optional<Exception> execute(std::uint32_t instruction, std::uint32_t& next, Step& step);
   std::optional<Exception> execute_system(std::uint32_t instruction, std::uint32_t& next,
                                           Step& step);
   std::optional<Exception> load(std::uint32_t instruction, Step& step);
   std::optional<Exception> store(std::uint32_t instruction);
-  std::optional<Exception> jump(std::uint32_t target, std::uint32_t& next) const;
   void enter_trap(std::uint32_t cause, bool interrupt, std::uint32_t value);
   bool in_memory(std::uint32_t address) const;
   std::uint32_t word_at(std::uint32_t address) const;
+  std::uint32_t half_word_at(std::uint32_t address) const;
+  std::optional<Exception> fetch(Step& step) const;
   std::optional<std::uint32_t> read_csr(std::uint32_t address) const;
   void write_csr(std::uint32_t address, std::uint32_t value);
   void write_register(unsigned index, std::uint32_t value, Step& step);

@@ -41,7 +41,7 @@ std::optional<std::uint32_t> InstructionSetModel::read_csr(std::uint32_t address
     case 0x300:
       return 0x1800u | (interrupt_enable_ ? 8u : 0) | (previous_interrupt_enable_ ? 0x80u : 0);
     case 0x301:
-      return 1u << 30 | 1u << ('I' - 'A') | 1u << ('M' - 'A');
+      return 1u << 30 | 1u << ('C' - 'A') | 1u << ('I' - 'A') | 1u << ('M' - 'A');
     case 0x304:
       return mie_;
     case 0x305:
@@ -105,7 +105,7 @@ void InstructionSetModel::write_csr(std::uint32_t address, std::uint32_t value) 
       mscratch_ = value;
       break;
     case 0x341:
-      mepc_ = value & ~3u;
+      mepc_ = value & ~1u;
       break;
     case 0x342:
       mcause_ = value & 0x8000001F;

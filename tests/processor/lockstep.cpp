@@ -26,8 +26,7 @@ bool reads_cycle(std::uint32_t instruction) {
 }
 
 // An interrupt must be taken at once behind an instruction that allows it, and within three
-// instructions
-// where the request itself is new.
+// instructions where the request itself is new.
 class InterruptWatch {
  public:
   bool is_late(const InstructionSetModel& model) const {

@@ -8,7 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "tests/processor/encode.hpp"
+#include "tests/processor/encode_compressed.hpp"
+#include "tests/processor/program_builder.hpp"
 #include "tests/processor/test_device.hpp"
 
 namespace processor {
@@ -16,36 +17,51 @@ namespace {
 
 using encode::Word;
 
+namespace compressed = encode::compressed;
+
 // Registers with a fixed meaning; the rest is free for random results.
+constexpr Word stack_pointer = 2, short_data_base = 8;
 constexpr Word handler_register = 26, handler_second = 27, jump_base = 28, tohost_base = 29;
 constexpr Word bus_base = 30, data_base = 31;
-constexpr Word data_address = 0x8000C000;
+constexpr Word data_address = 0x8000C000, stack_address = 0x8000D000,
+               short_data_address = 0x8000E000;
 constexpr Word mstatus = 0x300, mie = 0x304, mtvec = 0x305, mepc = 0x341, mcause = 0x342;
-constexpr Word words_of_prologue = 64;
+constexpr std::size_t instructions_of_prologue = 100;
+// Jumps may lead a little beyond the end.
+constexpr std::size_t instructions_of_epilogue = 40;
 
 class Generator {
  public:
   Generator(std::uint32_t seed, const RandomProgramSettings& settings)
       : random_(seed), settings_(settings) {}
 
-  std::vector<Word> generate() {
+  std::vector<std::uint8_t> generate() {
     prologue();
-    while (program_.size() < words_of_prologue + settings_.length) add_instruction();
-    // Jumps may lead a little beyond the end.
-    for (int count = 0; count < 40; ++count) emit(encode::nop());
+    while (program_.size() < instructions_of_prologue + settings_.length) {
+      one_in(2) ? add_short_instruction() : add_instruction();
+    }
+    for (std::size_t count = 0; count < instructions_of_epilogue; ++count) emit(encode::nop());
     emit(encode::add_immediate(1, 0, 1));
     emit(encode::store(2, 1, tohost_base, 0));
     emit(encode::jump_and_link(0, 0));
-    return program_;
+    return program_.image();
   }
 
  private:
   Word below(Word limit) { return static_cast<Word>(random_() % limit); }
   bool one_in(Word count) { return below(count) == 0; }
-  void emit(Word word) { program_.push_back(word); }
+  void emit(Word instruction) { program_.add(instruction); }
   Word source() { return below(26); }
-  Word destination() { return below(26); }
+  Word destination() {
+    while (true) {
+      const Word index = below(26);
+      if (index != stack_pointer && index != short_data_base) return index;
+    }
+  }
+  Word short_source() { return 8 + below(8); }
+  Word short_destination() { return 9 + below(7); }
   std::int32_t small_immediate() { return static_cast<std::int32_t>(below(4096)) - 2048; }
+  std::int32_t tiny_immediate() { return static_cast<std::int32_t>(below(64)) - 32; }
 
   void load_constant(Word rd, Word value) {
     emit(encode::load_upper(rd, value + 0x800));
@@ -54,16 +70,22 @@ class Generator {
 
   // Interrupts: the device is made quiet. Exceptions: the instruction is skipped.
   void prologue() {
-    constexpr Word handler_words = 11;
-    emit(encode::jump_and_link(0, 4 * (handler_words + 1)));
+    constexpr std::size_t handler_instructions = 16;
+    program_.add_distance(0, handler_instructions + 1,
+                          [](std::int32_t bytes) { return encode::jump_and_link(0, bytes); });
     emit(encode::csr(2, handler_register, mcause, 0));
     emit(encode::branch(5, handler_register, 0, 20));
     emit(encode::store(2, 0, bus_base, 0x100));
     emit(encode::csr(2, handler_second, 0x344, 0));
     emit(encode::branch(1, handler_second, 0, -8));
-    emit(encode::jump_and_link(0, 16));
+    emit(encode::jump_and_link(0, 40));
     emit(encode::csr(2, handler_register, mepc, 0));
-    emit(encode::add_immediate(handler_register, handler_register, 4));
+    emit(encode::load(5, handler_second, handler_register, 0));
+    emit(encode::operation_immediate(7, handler_second, handler_second, 3));
+    emit(encode::add_immediate(handler_second, handler_second, -3));
+    emit(encode::add_immediate(handler_register, handler_register, 2));
+    emit(encode::branch(1, handler_second, 0, 8));
+    emit(encode::add_immediate(handler_register, handler_register, 2));
     emit(encode::csr(1, 0, mepc, handler_register));
     emit(encode::csr(2, 0, 0x343, 0));
     emit(encode::trap_return());
@@ -72,8 +94,10 @@ class Generator {
     load_constant(tohost_base, random_program_tohost);
     load_constant(bus_base, TestDevice::base);
     load_constant(data_base, data_address);
-    while (program_.size() < words_of_prologue - 20) emit(encode::nop());
-    for (Word index = 1; index <= 10; ++index) load_constant(index, interesting_value());
+    load_constant(stack_pointer, stack_address);
+    load_constant(short_data_base, short_data_address);
+    for (Word index = 9; index <= 18; ++index) load_constant(index, interesting_value());
+    while (program_.size() < instructions_of_prologue) emit(encode::nop());
   }
 
   Word interesting_value() {
@@ -153,26 +177,125 @@ class Generator {
     emit(encode::store(funct3, source(), base, offset));
   }
 
+  // A little ahead; no jump may lead between the instructions of a computed jump to there.
+  std::size_t target_ahead() {
+    const std::size_t target = program_.size() + 1 + below(8);
+    targets_.insert(target);
+    return target;
+  }
+
+  bool is_target(std::size_t first, std::size_t last) const {
+    const auto found = targets_.lower_bound(first);
+    return found != targets_.end() && *found <= last;
+  }
+
   void add_branch() {
     constexpr std::array<Word, 6> kinds{0, 1, 4, 5, 6, 7};
-    std::int32_t offset = 4 * static_cast<std::int32_t>(1 + below(8));
-    targets_.insert(program_.size() + static_cast<std::size_t>(offset / 4));
-    if (one_in(20)) offset += 2;
-    emit(encode::branch(kinds[below(kinds.size())], source(), source(), offset));
+    const Word kind = kinds[below(kinds.size())], first = source(), second = source();
+    program_.add_distance(program_.size(), target_ahead(), [=](std::int32_t bytes) {
+      return encode::branch(kind, first, second, bytes);
+    });
   }
 
   void add_jump() {
-    const std::int32_t misalignment = one_in(20) ? 2 : 0;
-    const auto words = static_cast<std::int32_t>(2 + below(6));
-    targets_.insert(program_.size() + static_cast<std::size_t>(words));
-    // Nobody may jump between the two instructions of a computed jump: it would go back.
-    if (one_in(2) || targets_.contains(program_.size() + 1)) {
-      return emit(encode::jump_and_link(destination(), 4 * words + misalignment));
+    const Word rd = one_in(4) ? jump_base : destination();
+    const std::size_t here = program_.size();
+    if (one_in(2) || is_target(here + 1, here + 2)) {
+      return program_.add_distance(here, target_ahead(), [=](std::int32_t bytes) {
+        return encode::jump_and_link(rd, bytes);
+      });
     }
     emit(encode::add_upper_to_pc(jump_base, 0));
     const std::int32_t odd = one_in(4) ? 1 : 0;
-    emit(encode::jump_and_link_register(one_in(3) ? jump_base : destination(), jump_base,
-                                        4 * words + misalignment + odd));
+    if (one_in(2)) {
+      return program_.add_distance(here, target_ahead(), [=](std::int32_t bytes) {
+        return encode::jump_and_link_register(rd, jump_base, bytes + odd);
+      });
+    }
+    const std::size_t target = target_ahead() + 1;
+    targets_.insert(target);
+    program_.add_distance(here, target, [=](std::int32_t bytes) {
+      return encode::add_immediate(jump_base, jump_base, bytes + odd);
+    });
+    emit(one_in(2) ? compressed::jump_register(jump_base)
+                   : compressed::jump_and_link_register(jump_base));
+  }
+
+  void add_short_instruction() {
+    if (below(1000) < settings_.wild_per_mille) return emit(wild_half_word());
+    const std::int32_t nonzero = 1 + static_cast<std::int32_t>(below(31));
+    switch (below(16)) {
+      case 0:
+        return emit(compressed::add_immediate(destination(), tiny_immediate()));
+      case 1:
+        return emit(compressed::load_immediate(destination(), tiny_immediate()));
+      case 2:
+        return emit(compressed::load_upper(destination(), one_in(2) ? nonzero : -nonzero));
+      case 3:
+        return emit(compressed::shift_left(destination(), nonzero));
+      case 4:
+      case 5:
+        return emit(compressed::short_immediate(below(2), short_destination(), nonzero));
+      case 6:
+        return emit(compressed::short_immediate(2, short_destination(), tiny_immediate()));
+      case 7:
+      case 8:
+        return emit(compressed::short_operation(below(4), short_destination(), short_source()));
+      case 9:
+        return emit(compressed::move(destination(), 1 + below(25)));
+      case 10:
+        return emit(compressed::add(destination(), 1 + below(25)));
+      case 11:
+        return emit(compressed::address_from_sp(short_destination(), 4 * nonzero * 8));
+      case 12:
+        return add_short_load();
+      case 13:
+        return add_short_store();
+      case 14:
+        return add_short_jump();
+      default:
+        return add_stack_move();
+    }
+  }
+
+  // There and back: the stack pointer stays where its data are, whatever jumps in between.
+  void add_stack_move() {
+    if (one_in(8)) return emit(compressed::breakpoint());
+    const std::int32_t amount = 16 * (1 + static_cast<std::int32_t>(below(2)));
+    emit(compressed::add_to_sp(amount));
+    emit(compressed::add_to_sp(-amount));
+  }
+
+  void add_short_load() {
+    if (one_in(2)) {
+      const Word rd = destination();
+      return emit(
+          compressed::load_from_sp(rd == 0 ? 1 : rd, 4 * static_cast<std::int32_t>(below(64))));
+    }
+    emit(compressed::load(short_destination(), short_data_base,
+                          4 * static_cast<std::int32_t>(below(32))));
+  }
+
+  void add_short_store() {
+    if (one_in(2)) {
+      return emit(compressed::store_to_sp(source(), 4 * static_cast<std::int32_t>(below(64))));
+    }
+    emit(compressed::store(short_source(), short_data_base,
+                           4 * static_cast<std::int32_t>(below(32))));
+  }
+
+  void add_short_jump() {
+    const std::size_t here = program_.size(), target = target_ahead();
+    if (one_in(2)) {
+      const Word rs1 = short_source();
+      const bool not_zero = one_in(2);
+      return program_.add_distance(here, target, [=](std::int32_t bytes) {
+        return compressed::branch(not_zero, rs1, bytes);
+      });
+    }
+    const Word kind = one_in(2) ? 1 : 5;
+    program_.add_distance(here, target,
+                          [=](std::int32_t bytes) { return compressed::jump_type(kind, bytes); });
   }
 
   void add_system() {
@@ -212,20 +335,37 @@ class Generator {
   Word wild_word() {
     while (true) {
       auto word = static_cast<Word>(random_());
-      if (!one_in(4)) word |= 3;
+      word |= 3;
       const Word opcode = word & 0x7F, rd = word >> 7 & 31;
       const bool moves = opcode == 0x6F || opcode == 0x67 || opcode == 0x63 || opcode == 0x23;
       const bool system =
           opcode == 0x73 &&
           (word >> 20 == mtvec || word == encode::wait_for_interrupt() ||
            word == encode::trap_return() || word >> 20 == mie || word >> 20 == mstatus);
-      if (!moves && !system && rd < 26) return word;
+      if (!moves && !system && rd < 26 && rd != stack_pointer && rd != short_data_base) return word;
+    }
+  }
+
+  Word wild_half_word() {
+    while (true) {
+      const Word half_word = below(0x10000);
+      const Word quadrant = half_word & 3, funct3 = half_word >> 13, rd = half_word >> 7 & 31;
+      const Word short_rd = 8 + (quadrant == 0 ? half_word >> 2 & 7 : half_word >> 7 & 7);
+      const bool is_short = quadrant == 0 || (quadrant == 1 && funct3 == 4);
+      const bool moves = (quadrant != 1 && funct3 == 6) ||
+                         (quadrant == 1 && (funct3 % 4 == 1 || funct3 >= 6)) ||
+                         (quadrant == 2 && funct3 == 4 && (half_word >> 2 & 31) == 0 && rd != 0);
+      const Word written = is_short ? short_rd : rd;
+      if (quadrant != 3 && !moves && written < 26 && written != stack_pointer &&
+          written != short_data_base) {
+        return half_word;
+      }
     }
   }
 
   std::mt19937 random_;
   RandomProgramSettings settings_;
-  std::vector<Word> program_;
+  ProgramBuilder program_;
   std::set<std::size_t> targets_;
 };
 
@@ -233,13 +373,7 @@ class Generator {
 
 std::vector<std::uint8_t> random_program(std::uint32_t seed,
                                          const RandomProgramSettings& settings) {
-  std::vector<std::uint8_t> bytes;
-  for (const Word word : Generator(seed, settings).generate()) {
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-    }
-  }
-  return bytes;
+  return Generator(seed, settings).generate();
 }
 
 }  // namespace processor

@@ -113,7 +113,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
-  CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IM program on the chip.");
+  CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IMC program on the chip.");
   job.add_option("program", options.program,
                  "linked to 0x80000000, 64 KiB; ends by a store to `tohost`")
       ->required()

@@ -22,10 +22,10 @@
   csrr a0, mcountinhibit
   check a0, 0
   csrr a0, misa
-  check a0, 0x40001100
+  check a0, 0x40001104
   csrw misa, zero
   csrr a0, misa
-  check a0, 0x40001100
+  check a0, 0x40001104
   csrr a0, mhartid
   check a0, 0
   csrr a0, mvendorid
@@ -37,7 +37,7 @@
 
   keeps mscratch, 0xffffffff
   check a1, 0
-  keeps mepc, 0xfffffffc
+  keeps mepc, 0xfffffffe
   check a1, 0
   keeps mcause, 0x8000001f
   check a1, 0
@@ -99,6 +99,19 @@
   csrr a0, mstatus
   check a0, 0x1888
   csrw mstatus, zero
+
+  # mret to the middle of a word.
+  la a0, 2f
+  csrw mepc, a0
+  li a1, 0
+  mret
+  .option rvc
+  c.li a1, 1
+2:
+  c.addi a1, 2
+  .option norvc
+  .align 2
+  check a1, 2
 
   # Instructions are counted; one that writes the counter is not.
   csrwi minstret, 0

@@ -41,10 +41,8 @@
   check_address s4, 1b
 
   # What is no instruction.
-  illegal 0x00000000
   illegal 0xffffffff
   illegal 0x0000007f
-  illegal 0x00100501
   illegal 0x02051513
   illegal 0x02055513
   illegal 0xc0055513
@@ -121,29 +119,109 @@
   li s10, 0
   traps 5, lb a0, 3(s10)
 
-  # Jumps to the middle of a word: the link register stays as it was.
-  la s10, target
-  la s1, target + 2
-  traps 0, jalr a0, 2(s10)
-  traps 0, jalr a0, 3(s10)
-  traps 0, jal a0, target + 2
-  traps 0, beq zero, zero, target + 2
-  # Not taken it may lead wherever it wants.
-  li s2, 99
-  bne zero, zero, target + 2
-  check s2, 99
+  # Reserved compressed instructions: mtval has the half word alone.
+  .macro illegal_half half_word
+  li s1, \half_word
+  traps 2, .half \half_word, 0x0001
+  .endm
+  illegal_half 0x0000
+  illegal_half 0x0004
+  illegal_half 0x2000
+  illegal_half 0x6000
+  illegal_half 0x8000
+  illegal_half 0xa000
+  illegal_half 0xe000
+  illegal_half 0x6501
+  illegal_half 0x6101
+  illegal_half 0x9105
+  illegal_half 0x9505
+  illegal_half 0x9c01
+  illegal_half 0x9c41
+  illegal_half 0x1502
+  illegal_half 0x4002
+  illegal_half 0x2002
+  illegal_half 0x6002
+  illegal_half 0x8002
+  illegal_half 0xa002
+  illegal_half 0xe002
+
+  # Traps at the second half of a word: of short instructions, and of long ones.
+  .option rvc
+  la s0, 1f
+  c.nop
+1:
+  c.ebreak
+  check s2, 3
+  check_address s3, 1b
+  check_address s4, 1b
+  .option norvc
+  .align 2
+  .option rvc
+  c.nop
+  .option norvc
+1:
+  ecall
+  check s2, 11
+  check_address s3, 1b
+1:
+  .word 0x0000007f
+  check s2, 2
+  check_address s3, 1b
+  check s4, 0x0000007f
+  .option rvc
+  c.nop
+  .option norvc
+  la s8, place + 1
+  .option rvc
+  c.mv a1, s8
+1:
+  c.lw a0, 0(a1)
+  .option norvc
+  check s2, 4
+  check_address s3, 1b
+  check_address s4, place + 1
+  .option rvc
+1:
+  c.sw a0, 0(a1)
+  .option norvc
+  check s2, 6
+  check_address s3, 1b
+  check_address s4, place + 1
 
   # A jump out of the memory: the jump is done, its target traps.
-  la s9, outside
   la t0, outside_handler
   csrw mtvec, t0
-  li s10, 0x90000000
+  la s9, outside
+  li s10, 0x90000003
   jalr a0, 0(s10)
 outside:
   check s2, 1
-  check s3, 0x90000000
-  check s4, 0x90000000
+  check s3, 0x90000002
+  check s4, 0x90000002
   check_address a0, outside
+  # The last half word of the memory: a short instruction fits, behind it nothing does.
+  la s9, end_reached
+  li s10, 0x8000fffe
+  li a0, 0x00010505
+  sh a0, 0(s10)
+  fence.i
+  li a0, 6
+  jr s10
+end_reached:
+  check s2, 1
+  check s3, 0x80010000
+  check s4, 0x80010000
+  check a0, 7
+  # A long one does not fit: its second half is what is at fault.
+  la s9, end_crossed
+  li a0, 0x0513
+  sh a0, 0(s10)
+  fence.i
+  jr s10
+end_crossed:
+  check s2, 1
+  check s3, 0x8000fffe
+  check s4, 0x80010000
   j done
 
   .align 2
@@ -151,7 +229,13 @@ handler:
   csrr s2, mcause
   csrr s3, mepc
   csrr s4, mtval
-  addi t0, s3, 4
+  lhu t1, 0(s3)
+  andi t1, t1, 3
+  addi t0, s3, 2
+  addi t1, t1, -3
+  bnez t1, 1f
+  addi t0, t0, 2
+1:
   csrw mepc, t0
   mret
 
@@ -163,10 +247,6 @@ outside_handler:
   csrw mepc, s9
   mret
 
-  .align 2
-target:
-  j failed
-  j failed
 done:
   end
 

@@ -1,0 +1,160 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Reads an instruction of 16 bits (extension C): as what longer one it acts, whether it is legal.
+
+library ieee;
+use ieee.std_logic_1164.all;
+
+use work.processor_pkg.all;
+
+entity compressed_decoder is
+  port (
+    -- The lowest two bits are not "11": words with them do not come here.
+    instruction : in std_ulogic_vector(15 downto 0);
+    decoded : out decoded_t;
+    immediate : out word_t
+  );
+end entity;
+
+architecture rtl of compressed_decoder is
+
+  alias funct3 : std_ulogic_vector(2 downto 0) is instruction(15 downto 13);
+  -- Full register numbers, and those of three bits that mean x8 to x15.
+  alias upper_field : register_index_t is instruction(11 downto 7);
+  alias lower_field : register_index_t is instruction(6 downto 2);
+  signal upper_short, lower_short : register_index_t;
+
+  signal quadrant_0, quadrant_1, quadrant_2 : std_ulogic;
+  signal is_add_to_sp, is_load_word, is_store_word : std_ulogic;
+  signal is_add_immediate, is_jump_and_link, is_load_immediate, is_upper_or_sp : std_ulogic;
+  signal is_arithmetic, is_jump_only, is_branch : std_ulogic;
+  signal is_shift_left, is_load_from_sp, is_store_to_sp, is_move_or_jump : std_ulogic;
+  signal is_sp, is_short_shift, is_short_and, is_short_operation : std_ulogic;
+  signal is_jump_register, is_move, is_add, is_breakpoint : std_ulogic;
+  signal is_load, is_store, is_jump : std_ulogic;
+  signal upper_zero, lower_zero, constant_zero, legal, has_destination : std_ulogic;
+  signal sign, extension : std_ulogic;
+  signal low : std_ulogic_vector(11 downto 0);
+  signal destination : register_index_t;
+
+begin
+
+  upper_short <= "01" & instruction(9 downto 7);
+  lower_short <= "01" & instruction(4 downto 2);
+  upper_zero <= nor upper_field;
+  lower_zero <= nor lower_field;
+  constant_zero <= lower_zero and not instruction(12);
+  sign <= instruction(12);
+
+  quadrant_0 <= not instruction(1) and not instruction(0);
+  quadrant_1 <= not instruction(1) and instruction(0);
+  quadrant_2 <= instruction(1) and not instruction(0);
+
+  is_add_to_sp <= quadrant_0 and (funct3 ?= "000");
+  is_load_word <= quadrant_0 and (funct3 ?= "010");
+  is_store_word <= quadrant_0 and (funct3 ?= "110");
+  is_add_immediate <= quadrant_1 and (funct3 ?= "000");
+  is_jump_and_link <= quadrant_1 and (funct3 ?= "001");
+  is_load_immediate <= quadrant_1 and (funct3 ?= "010");
+  is_upper_or_sp <= quadrant_1 and (funct3 ?= "011");
+  is_arithmetic <= quadrant_1 and (funct3 ?= "100");
+  is_jump_only <= quadrant_1 and (funct3 ?= "101");
+  is_branch <= quadrant_1 and funct3(2) and funct3(1);
+  is_shift_left <= quadrant_2 and (funct3 ?= "000");
+  is_load_from_sp <= quadrant_2 and (funct3 ?= "010");
+  is_move_or_jump <= quadrant_2 and (funct3 ?= "100");
+  is_store_to_sp <= quadrant_2 and (funct3 ?= "110");
+
+  is_sp <= is_upper_or_sp and (upper_field ?= "00010");
+  is_short_shift <= is_arithmetic and not instruction(11);
+  is_short_and <= is_arithmetic and instruction(11) and not instruction(10);
+  is_short_operation <= is_arithmetic and instruction(11) and instruction(10);
+  is_jump_register <= is_move_or_jump and lower_zero and not upper_zero;
+  is_breakpoint <= is_move_or_jump and lower_zero and upper_zero and instruction(12);
+  is_move <= is_move_or_jump and not lower_zero and not instruction(12);
+  is_add <= is_move_or_jump and not lower_zero and instruction(12);
+  is_load <= is_load_word or is_load_from_sp;
+  is_store <= is_store_word or is_store_to_sp;
+  is_jump <= is_jump_only or is_jump_and_link;
+
+  -- Shifts by more than 31 and constants of zero are reserved where they are named here.
+  legal <= (is_add_to_sp and (or instruction(12 downto 5))) or is_load_word or is_store_word or
+           is_add_immediate or is_jump or is_load_immediate or
+           (is_upper_or_sp and not constant_zero) or
+           (is_short_shift and not instruction(12)) or is_short_and or
+           (is_short_operation and not instruction(12)) or is_branch or
+           (is_shift_left and not instruction(12)) or (is_load_from_sp and not upper_zero) or
+           is_jump_register or is_breakpoint or is_move or is_add or is_store_to_sp;
+  decoded.illegal <= not legal;
+
+  -- Sums of sp; then the instructions with short numbers; li, lui and mv add to x0.
+  decoded.first_index <= "00010" when is_add_to_sp or is_sp or is_load_from_sp or is_store_to_sp else
+                         upper_short when is_load_word or is_store_word or is_arithmetic or
+                           is_branch else
+                         "00000" when is_load_immediate or is_upper_or_sp or is_move else
+                         upper_field;
+  decoded.second_index <= "00000" when is_branch else
+                          lower_short when is_store_word or is_arithmetic else
+                          lower_field;
+  destination <= lower_short when quadrant_0 else
+                 upper_short when is_arithmetic else
+                 "00001" when is_jump_and_link else
+                 -- jr and j write x0, jalr writes x1.
+                 "0000" & instruction(12) when is_move_or_jump and lower_zero else
+                 "00000" when is_jump_only else
+                 upper_field;
+  decoded.destination <= destination;
+  has_destination <= not (is_store or is_branch or is_breakpoint);
+  decoded.writes <= has_destination and (or destination);
+  decoded.late <= is_load;
+  decoded.reads_first <= not (is_jump or is_load_immediate or is_move);
+  decoded.reads_second <= is_store or is_branch or is_short_operation or is_move_or_jump;
+
+  low <= "00" & instruction(10 downto 7) & instruction(12 downto 11) & instruction(5) &
+           instruction(6) & "00" when is_add_to_sp else
+         "00000" & instruction(5) & instruction(12 downto 10) & instruction(6) & "00" when
+           is_load_word or is_store_word else
+         "0000" & instruction(3 downto 2) & instruction(12) & instruction(6 downto 4) & "00" when
+           is_load_from_sp else
+         "0000" & instruction(8 downto 7) & instruction(12 downto 9) & "00" when is_store_to_sp else
+         sign & instruction(8) & instruction(10 downto 9) & instruction(6) & instruction(7) &
+           instruction(2) & instruction(11) & instruction(5 downto 3) & '0' when is_jump else
+         (11 downto 8 => sign) & instruction(6 downto 5) & instruction(2) &
+           instruction(11 downto 10) & instruction(4 downto 3) & '0' when is_branch else
+         (11 downto 9 => sign) & instruction(4 downto 3) & instruction(5) & instruction(2) &
+           instruction(6) & "0000" when is_sp else
+         x"000" when is_upper_or_sp or is_move_or_jump else
+         (11 downto 5 => sign) & instruction(6 downto 2);
+  extension <= sign and quadrant_1;
+  immediate <= (31 downto 17 => sign) & instruction(6 downto 2) & low when
+                 is_upper_or_sp and not is_sp else
+               (31 downto 12 => extension) & low;
+
+  decoded.second_is_constant <= not (is_short_operation or is_branch or is_store or
+                                     is_move_or_jump);
+  decoded.operation <= (is_arithmetic and
+                        (not is_short_operation or instruction(6) or instruction(5))) &
+                       (is_short_and or (is_short_operation and instruction(6))) &
+                       (is_shift_left or (is_arithmetic and
+                        (not is_short_operation or (instruction(6) and instruction(5)))));
+  decoded.subtract <= is_branch or
+                      (is_short_operation and not instruction(6) and not instruction(5));
+  decoded.arithmetic_shift <= instruction(10);
+  decoded.compare_unsigned <= '0';
+
+  -- A load or store of a word; branch where equal or not.
+  decoded.funct3 <= "00" & instruction(13) when is_branch else "010";
+  decoded.load <= is_load;
+  decoded.store <= is_store;
+  decoded.branch <= is_branch;
+  decoded.jump <= is_jump;
+  decoded.jump_register <= is_jump_register;
+  decoded.address_result <= '0';
+  decoded.multiply <= '0';
+  decoded.divide <= '0';
+  decoded.csr <= '0';
+  decoded.environment_call <= '0';
+  decoded.breakpoint <= is_breakpoint;
+  decoded.trap_return <= '0';
+  decoded.wait_for_interrupt <= '0';
+
+end architecture;

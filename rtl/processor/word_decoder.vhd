@@ -1,0 +1,125 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Reads an instruction of 32 bits: what it is, its registers, its constant, whether it is legal.
+
+library ieee;
+use ieee.std_logic_1164.all;
+
+use work.processor_pkg.all;
+
+entity word_decoder is
+  port (
+    instruction : in word_t;
+    decoded : out decoded_t;
+    immediate : out word_t
+  );
+end entity;
+
+architecture rtl of word_decoder is
+
+  -- Written as equations and not as one large case: each is a few gates and a few instructions of a
+  -- simulation, which evaluates them in every clock. The lowest two bits are "11": words without
+  -- them do not come here.
+  alias opcode : std_ulogic_vector(4 downto 0) is instruction(6 downto 2);
+  alias funct3 : std_ulogic_vector(2 downto 0) is instruction(14 downto 12);
+  alias funct7 : std_ulogic_vector(6 downto 0) is instruction(31 downto 25);
+
+  signal is_load, is_fence, is_immediate_operation, is_upper_to_pc, is_store : std_ulogic;
+  signal is_operation, is_upper, is_branch, is_jump_register, is_jump, is_system : std_ulogic;
+  signal is_shift, is_multiply_or_divide, is_csr, is_privileged : std_ulogic;
+  signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
+  signal funct7_zero, funct7_alternate : std_ulogic;
+  signal has_destination, legal : std_ulogic;
+  signal immediate_low : std_ulogic_vector(11 downto 0);
+
+begin
+
+  is_load <= opcode ?= "00000";
+  is_fence <= opcode ?= "00011";
+  is_immediate_operation <= opcode ?= "00100";
+  is_upper_to_pc <= opcode ?= "00101";
+  is_store <= opcode ?= "01000";
+  is_operation <= opcode ?= "01100";
+  is_upper <= opcode ?= "01101";
+  is_branch <= opcode ?= "11000";
+  is_jump_register <= opcode ?= "11001";
+  is_jump <= opcode ?= "11011";
+  is_system <= opcode ?= "11100";
+
+  funct7_zero <= funct7 ?= "0000000";
+  funct7_alternate <= funct7 ?= "0100000";
+  is_shift <= funct3(0) and not funct3(1);
+  is_multiply_or_divide <= is_operation and (funct7 ?= "0000001");
+  is_csr <= is_system and (funct3(0) or funct3(1));
+  is_privileged <= is_system and (funct3 ?= "000") and (instruction(19 downto 15) ?= "00000") and
+                   (instruction(11 downto 7) ?= "00000");
+  is_ecall <= is_privileged and (instruction(31 downto 20) ?= x"000");
+  is_ebreak <= is_privileged and (instruction(31 downto 20) ?= x"001");
+  is_mret <= is_privileged and (instruction(31 downto 20) ?= x"302");
+  is_wfi <= is_privileged and (instruction(31 downto 20) ?= x"105");
+
+  legal <= is_upper or is_upper_to_pc or is_jump or
+           (is_jump_register and (funct3 ?= "000")) or
+           (is_branch and (funct3(2) or not funct3(1))) or
+           (is_load and not (funct3(1) and (funct3(0) or funct3(2)))) or
+           (is_store and not funct3(2) and (funct3(1) nand funct3(0))) or
+           (is_immediate_operation and
+            (not is_shift or funct7_zero or (funct7_alternate and funct3(2)))) or
+           (is_operation and
+            (funct7_zero or (funct7_alternate and (funct3 ?= "000" or funct3 ?= "101")))) or
+           is_multiply_or_divide or
+           (is_fence and not funct3(2) and not funct3(1)) or
+           is_csr or is_ecall or is_ebreak or is_mret or is_wfi;
+  decoded.illegal <= not legal;
+
+  -- fence.i jumps to the next instruction, and so has it fetched again.
+  immediate_low <= instruction(31 downto 25) & instruction(11 downto 7) when is_store else
+                   instruction(7) & instruction(30 downto 25) & instruction(11 downto 8) & '0' when
+                     is_branch else
+                   instruction(20) & instruction(30 downto 21) & '0' when is_jump else
+                   x"004" when is_fence else
+                   x"000" when is_upper or is_upper_to_pc else
+                   instruction(31 downto 20);
+  immediate <= instruction(31 downto 12) & x"000" when is_upper or is_upper_to_pc else
+               (31 downto 20 => instruction(31)) & instruction(19 downto 12) & immediate_low when
+                 is_jump else
+               (31 downto 12 => '0') & immediate_low when is_fence else
+               (31 downto 12 => instruction(31)) & immediate_low;
+
+  -- lui adds its constant to x0.
+  decoded.first_index <= "00000" when is_upper else instruction(19 downto 15);
+  decoded.second_index <= instruction(24 downto 20);
+  decoded.destination <= instruction(11 downto 7);
+  -- All but lui, auipc, jal, fence and CSR instructions with a constant; then branch, store and
+  -- operation. Of no meaning where the instruction is illegal.
+  decoded.reads_first <= not (opcode(0) and (opcode(1) or opcode(2))) and
+                         not (opcode(4) and opcode(2) and funct3(2));
+  decoded.reads_second <= opcode(3) and not opcode(0) and not (opcode(4) and opcode(2));
+  has_destination <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
+                     is_upper or is_jump_register or is_jump or is_csr;
+  decoded.writes <= has_destination and (instruction(11 downto 7) ?/= "00000");
+  decoded.late <= is_load or (is_multiply_or_divide and not funct3(2));
+
+  decoded.second_is_constant <= not (is_operation or is_branch or is_store);
+  decoded.operation <= funct3 when is_immediate_operation or is_operation else "000";
+  -- Where it is not needed it does no harm.
+  decoded.subtract <= is_branch or (is_operation and instruction(30)) or
+                      ((is_operation or is_immediate_operation) and not funct3(2) and funct3(1));
+  decoded.arithmetic_shift <= instruction(30);
+  decoded.compare_unsigned <= funct3(1) when is_branch else funct3(0);
+
+  decoded.funct3 <= funct3;
+  decoded.load <= is_load;
+  decoded.store <= is_store;
+  decoded.branch <= is_branch;
+  decoded.jump <= is_jump or (is_fence and funct3(0));
+  decoded.jump_register <= is_jump_register;
+  decoded.address_result <= is_upper_to_pc;
+  decoded.multiply <= is_multiply_or_divide and not funct3(2);
+  decoded.divide <= is_multiply_or_divide and funct3(2);
+  decoded.csr <= is_csr;
+  decoded.environment_call <= is_ecall;
+  decoded.breakpoint <= is_ebreak;
+  decoded.trap_return <= is_mret;
+  decoded.wait_for_interrupt <= is_wfi;
+
+end architecture;

@@ -1,0 +1,139 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The constants of each format, the flags, and that exactly the words of RV32IM are legal.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity word_decoder_tb is
+end entity;
+
+architecture tb of word_decoder_tb is
+
+  signal instruction : word_t := (others => '0');
+  signal decoded : decoded_t;
+  signal immediate : word_t;
+
+begin
+
+  uut : entity work.word_decoder
+    port map (instruction => instruction, decoded => decoded, immediate => immediate);
+
+  check : process
+    variable legal_words : natural;
+
+    procedure decode(word : word_t) is
+    begin
+      instruction <= word;
+      wait for 1 ns;
+    end procedure;
+
+    procedure expect_offset(word, offset : word_t) is
+    begin
+      decode(word);
+      assert decoded.illegal = '0' and immediate = offset
+        report to_hstring(word) & " has offset " & to_hstring(immediate) severity failure;
+    end procedure;
+
+    procedure expect_constant(word, operand : word_t) is
+    begin
+      decode(word);
+      assert decoded.illegal = '0' and decoded.second_is_constant = '1' and
+        immediate = operand report to_hstring(word) severity failure;
+    end procedure;
+
+    -- How many of funct7 and funct3 are legal with this opcode.
+    procedure expect_legal(opcode : std_ulogic_vector(6 downto 0); wanted : natural) is
+      variable word : word_t;
+    begin
+      legal_words := 0;
+      for code in 0 to 1023 loop
+        word := (others => '0');
+        word(6 downto 0) := opcode;
+        word(14 downto 12) := std_ulogic_vector(to_unsigned(code mod 8, 3));
+        word(31 downto 25) := std_ulogic_vector(to_unsigned(code / 8, 7));
+        -- Registers that no privileged instruction has.
+        word(11 downto 7) := "00001";
+        decode(word);
+        if decoded.illegal = '0' then
+          legal_words := legal_words + 1;
+        end if;
+      end loop;
+      assert legal_words = wanted report "opcode " & to_string(opcode) & " has " &
+        integer'image(legal_words) & " legal words" severity failure;
+    end procedure;
+  begin
+    expect_offset(x"fff52503", x"ffffffff");  -- lw a0, -1(a0)
+    expect_offset(x"7ff52503", x"000007ff");
+    expect_offset(x"fea52fa3", x"ffffffff");  -- sw a0, -1(a0)
+    expect_offset(x"00a525a3", x"0000000b");  -- sw a0, 11(a0)
+    expect_offset(x"fe000ee3", x"fffffffc");  -- beq zero, zero, -4
+    expect_offset(x"00000463", x"00000008");
+    expect_offset(x"80000063", x"fffff000");
+    expect_offset(x"ffdff06f", x"fffffffc");  -- j -4
+    expect_offset(x"0080006f", x"00000008");
+    expect_offset(x"0000100f", x"00000004");  -- fence.i
+    expect_constant(x"80050513", x"fffff800");  -- addi a0, a0, -2048
+    expect_constant(x"12345537", x"12345000");  -- lui
+    assert decoded.first_index = "00000" report "lui adds to x0" severity failure;
+    expect_offset(x"fffff517", x"fffff000");  -- auipc
+    assert decoded.address_result = '1' severity failure;
+    expect_offset(x"00850567", x"00000008");  -- jalr a0, 8(a0)
+    assert decoded.jump_register = '1' and decoded.jump = '0' severity failure;
+
+    -- add x0 writes nothing; a load is late; what is read.
+    decode(x"00b50033");
+    assert decoded.writes = '0' and decoded.reads_first = '1' and decoded.reads_second = '1' and
+      decoded.late = '0' severity failure;
+    decode(x"00052583");
+    assert decoded.writes = '1' and decoded.load = '1' and decoded.late = '1' and
+      decoded.reads_first = '1' and decoded.reads_second = '0' severity failure;
+    decode(x"02b54533");
+    assert decoded.divide = '1' and decoded.multiply = '0' severity failure;
+    decode(x"02b50533");
+    assert decoded.divide = '0' and decoded.multiply = '1' severity failure;
+    decode(x"40b50533");
+    assert decoded.subtract = '1' and decoded.operation = "000" severity failure;
+    decode(x"c0050513");
+    assert decoded.subtract = '0' report "addi of a negative constant does not subtract"
+      severity failure;
+    decode(x"30046573");
+    assert decoded.csr = '1' and decoded.reads_first = '0' severity failure;
+    decode(x"30051573");
+    assert decoded.csr = '1' and decoded.reads_first = '1' severity failure;
+    decode(x"00000073");
+    assert decoded.environment_call = '1' and decoded.illegal = '0' severity failure;
+    decode(x"00100073");
+    assert decoded.breakpoint = '1' and decoded.illegal = '0' severity failure;
+    decode(x"30200073");
+    assert decoded.trap_return = '1' and decoded.illegal = '0' severity failure;
+    decode(x"10500073");
+    assert decoded.wait_for_interrupt = '1' and decoded.illegal = '0' severity failure;
+    decode(x"30200173");
+    assert decoded.trap_return = '0' and decoded.illegal = '1' severity failure;
+
+    expect_legal("0110111", 1024);
+    expect_legal("0010111", 1024);
+    expect_legal("1101111", 1024);
+    expect_legal("1100111", 128);
+    expect_legal("1100011", 6 * 128);
+    expect_legal("0000011", 5 * 128);
+    expect_legal("0100011", 3 * 128);
+    expect_legal("0010011", 6 * 128 + 3);
+    expect_legal("0110011", 8 + 2 + 8);
+    expect_legal("0001111", 2 * 128);
+    expect_legal("1110011", 6 * 128);
+    -- All other opcodes of 32 bits.
+    for code in 0 to 31 loop
+      case std_ulogic_vector(to_unsigned(code, 5)) is
+        when "01101" | "00101" | "11011" | "11001" | "11000" | "00000" | "01000" | "00100" |
+             "01100" | "00011" | "11100" => null;
+        when others => expect_legal(std_ulogic_vector(to_unsigned(code, 5)) & "11", 0);
+      end case;
+    end loop;
+    std.env.finish;
+  end process;
+
+end architecture;
