@@ -36,14 +36,17 @@ _start:
   # main does not return; if it does, that is a fault like any other.
   ebreak
 
-# Vectored traps: entry 0 is for exceptions, entry n for interrupt n. The tasks run with interrupts
+# Vectored traps: entry 0 is for exceptions, entry n for interrupt n; each is a word. The tasks run with interrupts
 # disabled and use them to end wfi only, so none of the others is expected either.
   .balign 128
   .globl vector_table
 vector_table:
+  .option push
+  .option norvc
   .rept 32
   j trap
   .endr
+  .option pop
 
 # A trap is the end: the report gets a whole stack, because the old one may be what is broken.
 trap:

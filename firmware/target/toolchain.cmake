@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# The compiler for the chip: RV32IM without operating system, picolibc for what C++ needs.
+# The compiler for the chip: RV32IMC without operating system, picolibc for what C++ needs.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR riscv32)
 set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)
 set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)
 set(CMAKE_ASM_COMPILER riscv64-unknown-elf-gcc)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(processor_flags "-march=rv32im_zicsr -mabi=ilp32 --specs=picolibc.specs")
+set(processor_flags "-march=rv32imc_zicsr -mabi=ilp32 --specs=picolibc.specs")
 set(CMAKE_CXX_FLAGS_INIT ${processor_flags})
 set(CMAKE_ASM_FLAGS_INIT ${processor_flags})
