@@ -12,6 +12,7 @@ use work.heater_control_registers_pkg.all;
 use work.identity_registers_pkg.all;
 use work.memory_pkg.all;
 use work.step_generator_registers_pkg.all;
+use work.step_pins_registers_pkg.all;
 use work.temperature_converter_registers_pkg.all;
 use work.thermal_pkg.all;
 use work.timer_registers_pkg.all;
@@ -67,9 +68,9 @@ end entity;
 
 architecture rtl of printer_controller is
 
-  constant base_addresses : bus_address_array_t(0 to 7) := (
+  constant base_addresses : bus_address_array_t(0 to 8) := (
     identity_address, uart_address, timer_address, step_generator_address, end_stops_address,
-    temperature_converter_address, heater_control_address, fan_address);
+    temperature_converter_address, heater_control_address, fan_address, step_pins_address);
 
   constant identity_slave : natural := 0;
   constant uart_slave : natural := 1;
@@ -79,6 +80,7 @@ architecture rtl of printer_controller is
   constant temperature_converter_slave : natural := 5;
   constant heater_control_slave : natural := 6;
   constant fan_slave : natural := 7;
+  constant step_pins_slave : natural := 8;
 
   signal bus_request : bus_request_t;
   signal bus_response : bus_response_t;
@@ -96,6 +98,7 @@ architecture rtl of printer_controller is
   signal heater_interrupt : std_ulogic;
   signal interrupts : std_ulogic_vector(15 downto 0);
 
+  signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
   signal end_stops_triggered : std_ulogic_vector(7 downto 0);
   signal emergency_stop_synchronized : std_ulogic_vector(0 downto 0);
   signal readings : sensor_reading_array_t(0 to heaters - 1);
@@ -247,12 +250,29 @@ begin
       response => responses(step_generator_slave),
       end_stops => end_stops_triggered,
       emergency_stop => emergency_stop_synchronized(0),
-      step => step,
-      direction => direction,
+      step => generated_step,
+      direction => generated_direction,
       enable => motor_enable,
       moving => open,
       queue_interrupt => queue_interrupt,
       stop_interrupt => stop_interrupt
+    );
+
+  pins : entity work.step_pins
+    generic map (
+      axes => axes
+    )
+    port map (
+      clk => clk,
+      bus_clk => processor_clk,
+      reset => reset_registered,
+      request => requests(step_pins_slave),
+      response => responses(step_pins_slave),
+      emergency_stop => emergency_stop_synchronized(0),
+      generated_step => generated_step,
+      generated_direction => generated_direction,
+      step => step,
+      direction => direction
     );
 
   sensors : entity work.temperature_converter

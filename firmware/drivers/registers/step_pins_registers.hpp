@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Registers of `step_pins`. Generated from rtl/motion/step_pins.toml: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Step and direction pins in the hands of software instead of the step generator's.
+namespace registers::step_pins {
+
+inline constexpr std::uint32_t base = 0xF0008000u;
+
+// Who drives the pins. To be changed only while nothing moves.
+struct Control {
+  static constexpr std::uint32_t address = base + 0x0u;
+  // 1: the registers step and direction; 0: the step generator.
+  bool software{};
+
+  static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .software = (word & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (software ? 1u : 0u);
+  }
+};
+
+// Step pins, bit n for axis n. All change in the same clock.
+struct Step {
+  static constexpr std::uint32_t address = base + 0x4u;
+  // 1: high.
+  std::uint32_t pins{};
+
+  static constexpr Step decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .pins = (word & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (pins & 0xFFu);
+  }
+};
+
+// Direction pins, bit n for axis n.
+struct Direction {
+  static constexpr std::uint32_t address = base + 0x8u;
+  // 1: high, negative direction.
+  std::uint32_t pins{};
+
+  static constexpr Direction decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .pins = (word & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (pins & 0xFFu);
+  }
+};
+
+// Emergency stop: works without software.
+struct Stop {
+  static constexpr std::uint32_t address = base + 0xCu;
+  // 1: the input was active, so no step pin rises; a write of 1 while it is not permits it again.
+  bool stopped{};
+
+  static constexpr Stop decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .stopped = (word & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (stopped ? 1u : 0u);
+  }
+};
+
+}  // namespace registers::step_pins

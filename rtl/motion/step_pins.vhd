@@ -1,0 +1,90 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Lets software drive the step and direction pins instead of the step generator, to compare the two.
+
+library ieee;
+use ieee.std_logic_1164.all;
+
+use work.bus_pkg.all;
+use work.step_pins_registers_pkg.all;
+
+entity step_pins is
+  generic (
+    axes : positive range 1 to 8 := 5
+  );
+  port (
+    clk : in std_ulogic;
+    -- The same clock for the registers; edges may be left out while no access is made.
+    bus_clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    request : in bus_request_t;
+    response : out bus_response_t;
+
+    -- Synchronous to clk. From the next clock on no step pin that software drives rises.
+    emergency_stop : in std_ulogic;
+
+    -- What the step generator makes.
+    generated_step : in std_ulogic_vector(axes - 1 downto 0);
+    generated_direction : in std_ulogic_vector(axes - 1 downto 0);
+
+    -- The pins: the step generator's without delay, or software's in the second clock after the write.
+    step : out std_ulogic_vector(axes - 1 downto 0);
+    direction : out std_ulogic_vector(axes - 1 downto 0)
+  );
+end entity;
+
+architecture rtl of step_pins is
+
+  signal from_software : step_pins_from_software_t;
+  signal to_software : step_pins_to_software_t;
+
+  signal written_step : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
+  signal written_direction : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
+  signal stopped : std_ulogic := '0';
+
+begin
+
+  registers : entity work.step_pins_registers
+    port map (
+      clk => bus_clk,
+      reset => reset,
+      request => request,
+      response => response,
+      from_software => from_software,
+      to_software => to_software
+    );
+
+  to_software.stop.stopped <= stopped;
+
+  step <= written_step when from_software.control.software = '1' else generated_step;
+  direction <= written_direction when from_software.control.software = '1' else generated_direction;
+
+  drive : process
+  begin
+    wait until rising_edge(clk);
+    written_direction <= from_software.direction.pins(axes - 1 downto 0);
+    written_step <= from_software.step.pins(axes - 1 downto 0);
+    -- A pulse that is out keeps its width: software ends it.
+    if stopped or emergency_stop then
+      written_step <= from_software.step.pins(axes - 1 downto 0) and written_step;
+    end if;
+    if from_software.stop_written and from_software.stop.stopped then
+      stopped <= '0';
+    end if;
+    if emergency_stop then
+      stopped <= '1';
+    end if;
+    if reset then
+      written_step <= (others => '0');
+      written_direction <= (others => '0');
+      stopped <= '0';
+    end if;
+  end process;
+
+  each_axis : for axis in 0 to axes - 1 generate
+    -- psl default clock is rising_edge(clk);
+    -- psl no_step_rises_when_stopped : assert always
+    --   ((stopped = '1' and written_step(axis) = '0') -> next (written_step(axis) = '0')) abort reset;
+  end generate;
+
+end architecture;

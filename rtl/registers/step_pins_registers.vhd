@@ -1,0 +1,153 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Registers of `step_pins`. Generated from rtl/motion/step_pins.toml: do not edit.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+package step_pins_registers_pkg is
+
+  constant step_pins_address : unsigned(31 downto 0) := x"F0008000";
+
+  -- Who drives the pins. To be changed only while nothing moves.
+  type step_pins_control_t is record
+    software : std_ulogic;
+  end record;
+
+  -- Step pins, bit n for axis n. All change in the same clock.
+  type step_pins_step_t is record
+    pins : std_ulogic_vector(7 downto 0);
+  end record;
+
+  -- Direction pins, bit n for axis n.
+  type step_pins_direction_t is record
+    pins : std_ulogic_vector(7 downto 0);
+  end record;
+
+  -- Emergency stop: works without software.
+  type step_pins_stop_t is record
+    stopped : std_ulogic;
+  end record;
+
+  type step_pins_from_software_t is record
+    control : step_pins_control_t;
+    step : step_pins_step_t;
+    direction : step_pins_direction_t;
+    stop : step_pins_stop_t;
+    stop_written : std_ulogic;
+  end record;
+
+  type step_pins_to_software_t is record
+    stop : step_pins_stop_t;
+  end record;
+
+end package;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.step_pins_registers_pkg.all;
+
+entity step_pins_registers is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+    request : in bus_request_t;
+    response : out bus_response_t := bus_response_idle;
+    from_software : out step_pins_from_software_t;
+    to_software : in step_pins_to_software_t
+  );
+end entity;
+
+architecture rtl of step_pins_registers is
+
+  -- The first clock of an access, and what it was, one clock later.
+  signal access_begins : std_ulogic;
+  signal answered, reading, writing : std_ulogic := '0';
+  signal register_index : unsigned(9 downto 0) := (others => '0');
+  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal readable, writable, known : std_ulogic;
+  signal read_word : std_ulogic_vector(31 downto 0);
+  signal control_word : std_ulogic_vector(31 downto 0);
+  signal control_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal step_word : std_ulogic_vector(31 downto 0);
+  signal step_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal direction_word : std_ulogic_vector(31 downto 0);
+  signal direction_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal stop_word : std_ulogic_vector(31 downto 0);
+
+begin
+
+  access_begins <= request.strobe and not answered;
+
+  -- Answers in the clock after the strobe; an error for everything that is not described.
+  answer : process
+  begin
+    wait until rising_edge(clk);
+    answered <= access_begins;
+    reading <= access_begins and known and not request.write;
+    writing <= access_begins and known and request.write;
+    response.acknowledge <= access_begins and known;
+    response.error <= access_begins and not known;
+    response.data <= (others => '0');
+    if access_begins then
+      response.data <= read_word;
+      written_data <= request.data;
+      register_index <= request.address(11 downto 2);
+    end if;
+    if reset then
+      answered <= '0';
+      reading <= '0';
+      writing <= '0';
+      response <= bus_response_idle;
+    end if;
+  end process;
+
+  -- Whole words only.
+  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+
+  readable <= '1' when request.address(11 downto 2) <= 3 else '0';
+
+  writable <= '1' when request.address(11 downto 2) <= 3 else '0';
+
+  control_word <= "0000000000000000000000000000000" & control_stored(0)
+    when request.address(11 downto 2) = 0 else (others => '0');
+  step_word <= "000000000000000000000000" & step_stored(7 downto 0)
+    when request.address(11 downto 2) = 1 else (others => '0');
+  direction_word <= "000000000000000000000000" & direction_stored(7 downto 0)
+    when request.address(11 downto 2) = 2 else (others => '0');
+  stop_word <= "0000000000000000000000000000000" & to_software.stop.stopped
+    when request.address(11 downto 2) = 3 else (others => '0');
+
+  read_word <= control_word
+    or step_word
+    or direction_word
+    or stop_word;
+
+  store : process
+  begin
+    wait until rising_edge(clk);
+    if writing = '1' and register_index = 0 then
+      control_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 1 then
+      step_stored <= written_data;
+    end if;
+    if writing = '1' and register_index = 2 then
+      direction_stored <= written_data;
+    end if;
+    if reset then
+      control_stored <= x"00000000";
+      step_stored <= x"00000000";
+      direction_stored <= x"00000000";
+    end if;
+  end process;
+
+  from_software.control.software <= control_stored(0);
+  from_software.step.pins <= step_stored(7 downto 0);
+  from_software.direction.pins <= direction_stored(7 downto 0);
+  from_software.stop_written <= '1' when writing = '1' and register_index = 3 else '0';
+  from_software.stop.stopped <= written_data(0);
+end architecture;
