@@ -11,17 +11,6 @@ constexpr std::uint32_t stack_paint = 0xA5A5A5A5;  // as start.S paints it
 
 }  // namespace
 
-void wake_by(WakeSource source, bool enabled) {
-  const auto bits = static_cast<std::uint32_t>(source);
-  if (enabled) {
-    asm volatile("csrs mie, %0" ::"r"(bits));
-  } else {
-    asm volatile("csrc mie, %0" ::"r"(bits));
-  }
-}
-
-void sleep() { asm volatile("wfi" ::: "memory"); }
-
 std::uint32_t clocks() {
   std::uint32_t value;
   asm volatile("csrr %0, mcycle" : "=r"(value));

@@ -36,14 +36,21 @@ _start:
   # main does not return; if it does, that is a fault like any other.
   ebreak
 
-# Vectored traps: entry 0 is for exceptions, entry n for interrupt n; each is a word. The tasks run with interrupts
-# disabled and use them to end wfi only, so none of the others is expected either.
+# Vectored traps: entry 0 is for exceptions, entry n for interrupt n; each is a word. The tasks run with
+# interrupts disabled and use them to end wfi only, so none of the others is expected either; except the
+# timer's in the image that makes the steps in software.
+  .weak timer_interrupt
+  .set timer_interrupt, trap
   .balign 128
   .globl vector_table
 vector_table:
   .option push
   .option norvc
-  .rept 32
+  .rept 7
+  j trap
+  .endr
+  j timer_interrupt
+  .rept 24
   j trap
   .endr
   .option pop

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The target `firmware` of the host's build: <build>/firmware/firmware.elf, with size.txt and a map.
+# The target `firmware` of the host's build: <build>/firmware/firmware.elf, with its sizes and a map; and
+# `firmware_software_stepping`: software_stepping.elf in the same folder.
 # It comes after all folders, because it takes the sources that they have registered.
 include(ExternalProject)
 get_property(sources GLOBAL PROPERTY firmware_sources)
@@ -17,6 +18,12 @@ ExternalProject_Add(firmware_image
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
+  BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target firmware.elf
   INSTALL_COMMAND ""
   DEPENDS machine_header_file)
 add_custom_target(firmware DEPENDS firmware_image)
+
+# Of the same objects, built only where it is asked for.
+add_custom_target(firmware_software_stepping
+  COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
+  DEPENDS firmware_image VERBATIM)

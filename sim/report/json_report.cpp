@@ -78,6 +78,7 @@ std::string to_json(const Results& results) {
                   {"points_reached", results.points_reached},
                   {"points_missed", results.points_missed}};
   json["queue"] = {{"underruns", results.underruns},
+                   {"late_ticks", results.late_ticks},
                    {"guard_stalls_cycles", results.guard_stalls_cycles},
                    {"max_depth", results.max_queue_depth}};
   json["hotend"] = temperature_json(results.hotend);

@@ -100,6 +100,14 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   results.underruns = queue.underruns;
   results.guard_stalls_cycles = queue.guard_stall_clocks;
   results.max_queue_depth = queue.max_depth;
+  if (const auto counters = firmware.symbol("software_stepping_counters")) {
+    // The words of software_stepping::Counters; the hardware's queue was not used.
+    const auto word = [&](std::uint32_t index) { return chip.read_memory(*counters + 4 * index); };
+    results.underruns = word(1);
+    results.max_queue_depth = word(2);
+    results.late_ticks = word(3);
+    results.guard_stalls_cycles = word(4);
+  }
   results.hotend = hotend_.result();
   results.bed = bed_.result();
   results.firmware = {firmware.sizes.text_bytes, firmware.sizes.data_bytes,

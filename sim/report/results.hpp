@@ -56,6 +56,7 @@ struct Results {
   std::uint64_t points_reached{};
   std::uint64_t points_missed{};
   std::uint64_t underruns{};
+  std::uint64_t late_ticks{};  // only where software makes the steps
   std::uint64_t guard_stalls_cycles{};
   std::uint64_t max_queue_depth{};
   TemperatureResult hotend{};

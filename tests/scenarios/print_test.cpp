@@ -78,6 +78,20 @@ TEST(print, the_same_steps_are_made_at_every_clock) {
   }
 }
 
+TEST(software_stepping, makes_the_same_steps_as_the_hardware) {
+  const std::string gcode =
+      "G28 X Y\nG1 X30 Y10 F9000\nG1 X32.5 Y17.3\nG1 X31 Y22\nG1 X5 Y5 F12000\nG1 X5.02\n";
+  const Print hardware = print_text(gcode, {"--clock-hz", "16000000"});
+  const Print software = print_text(gcode, {"--clock-hz", "16000000", "--stepping", "software"});
+  expect_clean(software);
+  expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), software,
+                        16'000'000);
+  EXPECT_EQ(totals(software), totals(hardware));
+  EXPECT_EQ(software.report["queue"]["late_ticks"], 0);
+  EXPECT_GT(software.report["processor"]["busy_percent"],
+            hardware.report["processor"]["busy_percent"]);
+}
+
 TEST(whole_print, the_washer_is_printed_to_the_step) {
   const Print print = print_file(washer, {"--warm"});
   expect_clean(print);

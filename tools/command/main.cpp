@@ -66,7 +66,8 @@ void add_print(CLI::App& app, PrintOptions& options) {
       ->type_name("FILE.csv");
   job.add_option("--trace", options.trace, "write all signals of the chip; slow, and large")
       ->type_name("FILE.fst");
-  job.add_option("--stepping", options.stepping, "who makes the steps")
+  job.add_option("--stepping", options.printer.stepping,
+                 "who makes the steps; software: the processor, in its timer interrupt")
       ->check(CLI::IsMember({"hardware", "software"}))
       ->capture_default_str();
   job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")

@@ -132,6 +132,9 @@ void print_summary(const PrintOptions& options, const report::Results& results) 
   fmt::print(
       "  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
       illegal, lost, results.underruns, results.processor_busy_percent);
+  if (options.printer.stepping == "software") {
+    fmt::print("  steps made in software: {} ticks were late\n", results.late_ticks);
+  }
   fmt::print("  {} messages of the chip; report: {}\n", results.messages.size(),
              (options.report / "report.html").string());
 }
@@ -151,11 +154,6 @@ int exit_status_of(const PrintOptions& options, report::Outcome outcome) {
 }  // namespace
 
 int print(const PrintOptions& options) {
-  if (options.stepping != "hardware") {
-    return refuse(
-        options,
-        "--stepping software is not part of this version: steps are made in hardware only");
-  }
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) {
     return refuse(options, commands.error());

@@ -16,6 +16,7 @@ struct PrinterChoices {
   std::optional<std::uint32_t> baud;
   std::uint64_t seed = 1;
   bool warm = false;
+  std::string stepping = "hardware";
   std::vector<std::string> faults;
   std::filesystem::path accept_log;
 };
@@ -25,7 +26,6 @@ struct PrintOptions {
   std::filesystem::path report = "report";
   std::filesystem::path edges;
   std::filesystem::path trace;
-  std::string stepping = "hardware";
   std::optional<double> until_seconds;
   PrinterChoices printer;
 };

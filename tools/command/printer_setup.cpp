@@ -9,9 +9,11 @@ namespace command {
 
 namespace {
 
-sim::ElfImage built_firmware() {
-  build({"firmware"});
-  return sim::read_elf(build_folder() / "firmware" / "firmware.elf");
+sim::ElfImage built_firmware(const std::string& stepping) {
+  const bool software = stepping == "software";
+  build({software ? "firmware_software_stepping" : "firmware"});
+  return sim::read_elf(build_folder() / "firmware" /
+                       (software ? "software_stepping.elf" : "firmware.elf"));
 }
 
 }  // namespace
@@ -23,7 +25,7 @@ std::filesystem::path default_machine() {
 PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm)
     : description_(
           machine::read_description(choices.machine.empty() ? default_machine() : choices.machine)),
-      firmware_(built_firmware()),
+      firmware_(built_firmware(choices.stepping)),
       chip_(choices.clock_hz),
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {

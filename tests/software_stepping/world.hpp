@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip around the stepper: a clock that goes on with each access, the timer, pins, end stops.
+#pragma once
+
+#include <cstdint>
+
+#include "software_stepping/stepper.hpp"
+#include "tests/drivers/pulse_recorder.hpp"
+
+namespace software_stepping_test {
+
+struct World {
+  std::uint64_t now{};
+  std::uint64_t compare{~std::uint64_t{0}};
+  std::uint32_t step{};
+  std::uint32_t direction{};
+  std::uint8_t triggered{};
+  tests::PulseRecorder pulses;
+  // Clocks from the timer's deadline to the interrupt's first instruction.
+  std::uint64_t latency{software_stepping::shortest_latency_clocks};
+
+  // The interrupts that come until then.
+  void run(software_stepping::Stepper& stepper, std::uint64_t until);
+};
+
+// The one that the stepper under test reaches; made anew by each test.
+World& world();
+void make_world();
+
+}  // namespace software_stepping_test
