@@ -60,6 +60,7 @@ bool Application::start() {
   counters_.accepted_lines =
       static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(link_.accepted_lines()));
   counters_.version = Statistics::current_version;
+  link_.set_advanced_ok(machine_.advanced_ok);
   link_.say(host_link::greeting);
   return true;
 }
@@ -78,7 +79,10 @@ bool Application::update() {
     heat_.update(now);
     look_for_faults();
     report(now);
-    if (!halted_) switch_off_idle_motors(now);
+    if (!halted_) {
+      switch_off_idle_motors(now);
+      switch_off_forgotten_heaters(now);
+    }
   }
   transmit();
   count(now);
@@ -98,19 +102,20 @@ void Application::set_alarms() {
 void Application::exchange_bytes(Now now) {
   receive(now);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
-  link_.update(now.milliseconds,
-               executor_.busy() ? host_link::Activity::processing : host_link::Activity::idle);
+  link_.update(now.milliseconds, executor_.activity());
 }
 
 void Application::receive(Now now) {
-  if (hardware_.uart.errors().any()) {
-    hardware_.uart.clear_errors();
-    link_.receive_fault();
-  }
   std::array<char, 128> bytes;
-  const std::size_t count = hardware_.uart.read(bytes);
+  const auto [count, gap_before_last] = hardware_.uart.read(bytes);
   if (count == 0) return;
-  link_.receive({bytes.data(), count}, now.milliseconds);
+  std::span<const char> received(bytes.data(), count);
+  if (gap_before_last) {
+    link_.receive(received.first(count - 1), now.milliseconds);
+    link_.receive_fault();
+    received = received.last(1);
+  }
+  link_.receive(received, now.milliseconds);
   counters_.lines_accepted = link_.statistics().accepted;
 }
 
@@ -136,7 +141,15 @@ void Application::act_on_emergencies() {
         executor_.quick_stop();
         break;
       case Kind::prompt_response:
-        break;  // nothing asks the user yet
+        executor_.prompt_answered();
+        break;
+      case Kind::pause:
+      case Kind::resume:
+        executor_.hold(command->kind == Kind::pause);
+        break;
+      case Kind::cancel:
+        executor_.cancel_lines();
+        break;
     }
   }
 }
@@ -152,13 +165,34 @@ void Application::look_for_faults() {
   }
 }
 
+// Without room a report is left out: the next one is newer.
 void Application::report(Now now) {
-  if (halted_ || executor_.report_interval().count() == 0 || now.milliseconds < next_report_)
-    return;
-  next_report_ = now.milliseconds + executor_.report_interval();
-  // Without room this report is left out: the next one is newer.
-  link_.say(
-      host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed)).view());
+  if (halted_) return;
+  const auto due = [now](units::Milliseconds interval, units::Milliseconds& next) {
+    if (interval.count() == 0 || now.milliseconds < next) return false;
+    next = now.milliseconds + interval;
+    return true;
+  };
+  if (due(executor_.report_interval(), next_report_)) {
+    link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed))
+                  .view());
+  }
+  if (due(executor_.position_interval(), next_position_)) {
+    link_.say(executor_.position_line().view());
+  }
+}
+
+// A host that is gone shall not leave the printer hot for ever.
+void Application::switch_off_forgotten_heaters(Now now) {
+  if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
+    last_work_ = now.milliseconds;
+  }
+  const units::Milliseconds quiet = now.milliseconds - std::max(last_work_, link_.last_heard());
+  const units::Milliseconds limit = executor_.host_silence();
+  if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return;
+  heat_.set_target(Heater::hotend, thermal::HeaterLoop::off);
+  heat_.set_target(Heater::bed, thermal::HeaterLoop::off);
+  link_.say("echo:No word from the host, heaters off");
 }
 
 void Application::switch_off_idle_motors(Now now) {
@@ -203,7 +237,7 @@ void Application::halt(std::string_view fault) {
 // why.
 void Application::serve_halted(Now now) {
   std::array<char, 128> bytes;
-  const std::size_t count = hardware_.uart.read(bytes);
+  const std::size_t count = hardware_.uart.read(bytes).count;
   const bool line_ended =
       std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;
   if (!line_ended || now.milliseconds < next_complaint_) return;

@@ -18,20 +18,22 @@ bool Uart::configure(std::uint32_t baud, units::Hertz clock) {
   return true;
 }
 
-std::size_t Uart::read(std::span<char> bytes) {
-  std::size_t count = 0;
-  while (count < bytes.size()) {
+ReceivedBytes Uart::read(std::span<char> bytes) {
+  ReceivedBytes received;
+  while (received.count < bytes.size() && !received.gap_before_last) {
     const auto data = platform::read<uart_registers::Data>();
     if (!data.valid) break;
-    bytes[count++] = static_cast<char>(data.byte);
+    bytes[received.count++] = static_cast<char>(data.byte);
+    received.gap_before_last = data.gap;
   }
-  return count;
+  return received;
 }
 
 std::size_t Uart::write(std::span<const char> bytes) {
   const std::size_t count = std::min(bytes.size(), transmit_space());
   for (const char byte : bytes.first(count)) {
-    platform::write(uart_registers::Data{.byte = static_cast<unsigned char>(byte), .valid = true});
+    platform::write(uart_registers::Data{
+        .byte = static_cast<unsigned char>(byte), .valid = true, .gap = false});
   }
   return count;
 }
@@ -52,6 +54,7 @@ UartErrors Uart::errors() const {
       .overrun = status.overrun,
       .framing_error = status.framing_error,
       .break_condition = status.break_condition,
+      .noise = status.noise,
   };
 }
 
@@ -61,12 +64,13 @@ UartErrorCounts Uart::error_counts() const {
       .framing_errors =
           static_cast<std::uint16_t>(platform::read<uart_registers::FramingErrors>().count),
       .breaks = static_cast<std::uint16_t>(platform::read<uart_registers::Breaks>().count),
+      .noisy_bytes = static_cast<std::uint16_t>(platform::read<uart_registers::NoisyBytes>().count),
   };
 }
 
 void Uart::clear_errors() {
-  platform::write(
-      uart_registers::Clear{.overrun = true, .framing_error = true, .break_condition = true});
+  platform::write(uart_registers::Clear{
+      .overrun = true, .framing_error = true, .break_condition = true, .noise = true});
 }
 
 void Uart::interrupt_on(std::size_t receive_level, std::size_t transmit_space) {

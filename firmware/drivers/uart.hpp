@@ -16,7 +16,9 @@ struct UartErrors {
   bool overrun{};  // bytes came faster than they were read, and were lost
   bool framing_error{};  // a byte had no stop bit and was dropped
   bool break_condition{};
+  bool noise{};  // a byte was received although looks at its bits differed
 
+  // Whether a byte was lost.
   constexpr bool any() const { return overrun || framing_error || break_condition; }
 };
 
@@ -25,6 +27,13 @@ struct UartErrorCounts {
   std::uint16_t overruns{};  // lost bytes
   std::uint16_t framing_errors{};
   std::uint16_t breaks{};
+  std::uint16_t noisy_bytes{};
+};
+
+// What Uart::read() has taken.
+struct ReceivedBytes {
+  std::size_t count{};
+  bool gap_before_last{};  // right before the last of them something was lost
 };
 
 class Uart {
@@ -43,8 +52,8 @@ class Uart {
   // with the line as it was, where the clock is too slow for it.
   [[nodiscard]] bool configure(std::uint32_t baud, units::Hertz clock);
 
-  // Takes as many bytes as have come and as fit; returns how many.
-  std::size_t read(std::span<char> bytes);
+  // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap.
+  ReceivedBytes read(std::span<char> bytes);
   // Hands over as many bytes as there is space for, from the first on; returns how many.
   std::size_t write(std::span<const char> bytes);
 

@@ -14,7 +14,7 @@ package uart_registers_pkg is
     increment : unsigned(31 downto 0);
   end record;
 
-  -- What the line is doing. The three flags stay until they are cleared.
+  -- What the line is doing. The four flags stay until they are cleared.
   type uart_status_t is record
     receive_level : unsigned(11 downto 0);
     transmit_space : unsigned(11 downto 0);
@@ -22,6 +22,7 @@ package uart_registers_pkg is
     overrun : std_ulogic;
     framing_error : std_ulogic;
     break_condition : std_ulogic;
+    noise : std_ulogic;
   end record;
 
   -- Clears those flags of `status` whose bit is written as 1.
@@ -29,12 +30,14 @@ package uart_registers_pkg is
     overrun : std_ulogic;
     framing_error : std_ulogic;
     break_condition : std_ulogic;
+    noise : std_ulogic;
   end record;
 
   -- Read: takes the oldest received byte. Write: sends a byte; without space it is dropped.
   type uart_data_t is record
     byte : unsigned(7 downto 0);
     valid : std_ulogic;
+    gap : std_ulogic;
   end record;
 
   -- When to interrupt. Both are levels: they end when the FIFO has been served.
@@ -58,6 +61,11 @@ package uart_registers_pkg is
     count : unsigned(15 downto 0);
   end record;
 
+  -- How many bytes were received although looks at their bits differed.
+  type uart_noisy_bytes_t is record
+    count : unsigned(15 downto 0);
+  end record;
+
   type uart_from_software_t is record
     baud_rate : uart_baud_rate_t;
     baud_rate_written : std_ulogic;
@@ -75,6 +83,7 @@ package uart_registers_pkg is
     overruns : uart_overruns_t;
     framing_errors : uart_framing_errors_t;
     breaks : uart_breaks_t;
+    noisy_bytes : uart_noisy_bytes_t;
   end record;
 
 end package;
@@ -115,6 +124,7 @@ architecture rtl of uart_registers is
   signal overruns_word : std_ulogic_vector(31 downto 0);
   signal framing_errors_word : std_ulogic_vector(31 downto 0);
   signal breaks_word : std_ulogic_vector(31 downto 0);
+  signal noisy_bytes_word : std_ulogic_vector(31 downto 0);
 
 begin
 
@@ -147,16 +157,16 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
-      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 7) else '0';
+      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 8) else '0';
 
   writable <= '1' when request.address(11 downto 2) = 0
       or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4) else '0';
 
   baud_rate_word <= baud_rate_stored(31 downto 0)
     when request.address(11 downto 2) = 0 else (others => '0');
-  status_word <= "0000" & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
+  status_word <= "000" & to_software.status.noise & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
     when request.address(11 downto 2) = 1 else (others => '0');
-  data_word <= "00000000000000000000000" & to_software.data.valid & std_ulogic_vector(to_software.data.byte)
+  data_word <= "0000000000000000000000" & to_software.data.gap & to_software.data.valid & std_ulogic_vector(to_software.data.byte)
     when request.address(11 downto 2) = 3 else (others => '0');
   interrupts_word <= "0000" & interrupts_stored(27 downto 16) & "0000" & interrupts_stored(11 downto 0)
     when request.address(11 downto 2) = 4 else (others => '0');
@@ -166,6 +176,8 @@ begin
     when request.address(11 downto 2) = 6 else (others => '0');
   breaks_word <= "0000000000000000" & std_ulogic_vector(to_software.breaks.count)
     when request.address(11 downto 2) = 7 else (others => '0');
+  noisy_bytes_word <= "0000000000000000" & std_ulogic_vector(to_software.noisy_bytes.count)
+    when request.address(11 downto 2) = 8 else (others => '0');
 
   read_word <= baud_rate_word
     or status_word
@@ -173,7 +185,8 @@ begin
     or interrupts_word
     or overruns_word
     or framing_errors_word
-    or breaks_word;
+    or breaks_word
+    or noisy_bytes_word;
 
   store : process
   begin
@@ -201,10 +214,12 @@ begin
   from_software.clear.overrun <= written_data(0);
   from_software.clear.framing_error <= written_data(1);
   from_software.clear.break_condition <= written_data(2);
+  from_software.clear.noise <= written_data(3);
   from_software.data_written <= '1' when writing = '1' and register_index = 3 else '0';
   from_software.data_read <= '1' when reading = '1' and register_index = 3 else '0';
   from_software.data.byte <= unsigned(written_data(7 downto 0));
   from_software.data.valid <= written_data(8);
+  from_software.data.gap <= written_data(9);
   from_software.interrupts.receive_threshold <= unsigned(interrupts_stored(11 downto 0));
   from_software.interrupts.transmit_threshold <= unsigned(interrupts_stored(27 downto 16));
 end architecture;

@@ -64,12 +64,15 @@ begin
 
   receive_direction : block
     signal byte_received : std_ulogic;
+    signal noisy : std_ulogic;
     signal framing_error : std_ulogic;
     signal break_condition : std_ulogic;
     signal overrun : std_ulogic;
     signal received_data : std_ulogic_vector(7 downto 0);
     signal full : std_ulogic;
-    signal oldest : std_ulogic_vector(7 downto 0);
+    -- Something was lost since the last byte that went into the FIFO: the next one is marked.
+    signal gap : std_ulogic := '0';
+    signal oldest : std_ulogic_vector(8 downto 0);
     signal oldest_valid : std_ulogic;
     signal oldest_was_valid : std_ulogic := '0';
     signal take : std_ulogic;
@@ -83,18 +86,19 @@ begin
         increment => from_software.baud_rate.increment,
         receive => receive,
         valid => byte_received,
+        noisy => noisy,
         framing_error => framing_error,
         break_condition => break_condition,
         data => received_data
       );
 
     received_bytes : entity work.fifo
-      generic map (width => 8, depth => receive_depth)
+      generic map (width => 9, depth => receive_depth)
       port map (
         clk => clk,
         reset => reset,
         write_enable => byte_received,
-        write_data => received_data,
+        write_data => gap & received_data,
         full => full,
         read_enable => take,
         read_data => oldest,
@@ -106,7 +110,8 @@ begin
     -- The read event comes a clock after software's look at the data: a byte that arrived in
     -- between was not seen and stays.
     take <= from_software.data_read and oldest_was_valid;
-    to_software.data <= (byte => unsigned(oldest), valid => oldest_valid);
+    to_software.data <=
+      (byte => unsigned(oldest(7 downto 0)), valid => oldest_valid, gap => oldest(8));
     to_software.status.receive_level <= to_unsigned(level, 12);
 
     keep_count : process
@@ -116,6 +121,12 @@ begin
       receive_interrupt <= '1' when from_software.interrupts.receive_threshold /= 0
         and level >= from_software.interrupts.receive_threshold else '0';
 
+      if overrun or framing_error or break_condition then
+        gap <= '1';
+      elsif byte_received then
+        gap <= '0';
+      end if;
+
       if from_software.clear_written then
         to_software.status.overrun <=
           to_software.status.overrun and not from_software.clear.overrun;
@@ -123,6 +134,8 @@ begin
           to_software.status.framing_error and not from_software.clear.framing_error;
         to_software.status.break_condition <=
           to_software.status.break_condition and not from_software.clear.break_condition;
+        to_software.status.noise <=
+          to_software.status.noise and not from_software.clear.noise;
       end if;
       if overrun then
         to_software.status.overrun <= '1';
@@ -136,16 +149,23 @@ begin
         to_software.status.break_condition <= '1';
         to_software.breaks.count <= to_software.breaks.count + 1;
       end if;
+      if byte_received and noisy then
+        to_software.status.noise <= '1';
+        to_software.noisy_bytes.count <= to_software.noisy_bytes.count + 1;
+      end if;
 
       if reset then
         oldest_was_valid <= '0';
         receive_interrupt <= '0';
+        gap <= '0';
+        to_software.status.noise <= '0';
         to_software.status.overrun <= '0';
         to_software.status.framing_error <= '0';
         to_software.status.break_condition <= '0';
         to_software.overruns.count <= (others => '0');
         to_software.framing_errors.count <= (others => '0');
         to_software.breaks.count <= (others => '0');
+        to_software.noisy_bytes.count <= (others => '0');
       end if;
     end process;
 

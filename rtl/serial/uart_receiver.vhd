@@ -17,6 +17,9 @@ entity uart_receiver is
     -- Each of these is '1' for one clock: a byte in `data`, one that had no stop bit and is
     -- dropped, or a frame that was low from end to end.
     valid : out std_ulogic := '0';
+    -- With `valid`: the looks at a bit of this byte differed. Below 16 clocks per bit a difference of
+    -- the clocks alone can be the reason.
+    noisy : out std_ulogic := '0';
     framing_error : out std_ulogic := '0';
     break_condition : out std_ulogic := '0';
     data : out std_ulogic_vector(7 downto 0) := (others => '0')
@@ -37,6 +40,8 @@ architecture rtl of uart_receiver is
   -- The last tick was the one nearest to the middle of a bit.
   signal middle_passed : std_ulogic := '0';
   signal bit_index : natural range 0 to 7 := 0;
+  -- Looks at a bit of the frame that is under way differed.
+  signal looks_differed : std_ulogic := '0';
 
 begin
 
@@ -52,12 +57,14 @@ begin
     variable next_phase : unsigned(31 downto 0);
     variable tick : boolean;
     variable level : std_ulogic;
+    variable looks_differ : std_ulogic;
 
     procedure begin_frame is
     begin
       state <= start_bit;
       phase <= increment;
       middle_passed <= '0';
+      looks_differed <= '0';
       earlier <= "10";
     end procedure;
   begin
@@ -77,7 +84,11 @@ begin
         level := (received and earlier(0)) or (received and earlier(1))
           or (earlier(0) and earlier(1));
         earlier <= earlier(0) & received;
+        looks_differ := (received xor earlier(0)) or (received xor earlier(1));
         middle_passed <= next_phase(31) and not phase(31);
+        if middle_passed then
+          looks_differed <= looks_differed or looks_differ;
+        end if;
         case state is
           when idle =>
             null;
@@ -102,6 +113,7 @@ begin
             if state = late_stop_bit or middle_passed = '1' then
               if level then
                 valid <= '1';
+                noisy <= looks_differed or looks_differ;
                 state <= idle;
                 if not received then
                   -- A fast sender's next start bit is already there.

@@ -20,6 +20,7 @@ architecture simulation of uart_receiver_tb is
   signal increment : unsigned(31 downto 0) := increment_for(4.0);
   signal receive : std_ulogic := '1';
   signal valid : std_ulogic;
+  signal noisy : std_ulogic;
   signal framing_error : std_ulogic;
   signal break_condition : std_ulogic;
   signal data : byte_t;
@@ -28,6 +29,7 @@ architecture simulation of uart_receiver_tb is
   signal bytes : natural := 0;
   signal framing_errors : natural := 0;
   signal breaks : natural := 0;
+  signal noisy_bytes : natural := 0;
   signal last_byte : byte_t := x"00";
   -- Bytes of the test sequence are checked where they arrive.
   signal expect_sequence : boolean := false;
@@ -39,7 +41,7 @@ begin
   receiver : entity work.uart_receiver
     port map (
       clk => clk, reset => reset, increment => increment, receive => receive, valid => valid,
-      framing_error => framing_error, break_condition => break_condition, data => data);
+      noisy => noisy, framing_error => framing_error, break_condition => break_condition, data => data);
 
   watch : process
   begin
@@ -48,7 +50,11 @@ begin
       bytes <= 0;
       framing_errors <= 0;
       breaks <= 0;
+      noisy_bytes <= 0;
     else
+      if valid and noisy then
+        noisy_bytes <= noisy_bytes + 1;
+      end if;
       if valid then
         bytes <= bytes + 1;
         last_byte <= data;
@@ -110,6 +116,8 @@ begin
         end loop;
         wait for 2 * bit_time + 5 * clock_period;
         check_counts("stream of deviation " & to_string(deviation, 3), count, 0, 0);
+        a_difference_of_clocks_is_no_noise : assert noisy_bytes = 0 or clocks_per_bit < 16.0
+          report "noise at " & to_string(clocks_per_bit, 2) & " clocks per bit" severity error;
       end loop;
     end procedure;
 
@@ -159,6 +167,7 @@ begin
         noise_is_outvoted : assert last_byte = x"96"
           report "received " & to_hstring(last_byte) severity error;
       end loop;
+      noise_is_told : assert noisy_bytes /= 0 severity error;
     end procedure;
 
     procedure tells_errors_from_bytes (clocks_per_bit : real) is

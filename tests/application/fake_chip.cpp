@@ -3,6 +3,7 @@
 #include "tests/application/fake_chip.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "drivers/registers/end_stops_registers.hpp"
 #include "drivers/registers/fan_registers.hpp"
@@ -72,15 +73,16 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return uart::Status{.receive_level = static_cast<std::uint32_t>(
                             std::min<std::size_t>(to_firmware.size(), 1023)),
                         .transmit_space = 512,
-                        .transmit_idle = true,
-                        .framing_error = uart_error}
+                        .transmit_idle = true}
         .encode();
   }
   if (address == uart::Data::address) {
     if (to_firmware.empty()) return 0;
     const auto byte = static_cast<std::uint8_t>(to_firmware.front());
     to_firmware.pop_front();
-    return uart::Data{.byte = byte, .valid = true}.encode();
+    return uart::Data{
+        .byte = byte, .valid = true, .gap = std::exchange(gap_before_next_byte, false)}
+        .encode();
   }
   if (address == timer::TimeLow::address) {
     time_high_ = static_cast<std::uint32_t>(time >> 32);
@@ -139,7 +141,6 @@ void FakeChip::write(std::uint32_t address, std::uint32_t value) {
   time += 2;
   words_[address] = value;
   if (address == registers::uart::Data::address) from_firmware.push_back(static_cast<char>(value));
-  if (address == registers::uart::Clear::address) uart_error = false;
   if (address == registers::fan::Duty::address) fan_duty = value;
   if (address == steps::MotorEnable::address) motors = value;
   if (address == heat::Feed::address) ++watchdog_feeds;

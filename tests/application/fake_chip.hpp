@@ -28,7 +28,7 @@ class FakeChip {
   // The serial line, from the host's side.
   std::deque<char> to_firmware;
   std::string from_firmware;
-  bool uart_error{};
+  bool gap_before_next_byte{};  // something was lost
 
   struct Heater {
     double celsius{25.0};

@@ -6,6 +6,7 @@
 
 #include <Vuart.h>
 #include <array>
+#include <span>
 #include <string>
 
 #include "drivers/registers/uart_registers.hpp"
@@ -40,7 +41,11 @@ class Line {
 
   std::string read(std::size_t most) {
     std::string text(most, '\0');
-    text.resize(uart.read(text));
+    std::size_t count = 0;
+    for (std::size_t more = 1; more != 0; count += more) {
+      more = uart.read(std::span(text).subspan(count)).count;
+    }
+    text.resize(count);
     return text;
   }
 
@@ -181,6 +186,35 @@ TEST(Uart, tells_and_counts_framing_errors_and_breaks) {
   EXPECT_EQ(line.uart.error_counts().overruns, 0);
   line.uart.clear_errors();
   EXPECT_FALSE(line.uart.errors().any());
+}
+
+TEST(Uart, stops_reading_at_the_byte_behind_a_gap) {
+  Line line = fast_line();
+  line.host.send("ab");
+  line.host.send_without_stop_bit('x');
+  line.host.send("cd");
+  line.finish_sending();
+  std::string text(10, '\0');
+  const drivers::ReceivedBytes first = line.uart.read(text);
+  EXPECT_EQ(text.substr(0, first.count), "abc");
+  EXPECT_TRUE(first.gap_before_last);
+  const drivers::ReceivedBytes second = line.uart.read(text);
+  EXPECT_EQ(text.substr(0, second.count), "d");
+  EXPECT_FALSE(second.gap_before_last);
+}
+
+TEST(Uart, marks_the_byte_behind_an_overrun) {
+  Line line = fast_line();
+  line.host.send(all_bytes(receive_depth + 5));
+  line.finish_sending();
+  std::string text(2000, '\0');
+  EXPECT_FALSE(line.uart.read(std::span(text).first(100)).gap_before_last);
+  line.host.send("z");
+  line.finish_sending();
+  const drivers::ReceivedBytes rest = line.uart.read(text);
+  EXPECT_EQ(rest.count, receive_depth - 100 + 1);
+  EXPECT_TRUE(rest.gap_before_last);
+  EXPECT_EQ(text[rest.count - 1], 'z');
 }
 
 TEST(Uart, interrupts_at_its_thresholds) {

@@ -27,7 +27,7 @@ struct BaudRate {
   }
 };
 
-// What the line is doing. The three flags stay until they are cleared.
+// What the line is doing. The four flags stay until they are cleared.
 struct Status {
   static constexpr std::uint32_t address = base + 0x4u;
   // Received bytes that wait to be read.
@@ -42,6 +42,8 @@ struct Status {
   bool framing_error{};
   // The line was low for a whole frame.
   bool break_condition{};
+  // The three looks at a bit of a byte differed; the majority counted. Means noise from 16 clocks per bit on.
+  bool noise{};
 
   static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -51,6 +53,7 @@ struct Status {
       .overrun = ((word >> 25u) & 0x1u) != 0,
       .framing_error = ((word >> 26u) & 0x1u) != 0,
       .break_condition = ((word >> 27u) & 0x1u) != 0,
+      .noise = ((word >> 28u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -59,7 +62,8 @@ struct Status {
            (transmit_idle ? 1u : 0u) << 24u |
            (overrun ? 1u : 0u) << 25u |
            (framing_error ? 1u : 0u) << 26u |
-           (break_condition ? 1u : 0u) << 27u;
+           (break_condition ? 1u : 0u) << 27u |
+           (noise ? 1u : 0u) << 28u;
   }
 };
 
@@ -72,18 +76,22 @@ struct Clear {
   bool framing_error{};
   // Clear `break_condition`.
   bool break_condition{};
+  // Clear `noise`.
+  bool noise{};
 
   static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
     return {
       .overrun = (word & 0x1u) != 0,
       .framing_error = ((word >> 1u) & 0x1u) != 0,
       .break_condition = ((word >> 2u) & 0x1u) != 0,
+      .noise = ((word >> 3u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
     return (overrun ? 1u : 0u) |
            (framing_error ? 1u : 0u) << 1u |
-           (break_condition ? 1u : 0u) << 2u;
+           (break_condition ? 1u : 0u) << 2u |
+           (noise ? 1u : 0u) << 3u;
   }
 };
 
@@ -94,16 +102,20 @@ struct Data {
   std::uint32_t byte{};
   // Read: 1 if there was a byte. Write: ignored.
   bool valid{};
+  // Read: 1 if something was lost right before this byte, to overrun, framing error or break. Write: ignored.
+  bool gap{};
 
   static constexpr Data decode([[maybe_unused]] std::uint32_t word) {
     return {
       .byte = (word & 0xFFu),
       .valid = ((word >> 8u) & 0x1u) != 0,
+      .gap = ((word >> 9u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
     return (byte & 0xFFu) |
-           (valid ? 1u : 0u) << 8u;
+           (valid ? 1u : 0u) << 8u |
+           (gap ? 1u : 0u) << 9u;
   }
 };
 
@@ -166,6 +178,22 @@ struct Breaks {
   std::uint32_t count{};
 
   static constexpr Breaks decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .count = (word & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (count & 0xFFFFu);
+  }
+};
+
+// How many bytes were received although looks at their bits differed.
+struct NoisyBytes {
+  static constexpr std::uint32_t address = base + 0x20u;
+  // Noisy bytes since reset, modulo 2^16.
+  std::uint32_t count{};
+
+  static constexpr NoisyBytes decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = (word & 0xFFFFu),
     };
