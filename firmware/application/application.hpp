@@ -41,6 +41,7 @@ class Application {
   void look_for_faults();
   void report(Now now);
   void switch_off_idle_motors(Now now);
+  void switch_off_forgotten_heaters(Now now);
   void count(Now now);
   void halt(std::string_view fault);
   void serve_halted(Now now);
@@ -55,6 +56,8 @@ class Application {
   CommandExecutor executor_;
 
   units::Milliseconds next_report_{};
+  units::Milliseconds next_position_{};
+  units::Milliseconds last_work_{};
   units::Milliseconds next_count_{};
   units::Milliseconds next_complaint_{};
   units::Milliseconds at_rest_since_{};

@@ -5,6 +5,11 @@
 #include "host_link/replies.hpp"
 
 namespace application {
+namespace {
+
+constexpr std::int64_t longest_report_s = 60;
+
+}  // namespace
 
 CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
                                  HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
@@ -14,12 +19,14 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
       heat_(heat),
       fan_(fan),
       link_(link),
-      counters_(counters) {}
+      counters_(counters),
+      host_silence_(machine.host_silence) {}
 
 bool CommandExecutor::update(Now now) {
   follow_position_jump();
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ != Stage::answering) {
+    if (held_ && stage_ == Stage::begin) return false;
     if (proceed(now) == Progress::again || fatal_) return false;
     stage_ = Stage::answering;
   }
@@ -34,6 +41,22 @@ void CommandExecutor::quick_stop() {
   wait_cancelled_ = true;
 }
 
+// The host's //action:cancel: what waits in the queue belongs to what is cancelled.
+void CommandExecutor::cancel_lines() {
+  quick_stop();
+  held_ = false;
+  cancelled_lines_ = link_.waiting_lines();
+  if (stage_ == Stage::idle) return;
+  --cancelled_lines_;
+  if (stage_ == Stage::begin) stage_ = Stage::answering;
+}
+
+host_link::Activity CommandExecutor::activity() const {
+  using host_link::Activity;
+  if (held_ || stage_ == Stage::asking) return Activity::paused_for_user;
+  return stage_ == Stage::idle ? Activity::idle : Activity::processing;
+}
+
 bool CommandExecutor::take_line() {
   const auto line = link_.next_line();
   if (!line) return false;
@@ -41,11 +64,13 @@ bool CommandExecutor::take_line() {
   text_ = line->text;
   ok_report_.clear();
   parse_error_.reset();
-  refused_ = false;
   notified_ = false;
   wait_cancelled_ = false;
   list_index_ = 0;
-  if (line->emergency) {
+  const bool cancelled = cancelled_lines_ != 0;
+  if (cancelled) --cancelled_lines_;
+  refused_ = cancelled && !line->emergency;
+  if (line->emergency || cancelled) {
     stage_ = Stage::answering;
   } else {
     parse(line->text);
@@ -125,11 +150,18 @@ CommandExecutor::Progress CommandExecutor::execute_g(Now now) {
 CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
   if (command_.subcode != 0) return refuse_unknown();
   switch (command_.code) {
+    case 0:
+    case 1:
+      return wait_for_user(now);
     case 17:
       return switch_motors(true);
     case 18:
     case 84:
       return switch_motors(false);
+    case 24:
+      return say("//action:resume");
+    case 25:
+      return say("//action:pause");
     case 82:
       coordinates_.set_extruder_relative(false);
       return Progress::done;
@@ -155,8 +187,10 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
       return list_end_stops();
     case 140:
       return set_temperature(Heater::bed);
+    case 154:
+      return set_interval(position_interval_, longest_report_s);
     case 155:
-      return report_automatically();
+      return set_interval(report_interval_, longest_report_s);
     case 190:
       return set_and_wait(Heater::bed, now);
     case 400:
@@ -173,6 +207,8 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 110:
     case 117:
       return Progress::done;
+    case 524:
+      return say("//action:cancel");
     default:
       return execute_setting();
   }
@@ -180,6 +216,8 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
 
 CommandExecutor::Progress CommandExecutor::execute_setting() {
   switch (command_.code) {
+    case 86:
+      return set_host_silence();
     case 92:
       return set_steps_per_millimeter();
     case 113:

@@ -36,21 +36,33 @@ class CommandExecutor {
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
   bool update(Now now);
 
-  // M108 and M410, the moment they are received.
+  // M108, M410, M876 and the host's actions, the moment they are received.
   void cancel_wait() { wait_cancelled_ = true; }
   void quick_stop();
+  void prompt_answered() {
+    if (stage_ == Stage::asking) wait_cancelled_ = true;
+  }
+  void hold(bool held) { held_ = held; }
+  void cancel_lines();
 
-  // A line is in hand that is not yet answered.
-  bool busy() const { return stage_ != Stage::idle; }
+  // Whether a line is in hand that is not yet answered, and what it waits for.
+  host_link::Activity activity() const;
   // Nothing is lost if it is not called for some milliseconds.
   bool can_wait() const {
-    return stage_ == Stage::idle || stage_ == Stage::heating || waits_for_room_;
+    return stage_ == Stage::idle || stage_ == Stage::heating || stage_ == Stage::asking || held_ ||
+           waits_for_room_;
   }
   // Something that must end everything.
   const std::optional<Fatal>& fatal() const { return fatal_; }
 
   // M155: how often temperatures are reported unasked; 0 is never.
   units::Milliseconds report_interval() const { return report_interval_; }
+  // M154: the same for positions.
+  units::Milliseconds position_interval() const { return position_interval_; }
+  // M114's line.
+  host_link::TextLine position_line();
+  // M86 S: after how long without a word from the host the heaters are switched off; 0 is never.
+  units::Milliseconds host_silence() const { return host_silence_; }
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
@@ -62,6 +74,7 @@ class CommandExecutor {
     dwelling,  // G4
     homing,  // G28
     heating,  // M109, M190
+    asking,  // M0, M1: the user
     answering,  // done; the ok is due
   };
   // What a handler says: call me again, or I am done.
@@ -84,12 +97,13 @@ class CommandExecutor {
   Progress switch_motors(bool enabled);
   Progress set_speed_factor();
   Progress set_flow_factor();
+  Progress wait_for_user(Now now);
+  units::Milliseconds asked_time() const;
 
   // heat_commands.cpp
   Progress set_temperature(Heater heater);
   Progress set_and_wait(Heater heater, Now now);
   Progress set_fan();
-  Progress report_automatically();
 
   // setting_commands.cpp
   Progress set_steps_per_millimeter();
@@ -97,7 +111,10 @@ class CommandExecutor {
   Progress set_max_speeds();
   Progress set_accelerations();
   Progress set_advanced();
+  Progress set_interval(units::Milliseconds& interval, std::int64_t longest_s);
+  Progress tell_interval(units::Milliseconds interval);
   Progress set_busy_interval();
+  Progress set_host_silence();
 
   // report_commands.cpp
   Progress report_position();
@@ -151,10 +168,14 @@ class CommandExecutor {
   units::Milliseconds deadline_{};  // of a dwell, or of the next report while heating
   bool wait_cancelled_{};
   bool waits_for_room_{};  // the planner holds as many lines as it can
+  bool held_{};
+  std::size_t cancelled_lines_{};  // to be answered, not executed
   bool refused_{};
   bool notified_{};  // of the extrusion that this move leaves out
   units::Milliseconds busy_interval_{2000};
   units::Milliseconds report_interval_{};
+  units::Milliseconds position_interval_{};
+  units::Milliseconds host_silence_{};
   units::Milliseconds motor_timeout_{};
 };
 

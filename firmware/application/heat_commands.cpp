@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for heaters and fan: M104 M106 M107 M109 M140 M155 M190.
+// The commands for heaters and fan: M104 M106 M107 M109 M140 M190.
 #include <algorithm>
 
 #include "application/command_executor.hpp"
@@ -62,14 +62,6 @@ CommandExecutor::Progress CommandExecutor::set_fan() {
   const std::int64_t duty = on ? command_.integer('S').value_or(drivers::Fan::full_duty) : 0;
   fan_.set_duty(
       static_cast<std::uint8_t>(std::clamp<std::int64_t>(duty, 0, drivers::Fan::full_duty)));
-  return Progress::done;
-}
-
-CommandExecutor::Progress CommandExecutor::report_automatically() {
-  constexpr std::int64_t longest_s = 60;
-  if (const auto seconds = command_.integer('S')) {
-    report_interval_ = units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
-  }
   return Progress::done;
 }
 

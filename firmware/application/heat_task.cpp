@@ -128,6 +128,11 @@ void HeatTask::set_target(Heater heater, units::Millicelsius target) {
   loop(heater).set_target(target);
 }
 
+bool HeatTask::wanted() const {
+  return loop(Heater::hotend).target() != thermal::HeaterLoop::off ||
+         loop(Heater::bed).target() != thermal::HeaterLoop::off;
+}
+
 bool HeatTask::extrusion_is_cold() const {
   const auto temperature = loop(Heater::hotend).temperature();
   return !temperature || *temperature < machine_.min_extrusion;

@@ -41,6 +41,8 @@ class HeatTask {
   void set_target(Heater heater, units::Millicelsius target);
   thermal::HeaterLoop& loop(Heater heater) { return part(heater).loop; }
   const thermal::HeaterLoop& loop(Heater heater) const { return part(heater).loop; }
+  // Heat is asked for.
+  bool wanted() const;
   bool extrusion_is_cold() const;
   host_link::HeaterState state(Heater heater) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that move: G0 G1 G4 G28 G92 M17 M18 M84 M220 M221 M400.
+// The commands that move or wait: G0 G1 G4 G28 G92 M0 M1 M17 M18 M84 M220 M221 M400.
 #include <algorithm>
+#include <iterator>
 
 #include "application/command_executor.hpp"
 #include "host_link/replies.hpp"
@@ -77,20 +78,43 @@ CommandExecutor::Progress CommandExecutor::move(Now now) {
   return Progress::done;
 }
 
+// P in milliseconds or S in seconds.
+units::Milliseconds CommandExecutor::asked_time() const {
+  units::Milliseconds time{};
+  if (const auto milliseconds = command_.integer('P')) time = units::Milliseconds(*milliseconds);
+  if (const auto seconds = command_.value('S')) {
+    time = units::Milliseconds(*seconds / millionths_per_millisecond);
+  }
+  return std::clamp(time, units::Milliseconds{}, longest_dwell);
+}
+
 CommandExecutor::Progress CommandExecutor::dwell(Now now) {
   if (stage_ == Stage::begin) {
     if (wait_for_rest() == Progress::again) return Progress::again;
-    units::Milliseconds time{};
-    if (const auto milliseconds = command_.integer('P')) time = units::Milliseconds(*milliseconds);
-    if (const auto seconds = command_.value('S')) {
-      time = units::Milliseconds(*seconds / millionths_per_millisecond);
-    }
     // One more, since the present millisecond has partly passed.
-    deadline_ = now.milliseconds + std::clamp(time, units::Milliseconds{}, longest_dwell) +
-                units::Milliseconds(1);
+    deadline_ = now.milliseconds + asked_time() + units::Milliseconds(1);
     stage_ = Stage::dwelling;
   }
   return now.milliseconds >= deadline_ ? Progress::done : Progress::again;
+}
+
+// Until M108, M876 or, if P or S is given, its end. Hosts that know prompts show a button.
+CommandExecutor::Progress CommandExecutor::wait_for_user(Now now) {
+  static constexpr std::string_view prompt[]{"//action:prompt_begin Waiting for the user",
+                                             "//action:prompt_button Continue",
+                                             "//action:prompt_show"};
+  if (stage_ == Stage::begin) {
+    if (wait_for_rest() == Progress::again) return Progress::again;
+    for (; list_index_ < std::size(prompt); ++list_index_) {
+      if (say(prompt[list_index_]) == Progress::again) return Progress::again;
+    }
+    const auto time = asked_time();
+    deadline_ = time.count() > 0 ? now.milliseconds + time : units::Milliseconds{};
+    stage_ = Stage::asking;
+  }
+  const bool over = deadline_.count() != 0 && now.milliseconds >= deadline_;
+  if (!over && !wait_cancelled_) return Progress::again;
+  return say("//action:prompt_end");
 }
 
 CommandExecutor::Progress CommandExecutor::home(Now) {

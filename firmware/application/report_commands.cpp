@@ -9,14 +9,17 @@ namespace application {
 namespace {
 
 // What is true, not what would please: hosts act on it.
-constexpr std::array<host_link::Capability, 8> capabilities{{{"EEPROM", false},
-                                                             {"AUTOREPORT_TEMP", true},
-                                                             {"AUTOREPORT_POS", false},
-                                                             {"PROGRESS", false},
-                                                             {"EMERGENCY_PARSER", true},
-                                                             {"SDCARD", false},
-                                                             {"ARCS", false},
-                                                             {"PROMPT_SUPPORT", false}}};
+constexpr std::array<host_link::Capability, 10> capabilities{
+    {{"EEPROM", false},
+     {"AUTOREPORT_TEMP", true},
+     {"AUTOREPORT_POS", true},
+     {"PROGRESS", false},
+     {"EMERGENCY_PARSER", true},
+     {"SDCARD", false},
+     {"ARCS", false},
+     {"HOST_ACTION_COMMANDS", true},
+     {"PROMPT_SUPPORT", true},
+     {"ADVANCED_OK", false}}};  // the last one as the machine description says
 
 constexpr std::array<std::string_view, 3> end_stop_names{"x_min", "y_min", "z_min"};
 
@@ -27,16 +30,20 @@ CommandExecutor::Progress CommandExecutor::report_temperature() {
   return Progress::done;
 }
 
-CommandExecutor::Progress CommandExecutor::report_position() {
-  return say(host_link::position_report(coordinates_.logical(), motion_.steps()));
+CommandExecutor::Progress CommandExecutor::report_position() { return say(position_line()); }
+
+host_link::TextLine CommandExecutor::position_line() {
+  return host_link::position_report(coordinates_.logical(), motion_.steps());
 }
 
 CommandExecutor::Progress CommandExecutor::list_firmware() {
+  auto present = capabilities;
+  present.back().present = machine_.advanced_ok;
   const host_link::FirmwareDescription firmware{.name = "StepFabric",
                                                 .source_url = {},
                                                 .machine = machine_.name,
                                                 .extruders = 1,
-                                                .capabilities = capabilities};
+                                                .capabilities = present};
   while (const auto line = host_link::firmware_line(firmware, list_index_)) {
     if (say(*line) == Progress::again) return Progress::again;
     ++list_index_;
@@ -80,7 +87,7 @@ CommandExecutor::Progress CommandExecutor::say_text() {
   }
   host_link::TextLine line;
   if (echo) line.text("echo:");
-  if (action) line.text("// ");
+  if (action) line.text("//");
   return say(line.text(text));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that change what the axes may do: M92 M113 M201 M203 M204 M205.
+// The commands that change what the axes may do and how often what is said: M86 M92 M113 M154 M155
+// M201 M203 M204 M205.
 #include <algorithm>
 #include <limits>
 
@@ -122,16 +123,33 @@ CommandExecutor::Progress CommandExecutor::set_steps_per_millimeter() {
   return Progress::done;
 }
 
+// S in seconds, cut to what makes sense; without S nothing changes.
+CommandExecutor::Progress CommandExecutor::set_interval(units::Milliseconds& interval,
+                                                        std::int64_t longest_s) {
+  if (const auto seconds = command_.integer('S')) {
+    interval = units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
+  }
+  return Progress::done;
+}
+
+CommandExecutor::Progress CommandExecutor::tell_interval(units::Milliseconds interval) {
+  host_link::TextLine line;
+  line.text("echo:M").integer(command_.code).text(" S");
+  return say(line.integer(interval.count() / 1000));
+}
+
 CommandExecutor::Progress CommandExecutor::set_busy_interval() {
   constexpr std::int64_t longest_s = 60;
-  const auto seconds = command_.integer('S');
-  if (!seconds) {
-    host_link::TextLine line;
-    return say(line.text("echo:M113 S").integer(busy_interval_.count() / 1000));
-  }
-  busy_interval_ = units::Milliseconds(std::clamp<std::int64_t>(*seconds, 0, longest_s) * 1000);
+  if (!command_.has('S')) return tell_interval(busy_interval_);
+  set_interval(busy_interval_, longest_s);
   link_.set_busy_interval(busy_interval_);
   return Progress::done;
+}
+
+CommandExecutor::Progress CommandExecutor::set_host_silence() {
+  constexpr std::int64_t longest_s = 24 * 3600;
+  if (!command_.has('S')) return tell_interval(host_silence_);
+  return set_interval(host_silence_, longest_s);
 }
 
 }  // namespace application

@@ -13,6 +13,20 @@ constexpr std::uint8_t bit(Kind kind) {
   return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
 }
 
+constexpr std::string_view action_prefix = "action:";
+
+// "//action:pause", perhaps with blanks behind the slashes.
+std::optional<EmergencyCommand> action_in(std::string_view text) {
+  text.remove_prefix(2);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  if (!text.starts_with(action_prefix)) return std::nullopt;
+  text.remove_prefix(action_prefix.size());
+  if (text == "pause") return EmergencyCommand{Kind::pause};
+  if (text == "resume") return EmergencyCommand{Kind::resume};
+  if (text == "cancel") return EmergencyCommand{Kind::cancel};
+  return std::nullopt;
+}
+
 // S<n> anywhere behind the command; a prompt has few buttons, so one or two digits count.
 std::uint8_t button_in(std::string_view parameters) {
   const std::size_t letter = parameters.find_first_of("Ss");
@@ -28,6 +42,7 @@ std::uint8_t button_in(std::string_view parameters) {
 }  // namespace
 
 std::optional<EmergencyCommand> emergency_in(std::string_view text) {
+  if (text.starts_with("//")) return action_in(text);
   if (text.size() < 4 || (text[0] != 'M' && text[0] != 'm')) return std::nullopt;
   std::size_t end = 1;
   unsigned code = 0;
@@ -51,12 +66,17 @@ std::optional<EmergencyCommand> emergency_in(std::string_view text) {
 }
 
 void EmergencyQueue::put(EmergencyCommand command) {
-  pending_ = static_cast<std::uint8_t>(pending_ | bit(command.kind));
+  // Of these two the later one counts.
+  unsigned replaced = 0;
+  if (command.kind == Kind::pause) replaced = bit(Kind::resume);
+  if (command.kind == Kind::resume) replaced = bit(Kind::pause);
+  pending_ = static_cast<std::uint8_t>((pending_ & ~replaced) | bit(command.kind));
   if (command.kind == Kind::prompt_response) prompt_value_ = command.value;
 }
 
 std::optional<EmergencyCommand> EmergencyQueue::next() {
-  for (const Kind kind : {Kind::kill, Kind::quick_stop, Kind::cancel_wait, Kind::prompt_response}) {
+  for (const Kind kind : {Kind::kill, Kind::cancel, Kind::quick_stop, Kind::cancel_wait,
+                          Kind::prompt_response, Kind::pause, Kind::resume}) {
     if ((pending_ & bit(kind)) == 0) continue;
     pending_ = static_cast<std::uint8_t>(pending_ & ~bit(kind));
     return EmergencyCommand{kind, kind == Kind::prompt_response ? prompt_value_ : std::uint8_t{0}};

@@ -14,12 +14,16 @@ struct EmergencyCommand {
     cancel_wait,  // M108: end a wait for heat or for the user
     quick_stop,  // M410: stop all motion, forget the planned moves
     prompt_response,  // M876 S<n>: the user has pressed button n
+    pause,  // //action:pause: no further line is begun
+    resume,  // //action:resume: as before
+    cancel,  // //action:cancel: as M410, and the lines that wait are not executed
   };
   Kind kind;
   std::uint8_t value{};  // of M876: its S, otherwise 0
 };
 
-// The emergency command in a line's text (without line number and checksum), if it is one.
+// The emergency command (M112, M108, M410, M876 or //action:) in a line's text (without line number
+// and checksum), if it is one.
 std::optional<EmergencyCommand> emergency_in(std::string_view text);
 
 // Those that wait to be acted on: one of each kind, the most urgent first.

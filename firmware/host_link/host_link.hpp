@@ -34,7 +34,8 @@ class HostLink {
  public:
   // From the uart. `now` is the time of the last of the bytes.
   void receive(std::span<const char> bytes, units::Milliseconds now);
-  // The uart has seen a framing, noise or overrun error: the line that is being received is broken.
+  // Something was lost between the bytes received so far and the next: the line that is being
+  // received is broken.
   void receive_fault() { receiver_.spoil(); }
 
   // The beginning of a line is here, its end not yet.
@@ -66,6 +67,8 @@ class HostLink {
 
   // M113. Zero turns the busy messages off.
   void set_busy_interval(units::Milliseconds interval) { busy_interval_ = interval; }
+  // Accepted lines that are not yet answered, the one in hand included.
+  std::size_t waiting_lines() const { return queue_.size(); }
   // "ok N<line> P<free planner places> B<free line places>" instead of "ok".
   void set_advanced_ok(bool on) { advanced_ok_ = on; }
   void set_planner_space(std::uint8_t free_places) { planner_space_ = free_places; }

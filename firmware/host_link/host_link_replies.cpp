@@ -16,6 +16,9 @@ constexpr std::size_t link_reserve = 96;
 
 constexpr std::uint8_t most_owed = 255;
 
+// Busy messages come so much before their time, since a pass of the loop and the line take some.
+constexpr units::Milliseconds busy_lead{50};
+
 void count_up(std::uint8_t& owed, unsigned more) {
   owed = static_cast<std::uint8_t>(owed + more < most_owed ? owed + more : most_owed);
 }
@@ -163,11 +166,13 @@ void HostLink::rescue_waiting_host(Activity activity) {
 }
 
 void HostLink::keep_alive(Activity activity) {
-  if (activity == Activity::idle && queue_.size() == 0) {
+  const bool paused =
+      activity == Activity::paused_for_user || activity == Activity::paused_for_input;
+  if ((activity == Activity::idle || paused) && queue_.size() == 0) {
     last_busy_ = now_;
     return;
   }
-  if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_) return;
+  if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_ - busy_lead) return;
   if (transmit_.put_line({"echo:busy: ", busy_reason(activity)})) last_busy_ = now_;
 }
 

@@ -63,6 +63,8 @@ TEST(machine_generator, names_what_it_does_not_know) {
 TEST(machine_generator, names_what_has_the_wrong_type) {
   EXPECT_THAT(complaint("baud = 250_000", "baud = \"fast\""),
               HasSubstr("serial.baud: must be a whole number"));
+  EXPECT_THAT(complaint("advanced_ok = false", "advanced_ok = 0"),
+              HasSubstr("serial.advanced_ok: must be true or false"));
   EXPECT_THAT(complaint("max_c = 275.0", "max_c = true"),
               HasSubstr("hotend.max_c: must be a number"));
 }

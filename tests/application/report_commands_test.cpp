@@ -71,9 +71,37 @@ TEST(report_commands, says_what_m118_is_given) {
     <- echo:careful
     <- ok
     -> M118 A1 action:pause
-    <- // action:pause
+    <- //action:pause
     <- ok
   )");
+}
+
+TEST(report_commands, asks_the_host_to_pause_resume_or_cancel) {
+  Printer printer;
+  printer.talk(R"(
+    -> M25
+    <- //action:pause
+    <- ok
+    -> M24
+    <- //action:resume
+    <- ok
+    -> M524
+    <- //action:cancel
+    <- ok
+  )");
+}
+
+TEST(report_commands, reports_positions_by_itself_after_m154) {
+  Printer printer;
+  printer.talk(R"(
+    -> M154 S1
+    <- ok
+    <* X:0.00 Y:0.00 Z:0.00 E:0.00 Count
+    <* X:0.00 Y:0.00 Z:0.00 E:0.00 Count
+    -> M154 S0
+    <- ok
+  )");
+  EXPECT_FALSE(printer.reply(3).has_value());
 }
 
 TEST(report_commands, numbered_lines_and_resends_reach_the_executor) {
@@ -87,6 +115,23 @@ TEST(report_commands, numbered_lines_and_resends_reach_the_executor) {
     <- ok
   )");
   EXPECT_EQ(printer.counters.commands_executed, 1u);
+}
+
+TEST(report_commands, a_line_of_which_bytes_were_lost_is_not_executed) {
+  Printer printer;
+  printer.send("M118 one");
+  printer.run(0.1);
+  printer.chip.gap_before_next_byte = true;
+  printer.send("M118 two");
+  printer.talk(R"(
+    <- one
+    <- ok
+    <- echo:Line damaged on the serial line, not executed
+    <- ok
+    -> M118 three
+    <- three
+    <- ok
+  )");
 }
 
 TEST(setting_commands, take_what_sliced_files_begin_with) {

@@ -46,6 +46,12 @@ std::string name_of(const EmergencyCommand& command) {
       return "stop";
     case EmergencyCommand::Kind::prompt_response:
       return "prompt " + std::to_string(command.value);
+    case EmergencyCommand::Kind::pause:
+      return "action pause";
+    case EmergencyCommand::Kind::resume:
+      return "action resume";
+    case EmergencyCommand::Kind::cancel:
+      return "action cancel";
   }
   return "?";
 }

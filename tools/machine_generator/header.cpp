@@ -21,6 +21,7 @@ constexpr std::int64_t max_millicelsius = 1'000'000;
 constexpr std::int64_t max_milliohms = 1'000'000'000'000;
 constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t thermal_channels = 4;
+constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr std::int64_t two_billion = 2'000'000'000;
 
 std::string quantity(const char* type, std::int64_t value) {
@@ -141,6 +142,8 @@ std::string header_of(const std::filesystem::path& file) {
 
   Reader serial = root.table("serial");
   const std::int64_t baud = serial.whole("baud", 1200, 10'000'000);
+  const bool advanced_ok = serial.truth("advanced_ok");
+  const std::int64_t host_silence = serial.whole("host_silence_s", 0, max_silence_seconds);
   serial.finish();
 
   Reader axes = root.table("axes");
@@ -191,12 +194,14 @@ std::string header_of(const std::filesystem::path& file) {
       "namespace machine {{\n\n"
       "inline constexpr application::MachineDescription machine{{\n"
       "  .name = \"{}\",\n  .baud = {},\n"
+      "  .advanced_ok = {},\n  .host_silence = {},\n"
       "  .limits = {{\n      .axes = {{{{\n{}      }}}},\n{}  }},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n}};\n\n}}  // namespace machine\n",
-      file.filename().string(), name, baud, limits, accelerations, drivers, hotend_text, bed_text,
-      min_extrusion, converter_text);
+      file.filename().string(), name, baud, advanced_ok,
+      quantity("Milliseconds", thousand * host_silence), limits, accelerations, drivers,
+      hotend_text, bed_text, min_extrusion, converter_text);
 }
 
 }  // namespace machine_generator

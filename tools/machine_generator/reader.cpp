@@ -32,6 +32,12 @@ std::string Reader::text(const std::string& key) {
   return *value;
 }
 
+bool Reader::truth(const std::string& key) {
+  const auto* boolean = node(key).as_boolean();
+  if (boolean == nullptr) fail(key, "must be true or false");
+  return boolean->get();
+}
+
 std::int64_t Reader::whole(const std::string& key, std::int64_t least, std::int64_t most) {
   const auto* integer = node(key).as_integer();
   if (integer == nullptr) fail(key, "must be a whole number");

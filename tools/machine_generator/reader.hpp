@@ -29,6 +29,7 @@ class Reader {
   bool has(const std::string& key) const { return table_.contains(key); }
   Reader table(const std::string& key);
   std::string text(const std::string& key);
+  bool truth(const std::string& key);
   std::int64_t whole(const std::string& key, std::int64_t least, std::int64_t most);
   // A decimal number times `scale`, which must give a whole number within the bounds: 62.745
   // steps/mm are 62745 steps/m, but 0.0001 steps/mm are refused.

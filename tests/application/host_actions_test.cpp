@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the host and its user may do ahead of the lines that wait, and what happens when they are
+// gone.
+#include <gtest/gtest.h>
+
+#include "tests/application/dialogue.hpp"
+
+namespace application_test {
+namespace {
+
+TEST(host_actions, m0_asks_the_user_with_a_button_until_m108) {
+  Printer printer;
+  printer.talk(R"(
+    -> M0 Change the filament
+    <- //action:prompt_begin Waiting for the user
+    <- //action:prompt_button Continue
+    <- //action:prompt_show
+  )");
+  EXPECT_FALSE(printer.reply(60).has_value());
+  printer.talk(R"(
+    -> M108
+    <- //action:prompt_end
+    <- ok
+    <- ok
+  )");
+}
+
+TEST(host_actions, says_that_it_is_the_user_for_whom_it_waits) {
+  Printer printer;
+  printer.send("M1");
+  printer.run(5);
+  EXPECT_NE(printer.chip.from_firmware.find("echo:busy: paused for user"), std::string::npos);
+}
+
+TEST(host_actions, the_button_of_the_prompt_goes_on) {
+  Printer printer;
+  printer.send("M0");
+  printer.run(1);
+  printer.chip.from_firmware.clear();
+  printer.talk("-> M876 S0\n<- //action:prompt_end\n<- ok\n<- ok");
+}
+
+TEST(host_actions, a_button_without_a_prompt_ends_no_wait) {
+  Printer printer;
+  printer.send("G4 S5");
+  printer.run(1);
+  printer.send("M876 S0");
+  EXPECT_FALSE(printer.reply(3).has_value());
+  printer.talk("<- ok\n<- ok");
+}
+
+TEST(host_actions, m0_with_a_time_goes_on_by_itself) {
+  Printer printer;
+  printer.send("M0 S2");
+  printer.run(1.9);
+  EXPECT_EQ(printer.chip.from_firmware.find("prompt_end"), std::string::npos);
+  printer.run(0.2);
+  EXPECT_NE(printer.chip.from_firmware.find("prompt_end\nok\n"), std::string::npos);
+}
+
+TEST(host_actions, a_pause_holds_the_lines_that_wait_until_resume) {
+  Printer printer;
+  printer.talk("-> //action:pause\n<- ok");
+  printer.send("M118 one");
+  printer.send("M118 two");
+  printer.run(5);
+  EXPECT_NE(printer.chip.from_firmware.find("echo:busy: paused for user"), std::string::npos);
+  EXPECT_EQ(printer.chip.from_firmware.find("one"), std::string::npos);
+  printer.chip.from_firmware.clear();
+  printer.talk(
+      "-> //action:resume\n<- one\n<- ok\n<- two\n<- ok\n<- ok\n-> M118 three\n<- three\n<- ok");
+}
+
+TEST(host_actions, cancel_ends_the_motion_and_answers_what_waits_without_executing_it) {
+  Printer printer;
+  printer.talk("-> G28\n<- ok\n-> G1 X100 F600\n<- ok");
+  printer.send("G4 S60");
+  printer.send("G1 X150");
+  printer.send("M118 never");
+  printer.run(1);
+  printer.send("//action:cancel");
+  printer.talk("<- ok\n<- ok\n<- ok\n<- ok\n-> M118 after\n<- after\n<- ok");
+  printer.run(1);
+  EXPECT_LT(printer.mm(0), 30);
+}
+
+TEST(host_actions, heaters_are_switched_off_when_the_host_says_nothing_for_the_time_of_m86) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M86\n<- echo:M86 S1800\n<- ok\n-> M86 S20\n<- ok\n-> M104 S200\n<- ok");
+  EXPECT_FALSE(printer.reply(15).has_value());
+  EXPECT_GT(printer.chip.heater_duty(0), 0u);
+  printer.talk("-> M105\n<* ok T:");
+  EXPECT_FALSE(printer.reply(15).has_value());
+  printer.talk("<- echo:No word from the host, heaters off");
+  printer.run(1);
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  EXPECT_FALSE(printer.reply(60).has_value());
+}
+
+TEST(host_actions, a_host_killed_during_m109_leaves_a_printer_that_cools_down) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M86 S20\n<- ok");
+  printer.send("M109 S150");
+  // Nobody reads and nobody sends any more; the wait itself is work, not silence.
+  printer.run(120);
+  EXPECT_NE(printer.chip.from_firmware.find("\nok\n"), std::string::npos);
+  EXPECT_NE(printer.chip.from_firmware.find("echo:No word from the host, heaters off"),
+            std::string::npos);
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+}
+
+TEST(host_actions, work_is_no_silence) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M86 S5\n<- ok\n-> M104 S200\n<- ok\n-> G4 S20\n<- ok");
+}
+
+}  // namespace
+}  // namespace application_test
