@@ -50,6 +50,8 @@ entity printer_controller is
     end_stop : in std_ulogic_vector(7 downto 0);
     -- Stops motion and heat without software; asynchronous.
     emergency_stop : in std_ulogic;
+    -- A rising edge starts a segment that waits for it, the same for several chips; asynchronous.
+    motion_start : in std_ulogic;
     -- Per sensor: three resistor pins (high-impedance where not enabled) and the capacitor's level.
     sensor_drive_enable : out std_ulogic_vector(resistors * heaters - 1 downto 0);
     sensor_drive_level : out std_ulogic_vector(resistors * heaters - 1 downto 0);
@@ -101,6 +103,7 @@ architecture rtl of printer_controller is
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
   signal end_stops_triggered : std_ulogic_vector(7 downto 0);
   signal emergency_stop_synchronized : std_ulogic_vector(0 downto 0);
+  signal motion_start_synchronized : std_ulogic_vector(0 downto 0);
   signal readings : sensor_reading_array_t(0 to heaters - 1);
 
   -- Nothing but a register stands behind an input pin: timing is simple on a board, and the model has no
@@ -237,25 +240,14 @@ begin
       synchronous => emergency_stop_synchronized
     );
 
-  motion : entity work.step_generator
+  synchronize_motion_start : entity work.synchronizer
     generic map (
-      axes => axes,
-      queue_depth => queue_depth
+      width => 1
     )
     port map (
       clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
-      request => requests(step_generator_slave),
-      response => responses(step_generator_slave),
-      end_stops => end_stops_triggered,
-      emergency_stop => emergency_stop_synchronized(0),
-      step => generated_step,
-      direction => generated_direction,
-      enable => motor_enable,
-      moving => open,
-      queue_interrupt => queue_interrupt,
-      stop_interrupt => stop_interrupt
+      asynchronous => (0 => motion_start),
+      synchronous => motion_start_synchronized
     );
 
   pins : entity work.step_pins
@@ -317,6 +309,29 @@ begin
       request => requests(fan_slave),
       response => responses(fan_slave),
       output => fan_gate
+    );
+
+  -- Last, because GHDL 5.0.1's synthesis ends with an internal error when heat comes after it.
+  motion : entity work.step_generator
+    generic map (
+      axes => axes,
+      queue_depth => queue_depth
+    )
+    port map (
+      clk => clk,
+      bus_clk => processor_clk,
+      reset => reset_registered,
+      request => requests(step_generator_slave),
+      response => responses(step_generator_slave),
+      end_stops => end_stops_triggered,
+      emergency_stop => emergency_stop_synchronized(0),
+      start => motion_start_synchronized(0),
+      step => generated_step,
+      direction => generated_direction,
+      enable => motor_enable,
+      moving => open,
+      queue_interrupt => queue_interrupt,
+      stop_interrupt => stop_interrupt
     );
 
 end architecture;

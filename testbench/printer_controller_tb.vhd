@@ -37,7 +37,7 @@ begin
       clk => clk, processor_clk => clk, clock_frequency_hz => to_unsigned(50_000_000, 32),
       reset => reset, receive => receive, transmit => transmit, step => step,
       direction => direction, motor_enable => motor_enable, end_stop => end_stop,
-      emergency_stop => emergency_stop, sensor_drive_enable => sensor_drive_enable,
+      emergency_stop => emergency_stop, motion_start => receive, sensor_drive_enable => sensor_drive_enable,
       sensor_drive_level => open, sensor_discharging => open, sensor_sense => sensor_sense,
       heater_gate => heater_gate, fan_gate => fan_gate, fault => open, sleeping => open,
       processor_at_rest => open, retired => open);

@@ -69,7 +69,9 @@ void StepGenerator::configure(const units::PerAxis<GuardTimings>& guards,
   const std::size_t axes = std::min(hardware_axes_, units::axis_count);
   for (std::size_t axis = 0; axis < axes; ++axis) {
     const GuardTimings& guard = guards[axis];
-    platform::write(axis, registers::PulseGuard{.high = guard.high, .low = guard.low});
+    platform::write(axis,
+                    registers::PulseGuard{
+                        .high = guard.high, .low = guard.low, .both_edges = guard.both_edges});
     platform::write(axis, registers::DirectionGuard{.setup = guard.direction_setup,
                                                     .hold = guard.direction_hold});
   }
@@ -95,6 +97,10 @@ bool StepGenerator::append(const motion::Segment& segment) {
   platform::write(registers::SegmentFlags{.backward = backward_axes(segment),
                                           .continues_line = segment.continues_line,
                                           .ends_motion = segment.ends_motion,
+                                          .stop_on_change = segment.stop_on_change,
+                                          .stop_on_release = segment.stop_on_release,
+                                          .stop_brakes = segment.stop_brakes,
+                                          .waits_for_start = segment.waits_for_start,
                                           .stop_mask = segment.stop_mask,
                                           .ahead = segment.start.ahead.bits(),
                                           .behind = segment.start.behind.bits()});
@@ -111,6 +117,34 @@ void StepGenerator::permit_motion(bool permitted) {
 }
 
 void StepGenerator::flush() { platform::write(registers::Command{.flush = true}); }
+
+void StepGenerator::set_override(std::uint32_t scale_65536ths) {
+  platform::write(registers::Override{scale_65536ths});
+}
+
+void StepGenerator::set_override_percent(std::uint32_t percent) {
+  constexpr std::uint32_t one = 65536, hundred = 100;
+  set_override((percent * one + hundred / 2) / hundred);
+}
+
+void StepGenerator::set_slopes(std::uint32_t override_slope, std::uint32_t brake_slope) {
+  platform::write(registers::OverrideSlope{override_slope});
+  platform::write(registers::BrakeSlope{brake_slope});
+}
+
+std::uint32_t StepGenerator::scale() const { return platform::read<registers::Scale>().scale; }
+
+bool StepGenerator::held() const { return platform::read<registers::Status>().held; }
+
+void StepGenerator::start() { platform::write(registers::Command{.start = true}); }
+
+bool StepGenerator::waiting() const { return platform::read<registers::Status>().waiting; }
+
+void StepGenerator::set_watchdog(std::uint32_t clocks) {
+  platform::write(registers::Watchdog{clocks});
+}
+
+void StepGenerator::feed_watchdog() { platform::write(registers::Command{.feed_watchdog = true}); }
 
 bool StepGenerator::moving() const { return platform::read<registers::Status>().moving; }
 
@@ -134,14 +168,20 @@ bool StepGenerator::set_position(units::Axis axis, std::int32_t steps) {
 
 void StepGenerator::stop() { platform::write(registers::Command{.stop = true}); }
 
+void StepGenerator::brake() { platform::write(registers::Command{.brake = true}); }
+
 StepGenerator::Stop StepGenerator::stop_state() const {
   Stop result;
-  result.stopped = platform::read<registers::Status>().stopped;
-  if (!result.stopped) return result;
+  const auto status = platform::read<registers::Status>();
+  result.stopped = status.stopped;
+  result.braking = status.braking;
+  if (!result.stopped && !result.braking) return result;
   const auto cause = platform::read<registers::StopCause>();
   result.end_stops = static_cast<std::uint8_t>(cause.end_stops);
   result.emergency_input = cause.emergency_input;
   result.software = cause.software;
+  result.watchdog = cause.watchdog;
+  result.software_brake = cause.software_brake;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     result.positions[axis] = platform::read<registers::StopPosition>(axis).steps;
   }

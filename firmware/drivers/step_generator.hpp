@@ -20,11 +20,16 @@ class StepGenerator {
     std::uint64_t clock{};  // clocks since reset
   };
 
+  // Positions and time are those of the clock in which the stop was asked for: after braking the
+  // motors stand further on, where snapshot() says.
   struct Stop {
-    bool stopped{};  // the rest is valid only if so
+    bool stopped{};  // the rest is valid only if so or
+    bool braking{};  // motion is coming to rest for it
     std::uint8_t end_stops{};
     bool emergency_input{};
     bool software{};
+    bool watchdog{};
+    bool software_brake{};
     Positions positions{};
     std::uint64_t clock{};
   };
@@ -55,6 +60,30 @@ class StepGenerator {
   // Forgets the queue; the segment being executed is finished.
   void flush();
 
+  // How fast time passes for motion, its path unchanged: 65536 as segments ask, 0 for a feed hold,
+  // below 4 * 65536. Approached by the slope while a segment is executed, taken at once at rest.
+  // Above 65536 the tick rate limits it: from 7/64 tick per clock on to 2, from 15/64 on to 1
+  // times.
+  void set_override(std::uint32_t scale_65536ths);
+  void set_override_percent(std::uint32_t percent);
+  // Changes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
+  // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is.
+  void set_slopes(std::uint32_t override_slope, std::uint32_t brake_slope);
+  // At this moment, in 1/65536.
+  std::uint32_t scale() const;
+  // A feed hold has come to its end: a segment is executed, but nothing moves.
+  bool held() const;
+
+  // Begins a segment that waits for its start (as the start input does); not remembered if none
+  // does.
+  void start();
+  // At rest, with a next segment that waits.
+  bool waiting() const;
+
+  // Motion stops if it goes on for so many clocks without feed_watchdog(); 0 = never. At rest only.
+  void set_watchdog(std::uint32_t clocks);
+  void feed_watchdog();
+
   bool moving() const;
   // Nothing executed, nothing queued, and every pulse finished.
   bool idle() const;
@@ -66,6 +95,8 @@ class StepGenerator {
 
   // Emergency stop: no step from now on, the queue is flushed. Holds until acknowledge_stop().
   void stop();
+  // To rest along the path by the brake's slope, then as stop().
+  void brake();
   // The stop that waits for its acknowledgement, whether by end stop, input or software.
   Stop stop_state() const;
   // Permits motion again; without effect while the emergency stop input is active.

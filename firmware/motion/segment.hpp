@@ -35,7 +35,11 @@ struct Segment {
   std::uint64_t rate{};  // initial, ticks per clock, 2^-64 each
   std::int64_t acceleration{};  // initial, ticks per clock^2, 2^-84 each
   std::int64_t jerk{};  // ticks per clock^3, 2^-84 each
-  std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion when triggered
+  std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion when triggered,
+  bool stop_on_change{};  // only if they become so during this segment,
+  bool stop_on_release{};  // or when released instead,
+  bool stop_brakes{};  // along the step generator's brake slope instead of at once
+  bool waits_for_start{};  // begins from rest, and only at the start input or software's start
 };
 
 }  // namespace motion

@@ -13,12 +13,17 @@ use work.step_generator_pkg.all;
 --                                   |
 --  direction -----------X===============
 --             |<- hold ->|<- setup ->|     (the next rising edge comes after setup and low)
+--
+-- With both edges: step stays as it is after each step, at least for the high or low time of its level,
+-- and set-up and hold time count to and from every edge.
 entity axis_stepper is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
 
     guard : in guard_t;
+    -- The falling edge of step is a step as well.
+    both_edges : in std_ulogic := '0';
 
     -- A line begins with the next clock, with these steps (0 .. line_ticks).
     begin_line : in std_ulogic;
@@ -42,7 +47,7 @@ entity axis_stepper is
     -- A pulse or the pause after it is not finished.
     busy : out std_ulogic;
 
-    -- Rising edges of step, forward less backward. To be set only at rest.
+    -- Steps given, forward less backward. To be set only at rest.
     position : out position_t := (others => '0');
     set_position : in std_ulogic;
     new_position : in position_t;
@@ -94,10 +99,10 @@ architecture rtl of axis_stepper is
 
 begin
 
-  legal <= '1' when step = '0' and pulse_left = 0 and direction = wanted_direction and
-    (setting_up = '0' or direction_left = 0) else '0';
+  legal <= '1' when (step = '0' or both_edges = '1') and pulse_left = 0 and
+    direction = wanted_direction and (setting_up = '0' or direction_left = 0) else '0';
   ready <= legal or not step_wanted;
-  busy <= '1' when step = '1' or pulse_left /= 0 else '0';
+  busy <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 else '0';
 
   -- Works out the next tick in the clock after a tick.
   share_ticks : process
@@ -140,7 +145,7 @@ begin
 
     if pulse_left /= 0 then
       pulse_left <= pulse_left - 1;
-    elsif step then
+    elsif step and not both_edges then
       step <= '0';
       pulse_left <= less_one(guard.low);
     end if;
@@ -154,8 +159,12 @@ begin
     end if;
 
     if tick and step_wanted then
-      step <= '1';
-      pulse_left <= less_one(guard.high);
+      step <= not step;
+      if step then
+        pulse_left <= less_one(guard.low);
+      else
+        pulse_left <= less_one(guard.high);
+      end if;
       direction_left <= less_one(guard.direction_hold);
       setting_up <= '0';
       if direction then

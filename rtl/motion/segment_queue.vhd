@@ -91,7 +91,12 @@ begin
   head.behind <= x"0" & words(flags_lane)(behind_bits);
   head.continues_line <= words(flags_lane)(continues_line_bit);
   head.ends_motion <= words(flags_lane)(ends_motion_bit);
-  head.stop_mask <= words(flags_lane)(23 downto 16);
+  head.waits_for_start <= words(flags_lane)(waits_for_start_bit);
+  head.stop_on <= (
+    mask => words(flags_lane)(23 downto 16),
+    on_change => words(flags_lane)(stop_on_change_bit),
+    on_release => words(flags_lane)(stop_on_release_bit),
+    brakes => words(flags_lane)(stop_brakes_bit));
   head.line_ticks <= unsigned(words(line_ticks_lane)(30 downto 0));
   head.ticks <= unsigned(words(ticks_lane)(30 downto 0));
   head.rate <= unsigned(words(rate_high_lane)) & unsigned(words(rate_low_lane));

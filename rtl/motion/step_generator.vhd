@@ -27,6 +27,8 @@ entity step_generator is
     -- Synchronous to clk, filtered, 1 = triggered.
     end_stops : in std_ulogic_vector(7 downto 0);
     emergency_stop : in std_ulogic;
+    -- A rising edge starts a segment that waits for it: the same for several generators. Synchronous to clk.
+    start : in std_ulogic;
 
     step : out std_ulogic_vector(axes - 1 downto 0);
     -- 1 = negative.
@@ -55,6 +57,7 @@ architecture rtl of step_generator is
 
   signal write : lane_write_t;
   signal guards : guard_array_t(axes - 1 downto 0);
+  signal both_edges : std_ulogic_vector(axes - 1 downto 0);
   signal control : step_generator_control_t := control_after_reset;
   signal rate_floor : unsigned(30 downto 0) := rate_floor_after_reset;
   signal refused : refusal_t;
@@ -65,6 +68,10 @@ architecture rtl of step_generator is
   signal level : natural range 0 to queue_depth;
   signal max_level : natural range 0 to queue_depth;
   signal idle : std_ulogic;
+  signal waiting : std_ulogic;
+  signal held : std_ulogic;
+  signal scale : scale_t;
+  signal braking : std_ulogic;
   signal stopped : std_ulogic;
   signal stop_cause : stop_cause_t;
   signal segments : count_t;
@@ -95,18 +102,25 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
-      clk => clk, bus_clk => bus_clk, reset => reset, guards => guards, rate_floor => rate_floor,
-      run => control.run, write => write,
-      commit => from_software.segment_commit_written, refused => refused,
+      clk => clk, bus_clk => bus_clk, reset => reset, guards => guards,
+      both_edges => both_edges, rate_floor => rate_floor,
+      run => control.run, start => start, software_start => command.start, waiting => waiting,
+      override => from_software.override.scale,
+      override_slope => from_software.override_slope.slope,
+      brake_slope => from_software.brake_slope.slope, scale => scale, held => held,
+      write => write, commit => from_software.segment_commit_written, refused => refused,
       flush => command.flush, level => level, max_level => max_level, moving => moving,
       idle => idle, segments => segments, underruns => underruns, stalls => stalls,
       axis_stalls => axis_stalls, end_stops => end_stops, emergency_stop => emergency_stop,
-      software_stop => command.stop, acknowledge_stop => command.acknowledge_stop,
-      stopped => stopped, stop_cause => stop_cause, stop_positions => stop_positions,
-      stop_time => stop_time, positions => positions, set_position => set_position,
-      new_position => new_position, position_refused => position_refused,
-      snapshot => command.snapshot, snapshot_positions => snapshot_positions,
-      snapshot_time => snapshot_time, step => step, direction => direction);
+      software_stop => command.stop, software_brake => command.brake,
+      acknowledge_stop => command.acknowledge_stop,
+      watchdog_limit => from_software.watchdog.clocks, feed_watchdog => command.feed_watchdog,
+      braking => braking, stopped => stopped, stop_cause => stop_cause,
+      stop_positions => stop_positions, stop_time => stop_time, positions => positions,
+      set_position => set_position, new_position => new_position,
+      position_refused => position_refused, snapshot => command.snapshot,
+      snapshot_positions => snapshot_positions, snapshot_time => snapshot_time, step => step,
+      direction => direction);
 
   enable <= from_software.motor_enable.axes(axes - 1 downto 0);
 
@@ -120,7 +134,9 @@ begin
     write <= (valid => '0', lane => 0, data => (others => '0'));
     if from_software.segment_flags_written then
       put(flags_lane, from_software.segment_flags.behind & from_software.segment_flags.ahead &
-        from_software.segment_flags.stop_mask & "000000" &
+        from_software.segment_flags.stop_mask & "00" &
+        from_software.segment_flags.waits_for_start & from_software.segment_flags.stop_brakes &
+        from_software.segment_flags.stop_on_release & from_software.segment_flags.stop_on_change &
         from_software.segment_flags.ends_motion & from_software.segment_flags.continues_line &
         from_software.segment_flags.backward);
     end if;
@@ -163,7 +179,7 @@ begin
 
   keep_settings : process
   begin
-    wait until rising_edge(clk);
+    wait until rising_edge(bus_clk);
     if from_software.control_written then
       control <= from_software.control;
     end if;
@@ -178,15 +194,19 @@ begin
 
   each_guard : for axis in 0 to axes - 1 generate
     signal guard : guard_t := guard_after_reset;
+    -- Apart from the record: what each clock looks at is quicker to model as a bit of its own.
+    signal falling_too : std_ulogic := '0';
   begin
     guards(axis) <= guard;
+    both_edges(axis) <= falling_too;
 
     keep_guard : process
     begin
-      wait until rising_edge(clk);
+      wait until rising_edge(bus_clk);
       if from_software.pulse_guard_written(axis) then
         guard.high <= from_software.pulse_guard(axis).high;
         guard.low <= from_software.pulse_guard(axis).low;
+        falling_too <= from_software.pulse_guard(axis).both_edges;
       end if;
       if from_software.direction_guard_written(axis) then
         guard.direction_setup <= from_software.direction_guard(axis).setup;
@@ -194,13 +214,14 @@ begin
       end if;
       if reset then
         guard <= guard_after_reset;
+        falling_too <= '0';
       end if;
     end process;
   end generate;
 
   remember_errors : process
   begin
-    wait until rising_edge(clk);
+    wait until rising_edge(bus_clk);
     if command.clear_errors then
       refusals <= refusal_none;
       position_refusal <= '0';
@@ -240,7 +261,8 @@ begin
   to_software.control <= control;
   to_software.rate_floor.rate <= rate_floor;
   to_software.status <= (
-    moving => moving, idle => idle, stopped => stopped, level => to_unsigned(level, 8),
+    moving => moving, idle => idle, stopped => stopped, held => held, braking => braking,
+    waiting => waiting, level => to_unsigned(level, 8),
     free => to_unsigned(queue_depth - level, 8));
   to_software.errors <= (
     queue_full => refusals.queue_full, incomplete => refusals.incomplete,
@@ -250,13 +272,15 @@ begin
   to_software.snapshot_time_high.clocks <= snapshot_time(63 downto 32);
   to_software.stop_cause <= (
     end_stops => stop_cause.end_stops, emergency_input => stop_cause.emergency_input,
-    software => stop_cause.software);
+    software => stop_cause.software, watchdog => stop_cause.watchdog,
+    software_brake => stop_cause.software_brake);
   to_software.stop_time_low.clocks <= stop_time(31 downto 0);
   to_software.stop_time_high.clocks <= stop_time(63 downto 32);
   to_software.segments_executed.count <= segments;
   to_software.underruns.count <= underruns;
   to_software.max_level.segments <= to_unsigned(max_level, 16);
   to_software.stalls.clocks <= stalls;
+  to_software.scale.scale <= scale(33 downto 16);
 
   axes_to_software : for axis in 0 to axis_limit - 1 generate
     present : if axis < axes generate

@@ -20,9 +20,22 @@ entity step_generator_core is
 
     -- Settings, to be changed at rest.
     guards : in guard_array_t(axes - 1 downto 0);
+    both_edges : in std_ulogic_vector(axes - 1 downto 0);
     rate_floor : in unsigned(30 downto 0);
     -- Motion may start from rest.
     run : in std_ulogic;
+    -- A segment that waits may start: a rising edge of the input, synchronous to clk, or software's word.
+    start : in std_ulogic;
+    software_start : in std_ulogic;
+    waiting : out std_ulogic;
+
+    -- The time of the base, at any moment: in 2^-16, its slope in 2^-32 per clock.
+    override : in unsigned(17 downto 0);
+    override_slope : in slope_t;
+    brake_slope : in slope_t;
+    scale : out scale_t;
+    -- A segment is executed, but time stands still.
+    held : out std_ulogic;
 
     -- The segment being written.
     write : in lane_write_t;
@@ -45,7 +58,12 @@ entity step_generator_core is
     end_stops : in std_ulogic_vector(7 downto 0);
     emergency_stop : in std_ulogic;
     software_stop : in std_ulogic;
+    software_brake : in std_ulogic;
     acknowledge_stop : in std_ulogic;
+    -- Clocks of motion without feeding, 0 = no limit.
+    watchdog_limit : in unsigned(31 downto 0);
+    feed_watchdog : in std_ulogic;
+    braking : out std_ulogic;
     stopped : out std_ulogic;
     stop_cause : out stop_cause_t;
     stop_positions : out position_array_t(axes - 1 downto 0);
@@ -83,15 +101,24 @@ architecture rtl of step_generator_core is
   signal begin_line : std_ulogic;
   signal line_ticks : ticks_t := (others => '0');
 
+  signal start_before : std_ulogic := '0';
+  signal start_now : std_ulogic;
+  signal advance : std_ulogic;
+  signal leap, longest_leap : leap_t;
+  signal stalled : std_ulogic;
+  signal standing : std_ulogic;
+
   signal due : std_ulogic;
   signal tick : std_ulogic;
   signal ready : std_ulogic_vector(axes - 1 downto 0);
   signal busy : std_ulogic_vector(axes - 1 downto 0);
   signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
 
-  signal active_stop_mask : std_ulogic_vector(7 downto 0);
+  signal active_stop_on : stop_condition_t;
+  signal watchdog_expired : std_ulogic;
   signal stop : std_ulogic;
   signal stop_begins : std_ulogic;
+  signal hit : std_ulogic;
 
 begin
 
@@ -126,12 +153,24 @@ begin
       level => level, max_level => max_level, full => full, head_valid => head_valid,
       head => head, head_steps => head_steps, take => take);
 
+  pace : entity work.feed_override
+    port map (
+      clk => clk, reset => reset, moving => moving, target => override, slope => override_slope,
+      braking => braking, brake_slope => brake_slope, stalled => stalled,
+      longest_leap => longest_leap, advance => advance, leap => leap, scale => scale,
+      standing => standing);
+
+  held <= moving and standing;
+  start_now <= software_start or (start and not start_before);
+
   base : entity work.time_base
     port map (
-      clk => clk, reset => reset, advance => '1', run => run, stop => stop,
-      rate_floor => rate_floor, head_valid => head_valid, head => head, take => take, due => due,
-      axes_ready => and ready, tick => tick, active => moving, stop_mask => active_stop_mask,
-      segments => segments, underruns => underruns, stalls => stalls);
+      clk => clk, reset => reset, advance => advance, leap => leap, longest_leap => longest_leap,
+      run => run, start => start_now, stop => stop, rate_floor => rate_floor,
+      head_valid => head_valid, head => head, take => take, due => due,
+      axes_ready => and ready, tick => tick, stalled => stalled, active => moving,
+      stop_on => active_stop_on, waiting => waiting, segments => segments,
+      underruns => underruns, stalls => stalls);
 
   begin_line <= take and not head.continues_line;
 
@@ -139,7 +178,8 @@ begin
   begin
     wait until rising_edge(clk);
     now <= now + 1;
-    if stop_begins then
+    start_before <= start;
+    if hit then
       stop_time <= now;
     end if;
     if snapshot then
@@ -160,7 +200,8 @@ begin
   each_axis : for axis in 0 to axes - 1 generate
     stepper : entity work.axis_stepper
       port map (
-        clk => clk, reset => reset, guard => guards(axis), begin_line => begin_line,
+        clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis),
+        begin_line => begin_line,
         steps => head_steps(axis), backward => head.backward(axis), ahead => head.ahead(axis),
         behind => head.behind(axis), line_ticks => line_ticks, due => due, ready => ready(axis),
         tick => tick, step => step(axis), direction => direction(axis), busy => busy(axis),
@@ -169,7 +210,7 @@ begin
 
     at_stop : entity work.position_latch
       port map (
-        clk => clk, capture => stop_begins, position => positions(axis),
+        clk => clk, capture => hit, position => positions(axis),
         captured_position => stop_positions(axis));
 
     at_snapshot : entity work.position_latch
@@ -182,11 +223,18 @@ begin
     --   ((stop = '1' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
   end generate;
 
+  watch : entity work.motion_watchdog
+    port map (
+      clk => clk, reset => reset, limit => watchdog_limit, moving => moving, feed => feed_watchdog,
+      expired => watchdog_expired);
+
   stops : entity work.stop_latch
     port map (
-      clk => clk, reset => reset, active => moving, stop_mask => active_stop_mask,
-      end_stops => end_stops, emergency_stop => emergency_stop, software_stop => software_stop,
-      acknowledge => acknowledge_stop, stop => stop, stop_begins => stop_begins,
+      clk => clk, reset => reset, active => moving, stop_on => active_stop_on,
+      end_stops => end_stops, emergency_stop => emergency_stop,
+      watchdog_expired => watchdog_expired, software_stop => software_stop,
+      software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,
+      hit => hit, braking => braking, stop => stop, stop_begins => stop_begins,
       stopped => stopped, cause => stop_cause);
 
 end architecture;

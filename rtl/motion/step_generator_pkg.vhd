@@ -39,6 +39,27 @@ package step_generator_pkg is
     high => to_unsigned(50, 12), low => to_unsigned(50, 12),
     direction_setup => to_unsigned(10, 12), direction_hold => to_unsigned(10, 12));
 
+  -- Part of real time at which the base runs: 0 stands still, 2^32 is the rate that segments ask for.
+  subtype scale_t is unsigned(33 downto 0);
+  constant scale_of_one : scale_t := (32 => '1', others => '0');
+  -- By which the scale changes in a clock.
+  subtype slope_t is unsigned(31 downto 0);
+  -- How often the base clocks of one clock are doubled: 1, 2 or 4 of them are done as one leap.
+  subtype leap_t is unsigned(1 downto 0);
+
+  -- What ends a segment.
+  type stop_condition_t is record
+    -- These end stops.
+    mask : std_ulogic_vector(7 downto 0);
+    -- Only by becoming so while the segment is executed.
+    on_change : std_ulogic;
+    -- When released, not when triggered.
+    on_release : std_ulogic;
+    -- Along the brake's ramp, not at once.
+    brakes : std_ulogic;
+  end record;
+  constant stop_condition_none : stop_condition_t := (mask => x"00", others => '0');
+
   -- A segment without its steps.
   type segment_t is record
     -- Direction of each axis, 1 = negative.
@@ -48,7 +69,9 @@ package step_generator_pkg is
     behind : std_ulogic_vector(axis_limit - 1 downto 0);
     continues_line : std_ulogic;
     ends_motion : std_ulogic;
-    stop_mask : std_ulogic_vector(7 downto 0);
+    -- Begins from rest, and only at a start.
+    waits_for_start : std_ulogic;
+    stop_on : stop_condition_t;
     line_ticks : ticks_t;
     ticks : ticks_t;
     -- In 2^-64 ticks per clock, at most 1/2 tick per clock.
@@ -75,6 +98,10 @@ package step_generator_pkg is
   -- The flags word holds stop_mask from bit 16, backward from bit 0, and:
   constant continues_line_bit : natural := 8;
   constant ends_motion_bit : natural := 9;
+  constant stop_on_change_bit : natural := 10;
+  constant stop_on_release_bit : natural := 11;
+  constant stop_brakes_bit : natural := 12;
+  constant waits_for_start_bit : natural := 13;
   subtype ahead_bits is natural range 27 downto 24;
   subtype behind_bits is natural range 31 downto 28;
 
@@ -99,6 +126,8 @@ package step_generator_pkg is
     end_stops : std_ulogic_vector(7 downto 0);
     emergency_input : std_ulogic;
     software : std_ulogic;
+    watchdog : std_ulogic;
+    software_brake : std_ulogic;
   end record;
   constant stop_cause_none : stop_cause_t := (end_stops => x"00", others => '0');
 

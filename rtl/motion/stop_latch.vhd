@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stops all motion at an end stop, the emergency stop input or software's command, until acknowledged.
+-- Stops all motion at an end stop, the emergency stop input, the watchdog or software's command, at once or
+-- along the brake's ramp, until acknowledged.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -12,20 +13,29 @@ entity stop_latch is
     clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- A segment is being executed, which these end stops end.
+    -- A segment is being executed, which this ends.
     active : in std_ulogic;
-    stop_mask : in std_ulogic_vector(7 downto 0);
+    stop_on : in stop_condition_t;
 
     -- Synchronous to clk, filtered, 1 = triggered.
     end_stops : in std_ulogic_vector(7 downto 0);
     emergency_stop : in std_ulogic;
+    watchdog_expired : in std_ulogic;
     software_stop : in std_ulogic;
+    -- Without effect on a brake that is on already.
+    software_brake : in std_ulogic;
     -- Without effect while emergency_stop is high.
     acknowledge : in std_ulogic;
+    -- The brake's ramp is at its end.
+    standing : in std_ulogic;
 
+    -- A stop has been asked for in this clock: the moment to latch positions and time.
+    hit : out std_ulogic;
+    -- Motion comes to rest along the ramp, and then stops.
+    braking : out std_ulogic := '0';
     -- No step from this clock on.
     stop : out std_ulogic;
-    -- High in the first clock of a stop: the moment to latch positions and time.
+    -- The first clock of it.
     stop_begins : out std_ulogic;
     -- A stop waits for its acknowledgement.
     stopped : out std_ulogic := '0';
@@ -35,26 +45,51 @@ end entity;
 
 architecture rtl of stop_latch is
 
+  signal end_stops_before : std_ulogic_vector(7 downto 0) := x"00";
+  signal wanted, changed : std_ulogic_vector(7 downto 0);
   signal hits : std_ulogic_vector(7 downto 0);
-  signal hit : std_ulogic;
+  signal end_stop_hit : std_ulogic;
+  signal at_once, along_ramp : std_ulogic;
 
 begin
 
-  hits <= end_stops and stop_mask when active = '1' else x"00";
-  hit <= emergency_stop or software_stop or (or hits);
-  stop <= hit or stopped;
-  stop_begins <= hit and not stopped;
+  wanted <= end_stops xor (7 downto 0 => stop_on.on_release);
+  changed <= end_stops xor end_stops_before;
+  hits <= x"00" when active = '0' else
+    wanted and stop_on.mask and (changed or (7 downto 0 => not stop_on.on_change));
+  end_stop_hit <= (or hits) and not braking;
+
+  at_once <= emergency_stop or watchdog_expired or software_stop or
+    (end_stop_hit and not stop_on.brakes) or (braking and (standing or not active));
+  along_ramp <= (end_stop_hit and stop_on.brakes) or software_brake;
+
+  stop <= at_once or stopped;
+  stop_begins <= at_once and not stopped;
+  hit <= (at_once or along_ramp) and not (braking or stopped);
 
   latch : process
   begin
     wait until rising_edge(clk);
+    end_stops_before <= end_stops;
+    if hit then
+      braking <= not at_once;
+      cause <= (
+        end_stops => hits, emergency_input => emergency_stop, software => software_stop,
+        watchdog => watchdog_expired, software_brake => software_brake);
+    elsif stop_begins then
+      -- What cuts a ramp short is a cause as well.
+      braking <= '0';
+      cause.emergency_input <= emergency_stop;
+      cause.software <= software_stop;
+      cause.watchdog <= watchdog_expired;
+    end if;
     if stop_begins then
       stopped <= '1';
-      cause <= (end_stops => hits, emergency_input => emergency_stop, software => software_stop);
     elsif acknowledge and not emergency_stop then
       stopped <= '0';
     end if;
     if reset then
+      braking <= '0';
       stopped <= '0';
     end if;
   end process;

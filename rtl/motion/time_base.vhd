@@ -15,11 +15,15 @@ entity time_base is
     clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- Time passes for the base: low clocks stretch the motion without changing its path. The place for
-    -- feed hold and override.
+    -- Time passes for the base, so many clocks of it: this stretches the motion without changing its path.
     advance : in std_ulogic;
+    leap : in leap_t;
+    -- The longest leap of the next clock that keeps the rate within 1/2.
+    longest_leap : out leap_t;
     -- Motion may begin from rest.
     run : in std_ulogic;
+    -- A segment that waits for it may begin now.
+    start : in std_ulogic;
     -- No tick in this clock, and back to rest.
     stop : in std_ulogic;
     -- In 2^-32 ticks per clock.
@@ -36,9 +40,14 @@ entity time_base is
     axes_ready : in std_ulogic;
     tick : out std_ulogic;
 
-    -- A segment is being executed, and ends by these end stops.
+    -- It does stand still for an axis.
+    stalled : out std_ulogic;
+
+    -- A segment is being executed, and ends by this.
     active : out std_ulogic := '0';
-    stop_mask : out std_ulogic_vector(7 downto 0) := (others => '0');
+    stop_on : out stop_condition_t := stop_condition_none;
+    -- At rest, with a segment that waits for its start.
+    waiting : out std_ulogic;
 
     segments : out count_t := (others => '0');
     underruns : out count_t := (others => '0');
@@ -64,6 +73,39 @@ architecture rtl of time_base is
   signal phase_sum : unsigned(63 downto 0);
   signal carry : std_ulogic;
   signal next_rate : unsigned(63 downto 0);
+  signal may_start : std_ulogic;
+  -- The longest leaps that rate and floor permit.
+  signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
+
+  -- What a leap makes of a change per clock.
+  function doubled(value : unsigned(63 downto 0); times : leap_t) return unsigned is
+  begin
+    if times(1) then
+      return value(61 downto 0) & "00";
+    elsif times(0) then
+      return value(62 downto 0) & '0';
+    end if;
+    return value;
+  end function;
+
+  -- The longest leap at a rate in 1/64: the next clock's rate is higher by less than 2^-18.
+  function longest(rate_64ths : unsigned(5 downto 0)) return leap_t is
+  begin
+    if rate_64ths < 7 then
+      return to_unsigned(2, 2);
+    elsif rate_64ths < 15 then
+      return to_unsigned(1, 2);
+    end if;
+    return to_unsigned(0, 2);
+  end function;
+
+  function shorter(one, other : leap_t) return leap_t is
+  begin
+    if one < other then
+      return one;
+    end if;
+    return other;
+  end function;
 
   -- A rate below the floor is held at it.
   function floored(value : unsigned(63 downto 0); floor : unsigned(30 downto 0)) return unsigned is
@@ -74,13 +116,13 @@ architecture rtl of time_base is
     return value;
   end function;
 
-  -- The acceleration's part of a whole rate unit is 44 bits, so that a sum below 0 shows as one above
+  -- The change is below 2^46 of the 2^64 that make a rate of 1, so that a sum below 0 shows as one above
   -- 3/4, and one above the highest rate as one below 3/4.
-  function integrated(value : unsigned(63 downto 0); change : signed(63 downto 0);
+  function integrated(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return unsigned is
     variable sum : unsigned(63 downto 0);
   begin
-    sum := value + unsigned(resize(change(63 downto 20), 64));
+    sum := value + change;
     case sum(63 downto 62) is
       when "10" => return highest_rate;
       when "11" => return '0' & floor & x"00000000";
@@ -90,14 +132,25 @@ architecture rtl of time_base is
 
 begin
 
-  phase_sum <= phase + rate;
+  phase_sum <= phase + doubled(rate, leap);
   -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
   carry <= phase(63) and not phase_sum(63);
-  next_rate <= integrated(rate, acceleration, rate_floor);
+  next_rate <= integrated(rate,
+    doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
+
+  leap_of_head <= longest(head.rate(63 downto 58));
+  leap_of_rate <= longest(rate(63 downto 58));
+  leap_of_floor <= longest('0' & rate_floor(30 downto 26));
+  longest_leap <= shorter(leap_of_head, leap_of_floor) when take = '1' else
+    shorter(leap_of_rate, leap_of_floor);
 
   due <= active and advance and not stop and carry;
   tick <= due and axes_ready;
-  take <= head_valid and not stop and ((tick and last) or (not active and run));
+  stalled <= due and not axes_ready;
+  may_start <= run and (start or not head.waits_for_start);
+  take <= head_valid and not stop and
+    ((tick and last and not head.waits_for_start) or (not active and may_start));
+  waiting <= head_valid and head.waits_for_start and not active;
 
   integrate : process
   begin
@@ -106,7 +159,7 @@ begin
     if active and advance and (not carry or axes_ready) then
       phase <= phase_sum;
       rate <= next_rate;
-      acceleration <= acceleration + jerk;
+      acceleration <= acceleration + signed(doubled(unsigned(jerk), leap));
     end if;
 
     count_changed <= tick or take;
@@ -134,7 +187,7 @@ begin
       jerk <= head.jerk;
       ticks_left <= head.ticks;
       ends_motion <= head.ends_motion;
-      stop_mask <= head.stop_mask;
+      stop_on <= head.stop_on;
       if not active then
         phase <= (others => '0');
       end if;

@@ -19,6 +19,7 @@ architecture simulation of axis_stepper_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal guard : guard_t := guard_after_reset;
+  signal both_edges : std_ulogic := '0';
   signal begin_line : std_ulogic := '0';
   signal steps : ticks_t := (others => '0');
   signal backward : std_ulogic := '0';
@@ -44,7 +45,8 @@ begin
 
   axis : entity work.axis_stepper
     port map (
-      clk => clk, reset => reset, guard => guard, begin_line => begin_line, steps => steps,
+      clk => clk, reset => reset, guard => guard, both_edges => both_edges,
+      begin_line => begin_line, steps => steps,
       backward => backward, ahead => ahead, behind => behind, line_ticks => line_ticks, due => due,
       ready => ready, tick => tick, step => step, direction => direction, busy => busy,
       position => position, set_position => set_position, new_position => new_position,
@@ -52,7 +54,8 @@ begin
 
   monitor : entity work.pulse_monitor
     port map (
-      clk => clk, reset => reset, guard => guard, step => step, direction => direction,
+      clk => clk, reset => reset, guard => guard, both_edges => both_edges, step => step,
+      direction => direction,
       position => position, set_position => set_position, new_position => new_position,
       pulses => pulses);
 
@@ -99,17 +102,19 @@ begin
       wait until rising_edge(clk);
     end procedure;
 
-    procedure set_guard(high, low, setup, hold : natural) is
+    procedure set_guard(high, low, setup, hold : natural; falling_too : std_ulogic := '0') is
     begin
       clocks(20);
       guard <= (
         high => to_unsigned(high, 12), low => to_unsigned(low, 12),
         direction_setup => to_unsigned(setup, 12), direction_hold => to_unsigned(hold, 12));
+      both_edges <= falling_too;
     end procedure;
 
     variable pulses_before : natural;
     variable position_before : position_t;
     variable stalls_before : count_t;
+    variable falling_too : std_ulogic;
     variable count : natural;
     variable of_ticks : natural;
     variable negative : std_ulogic;
@@ -161,11 +166,36 @@ begin
     clocks(20);
     assert direction = '1' report "an axis without steps has turned" severity failure;
 
+    -- With both edges every tick toggles the pin, which then stays, and this is a step.
+    set_guard(1, 1, 1, 1, falling_too => '1');
+    stalls_before := stalls;
+    start_line(7, 7, not direction);
+    pulses_before := pulses;
+    for i in 1 to 7 loop
+      make_tick;
+      assert (step = '1') = (i mod 2 = 1) severity failure;
+    end loop;
+    clocks(50);
+    assert step = '1' and busy = '0' severity failure;
+    assert pulses = pulses_before + 7 and stalls = stalls_before severity failure;
+    set_guard(4, 9, 1, 1, falling_too => '1');
+    start_line(3, 3, direction);
+    stalls_before := stalls;
+    make_tick;
+    make_tick;
+    assert stalls = stalls_before + 9 - 2 report "low too short" severity failure;
+    make_tick;
+    assert stalls = stalls_before + 9 - 2 + 4 - 2 report "high too short" severity failure;
+    clocks(1);
+
     -- Any line under any guard: exactly its steps, in its direction, each at its tick, and the monitor
     -- keeps watch.
     for line in 1 to 300 loop
       if line mod 10 = 0 then
-        set_guard(random(0, 6), random(0, 6), random(0, 9), random(0, 9));
+        clocks(20);
+        -- With a high pin it cannot change to pulses.
+        falling_too := '1' when line mod 40 = 0 or step = '1' else '0';
+        set_guard(random(0, 6), random(0, 6), random(0, 9), random(0, 9), falling_too);
       end if;
       of_ticks := random(1, 40);
       count := random(0, of_ticks);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Watches one axis' pins: the guard times hold at every edge, and the position is the pulses counted here.
+-- Watches one axis' pins: the guard times hold at every edge, and the position is the steps counted here.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,13 +13,14 @@ entity pulse_monitor is
     clk : in std_ulogic;
     reset : in std_ulogic;
     guard : in guard_t;
+    both_edges : in std_ulogic := '0';
     step : in std_ulogic;
     direction : in std_ulogic;
     position : in position_t;
     -- The position is set by software: counting goes on from there.
     set_position : in std_ulogic;
     new_position : in position_t;
-    -- Rising edges, whatever their direction.
+    -- Steps, whatever their direction: rising edges, with `both_edges` falling ones too.
     pulses : out natural
   );
 end entity;
@@ -34,6 +35,7 @@ architecture rtl of pulse_monitor is
   -- Clocks since the pins did it last.
   signal since_rise : age_t := long_ago;
   signal since_fall : age_t := long_ago;
+  signal since_step : age_t := long_ago;
   signal since_turn : age_t := long_ago;
   signal counted_position : position_t := (others => '0');
   signal counted_pulses : natural := 0;
@@ -57,37 +59,44 @@ begin
 
   watch : process
     variable expected_position : position_t;
+    variable steps : boolean;
   begin
     wait until rising_edge(clk);
     last_step <= step;
     last_direction <= direction;
     since_rise <= older(since_rise);
     since_fall <= older(since_fall);
+    since_step <= older(since_step);
     since_turn <= older(since_turn);
+    steps := step /= last_step and (step or both_edges) = '1';
     expected_position := counted_position;
 
-    if step = '1' and last_step = '0' then
-      since_rise <= 1;
+    if steps then
+      since_step <= 1;
       counted_pulses <= counted_pulses + 1;
       if direction = '1' then
         expected_position := expected_position - 1;
       else
         expected_position := expected_position + 1;
       end if;
-      low_time_is_kept : assert reset = '1' or at_least(since_fall, guard.low) severity failure;
       direction_set_up_time_is_kept : assert reset = '1' or
         (direction = last_direction and at_least(since_turn, guard.direction_setup))
         severity failure;
     end if;
+    if step = '1' and last_step = '0' then
+      since_rise <= 1;
+      low_time_is_kept : assert reset = '1' or at_least(since_fall, guard.low) severity failure;
+    end if;
     if step = '0' and last_step = '1' then
       since_fall <= 1;
-      high_time_is_exact : assert reset = '1' or since_rise = guard.high or
-        (since_rise = 1 and guard.high = 0) severity failure;
+      high_time_is_kept : assert reset = '1' or at_least(since_rise, guard.high) severity failure;
+      high_time_is_exact : assert reset = '1' or both_edges = '1' or
+        since_rise = guard.high or (since_rise = 1 and guard.high = 0) severity failure;
     end if;
     if direction /= last_direction then
       since_turn <= 1;
       direction_hold_time_is_kept : assert reset = '1' or
-        at_least(since_rise, guard.direction_hold) severity failure;
+        at_least(since_step, guard.direction_hold) severity failure;
     end if;
 
     position_is_pulses : assert reset = '1' or position = expected_position severity failure;
@@ -101,6 +110,7 @@ begin
       last_direction <= '0';
       since_rise <= long_ago;
       since_fall <= long_ago;
+      since_step <= long_ago;
       since_turn <= long_ago;
       counted_position <= (others => '0');
       counted_pulses <= 0;

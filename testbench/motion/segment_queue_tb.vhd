@@ -74,7 +74,11 @@ begin
         assert clocks_since_take >= 2 severity failure;
         clocks_since_take := 0;
         assert head.backward = word(taken, flags_lane)(7 downto 0) severity failure;
-        assert head.stop_mask = word(taken, flags_lane)(23 downto 16) severity failure;
+        assert head.stop_on.mask = word(taken, flags_lane)(23 downto 16) severity failure;
+        assert head.stop_on.on_change = word(taken, flags_lane)(10) severity failure;
+        assert head.stop_on.on_release = word(taken, flags_lane)(11) severity failure;
+        assert head.stop_on.brakes = word(taken, flags_lane)(12) severity failure;
+        assert head.waits_for_start = word(taken, flags_lane)(13) severity failure;
         assert head.ahead = x"0" & word(taken, flags_lane)(27 downto 24) severity failure;
         assert head.behind = x"0" & word(taken, flags_lane)(31 downto 28) severity failure;
         assert head.line_ticks = unsigned(word(taken, line_ticks_lane)) severity failure;

@@ -27,6 +27,7 @@ architecture simulation of step_generator_core_tb is
     1 => (high => to_unsigned(3, 12), low => to_unsigned(5, 12),
       direction_setup => to_unsigned(2, 12), direction_hold => to_unsigned(4, 12)),
     2 => guard_after_reset);
+  signal both_edges : std_ulogic_vector(axes - 1 downto 0) := "010";
   signal write : lane_write_t := (valid => '0', lane => 0, data => (others => '0'));
   signal commit : std_ulogic := '0';
   signal refused : refusal_t;
@@ -42,6 +43,13 @@ architecture simulation of step_generator_core_tb is
   signal end_stops : std_ulogic_vector(7 downto 0) := x"00";
   signal emergency_stop : std_ulogic := '0';
   signal software_stop : std_ulogic := '0';
+  signal software_brake : std_ulogic := '0';
+  signal braking : std_ulogic;
+  signal start : std_ulogic := '0';
+  signal waiting : std_ulogic;
+  signal override : unsigned(17 downto 0) := to_unsigned(65536, 18);
+  signal scale : scale_t;
+  signal held : std_ulogic;
   signal acknowledge_stop : std_ulogic := '0';
   signal stopped : std_ulogic;
   signal stop_cause : stop_cause_t;
@@ -66,8 +74,13 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => depth)
     port map (
-      clk => clk, bus_clk => clk, reset => reset, guards => guards, rate_floor => to_unsigned(2 ** 20, 31),
-      run => '1', write => write, commit => commit, refused => refused, flush => flush,
+      clk => clk, bus_clk => clk, reset => reset, guards => guards, both_edges => both_edges,
+      rate_floor => to_unsigned(2 ** 20, 31), run => '1', start => start,
+      software_start => '0', waiting => waiting,
+      override => override, override_slope => x"00100000", brake_slope => x"00200000",
+      scale => scale, held => held, watchdog_limit => x"00000000", feed_watchdog => '0',
+      braking => braking, software_brake => software_brake, write => write,
+      commit => commit, refused => refused, flush => flush,
       level => level, max_level => max_level, moving => moving, idle => idle,
       segments => segments, underruns => underruns, stalls => stalls,
       axis_stalls => axis_stalls, end_stops => end_stops, emergency_stop => emergency_stop,
@@ -84,7 +97,7 @@ begin
     position_is_set <= set_position(axis) and not position_refused;
     monitor : entity work.pulse_monitor
       port map (
-        clk => clk, reset => reset, guard => guards(axis), step => step(axis),
+        clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis), step => step(axis),
         direction => direction(axis), position => positions(axis),
         set_position => position_is_set, new_position => new_position, pulses => pulses(axis));
   end generate;
@@ -119,6 +132,13 @@ begin
       wait until rising_edge(clk);
       commit <= '0';
       wait until rising_edge(clk);
+    end procedure;
+
+    procedure clocks(number : natural) is
+    begin
+      for i in 1 to number loop
+        wait until rising_edge(clk);
+      end loop;
     end procedure;
 
     procedure wait_for_space is
@@ -206,22 +226,64 @@ begin
     wait until rising_edge(clk);
     set_position <= "000";
 
-    -- The end stop hits in the clock of a tick: no step after it.
+    -- A hold comes along its ramp of 4096 clocks, and nothing moves until it is over.
     wait until rising_edge(step(0));
     assert positions(1) = -76 severity failure;
-    wait for 500 us;
+    wait for 100 us;
+    override <= to_unsigned(0, 18);
+    clocks(4000);
+    assert held = '0' and moving = '1' severity failure;
+    clocks(110);
+    assert held = '1' and moving = '1' and scale = 0 severity failure;
+    pulses_at_stop := pulses;
+    clocks(20000);
+    assert pulses = pulses_at_stop severity failure;
+    override <= to_unsigned(2 * 65536, 18);
+    clocks(8200);
+    assert held = '0' and scale = 2 * scale_of_one severity failure;
+
+    -- The end stop hits: no step from its clock on.
+    wait for 200 us;
     wait until falling_edge(clk);
     end_stops <= x"04";
     pulses_at_stop := pulses;
-    for i in 1 to 1000 loop
-      wait until rising_edge(clk);
-    end loop;
+    clocks(1000);
     assert stopped = '1' and moving = '0' and level = 0 severity failure;
     assert stop_cause.end_stops = x"04" severity failure;
     assert stop_positions = positions severity failure;
     for axis in 0 to axes - 1 loop
       assert pulses(axis) <= pulses_at_stop(axis) + 1 severity failure;
     end loop;
+
+    -- The brake: positions of the hit are latched, motion goes on along the ramp, then it is a stop.
+    override <= to_unsigned(65536, 18);
+    end_stops <= x"00";
+    acknowledge_stop <= '1';
+    clocks(1);
+    acknowledge_stop <= '0';
+    put(flags_lane, 16#40000# + 2 ** stop_brakes_bit + 2 ** waits_for_start_bit);
+    put(line_ticks_lane, 5000);
+    for axis in 0 to axes - 1 loop
+      put(steps_lane + axis, 5000 - axis);
+    end loop;
+    put_course(5000, 2 ** 24);
+    clocks(10);
+    assert waiting = '1' and moving = '0' severity failure;
+    start <= '1';
+    clocks(3);
+    assert waiting = '0' and moving = '1' severity failure;
+    clocks(20000);
+    end_stops <= x"04";
+    clocks(2);
+    assert braking = '1' and stopped = '0' severity failure;
+    assert stop_positions = positions severity failure;
+    -- 2048 clocks at half of 2^-8 ticks per clock on average: 4 ticks.
+    pulses_at_stop := pulses;
+    clocks(2052);
+    assert stopped = '1' and moving = '0' and level = 0 and idle = '1' severity failure;
+    assert pulses(0) - pulses_at_stop(0) = 4
+      report to_string(pulses(0) - pulses_at_stop(0)) & " steps along the ramp" severity failure;
+    assert positions(0) - stop_positions(0) = 4 severity failure;
 
     finish;
   end process;

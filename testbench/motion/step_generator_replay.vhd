@@ -16,7 +16,7 @@ use work.step_generator_registers_pkg.all;
 entity step_generator_replay is
   generic (
     -- Lines of `clock kind offset value`: kind 0 writes value to the register at offset (hexadecimal);
-    -- kind 1 sets the end stops to bits 7:0 of value and the emergency stop to bit 8.
+    -- kind 1 sets the end stops to bits 7:0 of value, the emergency stop to bit 8, the start to bit 9.
     stimuli_file : string;
     -- Lines of `clock step direction`.
     edges_file : string;
@@ -36,6 +36,7 @@ architecture simulation of step_generator_replay is
   signal response : bus_response_t;
   signal end_stops : std_ulogic_vector(7 downto 0) := x"00";
   signal emergency_stop : std_ulogic := '0';
+  signal start : std_ulogic := '0';
   signal step : std_ulogic_vector(axes - 1 downto 0);
   signal direction : std_ulogic_vector(axes - 1 downto 0);
 
@@ -48,7 +49,7 @@ begin
     port map (
       clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
-      end_stops => end_stops, emergency_stop => emergency_stop, step => step,
+      end_stops => end_stops, emergency_stop => emergency_stop, start => start, step => step,
       direction => direction, enable => open, moving => open, queue_interrupt => open,
       stop_interrupt => open);
 
@@ -84,6 +85,7 @@ begin
       else
         end_stops <= value(7 downto 0);
         emergency_stop <= value(8);
+        start <= value(9);
       end if;
     end procedure;
 

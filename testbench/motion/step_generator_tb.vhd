@@ -26,15 +26,15 @@ architecture simulation of step_generator_tb is
   constant status : natural := 16#00C#;
   constant errors : natural := 16#010#;
   constant motor_enable : natural := 16#014#;
-  constant segment_flags : natural := 16#01C#;
-  constant segment_line_ticks : natural := 16#020#;
-  constant segment_ticks : natural := 16#024#;
-  constant segment_rate_low : natural := 16#028#;
-  constant segment_rate_high : natural := 16#02C#;
-  constant segment_jerk_high : natural := 16#03C#;
-  constant segment_steps : natural := 16#040#;
-  constant segment_commit : natural := 16#060#;
-  constant position : natural := 16#0A4#;
+  constant segment_flags : natural := 16#030#;
+  constant segment_line_ticks : natural := 16#034#;
+  constant segment_ticks : natural := 16#038#;
+  constant segment_rate_low : natural := 16#03C#;
+  constant segment_rate_high : natural := 16#040#;
+  constant segment_jerk_high : natural := 16#050#;
+  constant segment_steps : natural := 16#054#;
+  constant segment_commit : natural := 16#074#;
+  constant position : natural := 16#0B8#;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
@@ -58,7 +58,7 @@ begin
     port map (
       clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
-      end_stops => x"00", emergency_stop => emergency_stop, step => step,
+      end_stops => x"00", emergency_stop => emergency_stop, start => '0', step => step,
       direction => direction, enable => enable, moving => moving,
       queue_interrupt => queue_interrupt, stop_interrupt => stop_interrupt);
 

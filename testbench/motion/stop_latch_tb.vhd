@@ -18,11 +18,16 @@ architecture simulation of stop_latch_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal active : std_ulogic := '0';
-  signal stop_mask : std_ulogic_vector(7 downto 0) := x"00";
+  signal stop_on : stop_condition_t := stop_condition_none;
   signal end_stops : std_ulogic_vector(7 downto 0) := x"00";
   signal emergency_stop : std_ulogic := '0';
+  signal watchdog_expired : std_ulogic := '0';
   signal software_stop : std_ulogic := '0';
+  signal software_brake : std_ulogic := '0';
   signal acknowledge : std_ulogic := '0';
+  signal standing : std_ulogic := '0';
+  signal hit : std_ulogic;
+  signal braking : std_ulogic;
   signal stop : std_ulogic;
   signal stop_begins : std_ulogic;
   signal stopped : std_ulogic;
@@ -34,10 +39,11 @@ begin
 
   latch : entity work.stop_latch
     port map (
-      clk => clk, reset => reset, active => active, stop_mask => stop_mask,
-      end_stops => end_stops, emergency_stop => emergency_stop, software_stop => software_stop,
-      acknowledge => acknowledge, stop => stop, stop_begins => stop_begins, stopped => stopped,
-      cause => cause);
+      clk => clk, reset => reset, active => active, stop_on => stop_on, end_stops => end_stops,
+      emergency_stop => emergency_stop, watchdog_expired => watchdog_expired,
+      software_stop => software_stop, software_brake => software_brake,
+      acknowledge => acknowledge, standing => standing, hit => hit, braking => braking,
+      stop => stop, stop_begins => stop_begins, stopped => stopped, cause => cause);
 
   test : process
     procedure settle is
@@ -64,7 +70,7 @@ begin
     assert stop = '0' severity failure;
 
     -- Only end stops that are asked for, and only during a segment.
-    stop_mask <= x"0C";
+    stop_on.mask <= x"0C";
     end_stops <= x"FF";
     settle;
     assert stop = '0' report "stopped while at rest" severity failure;
@@ -74,13 +80,13 @@ begin
     assert stop = '0' report "stopped by an end stop that is not asked for" severity failure;
     end_stops <= x"0B";
     settle;
-    assert stop = '1' and stop_begins = '1' severity failure;
+    assert stop = '1' and stop_begins = '1' and hit = '1' severity failure;
     clock;
     active <= '0';
     end_stops <= x"00";
     settle;
     assert stop = '1' and stop_begins = '0' and stopped = '1' severity failure;
-    assert cause = (end_stops => x"08", emergency_input => '0', software => '0') severity failure;
+    assert cause = (end_stops => x"08", others => '0') severity failure;
 
     -- What comes later changes neither cause nor moment.
     software_stop <= '1';
@@ -98,7 +104,7 @@ begin
     assert stop = '1' severity failure;
     clock;
     software_stop <= '0';
-    assert stopped = '1' and cause = (end_stops => x"00", emergency_input => '0', software => '1')
+    assert stopped = '1' and cause = (end_stops => x"00", software => '1', others => '0')
       severity failure;
     acknowledge_it;
 
@@ -113,6 +119,102 @@ begin
     assert stop = '1' severity failure;
     acknowledge_it;
     settle;
+    assert stop = '0' severity failure;
+
+    watchdog_expired <= '1';
+    settle;
+    assert stop = '1' and hit = '1' severity failure;
+    clock;
+    watchdog_expired <= '0';
+    assert stopped = '1' and cause = (end_stops => x"00", watchdog => '1', others => '0')
+      severity failure;
+    acknowledge_it;
+
+    -- Released instead of triggered.
+    stop_on <= (mask => x"06", on_change => '0', on_release => '1', brakes => '0');
+    end_stops <= x"06";
+    active <= '1';
+    settle;
+    assert stop = '0' severity failure;
+    end_stops <= x"04";
+    settle;
+    assert stop = '1' severity failure;
+    clock;
+    active <= '0';
+    assert cause.end_stops = x"02" severity failure;
+    acknowledge_it;
+
+    -- Only a change, in the direction that is asked for.
+    stop_on <= (mask => x"0F", on_change => '1', on_release => '0', brakes => '0');
+    end_stops <= x"0A";
+    clock;
+    active <= '1';
+    clock;
+    assert stop = '0' report "stopped by an end stop that was triggered before" severity failure;
+    end_stops <= x"02";
+    clock;
+    assert stop = '0' report "stopped by the release" severity failure;
+    end_stops <= x"06";
+    settle;
+    assert stop = '1' severity failure;
+    clock;
+    active <= '0';
+    assert cause.end_stops = x"04" severity failure;
+    acknowledge_it;
+
+    -- A brake is hit at once, and stops when time stands still. More end stops do not matter.
+    stop_on <= (mask => x"FF", on_change => '0', on_release => '0', brakes => '1');
+    active <= '1';
+    settle;
+    assert hit = '1' and stop = '0' severity failure;
+    clock;
+    end_stops <= x"FF";
+    stop_on.brakes <= '0';
+    for i in 1 to 5 loop
+      settle;
+      assert braking = '1' and hit = '0' and stop = '0' and stopped = '0' severity failure;
+      clock;
+    end loop;
+    standing <= '1';
+    settle;
+    assert stop = '1' and stop_begins = '1' and hit = '0' severity failure;
+    clock;
+    standing <= '0';
+    active <= '0';
+    assert stopped = '1' and braking = '0' and cause = (end_stops => x"06", others => '0')
+      severity failure;
+    acknowledge_it;
+
+    -- Software's brake ends with the motion, where that is over before the ramp.
+    stop_on <= stop_condition_none;
+    active <= '1';
+    software_brake <= '1';
+    clock;
+    software_brake <= '0';
+    clock;
+    assert braking = '1' and stop = '0' severity failure;
+    active <= '0';
+    settle;
+    assert stop_begins = '1' severity failure;
+    clock;
+    assert cause = (end_stops => x"00", software_brake => '1', others => '0') severity failure;
+    acknowledge_it;
+
+    -- The emergency stop does not wait for the ramp.
+    active <= '1';
+    software_brake <= '1';
+    clock;
+    software_brake <= '0';
+    emergency_stop <= '1';
+    settle;
+    assert stop_begins = '1' and hit = '0' severity failure;
+    clock;
+    emergency_stop <= '0';
+    active <= '0';
+    assert stopped = '1' and braking = '0' and
+      cause = (end_stops => x"00", software_brake => '1', emergency_input => '1', others => '0')
+      severity failure;
+    acknowledge_it;
     assert stop = '0' severity failure;
 
     finish;

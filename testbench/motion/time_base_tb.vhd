@@ -21,20 +21,26 @@ architecture simulation of time_base_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal advance : std_ulogic := '1';
+  signal leap : leap_t := (others => '0');
+  signal longest_leap : leap_t;
   signal run : std_ulogic := '0';
+  signal start : std_ulogic := '0';
   signal stop : std_ulogic := '0';
   signal rate_floor : unsigned(30 downto 0) := to_unsigned(1, 31);
   signal head_valid : std_ulogic := '0';
   signal head : segment_t := (
-    backward => x"00", ahead => x"00", behind => x"00", continues_line => '0', ends_motion => '0',
-    stop_mask => x"00", line_ticks => (others => '0'), ticks => (others => '0'),
+    backward => x"00", ahead => x"00", behind => x"00", continues_line => '0',
+    ends_motion => '0', waits_for_start => '0', stop_on => stop_condition_none,
+    line_ticks => (others => '0'), ticks => (others => '0'),
     rate => (others => '0'), acceleration => (others => '0'), jerk => (others => '0'));
   signal take : std_ulogic;
   signal due : std_ulogic;
   signal axes_ready : std_ulogic := '1';
   signal tick : std_ulogic;
+  signal stalled : std_ulogic;
   signal active : std_ulogic;
-  signal stop_mask : std_ulogic_vector(7 downto 0);
+  signal stop_on : stop_condition_t;
+  signal waiting : std_ulogic;
   signal segments : count_t;
   signal underruns : count_t;
   signal stalls : count_t;
@@ -51,10 +57,12 @@ begin
 
   base : entity work.time_base
     port map (
-      clk => clk, reset => reset, advance => advance, run => run, stop => stop,
-      rate_floor => rate_floor, head_valid => head_valid, head => head, take => take, due => due,
-      axes_ready => axes_ready, tick => tick, active => active, stop_mask => stop_mask,
-      segments => segments, underruns => underruns, stalls => stalls);
+      clk => clk, reset => reset, advance => advance, leap => leap, longest_leap => longest_leap,
+      run => run, start => start, stop => stop, rate_floor => rate_floor,
+      head_valid => head_valid, head => head, take => take, due => due,
+      axes_ready => axes_ready, tick => tick, stalled => stalled, active => active,
+      stop_on => stop_on, waiting => waiting, segments => segments, underruns => underruns,
+      stalls => stalls);
 
   count : process
   begin
@@ -97,6 +105,8 @@ begin
     variable ticks_before : natural;
     variable ticks_in_between : natural;
     variable began : natural;
+    type naturals_t is array (natural range <>) of natural;
+    variable clocks_at_leap : naturals_t(0 to 2);
   begin
     clocks(2);
     reset <= '0';
@@ -175,11 +185,11 @@ begin
     assert ticks = ticks_before + 4 + 10040 severity failure;
 
     -- A stop ends the segment at once, in a clock with a tick or without one.
-    head.stop_mask <= x"A5";
+    head.stop_on <= (mask => x"A5", on_change => '1', on_release => '0', brakes => '1');
     for delay in 10 to 11 loop
       offer(1000, half);
       clocks(delay);
-      assert stop_mask = x"A5" severity failure;
+      assert stop_on = head.stop_on severity failure;
       stop <= '1';
       wait for 1 ns;
       assert tick = '0' report "tick in the clock of a stop" severity failure;
@@ -190,6 +200,73 @@ begin
       assert active = '0' and ticks = ticks_before severity failure;
     end loop;
     assert segments = 26 report to_string(to_integer(segments)) & " segments" severity failure;
+
+    -- A segment that waits begins from rest at its start, although it was there in time; this is no
+    -- underrun. A start that nothing waits for is not remembered.
+    began := to_integer(underruns);
+    start <= '1';
+    clocks(1);
+    start <= '0';
+    head.waits_for_start <= '1';
+    ticks_before := ticks;
+    head_valid <= '1';
+    clocks(30);
+    assert active = '0' and waiting = '1' report "did not wait" severity failure;
+    start <= '1';
+    wait until rising_edge(clk) and take = '1';
+    start <= '0';
+    head.waits_for_start <= '0';
+    head.ends_motion <= '0';
+    wait until rising_edge(clk) and take = '1';
+    head.waits_for_start <= '1';
+    clocks(1);
+    assert active = '1' and waiting = '0' severity failure;
+    wait_for_rest;
+    assert ticks = ticks_before + 2000 severity failure;
+    clocks(30);
+    assert waiting = '1' and ticks = ticks_before + 2000 severity failure;
+    head_valid <= '0';
+    clocks(1);
+    assert waiting = '0' and underruns = began severity failure;
+    head.waits_for_start <= '0';
+    head.ends_motion <= '1';
+
+    -- Leaps of 4 take a ramp through the same ticks in a quarter of the clocks, and the base asks for
+    -- shorter ones where it nears the highest rate.
+    rate_floor <= to_unsigned(1, 31);
+    for leaps in 0 to 2 loop
+      ticks_before := ticks;
+      leap <= to_unsigned(leaps, 2);
+      offer(100, half / 64, '1', x"0400000000000000");
+      began := clock_number;
+      clocks(2);
+      assert longest_leap = 2 severity failure;
+      wait_for_rest;
+      assert ticks = ticks_before + 100 severity failure;
+      -- Without acceleration it would be 12800 clocks.
+      clocks_at_leap(leaps) := clock_number - began - 2;
+    end loop;
+    assert clocks_at_leap(0) < 12800 and abs (clocks_at_leap(1) * 2 - clocks_at_leap(0)) <= 4 and
+      abs (clocks_at_leap(2) * 4 - clocks_at_leap(0)) <= 8
+      report to_string(clocks_at_leap(0)) & " " & to_string(clocks_at_leap(1)) & " " &
+        to_string(clocks_at_leap(2))
+      severity failure;
+    leap <= "00";
+    for sixty_fourths in 1 to 32 loop
+      offer(100, to_unsigned(sixty_fourths, 6) & (57 downto 0 => '0'));
+      clocks(2);
+      if sixty_fourths < 7 then
+        assert longest_leap = 2 severity failure;
+      elsif sixty_fourths < 15 then
+        assert longest_leap = 1 severity failure;
+      else
+        assert longest_leap = 0 severity failure;
+      end if;
+      wait_for_rest;
+    end loop;
+    rate_floor <= (28 => '1', others => '0');
+    wait for 1 ns;
+    assert longest_leap = 0 report "the floor is at 1/4, the leap too long" severity failure;
 
     finish;
   end process;

@@ -47,6 +47,7 @@ class StepGeneratorReplay {
       const std::uint32_t value = inputs_[next_input_].value;
       chip_->end_stops = static_cast<std::uint8_t>(value & 0xFFu);
       chip_->emergency_stop = (value >> 8u & 1u) != 0;
+      chip_->start = (value >> 9u & 1u) != 0;
     }
   }
 

@@ -1,68 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The driver of the step generator against the Verilated hardware: counts, guards, stops, refusals.
-#include "drivers/step_generator.hpp"
-
-#include <gmock/gmock.h>
-
-#include <Vstep_generator.h>
-
 #include <random>
 
-#include "drivers/registers/step_generator_registers.hpp"
-#include "tests/drivers/pulse_recorder.hpp"
-#include "tests/drivers/verilated_bus.hpp"
+#include "tests/drivers/step_generator_fixture.hpp"
 
 namespace {
 
 using drivers::GuardTimings;
-using drivers::StepGenerator;
 using motion::Segment;
 using testing::ElementsAre;
 using units::Axis;
 
-constexpr std::uint64_t half = std::uint64_t{1} << 63u;
-constexpr std::uint32_t no_floor = 1;
-constexpr GuardTimings shortest{1, 1, 1, 1};
-
-// Ticks per clock as the hardware has it.
-constexpr std::uint64_t rate(double ticks_per_clock) {
-  return static_cast<std::uint64_t>(ticks_per_clock * 18446744073709551616.0);
-}
-
-class StepGeneratorTest : public testing::Test {
- protected:
-  void SetUp() override {
-    chip_.after_clock = [this] { pulses_.watch(chip_.now(), chip_->step, chip_->direction); };
-    use(shortest);
-  }
-
-  void use(const GuardTimings& guard) {
-    generator_.configure({guard, guard, guard, guard}, no_floor);
-  }
-
-  // A whole line at a constant rate.
-  static Segment line(std::array<std::int32_t, 4> steps, std::uint64_t at_rate = half) {
-    Segment segment{.steps = steps, .rate = at_rate};
-    for (const std::int32_t count : steps) {
-      const auto magnitude = static_cast<std::uint32_t>(std::abs(count));
-      segment.line_ticks = std::max(segment.line_ticks, magnitude);
-    }
-    segment.ticks = segment.line_ticks;
-    segment.ends_motion = true;
-    return segment;
-  }
-
-  void append(const Segment& segment) { ASSERT_TRUE(generator_.append(segment)); }
-
-  void run_until_idle() {
-    for (int i = 0; i < 100000 && !generator_.idle(); ++i) chip_.clock(10);
-    ASSERT_TRUE(generator_.idle());
-  }
-
-  tests::VerilatedPeripheral<Vstep_generator> chip_{registers::step_generator::base};
-  StepGenerator generator_;
-  tests::PulseRecorder pulses_;
-};
+class StepGeneratorTest : public tests::StepGeneratorFixture {};
 
 TEST_F(StepGeneratorTest, makes_exactly_the_steps_of_a_line) {
   append(line({100, -37, 0, 1}));

@@ -58,11 +58,24 @@ class Player {
     const std::uint32_t longest = seed % 4 == 0 ? 1 : seed % 4 == 1 ? 120 : 12;
     const auto guard = [this, longest] { return longest == 1 ? below(2) : 1 + below(longest); };
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      put(axis, registers::PulseGuard{.high = guard(), .low = guard()});
+      put(axis, registers::PulseGuard{
+                    .high = guard(), .low = guard(), .both_edges = seed % 3 == 0 && chance(50)});
       put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
     }
     put(registers::RateFloor{std::uint32_t{1} << (21 + below(7))});
+    put(registers::OverrideSlope{random_slope()});
+    put(registers::BrakeSlope{random_slope()});
+    if (seed % 5 == 0) put(registers::Watchdog{2000 + below(30000)});
     put(registers::Control{.run = true});
+  }
+
+  std::uint32_t random_slope() { return static_cast<std::uint32_t>(random_()) >> below(13); }
+
+  // Mostly as asked, otherwise a hold, any scale worth waiting for, or one that cannot be reached.
+  void put_override() {
+    constexpr std::uint32_t one = 65536;
+    override_ = chance(30) ? one : chance(40) ? 0 : one / 10 + below(4 * one - one / 10);
+    put(registers::Override{override_});
   }
 
   void note(const Stimulus& stimulus) {
@@ -78,12 +91,15 @@ class Player {
     last_pins_ = pins;
   }
 
-  // End stops mostly open, now and then closed for some clocks; rarely the emergency stop.
+  // End stops mostly open, now and then closed for some clocks; rarely the emergency stop. The
+  // start comes with them, or when somebody waits for it.
   void change_inputs() {
-    const std::uint32_t value = inputs_closed_ ? 0 : chance(5) ? 0x100u : 1u << below(8);
+    const std::uint32_t start = chance(50) ? 0x200u : 0;
+    const std::uint32_t value = start | (inputs_closed_ ? 0 : chance(5) ? 0x100u : 1u << below(8));
     inputs_closed_ = !inputs_closed_;
     note({run_.reference.now(), Stimulus::Kind::inputs, 0, value});
     next_inputs_ = run_.reference.now() + (inputs_closed_ ? 1 + below(200) : 1000 + below(60000));
+    if (chance(20)) next_inputs_ = run_.reference.now() + 1 + below(20);
   }
 
   void use_the_bus() {
@@ -96,7 +112,11 @@ class Player {
   }
 
   void decide() {
-    if (run_.reference.stopped() && chance(20)) {
+    if (run_.reference.waiting() && chance(10)) {
+      put(registers::Command{.start = true});
+    } else if (override_ == 0 && chance(segments_left_ == 0 ? 50 : 3)) {
+      put_override();
+    } else if (run_.reference.stopped() && chance(20)) {
       put(registers::Command{.acknowledge_stop = true, .clear_errors = chance(50)});
     } else if (segments_left_ == 0) {
       if (!running_) put(registers::Control{.run = running_ = true});
@@ -108,12 +128,13 @@ class Player {
       next_write_ = run_.reference.now() + 1 + below(3000);
     } else {
       put_segment();
+      if (chance(70)) put(registers::Command{.feed_watchdog = true});
       if (chance(5)) next_write_ = run_.reference.now() + below(4000);
     }
   }
 
   void something_rare() {
-    switch (below(6)) {
+    switch (below(9)) {
       case 0:
         put(registers::Command{.flush = true, .snapshot = true});
         break;
@@ -128,6 +149,13 @@ class Player {
         break;
       case 4:
         put(registers::Control{.run = running_ = false});
+        break;
+      case 5:
+        put(registers::Command{.brake = true, .feed_watchdog = chance(50)});
+        break;
+      case 6:
+      case 7:
+        put_override();
         break;
       default:
         put(registers::Control{.run = running_ = true});
@@ -144,7 +172,11 @@ class Player {
     put(registers::SegmentFlags{.backward = below(256),
                                 .continues_line = continues,
                                 .ends_motion = chance(20),
-                                .stop_mask = chance(30) ? below(256) : 0,
+                                .stop_on_change = chance(30),
+                                .stop_on_release = chance(10),
+                                .stop_brakes = chance(50),
+                                .waits_for_start = chance(3),
+                                .stop_mask = chance(30) ? below(256) & below(256) : 0,
                                 .ahead = ahead,
                                 .behind = behind});
     if (!continues) put_line();
@@ -218,6 +250,7 @@ class Player {
   std::uint64_t next_inputs_ = 3000;
   bool inputs_closed_ = false;
   bool running_ = true;
+  std::uint32_t override_ = 65536;
   std::uint32_t line_left_ = 0;
 };
 

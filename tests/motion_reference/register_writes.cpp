@@ -33,12 +33,21 @@ void StepGeneratorReference::obey(const Write& write) {
     rate_floor_ = std::uint64_t{registers::RateFloor::decode(value).rate} << 32u;
   } else if (address == registers::Command::address) {
     if (registers::Command::decode(value).clear_errors) errors_ = 0;
+  } else if (address == registers::Override::address) {
+    pace_.target = std::uint64_t{registers::Override::decode(value).scale} << 16u;
+  } else if (address == registers::OverrideSlope::address) {
+    pace_.slope = value;
+  } else if (address == registers::BrakeSlope::address) {
+    pace_.brake_slope = value;
+  } else if (address == registers::Watchdog::address) {
+    watchdog_limit_ = value;
   } else if (address == registers::SegmentCommit::address) {
     commit();
   } else if (const auto axis = index_in<registers::PulseGuard>(address); axis < axes) {
     const auto guard = registers::PulseGuard::decode(value);
     axis_[axis].guard.high = at_least_one(guard.high);
     axis_[axis].guard.low = at_least_one(guard.low);
+    axis_[axis].guard.both_edges = guard.both_edges;
   } else if (const auto axis_of_direction = index_in<registers::DirectionGuard>(address);
              axis_of_direction < axes) {
     const auto guard = registers::DirectionGuard::decode(value);

@@ -18,7 +18,9 @@ struct Segment {
   std::uint32_t behind{};
   bool continues_line{};
   bool ends_motion{};
+  bool waits_for_start{};
   std::uint32_t stop_mask{};
+  bool stop_on_change{}, stop_on_release{}, stop_brakes{};
   std::uint64_t line_ticks{};
   std::uint64_t ticks{};
   std::uint64_t rate{};

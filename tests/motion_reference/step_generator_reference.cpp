@@ -16,7 +16,9 @@ __extension__ typedef __int128 Wide;
 
 constexpr std::uint64_t half = std::uint64_t{1} << 63u;
 constexpr std::uint64_t fetch_clocks = 2;
-constexpr std::uint32_t emergency_bit = 0x100u, software_bit = 0x200u;
+// Of the inputs, and in stop_cause.
+constexpr std::uint32_t end_stop_bits = 0xFFu, emergency_bit = 0x100u, start_bit = 0x200u;
+constexpr std::uint32_t software_bit = 0x200u, watchdog_bit = 0x400u, brake_bit = 0x800u;
 
 // Steps of an axis after so many ticks of a line.
 std::uint64_t steps_after(std::uint64_t ticks, std::uint64_t steps, std::uint64_t first_error,
@@ -39,7 +41,8 @@ Pins StepGeneratorReference::pins() const {
   Pins result;
   for (std::size_t i = 0; i < axes; ++i) {
     const Axis& axis = axis_[i];
-    if (axis.rose && now_ < *axis.rose + axis.guard.high) result.step |= 1u << i;
+    const bool pulse = axis.stepped && now_ < *axis.stepped + axis.guard.high;
+    if (axis.guard.both_edges ? axis.high : pulse) result.step |= 1u << i;
     if (axis.backward) result.direction |= 1u << i;
   }
   return result;
@@ -52,9 +55,7 @@ StepGeneratorReference::Positions StepGeneratorReference::positions() const {
 }
 
 bool StepGeneratorReference::idle() const {
-  const auto finished = [this](const Axis& axis) {
-    return !axis.rose || now_ + 1 >= *axis.rose + axis.guard.high + axis.guard.low;
-  };
+  const auto finished = [this](const Axis& axis) { return now_ + 1 >= free_again(axis); };
   return !active_ && queue_.empty() && std::ranges::all_of(axis_, finished);
 }
 
@@ -63,10 +64,16 @@ bool StepGeneratorReference::steps_at_next_tick(const Axis& axis) const {
          steps_after(line_ticks_done_, axis.steps, axis.first_error, line_ticks_);
 }
 
-bool StepGeneratorReference::may_rise_in_next_clock(const Axis& axis) const {
+std::uint64_t StepGeneratorReference::free_again(const Axis& axis) const {
+  if (!axis.stepped) return 0;
+  const Guard& guard = axis.guard;
+  if (guard.both_edges) return *axis.stepped + (axis.high ? guard.high : guard.low);
+  return *axis.stepped + guard.high + guard.low;
+}
+
+bool StepGeneratorReference::may_step_in_next_clock(const Axis& axis) const {
   const std::uint64_t next = now_ + 1;
-  return axis.backward == axis.wanted_backward &&
-         (!axis.rose || next >= *axis.rose + axis.guard.high + axis.guard.low) &&
+  return axis.backward == axis.wanted_backward && next >= free_again(axis) &&
          (!axis.turned || next >= *axis.turned + axis.guard.setup);
 }
 
@@ -74,41 +81,77 @@ bool StepGeneratorReference::head_ready() const {
   return !queue_.empty() && now_ >= queue_.front().ready && now_ >= next_ready_;
 }
 
-void StepGeneratorReference::clock() {
-  const bool command = current_ && current_->address == registers::Command::address;
-  const auto commands = registers::Command::decode(command ? current_->value : 0);
+bool StepGeneratorReference::waiting() const {
+  return !active_ && head_ready() && queue_.front().segment.waits_for_start;
+}
 
-  const std::uint32_t hits = active_ ? inputs_ & active_->stop_mask : 0;
-  const std::uint32_t cause = hits | (inputs_ & emergency_bit) | (commands.stop ? software_bit : 0);
-  const bool stop = stopped_ || cause != 0;
+StepGeneratorReference::Commands StepGeneratorReference::commands() const {
+  const bool command = current_ && current_->address == registers::Command::address;
+  const auto bits = registers::Command::decode(command ? current_->value : 0);
+  return {bits.flush,    bits.stop,  bits.brake,        bits.acknowledge_stop,
+          bits.snapshot, bits.start, bits.feed_watchdog};
+}
+
+std::uint32_t StepGeneratorReference::end_stops_hit() const {
+  if (!active_) return 0;
+  std::uint32_t ends = active_->stop_on_release ? ~inputs_ : inputs_;
+  if (active_->stop_on_change) ends &= inputs_ ^ inputs_before_;
+  return ends & active_->stop_mask & end_stop_bits;
+}
+
+void StepGeneratorReference::clock() {
+  const Commands asked = commands();
+  const std::uint32_t hits = end_stops_hit();
+  const bool end_stop = hits != 0 && !braking_;
+  const std::uint32_t immediate = (inputs_ & emergency_bit) | (asked.stop ? software_bit : 0) |
+                                  (watchdog_expired_ ? watchdog_bit : 0);
+  const bool braked = braking_ && (!active_ || pace_.standing());
+  const bool at_once = immediate != 0 || (end_stop && !active_->stop_brakes) || braked;
+  const bool along_ramp = end_stop || asked.brake;
+  const bool stop = stopped_ || at_once;
 
   // Decided on the state of this clock, then done.
-  const bool due = active_ && !stop && phase_ + rate_ < phase_;
+  const bool moving = active_.has_value();
+  const std::uint64_t leap = pace_.leap();
+  const bool due = moving && !stop && phase_ + leap * rate_ < phase_;
   const bool tick = due && ticks();
   const bool last = tick && ticks_done_ + 1 == active_->ticks;
-  const bool taking = head_ready() && !stop && (last || (!active_ && run_));
+  const bool waits = !queue_.empty() && queue_.front().segment.waits_for_start;
+  const bool start = asked.start || (inputs_ & ~inputs_before_ & start_bit) != 0;
+  const bool from_rest = !moving && run_ && (start || !waits);
+  const bool taking = head_ready() && !stop && ((last && !waits) || from_rest);
   const Positions positions_now = positions();
 
+  const std::uint64_t rate = taking ? queue_.front().segment.rate : rate_;
+  pace_.clock(moving, braking_, due && !tick, std::max(rate, rate_floor_));
+  watch(moving, asked.feed_watchdog);
   turn_axes();
   if (tick) make_tick();
-  if (active_ && !stop && (!due || tick)) integrate();
+  if (moving && !stop && (!due || tick)) integrate(leap);
   if (current_) obey(*current_);
   if (last) {
-    if (!taking && !active_->ends_motion) ++counters_.underruns;
+    if (!head_ready() && !active_->ends_motion) ++counters_.underruns;
     active_.reset();
     if (!taking) phase_ = 0;
   }
   if (taking) take();
   counters_.max_level = std::max(counters_.max_level, queue_.size());
-  if (commands.flush) forget_queue();
+  if (asked.flush) forget_queue();
 
-  if (commands.snapshot) snapshot_ = {positions_now, now_};
-  if (cause != 0 && !stopped_) {
+  if (asked.snapshot) snapshot_ = {positions_now, now_};
+  if ((at_once || along_ramp) && !braking_ && !stopped_) {
     stop_moment_ = {positions_now, now_};
-    begin_stop(cause);
-  } else if (commands.acknowledge_stop && (inputs_ & emergency_bit) == 0) {
+    stop_cause_ = hits | immediate | (asked.brake ? brake_bit : 0);
+    braking_ = !at_once;
+  } else if (at_once && !stopped_) {
+    stop_cause_ |= immediate;
+  }
+  if (at_once && !stopped_) {
+    begin_stop();
+  } else if (asked.acknowledge_stop && (inputs_ & emergency_bit) == 0) {
     stopped_ = false;
   }
+  inputs_before_ = inputs_;
   // The registers pass a write on in the clock after it.
   current_ = std::exchange(pending_, std::nullopt);
   ++now_;
@@ -117,7 +160,7 @@ void StepGeneratorReference::clock() {
 bool StepGeneratorReference::ticks() {
   bool all_ready = true;
   for (std::size_t i = 0; i < axes; ++i) {
-    if (steps_at_next_tick(axis_[i]) && !may_rise_in_next_clock(axis_[i])) {
+    if (steps_at_next_tick(axis_[i]) && !may_step_in_next_clock(axis_[i])) {
       all_ready = false;
       ++counters_.axis_stalls[i];
     }
@@ -129,7 +172,7 @@ bool StepGeneratorReference::ticks() {
 void StepGeneratorReference::turn_axes() {
   const std::uint64_t next = now_ + 1;
   for (Axis& axis : axis_) {
-    const bool held = !axis.rose || next >= *axis.rose + axis.guard.hold;
+    const bool held = !axis.stepped || next >= *axis.stepped + axis.guard.hold;
     const bool settled = !axis.turned || next >= *axis.turned + axis.guard.setup;
     if (axis.backward != axis.wanted_backward && held && settled) {
       axis.backward = axis.wanted_backward;
@@ -141,7 +184,8 @@ void StepGeneratorReference::turn_axes() {
 void StepGeneratorReference::make_tick() {
   for (Axis& axis : axis_) {
     if (!steps_at_next_tick(axis)) continue;
-    axis.rose = now_ + 1;
+    axis.stepped = now_ + 1;
+    axis.high = !axis.high && axis.guard.both_edges;
     const auto position = static_cast<std::uint32_t>(axis.position);
     axis.position = static_cast<std::int32_t>(axis.backward ? position - 1 : position + 1);
   }
@@ -149,12 +193,13 @@ void StepGeneratorReference::make_tick() {
   ++ticks_done_;
 }
 
-void StepGeneratorReference::integrate() {
-  phase_ += rate_;
-  const Wide change = Wide(static_cast<std::int64_t>(acceleration_)) >> 20;
+void StepGeneratorReference::integrate(std::uint64_t leap) {
+  if (leap == 0) return;
+  phase_ += leap * rate_;
+  const Wide change = (Wide(static_cast<std::int64_t>(acceleration_)) >> 20) * Wide(leap);
   const Wide rate = Wide(rate_) + change;
   rate_ = static_cast<std::uint64_t>(std::clamp(rate, Wide(rate_floor_), Wide(half)));
-  acceleration_ += static_cast<std::uint64_t>(active_->jerk);
+  acceleration_ += leap * static_cast<std::uint64_t>(active_->jerk);
 }
 
 void StepGeneratorReference::take() {
@@ -177,12 +222,22 @@ void StepGeneratorReference::take() {
   }
 }
 
-void StepGeneratorReference::begin_stop(std::uint32_t cause) {
+void StepGeneratorReference::begin_stop() {
   stopped_ = true;
-  stop_cause_ = cause;
+  braking_ = false;
   active_.reset();
   phase_ = 0;
   forget_queue();
+}
+
+void StepGeneratorReference::watch(bool moving, bool fed) {
+  watchdog_expired_ = false;
+  if (fed || !moving) {
+    unheard_ = 0;
+  } else if (watchdog_limit_ != 0) {
+    ++unheard_;
+    watchdog_expired_ = unheard_ >= watchdog_limit_;
+  }
 }
 
 void StepGeneratorReference::forget_queue() {

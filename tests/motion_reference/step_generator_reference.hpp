@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 
+#include "tests/motion_reference/pace.hpp"
 #include "tests/motion_reference/segment_draft.hpp"
 #include "tests/motion_reference/stimulus.hpp"
 
@@ -17,6 +18,7 @@ class StepGeneratorReference {
  public:
   struct Guard {
     std::uint64_t high{50}, low{50}, setup{10}, hold{10};
+    bool both_edges{};
   };
   using Positions = std::array<std::int32_t, axes>;
   struct Moment {
@@ -43,6 +45,8 @@ class StepGeneratorReference {
   bool moving() const { return active_.has_value(); }
   bool idle() const;
   bool stopped() const { return stopped_; }
+  bool waiting() const;
+  std::uint64_t scale() const { return pace_.scale(); }
   std::uint32_t errors() const { return errors_; }
   std::uint32_t stop_cause() const { return stop_cause_; }
   const Moment& stop_moment() const { return stop_moment_; }
@@ -61,8 +65,12 @@ class StepGeneratorReference {
     std::uint64_t first_error{};  // with which the line began
     bool wanted_backward{}, backward{};
     std::int32_t position{};
+    bool high{};  // with both edges
     // First clocks in which the pins showed it.
-    std::optional<std::uint64_t> rose, turned;
+    std::optional<std::uint64_t> stepped, turned;
+  };
+  struct Commands {
+    bool flush, stop, brake, acknowledge_stop, snapshot, start, feed_watchdog;
   };
   struct Queued {
     Segment segment;
@@ -70,23 +78,28 @@ class StepGeneratorReference {
   };
 
   bool steps_at_next_tick(const Axis& axis) const;
-  bool may_rise_in_next_clock(const Axis& axis) const;
+  bool may_step_in_next_clock(const Axis& axis) const;
   bool head_ready() const;
+  Commands commands() const;
+  std::uint32_t end_stops_hit() const;
+  // First clock in which the axis may step again, by its last step.
+  std::uint64_t free_again(const Axis& axis) const;
   // Whether the base comes to a tick, and whether all axes can follow; counts stalls.
   bool ticks();
   void turn_axes();
   void make_tick();
-  void integrate();
+  void integrate(std::uint64_t leap);
   void take();
   void obey(const Write& write);
   void commit();
   void set_position(std::size_t axis, std::uint32_t value);
   void forget_queue();
-  void begin_stop(std::uint32_t cause);
+  void begin_stop();
+  void watch(bool moving, bool fed);
 
   std::uint64_t now_ = 0;
   std::optional<Write> pending_, current_;
-  std::uint32_t inputs_ = 0;
+  std::uint32_t inputs_ = 0, inputs_before_ = 0;
 
   std::array<Axis, axes> axis_{};
   std::uint64_t rate_floor_ = std::uint64_t{8590} << 32u;
@@ -100,6 +113,12 @@ class StepGeneratorReference {
   std::optional<Segment> active_;
   std::uint64_t line_ticks_ = 1, line_ticks_done_ = 0, ticks_done_ = 0;
   std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0;
+
+  Pace pace_;
+  bool braking_ = false;
+  // Clocks of motion since software was last heard of, and how many of them are too many (0: none).
+  std::uint64_t unheard_ = 0, watchdog_limit_ = 0;
+  bool watchdog_expired_ = false;
 
   bool stopped_ = false;
   std::uint32_t stop_cause_ = 0, errors_ = 0;

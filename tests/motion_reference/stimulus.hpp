@@ -13,7 +13,7 @@ namespace motion_reference {
 struct Stimulus {
   enum class Kind : std::uint8_t {
     write,  // a bus write begins: the registers see it in the next clock
-    inputs,  // end stops in bits 7:0, emergency stop in bit 8 of value, from this clock on
+    inputs,  // end stops in bits 7:0, emergency stop in 8, start in 9 of value, from this clock on
   };
   std::uint64_t clock{};
   Kind kind{};

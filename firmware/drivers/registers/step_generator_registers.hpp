@@ -72,6 +72,12 @@ struct Command {
   bool snapshot{};
   // Clear the register errors.
   bool clear_errors{};
+  // Begin the segment that waits for its start; not remembered if none waits.
+  bool start{};
+  // Come to rest along the path by brake_slope, then stop as by `stop`.
+  bool brake{};
+  // Software is alive: the time of the watchdog begins anew.
+  bool feed_watchdog{};
 
   static constexpr Command decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -80,6 +86,9 @@ struct Command {
       .acknowledge_stop = ((word >> 2u) & 0x1u) != 0,
       .snapshot = ((word >> 3u) & 0x1u) != 0,
       .clear_errors = ((word >> 4u) & 0x1u) != 0,
+      .start = ((word >> 5u) & 0x1u) != 0,
+      .brake = ((word >> 6u) & 0x1u) != 0,
+      .feed_watchdog = ((word >> 7u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -87,7 +96,10 @@ struct Command {
            (stop ? 1u : 0u) << 1u |
            (acknowledge_stop ? 1u : 0u) << 2u |
            (snapshot ? 1u : 0u) << 3u |
-           (clear_errors ? 1u : 0u) << 4u;
+           (clear_errors ? 1u : 0u) << 4u |
+           (start ? 1u : 0u) << 5u |
+           (brake ? 1u : 0u) << 6u |
+           (feed_watchdog ? 1u : 0u) << 7u;
   }
 };
 
@@ -100,6 +112,12 @@ struct Status {
   bool idle{};
   // A stop waits for its acknowledgement.
   bool stopped{};
+  // A segment is being executed, but the scale of time has come to 0.
+  bool held{};
+  // A stop has been asked for; motion comes to rest along brake_slope.
+  bool braking{};
+  // At rest, with a next segment that waits for its start.
+  bool waiting{};
   // Segments in the queue.
   std::uint32_t level{};
   // Segments that can still be written.
@@ -110,6 +128,9 @@ struct Status {
       .moving = (word & 0x1u) != 0,
       .idle = ((word >> 1u) & 0x1u) != 0,
       .stopped = ((word >> 2u) & 0x1u) != 0,
+      .held = ((word >> 3u) & 0x1u) != 0,
+      .braking = ((word >> 4u) & 0x1u) != 0,
+      .waiting = ((word >> 5u) & 0x1u) != 0,
       .level = ((word >> 8u) & 0xFFu),
       .free = ((word >> 16u) & 0xFFu),
     };
@@ -118,6 +139,9 @@ struct Status {
     return (moving ? 1u : 0u) |
            (idle ? 1u : 0u) << 1u |
            (stopped ? 1u : 0u) << 2u |
+           (held ? 1u : 0u) << 3u |
+           (braking ? 1u : 0u) << 4u |
+           (waiting ? 1u : 0u) << 5u |
            (level & 0xFFu) << 8u |
            (free & 0xFFu) << 16u;
   }
@@ -187,15 +211,103 @@ struct RateFloor {
   }
 };
 
+// The scale of time that is aimed at while segments are executed; the path stays.
+struct Override {
+  static constexpr std::uint32_t address = base + 0x1Cu;
+  // In 2^-16: 65536 = as segments ask, 0 = feed hold, up to 4. From 7/64 tick per clock on at most 2, from 15/64 on at most 1.
+  std::uint32_t scale{};
+
+  static constexpr Override decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .scale = (word & 0x3FFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (scale & 0x3FFFFu);
+  }
+};
+
+// How fast the scale changes while a segment is executed; at rest it changes at once.
+struct OverrideSlope {
+  static constexpr std::uint32_t address = base + 0x20u;
+  // In 2^-32 per clock; after reset from 1 to 0 in 50 ms at 50 MHz. At 0 the scale stays.
+  std::uint32_t slope{};
+
+  static constexpr OverrideSlope decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .slope = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return slope;
+  }
+};
+
+// How fast the scale falls to 0 in a stop by braking: a deceleration of tick rate times slope.
+struct BrakeSlope {
+  static constexpr std::uint32_t address = base + 0x24u;
+  // In 2^-32 per clock. At 0 motion goes on to the end of what is queued.
+  std::uint32_t slope{};
+
+  static constexpr BrakeSlope decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .slope = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return slope;
+  }
+};
+
+// The scale of time at this moment.
+struct Scale {
+  static constexpr std::uint32_t address = base + 0x28u;
+  // In 2^-16, rounded down.
+  std::uint32_t scale{};
+
+  static constexpr Scale decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .scale = (word & 0x3FFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (scale & 0x3FFFFu);
+  }
+};
+
+// Stops motion when software does not feed it.
+struct Watchdog {
+  static constexpr std::uint32_t address = base + 0x2Cu;
+  // Longest time of motion from one feed_watchdog to the next, in clocks; 0 = not watched, as after reset.
+  std::uint32_t clocks{};
+
+  static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .clocks = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return clocks;
+  }
+};
+
 // First word of a segment: begins a new one and forgets words written before.
 struct SegmentFlags {
-  static constexpr std::uint32_t address = base + 0x1Cu;
+  static constexpr std::uint32_t address = base + 0x30u;
   // Axes that move in negative direction; not used with continues_line.
   std::uint32_t backward{};
   // The line of the segment before goes on: line_ticks, steps, backward, ahead and behind stay.
   bool continues_line{};
   // Standing still after this segment is intended, not an underrun.
   bool ends_motion{};
+  // The end stops of stop_mask count only if they become triggered during this segment.
+  bool stop_on_change{};
+  // The end stops of stop_mask count when released, not when triggered.
+  bool stop_on_release{};
+  // The end stops of stop_mask brake by brake_slope; otherwise no step is made from their clock on.
+  bool stop_brakes{};
+  // Begin from rest, and only at a rising edge of the start input or at the command start.
+  bool waits_for_start{};
   // End stops that end all motion during this segment.
   std::uint32_t stop_mask{};
   // Axes 0..3 a quarter of a step early: their error terms start at line_ticks/2 + line_ticks/4.
@@ -208,6 +320,10 @@ struct SegmentFlags {
       .backward = (word & 0xFFu),
       .continues_line = ((word >> 8u) & 0x1u) != 0,
       .ends_motion = ((word >> 9u) & 0x1u) != 0,
+      .stop_on_change = ((word >> 10u) & 0x1u) != 0,
+      .stop_on_release = ((word >> 11u) & 0x1u) != 0,
+      .stop_brakes = ((word >> 12u) & 0x1u) != 0,
+      .waits_for_start = ((word >> 13u) & 0x1u) != 0,
       .stop_mask = ((word >> 16u) & 0xFFu),
       .ahead = ((word >> 24u) & 0xFu),
       .behind = ((word >> 28u) & 0xFu),
@@ -217,6 +333,10 @@ struct SegmentFlags {
     return (backward & 0xFFu) |
            (continues_line ? 1u : 0u) << 8u |
            (ends_motion ? 1u : 0u) << 9u |
+           (stop_on_change ? 1u : 0u) << 10u |
+           (stop_on_release ? 1u : 0u) << 11u |
+           (stop_brakes ? 1u : 0u) << 12u |
+           (waits_for_start ? 1u : 0u) << 13u |
            (stop_mask & 0xFFu) << 16u |
            (ahead & 0xFu) << 24u |
            (behind & 0xFu) << 28u;
@@ -225,7 +345,7 @@ struct SegmentFlags {
 
 // Ticks of the whole line, 1 .. 2^31 - 1; to be written before ticks and steps.
 struct SegmentLineTicks {
-  static constexpr std::uint32_t address = base + 0x20u;
+  static constexpr std::uint32_t address = base + 0x34u;
   // Ticks.
   std::uint32_t ticks{};
 
@@ -241,7 +361,7 @@ struct SegmentLineTicks {
 
 // Ticks of this segment, 1 .. what is left of the line.
 struct SegmentTicks {
-  static constexpr std::uint32_t address = base + 0x24u;
+  static constexpr std::uint32_t address = base + 0x38u;
   // Ticks.
   std::uint32_t ticks{};
 
@@ -257,7 +377,7 @@ struct SegmentTicks {
 
 // Tick rate at the start of the segment, low word, in 2^-64 ticks per clock.
 struct SegmentRateLow {
-  static constexpr std::uint32_t address = base + 0x28u;
+  static constexpr std::uint32_t address = base + 0x3Cu;
   // Bits 31:0.
   std::uint32_t word{};
 
@@ -273,7 +393,7 @@ struct SegmentRateLow {
 
 // Tick rate, high word. The rate is at most 1/2 tick per clock.
 struct SegmentRateHigh {
-  static constexpr std::uint32_t address = base + 0x2Cu;
+  static constexpr std::uint32_t address = base + 0x40u;
   // Bits 63:32.
   std::uint32_t word{};
 
@@ -289,7 +409,7 @@ struct SegmentRateHigh {
 
 // Change of the rate per clock, signed, low word, in 2^-84 ticks per clock^2.
 struct SegmentAccelerationLow {
-  static constexpr std::uint32_t address = base + 0x30u;
+  static constexpr std::uint32_t address = base + 0x44u;
   // Bits 31:0.
   std::uint32_t word{};
 
@@ -305,7 +425,7 @@ struct SegmentAccelerationLow {
 
 // Change of the rate per clock, high word.
 struct SegmentAccelerationHigh {
-  static constexpr std::uint32_t address = base + 0x34u;
+  static constexpr std::uint32_t address = base + 0x48u;
   // Bits 63:32.
   std::uint32_t word{};
 
@@ -321,7 +441,7 @@ struct SegmentAccelerationHigh {
 
 // Change of the acceleration per clock, signed, low word, in 2^-84 ticks per clock^3.
 struct SegmentJerkLow {
-  static constexpr std::uint32_t address = base + 0x38u;
+  static constexpr std::uint32_t address = base + 0x4Cu;
   // Bits 31:0.
   std::uint32_t word{};
 
@@ -337,7 +457,7 @@ struct SegmentJerkLow {
 
 // Change of the acceleration per clock, high word.
 struct SegmentJerkHigh {
-  static constexpr std::uint32_t address = base + 0x3Cu;
+  static constexpr std::uint32_t address = base + 0x50u;
   // Bits 63:32.
   std::uint32_t word{};
 
@@ -355,7 +475,7 @@ struct SegmentJerkHigh {
 struct SegmentSteps {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0x40u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0x54u + 4u * static_cast<std::uint32_t>(index);
   }
   // Steps.
   std::uint32_t steps{};
@@ -372,7 +492,7 @@ struct SegmentSteps {
 
 // Any write appends the segment to the queue, or refuses it and says why in errors.
 struct SegmentCommit {
-  static constexpr std::uint32_t address = base + 0x60u;
+  static constexpr std::uint32_t address = base + 0x74u;
   // Not used.
   std::uint32_t any{};
 
@@ -390,34 +510,38 @@ struct SegmentCommit {
 struct PulseGuard {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0x64u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0x78u + 4u * static_cast<std::uint32_t>(index);
   }
   // Clocks that step stays high; 0 counts as 1. 50 after reset.
   std::uint32_t high{};
   // Least clocks that step stays low; 0 counts as 1. 50 after reset.
   std::uint32_t low{};
+  // The falling edge is a step too, for drivers set to that: high and low are then least times.
+  bool both_edges{};
 
   static constexpr PulseGuard decode([[maybe_unused]] std::uint32_t word) {
     return {
       .high = (word & 0xFFFu),
       .low = ((word >> 16u) & 0xFFFu),
+      .both_edges = ((word >> 31u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
     return (high & 0xFFFu) |
-           (low & 0xFFFu) << 16u;
+           (low & 0xFFFu) << 16u |
+           (both_edges ? 1u : 0u) << 31u;
   }
 };
 
-// Distance between a change of direction and the rising edges of step, per axis.
+// Distance between a change of direction and the steps, per axis.
 struct DirectionGuard {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0x84u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0x98u + 4u * static_cast<std::uint32_t>(index);
   }
-  // Least clocks from a change of direction to a rising edge; 0 counts as 1. 10 after reset.
+  // Least clocks from a change of direction to a step; 0 counts as 1. 10 after reset.
   std::uint32_t setup{};
-  // Least clocks from a rising edge to a change of direction; 0 counts as 1. 10 after reset.
+  // Least clocks from a step to a change of direction; 0 counts as 1. 10 after reset.
   std::uint32_t hold{};
 
   static constexpr DirectionGuard decode([[maybe_unused]] std::uint32_t word) {
@@ -432,11 +556,11 @@ struct DirectionGuard {
   }
 };
 
-// Pulses given, forward less backward. Written only when idle, refused otherwise.
+// Steps given, forward less backward. Written only when idle, refused otherwise.
 struct Position {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0xA4u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0xB8u + 4u * static_cast<std::uint32_t>(index);
   }
   // Steps.
   std::int32_t steps{};
@@ -455,7 +579,7 @@ struct Position {
 struct SnapshotPosition {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0xC4u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0xD8u + 4u * static_cast<std::uint32_t>(index);
   }
   // Steps.
   std::int32_t steps{};
@@ -472,7 +596,7 @@ struct SnapshotPosition {
 
 // Time of the last snapshot, low word.
 struct SnapshotTimeLow {
-  static constexpr std::uint32_t address = base + 0xE4u;
+  static constexpr std::uint32_t address = base + 0xF8u;
   // Clocks since reset, bits 31:0.
   std::uint32_t clocks{};
 
@@ -488,7 +612,7 @@ struct SnapshotTimeLow {
 
 // Time of the last snapshot, high word.
 struct SnapshotTimeHigh {
-  static constexpr std::uint32_t address = base + 0xE8u;
+  static constexpr std::uint32_t address = base + 0xFCu;
   // Clocks since reset, bits 63:32.
   std::uint32_t clocks{};
 
@@ -502,35 +626,43 @@ struct SnapshotTimeHigh {
   }
 };
 
-// Why motion was stopped; valid while stopped.
+// Why motion was stopped; valid while braking or stopped. What cuts braking short is added.
 struct StopCause {
-  static constexpr std::uint32_t address = base + 0xECu;
+  static constexpr std::uint32_t address = base + 0x100u;
   // End stops that were asked for and triggered.
   std::uint32_t end_stops{};
   // The emergency stop input was active.
   bool emergency_input{};
   // Software commanded the stop.
   bool software{};
+  // The watchdog was not fed.
+  bool watchdog{};
+  // Software commanded the brake.
+  bool software_brake{};
 
   static constexpr StopCause decode([[maybe_unused]] std::uint32_t word) {
     return {
       .end_stops = (word & 0xFFu),
       .emergency_input = ((word >> 8u) & 0x1u) != 0,
       .software = ((word >> 9u) & 0x1u) != 0,
+      .watchdog = ((word >> 10u) & 0x1u) != 0,
+      .software_brake = ((word >> 11u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
     return (end_stops & 0xFFu) |
            (emergency_input ? 1u : 0u) << 8u |
-           (software ? 1u : 0u) << 9u;
+           (software ? 1u : 0u) << 9u |
+           (watchdog ? 1u : 0u) << 10u |
+           (software_brake ? 1u : 0u) << 11u;
   }
 };
 
-// Positions of all axes in the clock of the last stop.
+// Positions of all axes in the clock in which the last stop was asked for.
 struct StopPosition {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0xF0u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0x104u + 4u * static_cast<std::uint32_t>(index);
   }
   // Steps.
   std::int32_t steps{};
@@ -545,9 +677,9 @@ struct StopPosition {
   }
 };
 
-// Time of the last stop, low word.
+// Time at which the last stop was asked for, low word.
 struct StopTimeLow {
-  static constexpr std::uint32_t address = base + 0x110u;
+  static constexpr std::uint32_t address = base + 0x124u;
   // Clocks since reset, bits 31:0.
   std::uint32_t clocks{};
 
@@ -561,9 +693,9 @@ struct StopTimeLow {
   }
 };
 
-// Time of the last stop, high word.
+// Time at which the last stop was asked for, high word.
 struct StopTimeHigh {
-  static constexpr std::uint32_t address = base + 0x114u;
+  static constexpr std::uint32_t address = base + 0x128u;
   // Clocks since reset, bits 63:32.
   std::uint32_t clocks{};
 
@@ -579,7 +711,7 @@ struct StopTimeHigh {
 
 // Segments begun since reset.
 struct SegmentsExecuted {
-  static constexpr std::uint32_t address = base + 0x118u;
+  static constexpr std::uint32_t address = base + 0x12Cu;
   // Segments, modulo 2^32.
   std::uint32_t count{};
 
@@ -595,7 +727,7 @@ struct SegmentsExecuted {
 
 // Times that the queue was empty at the end of a segment without ends_motion.
 struct Underruns {
-  static constexpr std::uint32_t address = base + 0x11Cu;
+  static constexpr std::uint32_t address = base + 0x130u;
   // Underruns, modulo 2^32.
   std::uint32_t count{};
 
@@ -611,7 +743,7 @@ struct Underruns {
 
 // The fullest that the queue has been since reset.
 struct MaxLevel {
-  static constexpr std::uint32_t address = base + 0x120u;
+  static constexpr std::uint32_t address = base + 0x134u;
   // Segments.
   std::uint32_t segments{};
 
@@ -627,7 +759,7 @@ struct MaxLevel {
 
 // Clocks by which the guards of all axes have delayed the common base.
 struct Stalls {
-  static constexpr std::uint32_t address = base + 0x124u;
+  static constexpr std::uint32_t address = base + 0x138u;
   // Clocks, modulo 2^32.
   std::uint32_t clocks{};
 
@@ -645,7 +777,7 @@ struct Stalls {
 struct AxisStalls {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
-    return base + 0x128u + 4u * static_cast<std::uint32_t>(index);
+    return base + 0x13Cu + 4u * static_cast<std::uint32_t>(index);
   }
   // Clocks, modulo 2^32.
   std::uint32_t clocks{};

@@ -1,0 +1,146 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stretches and compresses the time of the common base: override, feed hold and braking, each along a ramp.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.step_generator_pkg.all;
+
+-- In each clock the base is owed `scale` base clocks (0 = hold, 1 = as segments ask, below 4), and `scale`
+-- moves towards its target by the slope. Owed base clocks are done as leaps of 1, 2 or 4 at a time: what the
+-- base does in a leap of n is shifted left, not multiplied, and without a leap it stands still. So
+-- no multiplier is needed, a scale of exactly 1 is as if this entity were not there, and the ticks with
+-- their order stay the same at any scale, since they are counted by the base.
+--
+-- Bounds. Base time lags behind the sum of the scale by less than 4 base clocks, and in a leap the rate of
+-- its first base clock is used for all: the course of a ramp is that of its segment, shifted by less than 4
+-- base clocks; where the scale never exceeds 1, leaps are of 1 and the base's own arithmetic is exact. A tick
+-- below scale 1 is late by less than a base clock, that is 1/scale clocks: against the stretched distance of
+-- steps the same part as at scale 1.
+--
+-- Two ticks stay two clocks apart: the base says which leap leaves its rate below 1/2 tick per clock.
+-- What cannot be leapt is forgotten beyond 3 base clocks, so that motion runs on at the longest leap and
+-- nothing is caught up later: from 7/64 tick per clock on the scale is at most 2, from 15/64 on at most 1.
+entity feed_override is
+  port (
+    clk : in std_ulogic;
+    reset : in std_ulogic;
+
+    -- A segment is executed. Without motion the scale takes its target at once.
+    moving : in std_ulogic;
+    -- In 2^-16, below 4.
+    target : in unsigned(17 downto 0);
+    -- In 2^-32 per clock.
+    slope : in slope_t;
+    -- The target is 0, and this the slope.
+    braking : in std_ulogic;
+    brake_slope : in slope_t;
+
+    -- The base comes to a tick that an axis is not ready for: the leap is repeated.
+    stalled : in std_ulogic;
+    -- The longest leap that the base can do in the next clock.
+    longest_leap : in leap_t;
+
+    -- The base advances in this clock, by this leap.
+    advance : out std_ulogic := '0';
+    leap : out leap_t := (others => '0');
+    scale : out scale_t := scale_of_one;
+    -- One clock later: the scale is 0 and no leap is left.
+    standing : out std_ulogic := '0'
+  );
+end entity;
+
+architecture rtl of feed_override is
+
+  -- Base clocks that are owed beyond the leap being done, in 2^-32.
+  signal owed : unsigned(33 downto 0) := (others => '0');
+
+  -- What is done in the next clock of so many whole base clocks, and what stays owed.
+  type share_t is record
+    advance : std_ulogic;
+    leap : leap_t;
+    rest : unsigned(1 downto 0);
+  end record;
+
+  function share_of(whole : unsigned(2 downto 0); longest : leap_t) return share_t is
+  begin
+    if whole(2) = '1' and longest(1) = '1' then
+      return (advance => '1', leap => "10", rest => whole(1 downto 0));
+    elsif whole(2 downto 1) /= 0 and longest /= 0 then
+      if whole > 5 then
+        return (advance => '1', leap => "01", rest => "11");
+      end if;
+      return (advance => '1', leap => "01", rest => whole(1 downto 0) - 2);
+    elsif whole > 4 then
+      return (advance => '1', leap => "00", rest => "11");
+    elsif whole /= 0 then
+      return (advance => '1', leap => "00", rest => whole(1 downto 0) - 1);
+    end if;
+    return (advance => '0', leap => "00", rest => "00");
+  end function;
+
+  -- The scale one clock nearer to its target.
+  function approached(from, to_target : scale_t; change : slope_t) return scale_t is
+    constant rises : boolean := from < to_target;
+    variable moved : unsigned(34 downto 0);
+  begin
+    if rises then
+      moved := ('0' & from) + change;
+    else
+      moved := ('0' & from) - change;
+    end if;
+    -- Beyond the target, or beyond the range.
+    if moved(34) = '1' or (moved(33 downto 0) < to_target) /= rises then
+      return to_target;
+    end if;
+    return moved(33 downto 0);
+  end function;
+
+begin
+
+  approach : process
+    variable to_target : scale_t;
+    variable change : slope_t;
+  begin
+    wait until rising_edge(clk);
+    to_target := target & x"0000";
+    change := slope;
+    if braking then
+      to_target := (others => '0');
+      change := brake_slope;
+    end if;
+    scale <= to_target;
+    if moving then
+      scale <= approached(scale, to_target, change);
+    end if;
+    standing <= '1' when scale = 0 and advance = '0' else '0';
+    if reset then
+      scale <= scale_of_one;
+      standing <= '0';
+    end if;
+  end process;
+
+  share_out : process
+    variable sum : unsigned(34 downto 0);
+    variable share : share_t;
+  begin
+    wait until rising_edge(clk);
+    sum := '0' & scale;
+    if moving then
+      sum := sum + owed;
+    end if;
+    share := share_of(sum(34 downto 32), longest_leap);
+    if not stalled then
+      advance <= share.advance;
+      leap <= share.leap;
+      owed <= share.rest & sum(31 downto 0);
+    end if;
+    if reset then
+      advance <= '0';
+      leap <= (others => '0');
+      owed <= (others => '0');
+    end if;
+  end process;
+
+end architecture;

@@ -1,0 +1,209 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The base gets as much time as the scale says, in leaps that it can do, and the scale keeps to its ramp.
+
+library ieee;
+use ieee.math_real.all;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+library std;
+use std.env.finish;
+
+use work.step_generator_pkg.all;
+
+entity feed_override_tb is
+end entity;
+
+architecture simulation of feed_override_tb is
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal moving : std_ulogic := '0';
+  signal target : unsigned(17 downto 0) := to_unsigned(65536, 18);
+  signal slope : slope_t := (others => '0');
+  signal braking : std_ulogic := '0';
+  signal brake_slope : slope_t := (others => '0');
+  signal stalled : std_ulogic := '0';
+  signal longest_leap : leap_t := to_unsigned(2, 2);
+  signal advance : std_ulogic;
+  signal leap : leap_t;
+  signal scale : scale_t;
+  signal standing : std_ulogic;
+
+  -- Base clocks done, and how many the scale has owed, both while moving; the latter in 2^-32.
+  signal done : natural := 0;
+  signal owed : unsigned(63 downto 0) := (others => '0');
+  signal permitted_leap : leap_t := to_unsigned(2, 2);
+  signal clear : boolean := false;
+
+begin
+
+  clk <= not clk after 10 ns;
+
+  pace : entity work.feed_override
+    port map (
+      clk => clk, reset => reset, moving => moving, target => target, slope => slope,
+      braking => braking, brake_slope => brake_slope, stalled => stalled,
+      longest_leap => longest_leap, advance => advance, leap => leap, scale => scale,
+      standing => standing);
+
+  count : process
+  begin
+    wait until rising_edge(clk);
+    if clear then
+      done <= 0;
+      owed <= (others => '0');
+    elsif moving = '1' and stalled = '0' then
+      owed <= owed + scale;
+      if advance then
+        done <= done + 2 ** to_integer(leap);
+      end if;
+    end if;
+    assert leap <= permitted_leap report "leap too long" severity failure;
+    if not stalled then
+      permitted_leap <= longest_leap;
+    end if;
+  end process;
+
+  test : process
+    variable seed_1 : positive := 3;
+    variable seed_2 : positive := 4;
+
+    impure function random(least, most : natural) return natural is
+      variable value : real;
+    begin
+      uniform(seed_1, seed_2, value);
+      return least + integer(floor(value * real(most - least + 1)));
+    end function;
+
+    procedure clocks(number : natural) is
+    begin
+      for i in 1 to number loop
+        wait until rising_edge(clk);
+      end loop;
+      wait for 1 ns;
+    end procedure;
+
+    -- The base lags by less than `most` base clocks, and never leads by more than the clock in hand.
+    procedure expect_lag_below(most : positive) is
+      variable lag : integer;
+    begin
+      lag := to_integer(owed(62 downto 32)) - done;
+      assert lag < most and lag >= -4
+        report "base time lags by " & to_string(lag) severity failure;
+    end procedure;
+
+    procedure rest_at(value : natural) is
+    begin
+      moving <= '0';
+      target <= to_unsigned(value, 18);
+      longest_leap <= to_unsigned(0, 2);
+      clear <= true;
+      clocks(3);
+      longest_leap <= to_unsigned(2, 2);
+      assert scale = (to_unsigned(value, 18) & x"0000") report "not at once at rest" severity failure;
+      clear <= false;
+    end procedure;
+
+    variable done_before : natural;
+  begin
+    clocks(2);
+    reset <= '0';
+    clocks(1);
+
+    -- A scale of 1 is an advance in every clock, from the first on.
+    rest_at(65536);
+    moving <= '1';
+    for i in 1 to 100 loop
+      assert advance = '1' and leap = 0 severity failure;
+      clocks(1);
+    end loop;
+    assert done = 100 severity failure;
+
+    -- Any constant scale, with and without stalls: 1000 clocks of it are owed and done.
+    for run in 1 to 60 loop
+      rest_at(random(0, 2 ** 18 - 1));
+      moving <= '1';
+      for i in 1 to 1000 loop
+        clocks(1);
+        stalled <= '1' when run mod 2 = 0 and random(0, 3) = 0 else '0';
+        expect_lag_below(4);
+      end loop;
+      stalled <= '0';
+    end loop;
+
+    -- 2.5 is done as leaps of 2 and 4, or of 2 only where no longer ones are possible: then it is 2.
+    rest_at(163840);
+    moving <= '1';
+    clocks(1000);
+    assert abs (done - 2500) <= 4 report to_string(done) severity failure;
+    longest_leap <= to_unsigned(1, 2);
+    clocks(2);
+    done_before := done;
+    clocks(1000);
+    assert done - done_before = 2000 severity failure;
+    longest_leap <= to_unsigned(0, 2);
+    clocks(2);
+    done_before := done;
+    clocks(1000);
+    assert done - done_before = 1000 severity failure;
+    -- What was not possible is not caught up, but for three.
+    longest_leap <= to_unsigned(2, 2);
+    clocks(2);
+    done_before := done;
+    clocks(1000);
+    assert abs (done - done_before - 2500) <= 5 severity failure;
+
+    -- The ramp: from 1 to 0 in 1000 clocks are 500 base clocks, then nothing, and back.
+    rest_at(65536);
+    slope <= to_unsigned(4294968, 32);
+    moving <= '1';
+    clocks(10);
+    target <= to_unsigned(0, 18);
+    clocks(990);
+    assert standing = '0' and scale /= 0 severity failure;
+    clocks(20);
+    assert standing = '1' and scale = 0 severity failure;
+    assert abs (done - 510) <= 1 report to_string(done) severity failure;
+    done_before := done;
+    clocks(5000);
+    assert done = done_before and standing = '1' severity failure;
+    target <= to_unsigned(3 * 65536, 18);
+    clocks(2990);
+    assert scale < 3 * scale_of_one severity failure;
+    clocks(20);
+    assert scale = (to_unsigned(3 * 65536, 18) & x"0000") severity failure;
+    expect_lag_below(4);
+
+    -- A slope of 0 keeps the scale; the brake has its own, and its target is 0.
+    slope <= (others => '0');
+    target <= to_unsigned(65536, 18);
+    clocks(1000);
+    assert scale = (to_unsigned(3 * 65536, 18) & x"0000") severity failure;
+    brake_slope <= x"80000000";
+    braking <= '1';
+    clocks(5);
+    assert scale /= 0 severity failure;
+    clocks(3);
+    assert scale = 0 severity failure;
+    clocks(3);
+    assert standing = '1' severity failure;
+    moving <= '0';
+    braking <= '0';
+    clocks(2);
+    assert scale = scale_of_one severity failure;
+
+    -- Steps of the ramp that overshoot end at the target.
+    slope <= x"FFFFFFFF";
+    moving <= '1';
+    target <= to_unsigned(65537, 18);
+    clocks(2);
+    assert scale = (to_unsigned(65537, 18) & x"0000") severity failure;
+    target <= to_unsigned(65530, 18);
+    clocks(2);
+    assert scale = (to_unsigned(65530, 18) & x"0000") severity failure;
+
+    finish;
+  end process;
+
+end architecture;
