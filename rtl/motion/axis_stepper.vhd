@@ -189,16 +189,13 @@ begin
       position <= (others => '0');
       stalls <= (others => '0');
     end if;
-
-    no_line_begins_ahead_and_behind : assert reset = '1' or begin_line = '0' or
-      (ahead and behind) = '0' severity failure;
-    every_step_is_legal : assert reset = '1' or tick = '0' or step_wanted = '0' or legal = '1'
-      severity failure;
-    an_idle_axis_makes_no_step : assert reset = '1' or tick = '0' or step_wanted = '0' or line_steps /= 0
-      severity failure;
   end process;
 
   -- psl default clock is rising_edge(clk);
+  -- psl no_line_begins_ahead_and_behind : assert always (not (begin_line and ahead and behind)) abort reset;
+  -- psl every_step_is_legal : assert always ((tick and step_wanted) -> legal) abort reset;
+  -- psl an_idle_axis_makes_no_step : assert always
+  --   ((tick and step_wanted) -> line_steps /= 0) abort reset;
   -- psl direction_stands_still_forward : assert always
   --   ((step = '0' and direction = '0') -> next (step = '0' or direction = '0')) abort reset;
   -- psl direction_stands_still_backward : assert always

@@ -14,6 +14,7 @@
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
+#include "tools/proof/run.hpp"
 
 namespace command {
 
@@ -26,6 +27,7 @@ struct Jobs {
   PrintOptions print;
   ServeOptions serve;
   RunOptions run;
+  proof::Options prove;
   std::vector<std::string> labels;
   std::vector<std::string> later_arguments;
 };
@@ -139,7 +141,6 @@ void add_run(CLI::App& app, RunOptions& options) {
 void add_later_jobs(CLI::App& app, Jobs& jobs) {
   for (const auto& [name, what] :
        {std::pair{"bench", "Run the benchmarks. Not part of this version."},
-        std::pair{"prove", "Run the formal proofs. Not part of this version."},
         std::pair{"synth", "Synthesise for a board. Not part of this version."}}) {
     app.add_subcommand(name, what)
         ->add_option("arguments", jobs.later_arguments, "see the documentation")
@@ -179,6 +180,9 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("test")) {
     return test(jobs.labels);
   }
+  if (app.got_subcommand("prove")) {
+    return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
+  }
   fmt::print(stderr, "stepfabric: {} is not part of this version\n",
              app.get_subcommands().front()->get_name());
   return failure;
@@ -195,6 +199,9 @@ int run_command(int count, char** arguments) {
   app.add_subcommand("test", "Build everything and run all tests, or those of some labels.")
       ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, ...")
       ->type_name("LABEL...");
+  proof::add_options(
+      *app.add_subcommand("prove", "Try the formal proofs, and that each of them bites."),
+      jobs.prove);
   add_later_jobs(app, jobs);
   try {
     app.parse(count, arguments);

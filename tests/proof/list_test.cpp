@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of proofs: read completely or refused.
+#include "tools/proof/list.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "tests/proof/temporary_folder.hpp"
+
+namespace {
+
+const std::string a_proof = R"([[proof]]
+name = "latch"
+says = "it latches"
+entity = "latch"
+by = "induction"
+depth = 2
+generics = {axes = 3}
+only = ["one"]
+)";
+const std::string a_mutation = R"([[mutation]]
+name = "m"
+file = "rtl/latch.vhd"
+from = "a"
+to = "b"
+proof = "latch"
+property = "one"
+)";
+
+void expect_refused(const std::string& proofs, const std::string& mutations) {
+  const TemporaryFolder folder;
+  folder.write("proofs.toml", proofs);
+  folder.write("mutations.toml", mutations);
+  EXPECT_THROW(proof::read_list(folder.path()), std::runtime_error) << proofs << mutations;
+}
+
+TEST(list, says_what_is_to_be_proved_and_broken) {
+  const TemporaryFolder folder;
+  folder.write("proofs.toml", a_proof);
+  folder.write("mutations.toml", a_mutation);
+  const proof::List list = proof::read_list(folder.path());
+  ASSERT_EQ(list.proofs.size(), 1u);
+  EXPECT_EQ(list.proofs[0].method, proof::Method::induction);
+  EXPECT_EQ(list.proofs[0].depth, 2);
+  EXPECT_EQ(list.proofs[0].generics.at("axes"), "3");
+  ASSERT_EQ(list.mutations.size(), 1u);
+  EXPECT_EQ(list.mutations[0].property, "one");
+}
+
+TEST(list, refuses_what_it_does_not_know_or_misses) {
+  expect_refused(a_proof + "depht = 3\n", a_mutation);
+  expect_refused(a_proof + a_proof, a_mutation);
+  expect_refused("[[proof]]\nname = \"x\"\n", a_mutation);
+  expect_refused(a_proof, a_mutation + "[[mutation]]\nname = \"n\"\n");
+  expect_refused("not toml", a_mutation);
+}
+
+TEST(list, refuses_a_mutation_of_a_proof_that_is_not_there) {
+  std::string mutation = a_mutation;
+  mutation.replace(mutation.find("\"latch\""), 7, "\"other\"");
+  expect_refused(a_proof, mutation);
+}
+
+}  // namespace

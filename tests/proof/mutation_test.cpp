@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mutation that does not apply must be told, or it would count as caught or survived without
+// reason.
+#include "tools/proof/mutation.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+namespace {
+
+proof::Mutation mutation(const std::string& from, const std::string& to) {
+  proof::Mutation result;
+  result.name = "m";
+  result.file = "rtl/x.vhd";
+  result.from = from;
+  result.to = to;
+  return result;
+}
+
+TEST(mutation, replaces_its_text) {
+  EXPECT_EQ(proof::mutated("a <= b and c;", mutation("b and c", "b")), "a <= b;");
+}
+
+TEST(mutation, is_refused_where_its_text_is_missing_or_stands_twice_or_stays) {
+  EXPECT_THROW(proof::mutated("a <= b;", mutation("c", "d")), std::runtime_error);
+  EXPECT_THROW(proof::mutated("a <= b; c <= b;", mutation("<= b", "<= d")), std::runtime_error);
+  EXPECT_THROW(proof::mutated("aaa", mutation("aa", "b")), std::runtime_error);
+  EXPECT_THROW(proof::mutated("a <= b;", mutation("b", "b")), std::runtime_error);
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole way with GHDL, Yosys and the solvers, on a counter: what holds holds, what does not is
+// told.
+#include <gmock/gmock.h>
+
+#include "tests/proof/temporary_folder.hpp"
+#include "tools/proof/task.hpp"
+
+namespace {
+
+using proof::Verdict;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string counter = R"(library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity counter is
+  port (
+    clk : in std_ulogic;
+    advance : in std_ulogic;
+    count : out unsigned(3 downto 0) := (others => '0')
+  );
+end entity;
+
+architecture rtl of counter is
+begin
+
+  work : process
+  begin
+    wait until rising_edge(clk);
+    if advance then
+      count <= count + 1;
+      if count = 5 then
+        count <= (others => '0');
+      end if;
+    end if;
+  end process;
+
+end architecture;
+)";
+
+const std::string properties = R"(vunit counter_properties (counter(rtl)) {
+  default clock is rising_edge(clk);
+  count_stays_below_six : assert always (count < 6);
+  count_is_never_seven : assert always (count /= 7);
+  count_stays_below_four : assert always (count < 4);
+}
+)";
+
+class Trial : public testing::Test {
+ protected:
+  Trial() {
+    folder_.write("rtl/counter.vhd", counter);
+    folder_.write("testbench/proofs/counter.psl", properties);
+    std::filesystem::create_directories(folder_.path() / "tools" / "hardware");
+    std::filesystem::copy(
+        std::filesystem::path(PROJECT_DIRECTORY) / "tools" / "hardware" / "weave_properties.sh",
+        folder_.path() / "tools" / "hardware");
+    std::filesystem::create_directories(folders_.work);
+  }
+
+  proof::Proof proof_of(const std::string& property, proof::Method method, int depth) const {
+    proof::Proof proof;
+    proof.name = property;
+    proof.method = method;
+    proof.depth = depth;
+    proof.entity = "counter";
+    proof.only = {property};
+    return proof;
+  }
+
+  proof::Outcome outcome_of(const proof::Proof& proof) const {
+    prepare_sources(folders_, folders_.work / "sources", nullptr);
+    return try_proof(folders_, proof, folders_.work / "sources", limit);
+  }
+
+  proof::Mutation mutation(const std::string& property, int depth) const {
+    proof::Mutation mutation;
+    mutation.name = "counts_too_far";
+    mutation.file = "rtl/counter.vhd";
+    mutation.from = "count = 5";
+    mutation.to = "count = 6";
+    mutation.property = property;
+    mutation.depth = depth;
+    return mutation;
+  }
+
+  static constexpr std::chrono::seconds limit{60};
+  TemporaryFolder folder_;
+  proof::Folders folders_{folder_.path(), folder_.path() / "work"};
+};
+
+TEST_F(Trial, an_induction_proves_what_always_holds) {
+  const auto outcome = outcome_of(proof_of("count_stays_below_six", proof::Method::induction, 1));
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.explanation;
+  EXPECT_THAT(outcome.asserted, ElementsAre("counter_properties_count_stays_below_six"));
+}
+
+TEST_F(Trial, an_induction_that_does_not_close_is_told) {
+  const auto outcome = outcome_of(proof_of("count_is_never_seven", proof::Method::induction, 1));
+  EXPECT_EQ(outcome.verdict, Verdict::fails);
+  EXPECT_THAT(outcome.explanation, HasSubstr("the induction does not close"));
+}
+
+TEST_F(Trial, what_is_reached_from_the_start_fails_with_its_name_clock_and_trace) {
+  for (const auto method : {proof::Method::induction, proof::Method::bounded}) {
+    const auto outcome = outcome_of(proof_of("count_stays_below_four", method, 8));
+    EXPECT_EQ(outcome.verdict, Verdict::fails);
+    EXPECT_THAT(outcome.explanation, HasSubstr("count_stays_below_four fails 4 clocks after"));
+    EXPECT_TRUE(std::filesystem::exists(folders_.work / "count_stays_below_four" / "bounded.vcd"));
+  }
+}
+
+TEST_F(Trial, a_bounded_proof_says_nothing_of_later_clocks) {
+  const auto outcome = outcome_of(proof_of("count_stays_below_four", proof::Method::bounded, 4));
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.explanation;
+}
+
+TEST_F(Trial, a_mutation_is_caught_by_its_property_and_by_no_other) {
+  const proof::Proof proof = proof_of("count_stays_below_six", proof::Method::induction, 1);
+  EXPECT_EQ(try_mutation(folders_, mutation("count_stays_below_six", 12), proof, limit).verdict,
+            Verdict::holds);
+  std::filesystem::remove_all(folders_.work / "mutations");
+  EXPECT_EQ(try_mutation(folders_, mutation("count_is_never_seven", 12), proof, limit).verdict,
+            Verdict::fails);
+}
+
+TEST_F(Trial, a_mutation_too_deep_for_its_clocks_survives) {
+  const proof::Proof proof = proof_of("count_stays_below_six", proof::Method::induction, 1);
+  const auto outcome = try_mutation(folders_, mutation("count_stays_below_six", 4), proof, limit);
+  EXPECT_EQ(outcome.verdict, Verdict::fails);
+  EXPECT_THAT(outcome.explanation, HasSubstr("survives"));
+}
+
+TEST_F(Trial, sources_that_do_not_compile_are_told) {
+  folder_.write("rtl/counter.vhd", counter + "nonsense");
+  const auto outcome = outcome_of(proof_of("count_stays_below_six", proof::Method::induction, 1));
+  EXPECT_EQ(outcome.verdict, Verdict::broken);
+}
+
+}  // namespace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the Verilog that GHDL writes to the one that Yosys reads for proofs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proof {
+
+struct FormalNetlist {
+  std::string verilog;
+  std::vector<std::string> asserted;  // labels, once per module
+  std::vector<std::string> assumed;
+};
+
+// Assertions become `assert`, assumptions of module `top` become `assume`; those of the modules
+// within it become `assert` as well: what a part relies on is to be proved of the whole. Signals
+// with attribute anyconst or anyseq become free. With `only` not empty, assertions with no label of
+// it are left out, and always those of `except`; each name of both must be there
+// (std::runtime_error).
+FormalNetlist make_formal(std::string_view verilog, std::string_view top,
+                          const std::vector<std::string>& only,
+                          const std::vector<std::string>& except);
+
+// Whether a label of the netlist is this property. GHDL puts the names of the process and block
+// before it, Yosys those of the instances.
+bool is_property(std::string_view label, std::string_view property);
+
+}  // namespace proof

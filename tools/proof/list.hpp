@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is to be proved, and the faults by which the proofs show that they bite.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace proof {
+
+enum class Method {
+  induction,  // for any number of clocks: the first `depth` by trying all, the rest by induction
+              // over `depth`
+  bounded,  // the first `depth` clocks after the start, whatever the inputs
+  arithmetic,  // a statement about numbers, without clocks
+};
+
+// One entity with one choice of generics.
+struct Proof {
+  std::string name;
+  std::string says;
+  Method method{};
+  int depth{};  // clocks; without meaning for arithmetic
+  std::string entity;
+  std::map<std::string, std::string> generics;
+  std::vector<std::string> only;  // properties; all of the netlist where empty
+  std::vector<std::string> except;  // properties that another proof is for
+  std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
+  bool quick{};
+};
+
+// A fault put into a copy of the sources, which must break one property.
+struct Mutation {
+  std::string name;
+  std::filesystem::path file;  // relative to the project
+  std::string from;  // occurs exactly once in the file
+  std::string to;
+  std::string proof;
+  std::string property;
+  int depth{};  // clocks within which it must show
+};
+
+struct List {
+  std::vector<Proof> proofs;
+  std::vector<Mutation> mutations;
+};
+
+// Reads `proofs.toml` and `mutations.toml` of a folder. Throws std::runtime_error naming the entry
+// at fault: unknown keys, names given twice, a mutation of an unknown proof.
+List read_list(const std::filesystem::path& folder);
+
+const char* name_of(Method method);
+
+}  // namespace proof

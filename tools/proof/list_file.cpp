@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// proofs.toml and mutations.toml, read completely: an entry that nobody reads is an error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <toml++/toml.hpp>
+
+#include "tools/proof/list.hpp"
+
+namespace proof {
+
+namespace {
+
+// One table of the file, which knows what was read of it.
+class Entry {
+ public:
+  Entry(const std::filesystem::path& file, const toml::node& node) : file_(file) {
+    if (!node.is_table()) {
+      fail("is not a table");
+    }
+    table_ = node.as_table();
+    name_ = text("name");
+  }
+
+  std::string text(const std::string& key) {
+    const toml::node* found = find(key);
+    const auto value = found == nullptr ? std::nullopt : found->value<std::string>();
+    if (!value || value->empty()) {
+      fail(key + " must be a text");
+    }
+    return *value;
+  }
+
+  int whole(const std::string& key, int fallback) {
+    const toml::node* found = find(key);
+    if (found == nullptr) {
+      return fallback;
+    }
+    const auto value = found->value<std::int64_t>();
+    constexpr std::int64_t most_clocks = 1000;
+    if (!found->is_integer() || *value < 1 || *value > most_clocks) {
+      fail(fmt::format("{} must be a whole number from 1 to {}", key, most_clocks));
+    }
+    return static_cast<int>(*value);
+  }
+
+  bool flag(const std::string& key) {
+    const toml::node* found = find(key);
+    if (found != nullptr && !found->is_boolean()) {
+      fail(key + " must be true or false");
+    }
+    return found != nullptr && *found->value<bool>();
+  }
+
+  std::vector<std::string> texts(const std::string& key) {
+    std::vector<std::string> values;
+    const toml::node* found = find(key);
+    if (found == nullptr) {
+      return values;
+    }
+    if (!found->is_array()) {
+      fail(key + " must be an array of texts");
+    }
+    for (const toml::node& element : *found->as_array()) {
+      if (!element.is_string()) {
+        fail(key + " must be an array of texts");
+      }
+      values.push_back(*element.value<std::string>());
+    }
+    return values;
+  }
+
+  std::map<std::string, std::string> generics() {
+    std::map<std::string, std::string> values;
+    const toml::node* found = find("generics");
+    if (found == nullptr) {
+      return values;
+    }
+    if (!found->is_table()) {
+      fail("generics must be a table");
+    }
+    for (const auto& [key, value] : *found->as_table()) {
+      if (!value.is_integer()) {
+        fail("generics must be whole numbers");
+      }
+      values[std::string(key.str())] = std::to_string(*value.value<std::int64_t>());
+    }
+    return values;
+  }
+
+  bool has(const std::string& key) const { return table_->contains(key); }
+
+  void finish() const {
+    for (const auto& [key, value] : *table_) {
+      if (!used_.contains(std::string(key.str()))) {
+        fail(fmt::format("{} is not an entry that this program knows", key.str()));
+      }
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}: {}: {}", file_.string(), name_, what));
+  }
+
+ private:
+  const toml::node* find(const std::string& key) {
+    used_.insert(key);
+    return table_->get(key);
+  }
+
+  std::filesystem::path file_;
+  const toml::table* table_ = nullptr;
+  std::string name_ = "an entry without a name";
+  std::set<std::string> used_;
+};
+
+Method method_of(Entry& entry) {
+  const std::string text = entry.text("by");
+  for (const Method method : {Method::induction, Method::bounded, Method::arithmetic}) {
+    if (text == name_of(method)) {
+      return method;
+    }
+  }
+  entry.fail("by must be induction, bounded or arithmetic");
+}
+
+Proof proof_of(Entry& entry) {
+  Proof proof;
+  proof.name = entry.text("name");
+  proof.says = entry.text("says");
+  proof.method = method_of(entry);
+  proof.quick = entry.flag("quick");
+  if (proof.method == Method::arithmetic) {
+    proof.lemma = entry.text("lemma");
+  } else {
+    proof.entity = entry.text("entity");
+    proof.generics = entry.generics();
+    proof.only = entry.texts("only");
+    proof.except = entry.texts("except");
+    if (!entry.has("depth")) {
+      entry.fail("depth is missing");
+    }
+    proof.depth = entry.whole("depth", 1);
+  }
+  return proof;
+}
+
+Mutation mutation_of(Entry& entry) {
+  constexpr int usual_depth = 20;
+  Mutation mutation;
+  mutation.name = entry.text("name");
+  mutation.file = entry.text("file");
+  mutation.from = entry.text("from");
+  mutation.to = entry.text("to");
+  mutation.proof = entry.text("proof");
+  mutation.property = entry.text("property");
+  mutation.depth = entry.whole("depth", usual_depth);
+  return mutation;
+}
+
+template <typename Item>
+std::vector<Item> read(const std::filesystem::path& file, const char* key, Item (*make)(Entry&)) {
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(fmt::format("{}: line {}: {}", file.string(),
+                                         error.source().begin.line, error.description()));
+  }
+  const toml::array* entries = table[key].as_array();
+  if (entries == nullptr || table.size() != 1) {
+    throw std::runtime_error(
+        fmt::format("{}: must hold [[{}]] and nothing else", file.string(), key));
+  }
+  std::vector<Item> items;
+  for (const toml::node& node : *entries) {
+    Entry entry(file, node);
+    items.push_back(make(entry));
+    entry.finish();
+    const auto is_same = [&items](const Item& other) { return other.name == items.back().name; };
+    if (std::ranges::count_if(items, is_same) > 1) {
+      entry.fail("stands there twice");
+    }
+  }
+  return items;
+}
+
+}  // namespace
+
+const char* name_of(Method method) {
+  switch (method) {
+    case Method::induction:
+      return "induction";
+    case Method::bounded:
+      return "bounded";
+    case Method::arithmetic:
+      return "arithmetic";
+  }
+  return "";
+}
+
+List read_list(const std::filesystem::path& folder) {
+  List list;
+  list.proofs = read<Proof>(folder / "proofs.toml", "proof", proof_of);
+  list.mutations = read<Mutation>(folder / "mutations.toml", "mutation", mutation_of);
+  for (const Mutation& mutation : list.mutations) {
+    const auto is_its_proof = [&mutation](const Proof& proof) {
+      return proof.name == mutation.proof && proof.method != Method::arithmetic;
+    };
+    if (std::ranges::none_of(list.proofs, is_its_proof)) {
+      throw std::runtime_error(fmt::format("{}: {}: there is no proof {} of an entity",
+                                           (folder / "mutations.toml").string(), mutation.name,
+                                           mutation.proof));
+    }
+  }
+  return list;
+}
+
+}  // namespace proof

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the job, for the command and for the small program alike.
+#include "tools/proof/run.hpp"
+
+namespace proof {
+
+void add_options(CLI::App& job, Options& options) {
+  job.add_option("names", options.names, "proofs or mutations to try; all where none is given")
+      ->type_name("NAME...");
+  job.add_flag("--quick", options.quick, "only the proofs that take seconds, and no mutations");
+  auto* only = job.add_flag_callback(
+      "--mutations", [&options] { options.proofs = false; },
+      "only the mutations: faults put into a copy of the sources, each of which must be found");
+  job.add_flag_callback(
+         "--no-mutations", [&options] { options.mutations = false; }, "only the proofs")
+      ->excludes(only);
+  job.add_option("--json", options.json, "write the outcome")->type_name("FILE.json");
+  job.add_option("--jobs", options.jobs, "how many at once; 0: one for each processor core")
+      ->capture_default_str();
+  job.add_option("--limit", options.limit_seconds,
+                 "seconds after which a call of the solver is given up")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  job.footer(
+      "The properties stand in testbench/proofs, the list of proofs in proofs.toml there, the "
+      "faults in\n"
+      "mutations.toml. A proof by induction holds for all times; a bounded one for its number of "
+      "clocks\n"
+      "after the start. Where one fails, a trace (VCD) is left in <build>/proofs/NAME.\n"
+      "Exit status: 0 everything holds and every mutation was caught, 1 not, 2 bad usage.");
+}
+
+}  // namespace proof

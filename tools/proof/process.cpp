@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Child processes, each the head of a process group of its own.
+#include "tools/proof/process.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace proof {
+
+namespace {
+
+constexpr std::chrono::milliseconds look_interval{20};
+
+[[noreturn]] void become(std::vector<char*>& arguments, const std::string& folder,
+                         const std::string& log) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0 || chdir(folder.c_str()) != 0) {
+    _exit(126);
+  }
+  dup2(file, STDOUT_FILENO);
+  dup2(file, STDERR_FILENO);
+  execvp(arguments.front(), arguments.data());
+  _exit(127);
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::vector<std::string>& arguments,
+                          const std::filesystem::path& folder, const std::filesystem::path& log,
+                          std::chrono::seconds limit) {
+  // All that allocates is done before the fork: other threads may hold the heap's lock then.
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) {
+    pointers.push_back(const_cast<char*>(argument.c_str()));
+  }
+  pointers.push_back(nullptr);
+  const std::string folder_name = folder.string();
+  const std::string log_name = log.string();
+  const pid_t child = fork();
+  if (child < 0) {
+    throw std::runtime_error("cannot start " + arguments.front());
+  }
+  if (child == 0) {
+    become(pointers, folder_name, log_name);
+  }
+  const auto end = std::chrono::steady_clock::now() + limit;
+  ProcessResult result;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() >= end) {
+      result.timed_out = true;
+      kill(-child, SIGKILL);
+      waitpid(child, &status, 0);
+      break;
+    }
+    std::this_thread::sleep_for(look_interval);
+  }
+  result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace proof

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Table lines and the names of the JSON file.
+#include "tools/proof/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace proof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string configuration_of(const Proof& proof) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : proof.generics) {
+    parts.push_back(fmt::format("{} = {}", name, value));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string how(const Proof& proof) {
+  switch (proof.method) {
+    case Method::induction:
+      return fmt::format("induction over {}", proof.depth);
+    case Method::bounded:
+      return fmt::format("bounded, {} clocks", proof.depth);
+    case Method::arithmetic:
+      return "arithmetic";
+  }
+  return "";
+}
+
+Json json_of(const Trial& trial) {
+  Json json{{"name", trial.name()}};
+  if (trial.mutation) {
+    json["file"] = trial.mutation->file.string();
+    json["proof"] = trial.mutation->proof;
+    json["property"] = trial.mutation->property;
+    json["caught"] = trial.outcome.verdict == Verdict::holds;
+  } else {
+    json["says"] = trial.proof.says;
+    json["entity"] = trial.proof.entity;
+    json["generics"] = trial.proof.generics;
+    json["method"] = name_of(trial.proof.method);
+    if (trial.proof.method != Method::arithmetic) {
+      json["depth_clocks"] = trial.proof.depth;
+    }
+    json["result"] = name_of(trial.outcome.verdict);
+    json["properties"] = trial.outcome.asserted;
+    json["assumptions"] = trial.outcome.assumed;
+  }
+  json["failed"] = trial.outcome.failed;
+  json["explanation"] = trial.outcome.explanation;
+  json["seconds"] = trial.outcome.seconds;
+  return json;
+}
+
+}  // namespace
+
+void print_line(const Trial& trial) {
+  const bool good = trial.outcome.verdict == Verdict::holds;
+  if (trial.mutation) {
+    fmt::print("{:9} mutation {:52} breaks {:42} {:6.1f} s\n", good ? "caught" : "NOT CAUGHT",
+               trial.name(), trial.mutation->property, trial.outcome.seconds);
+  } else {
+    fmt::print("{:9} {:32} {:28} {:22} {:3} properties {:6.1f} s\n",
+               good ? "holds" : name_of(trial.outcome.verdict), trial.name(),
+               configuration_of(trial.proof), how(trial.proof), trial.outcome.asserted.size(),
+               trial.outcome.seconds);
+  }
+  if (!good) {
+    fmt::print("  {}\n", trial.outcome.explanation);
+  }
+  std::fflush(stdout);
+}
+
+void print_summary(const std::vector<Trial>& trials, double seconds) {
+  const auto count = [&trials](bool mutations, bool good) {
+    return std::ranges::count_if(trials, [=](const Trial& trial) {
+      return trial.mutation.has_value() == mutations &&
+             (!good || trial.outcome.verdict == Verdict::holds);
+    });
+  };
+  fmt::print("{} of {} proofs hold, {} of {} mutations are caught, {:.1f} s\n", count(false, true),
+             count(false, false), count(true, true), count(true, false), seconds);
+}
+
+void write_json(const std::filesystem::path& file, const std::vector<Trial>& trials,
+                double seconds) {
+  Json json{{"result", "holds"},
+            {"seconds", seconds},
+            {"proofs", Json::array()},
+            {"mutations", Json::array()}};
+  for (const Trial& trial : trials) {
+    json[trial.mutation ? "mutations" : "proofs"].push_back(json_of(trial));
+    if (trial.outcome.verdict != Verdict::holds) {
+      json["result"] = "fails";
+    }
+  }
+  std::ofstream stream(file);
+  stream << json.dump(2) << "\n";
+  if (!stream.flush()) {
+    throw std::runtime_error("cannot write " + file.string());
+  }
+}
+
+}  // namespace proof

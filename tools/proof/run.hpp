@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The job `prove`: tries what is asked for, on several processor cores.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace proof {
+
+struct Options {
+  std::vector<std::string> names;  // proofs or mutations; empty: all
+  bool quick = false;  // only the proofs that take seconds
+  bool mutations = true;
+  bool proofs = true;
+  unsigned jobs = 0;  // 0: one for each processor core
+  unsigned limit_seconds = 600;  // for each call of the solver
+  std::filesystem::path json;
+};
+
+void add_options(CLI::App& job, Options& options);
+
+// Returns true where everything that was tried holds. Throws std::runtime_error for a name that is
+// not in the list, or a list that is no good.
+bool prove(const Options& options, const std::filesystem::path& project,
+           const std::filesystem::path& build);
+
+}  // namespace proof

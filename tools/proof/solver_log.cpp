@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of yosys-smtbmc that matter.
+#include "tools/proof/solver_log.hpp"
+
+#include <regex>
+#include <sstream>
+
+namespace proof {
+
+SolverLog read_solver_log(std::string_view text) {
+  static const std::regex step_line(R"(.*Checking assertions in step (\d+).*)");
+  static const std::regex failure_line(R"(.*Assert failed in ([^:]+): (\S+).*)");
+  SolverLog log;
+  std::istringstream stream{std::string(text)};
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);) {
+    if (std::regex_match(line, match, step_line)) {
+      log.failed_at = std::stoi(match[1]);
+    } else if (std::regex_match(line, match, failure_line)) {
+      const std::string path = match[1];
+      const std::size_t instance = path.find('.');
+      log.failed.push_back(instance == std::string::npos
+                               ? match[2].str()
+                               : path.substr(instance + 1) + "." + match[2].str());
+    } else if (line.find("Status: PASSED") != std::string::npos) {
+      log.holds = true;
+    } else if (line.find("Status: FAILED") != std::string::npos) {
+      log.holds = false;
+    }
+  }
+  return log;
+}
+
+}  // namespace proof

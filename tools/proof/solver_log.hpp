@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What yosys-smtbmc says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proof {
+
+struct SolverLog {
+  // Nothing where it did not come to an end.
+  std::optional<bool> holds;
+  // Labels with their instances, where it does not hold.
+  std::vector<std::string> failed;
+  // Clock after the start (or of the induction) at which they failed.
+  int failed_at{};
+};
+
+SolverLog read_solver_log(std::string_view text);
+
+}  // namespace proof

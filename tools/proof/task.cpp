@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls of the solver and what they mean.
+#include "tools/proof/task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/proof/process.hpp"
+#include "tools/proof/solver_log.hpp"
+
+namespace proof {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Time = std::chrono::steady_clock;
+
+double seconds_since(Time::time_point start) {
+  return std::chrono::duration<double>(Time::now() - start).count();
+}
+
+struct Stage {
+  const char* name;
+  const char* option;  // of yosys-smtbmc; may be empty
+  int depth;
+};
+
+// What the solver says of one stage; an outcome that holds has nothing to explain.
+Outcome solve(const SolverInput& input, const Stage& stage, const fs::path& folder,
+              std::chrono::seconds limit) {
+  const fs::path trace = folder / fmt::format("{}.vcd", stage.name);
+  std::vector<std::string> arguments{
+      "yosys-smtbmc", "-s", "z3", "-t", std::to_string(stage.depth), "--dump-vcd", trace.string()};
+  if (*stage.option != '\0') {
+    arguments.insert(arguments.begin() + 1, stage.option);
+  }
+  arguments.push_back(input.file.string());
+  const fs::path log_file = folder / fmt::format("{}.log", stage.name);
+  const ProcessResult result = run_process(arguments, folder, log_file, limit);
+  const SolverLog log = read_solver_log(text_of(log_file));
+  Outcome outcome;
+  outcome.failed = log.failed;
+  if (result.timed_out) {
+    outcome.verdict = Verdict::undecided;
+    outcome.explanation = fmt::format("{}: not decided within {} s (at clock {})", stage.name,
+                                      limit.count(), log.failed_at);
+  } else if (!log.holds || (*log.holds != (result.exit_status == 0))) {
+    outcome.explanation =
+        fmt::format("{}: the solver broke down, see {}", stage.name, log_file.string());
+  } else if (*log.holds) {
+    outcome.verdict = Verdict::holds;
+  } else {
+    outcome.verdict = Verdict::fails;
+    outcome.explanation =
+        *stage.option == '\0'
+            ? fmt::format("{} fails {} clocks after the start; trace in {}",
+                          fmt::join(log.failed, ", "), log.failed_at, trace.string())
+            : fmt::format(
+                  "the induction does not close: {} can fail after {} clocks in which all "
+                  "hold, from a state that the start need not lead to; trace in {}",
+                  fmt::join(log.failed, ", "), stage.depth, trace.string());
+  }
+  return outcome;
+}
+
+Stage from_start(int depth) { return {"bounded", "", depth}; }
+
+// Whether the induction closes, by Yosys' own solver, which is far faster than z3 for this but
+// tells nothing where it does not.
+bool induction_closes(const SolverInput& input, int depth, const fs::path& folder,
+                      std::chrono::seconds limit) {
+  const fs::path log = folder / "induction_sat.log";
+  const std::string script = fmt::format(
+      "read_rtlil {}; sat -tempinduct -tempinduct-inductonly -prove-asserts -set-assumes "
+      "-maxsteps {} -verify",
+      (input.file.parent_path() / "formal.il").string(), depth);
+  const ProcessResult result = run_process({"yosys", "-p", script}, folder, log, limit);
+  return result.exit_status == 0 &&
+         text_of(log).find("Induction step proven: SUCCESS!") != std::string::npos;
+}
+
+Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::path& folder,
+                      std::chrono::seconds limit) {
+  if (proof.method == Method::bounded) {
+    return solve(input, from_start(proof.depth), folder, limit);
+  }
+  Outcome base = solve(input, from_start(proof.depth + 1), folder, limit);
+  if (base.verdict != Verdict::holds) {
+    return base;
+  }
+  if (induction_closes(input, proof.depth, folder, limit)) {
+    return base;
+  }
+  return solve(input, {"induction", "-i", proof.depth}, folder, limit);
+}
+
+// The lemma's negation must have no solution.
+Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::seconds limit) {
+  const fs::path log_file = folder / "z3.log";
+  const ProcessResult result = run_process({"z3", lemma.string()}, folder, log_file, limit);
+  const std::string log = text_of(log_file);
+  Outcome outcome;
+  if (result.timed_out) {
+    outcome.verdict = Verdict::undecided;
+    outcome.explanation = fmt::format("not decided within {} s", limit.count());
+  } else if (result.exit_status != 0 || log.find("error") != std::string::npos) {
+    outcome.explanation = "z3 broke down: " + log;
+  } else {
+    // Every question of the file is asked; one that has a solution breaks the lemma.
+    const bool solved = log.starts_with("unsat\n") || log == "unsat";
+    const bool other = log.find("\nsat") != std::string::npos || log.starts_with("sat") ||
+                       log.find("unknown") != std::string::npos;
+    outcome.verdict = solved && !other ? Verdict::holds : Verdict::fails;
+    outcome.explanation = outcome.verdict == Verdict::holds ? "" : "z3 says: " + log;
+    outcome.asserted = {lemma.stem().string()};
+  }
+  return outcome;
+}
+
+template <typename Trial>
+Outcome timed(const Trial& trial) {
+  const Time::time_point start = Time::now();
+  Outcome outcome;
+  try {
+    outcome = trial();
+  } catch (const std::exception& error) {
+    outcome.verdict = Verdict::broken;
+    outcome.explanation = error.what();
+  }
+  outcome.seconds = seconds_since(start);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome try_proof(const Folders& folders, const Proof& proof, const fs::path& sources,
+                  std::chrono::seconds limit) {
+  return timed([&] {
+    const fs::path folder = folders.work / proof.name;
+    fs::create_directories(folder);
+    if (proof.method == Method::arithmetic) {
+      return solve_lemma(folders.list() / proof.lemma, folder, limit);
+    }
+    const SolverInput input = make_solver_input(folders, sources, proof, nullptr, folder);
+    Outcome outcome = solve_clocked(input, proof, folder, limit);
+    outcome.asserted = input.netlist.asserted;
+    outcome.assumed = input.netlist.assumed;
+    if (outcome.verdict == Verdict::holds && outcome.asserted.empty()) {
+      throw std::runtime_error("there is nothing to prove");
+    }
+    return outcome;
+  });
+}
+
+Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Proof& proof,
+                     std::chrono::seconds limit) {
+  return timed([&] {
+    const fs::path folder = folders.work / "mutations" / mutation.name;
+    prepare_sources(folders, folder / "sources", &mutation);
+    const SolverInput input =
+        make_solver_input(folders, folder / "sources", proof, &mutation.property, folder);
+    Outcome outcome = solve(input, from_start(mutation.depth), folder, limit);
+    if (outcome.verdict == Verdict::holds) {
+      outcome.verdict = Verdict::fails;
+      outcome.explanation = fmt::format("survives: {} holds for {} clocks all the same",
+                                        mutation.property, mutation.depth);
+    } else if (outcome.verdict == Verdict::fails) {
+      outcome.verdict = Verdict::holds;
+    }
+    return outcome;
+  });
+}
+
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return "holds";
+    case Verdict::fails:
+      return "fails";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::broken:
+      return "broken";
+  }
+  return "";
+}
+
+}  // namespace proof

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls of the weaver, GHDL and Yosys.
+#include "tools/proof/workspace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "tools/proof/mutation.hpp"
+#include "tools/proof/process.hpp"
+
+namespace proof {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::seconds tool_limit{300};
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  if (!stream.flush()) {
+    throw std::runtime_error("cannot write " + file.string());
+  }
+}
+
+void run_tool(const std::vector<std::string>& arguments, const fs::path& folder,
+              const fs::path& log) {
+  const ProcessResult result = run_process(arguments, folder, log, tool_limit);
+  if (result.exit_status != 0) {
+    constexpr std::size_t last_words = 2000;
+    const std::string text = text_of(log);
+    throw std::runtime_error(fmt::format(
+        "{}\n{} {} in {}", text.substr(text.size() - std::min(text.size(), last_words)),
+        arguments.front(), result.timed_out ? "took too long" : "failed", folder.string()));
+  }
+}
+
+void add_sources(const fs::path& folder, std::vector<std::string>& files) {
+  const std::size_t first = files.size();
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".vhd") {
+      files.push_back(entry.path().string());
+    }
+  }
+  std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
+}
+
+}  // namespace
+
+void prepare_sources(const Folders& folders, const fs::path& sources, const Mutation* mutation) {
+  fs::create_directories(sources);
+  fs::path rtl = folders.project / "rtl";
+  if (mutation != nullptr) {
+    rtl = sources.parent_path() / "mutated";
+    fs::copy(folders.project / "rtl", rtl, fs::copy_options::recursive);
+    const fs::path inside = fs::relative(mutation->file, "rtl");
+    write(rtl / inside, mutated(text_of(folders.project / mutation->file), *mutation));
+  }
+  run_tool({(folders.project / "tools" / "hardware" / "weave_properties.sh").string(), rtl.string(),
+            folders.list().string(), sources.string()},
+           sources.parent_path(), sources.parent_path() / "weave.log");
+}
+
+SolverInput make_solver_input(const Folders& folders, const fs::path& sources, const Proof& proof,
+                              const std::string* property, const fs::path& folder) {
+  const fs::path library = folder / "library";
+  fs::create_directories(library);
+  const std::vector<std::string> options{"--std=08", "-fpsl", "--workdir=" + library.string()};
+  const auto ghdl = [&](const char* command, const std::vector<std::string>& rest,
+                        const char* log) {
+    std::vector<std::string> arguments{"ghdl", command};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    run_tool(arguments, folder, folder / log);
+  };
+  std::vector<std::string> files;
+  add_sources(sources, files);
+  add_sources(folders.project / "testbench", files);
+  ghdl("import", files, "import.log");
+  ghdl("make", {proof.entity}, "make.log");
+  std::vector<std::string> synthesis{"--no-assert-cover", "--out=verilog"};
+  for (const auto& [name, value] : proof.generics) {
+    synthesis.push_back(fmt::format("-g{}={}", name, value));
+  }
+  synthesis.push_back(proof.entity);
+  ghdl("synth", synthesis, "netlist.v");
+
+  SolverInput input;
+  const std::string verilog = text_of(folder / "netlist.v");
+  input.netlist = property != nullptr
+                      ? make_formal(verilog, proof.entity, {*property}, {})
+                      : make_formal(verilog, proof.entity, proof.only, proof.except);
+  write(folder / "formal.v", input.netlist.verilog);
+  input.file = folder / "formal.smt2";
+  run_tool({"yosys", "-q", "-p",
+            fmt::format("read_verilog -formal -sv formal.v; prep -top {} -flatten; async2sync; "
+                        "chformal -lower; dffunmap; write_smt2 -wires formal.smt2; "
+                        "memory_map; opt -full; write_rtlil formal.il",
+                        proof.entity)},
+           folder, folder / "yosys.log");
+  return input;
+}
+
+}  // namespace proof

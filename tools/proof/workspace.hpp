@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Folders in which proofs are tried, and the way of the sources to the solver's input.
+#pragma once
+
+#include <filesystem>
+
+#include "tools/proof/formal_netlist.hpp"
+#include "tools/proof/list.hpp"
+
+namespace proof {
+
+struct Folders {
+  std::filesystem::path project;
+  std::filesystem::path work;  // is emptied
+
+  std::filesystem::path list() const { return project / "testbench" / "proofs"; }
+};
+
+// Copies the chip's sources to `sources`, with the properties woven into them; with a mutation
+// first.
+void prepare_sources(const Folders& folders, const std::filesystem::path& sources,
+                     const Mutation* mutation);
+
+struct SolverInput {
+  std::filesystem::path file;
+  FormalNetlist netlist;
+};
+
+// The proof's entity as SMT-LIB in `folder`, with the one property or those that the proof is for.
+// Throws std::runtime_error with the tool's last words.
+SolverInput make_solver_input(const Folders& folders, const std::filesystem::path& sources,
+                              const Proof& proof, const std::string* property,
+                              const std::filesystem::path& folder);
+
+}  // namespace proof
