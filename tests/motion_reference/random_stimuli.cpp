@@ -98,8 +98,8 @@ class Player {
     const std::uint32_t value = start | (inputs_closed_ ? 0 : chance(5) ? 0x100u : 1u << below(8));
     inputs_closed_ = !inputs_closed_;
     note({run_.reference.now(), Stimulus::Kind::inputs, 0, value});
-    next_inputs_ = run_.reference.now() + (inputs_closed_ ? 1 + below(200) : 1000 + below(60000));
-    if (chance(20)) next_inputs_ = run_.reference.now() + 1 + below(20);
+    next_inputs_ = run_.reference.now() + (inputs_closed_ ? 1 + below(200) : 5000 + below(80000));
+    if (chance(5)) next_inputs_ = run_.reference.now() + 1 + below(20);
   }
 
   void use_the_bus() {
@@ -176,7 +176,7 @@ class Player {
                                 .stop_on_release = chance(10),
                                 .stop_brakes = chance(50),
                                 .waits_for_start = chance(3),
-                                .stop_mask = chance(30) ? below(256) & below(256) : 0,
+                                .stop_mask = chance(20) ? below(256) & below(256) : 0,
                                 .ahead = ahead,
                                 .behind = behind});
     if (!continues) put_line();
