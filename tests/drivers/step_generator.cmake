@@ -4,9 +4,14 @@ add_verilated_model(step_generator_model TOP step_generator)
 
 add_unit_test(step_generator_test
   SOURCES step_generator_test.cpp step_generator_override_test.cpp step_generator_stop_test.cpp
-    step_generator_rate_test.cpp ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp
+    step_generator_rate_test.cpp step_generator_ramp_test.cpp
+    ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp
   LIBRARIES verilated_bus step_generator_model
-  LABELS unit drivers)
+  LABELS unit drivers ARGUMENTS --gtest_filter=-*whole*)
+
+# A ramp of a hundred million clocks.
+add_test(NAME step_generator_slow_test COMMAND step_generator_test --gtest_filter=*whole*)
+set_tests_properties(step_generator_slow_test PROPERTIES LABELS slow TIMEOUT 1800)
 
 add_unit_test(step_generator_reference_test
   SOURCES step_generator_reference_test.cpp

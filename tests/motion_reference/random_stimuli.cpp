@@ -27,11 +27,12 @@ class Player {
 
   RandomRun play() {
     // The last write takes effect a clock later, and the last pulse has a width.
-    constexpr int rest_clocks = 300;
+    constexpr int rest_clocks = 300, clocks_to_take_effect = 10;
     for (int rest = 0; rest < rest_clocks; ++rest) {
       if (segments_left_ > 0 || !writes_.empty() || !run_.reference.idle()) rest = 0;
       if (run_.reference.now() >= next_inputs_) change_inputs();
-      if (run_.reference.now() >= next_write_) use_the_bus();
+      const bool may_write = rest < rest_clocks - clocks_to_take_effect;
+      if (may_write && run_.reference.now() >= next_write_) use_the_bus();
       clock();
     }
     run_.clocks = run_.reference.now();
@@ -55,11 +56,11 @@ class Player {
   }
 
   void write_settings(std::uint32_t seed) {
-    const std::uint32_t longest = seed % 4 == 0 ? 1 : seed % 4 == 1 ? 120 : 12;
+    const std::uint32_t longest = seed % 3 == 0 ? 1 : seed % 16 == 1 ? 120 : 12;
     const auto guard = [this, longest] { return longest == 1 ? below(2) : 1 + below(longest); };
     for (std::size_t axis = 0; axis < axes; ++axis) {
       put(axis, registers::PulseGuard{
-                    .high = guard(), .low = guard(), .both_edges = seed % 3 == 0 && chance(50)});
+                    .high = guard(), .low = guard(), .both_edges = seed % 4 == 0 && chance(50)});
       put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
     }
     put(registers::RateFloor{std::uint32_t{1} << (21 + below(7))});
@@ -125,11 +126,11 @@ class Player {
       something_rare();
     } else if (run_.reference.level() >= queue_depth && !chance(2)) {
       if (!running_) put(registers::Control{.run = running_ = true});
-      next_write_ = run_.reference.now() + 1 + below(3000);
+      next_write_ = run_.reference.now() + 1 + below(1000);
     } else {
       put_segment();
       if (chance(70)) put(registers::Command{.feed_watchdog = true});
-      if (chance(5)) next_write_ = run_.reference.now() + below(4000);
+      if (chance(5)) next_write_ = run_.reference.now() + below(1500);
     }
   }
 
@@ -205,7 +206,7 @@ class Player {
   // In ticks per clock; not so slow that the segment takes more than some thousand clocks.
   double random_rate(double ticks) {
     if (chance(25)) return 0.5;
-    return std::min(0.5, std::max(std::exp2(uniform(-9, -1)), ticks / 3000));
+    return std::min(0.5, std::max(std::exp2(uniform(-9, -1)), ticks / 1000));
   }
 
   void put_course(double ticks) {

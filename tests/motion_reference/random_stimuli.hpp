@@ -20,8 +20,7 @@ struct RandomRun {
 
 // Guards, rate floor, then `segments` random segments: lines in one or more parts, all rates up to
 // 1/2, ramps, reversals, single ticks, empty queues, and among them refused words, stops, flushes,
-// snapshots and positions. A quarter of the seeds have the shortest guards, a quarter rather long
-// ones.
+// snapshots and positions. A third of the seeds have the shortest guards, a sixteenth long ones.
 RandomRun random_run(std::uint32_t seed, std::size_t segments);
 
 }  // namespace motion_reference
