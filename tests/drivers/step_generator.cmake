@@ -31,3 +31,8 @@ add_test(NAME step_generator_cross_check
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/step_generator_cross_check.sh $<TARGET_FILE:step_generator_edges>
     ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/step_generator_cross_check 0 1 2 3)
 set_tests_properties(step_generator_cross_check PROPERTIES LABELS "drivers;testbench" TIMEOUT 600)
+
+# Tables for the pictures of rtl/motion/pictures.
+add_executable(step_generator_traces step_generator_traces.cpp
+  ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp)
+target_link_libraries(step_generator_traces PRIVATE strict_warnings verilated_bus step_generator_model)
