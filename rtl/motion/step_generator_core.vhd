@@ -93,6 +93,9 @@ architecture rtl of step_generator_core is
   signal forgettings, forgettings_seen : std_ulogic := '0';
   signal append : std_ulogic;
   signal full : std_ulogic;
+  -- In the clock before. Nothing but a commit fills the queue, and no write follows in the next clock; so
+  -- the writer may look at this, and rests with bus_clk.
+  signal was_full : std_ulogic := '0';
 
   signal head_valid : std_ulogic;
   signal head : segment_t;
@@ -139,11 +142,19 @@ begin
     forgettings_seen <= (forgettings xor forget) and not reset;
   end process;
 
+  see_fullness : process
+  begin
+    wait until rising_edge(bus_clk);
+    was_full <= full and not reset;
+    a_full_queue_is_seen_in_time : assert reset = '1' or (commit or write.valid) = '0' or
+      full = '0' or was_full = '1' severity failure;
+  end process;
+
   writer : entity work.segment_writer
     generic map (axes => axes)
     port map (
       clk => bus_clk, reset => reset, write => write, commit => commit, flush => writer_forgets,
-      queue_full => full, stopped => stopped, accepted => append, refused => refused);
+      queue_full => was_full, stopped => stopped, accepted => append, refused => refused);
 
   queue : entity work.segment_queue
     generic map (axes => axes, depth => queue_depth)

@@ -58,7 +58,7 @@ void StepGeneratorReference::obey(const Write& write) {
     set_position(axis_of_position, value);
   } else if (address >= registers::SegmentFlags::address &&
              address < registers::SegmentCommit::address) {
-    if (queue_.size() < queue_depth) {
+    if (!queue_was_full_) {
       draft_.write(address, value, line_left_);
     } else if (address == registers::SegmentFlags::address) {
       draft_.forget();
@@ -67,10 +67,9 @@ void StepGeneratorReference::obey(const Write& write) {
 }
 
 void StepGeneratorReference::commit() {
-  const bool was_full = queue_.size() == queue_depth;
   if (stopped_) {
     errors_ |= static_cast<std::uint32_t>(Refusal::while_stopped);
-  } else if (was_full) {
+  } else if (queue_was_full_) {
     errors_ |= static_cast<std::uint32_t>(Refusal::queue_full);
   } else if (!draft_.complete()) {
     errors_ |= static_cast<std::uint32_t>(Refusal::incomplete);

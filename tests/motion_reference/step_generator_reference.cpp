@@ -111,6 +111,7 @@ void StepGeneratorReference::clock() {
   const bool stop = stopped_ || at_once;
 
   // Decided on the state of this clock, then done.
+  const bool full = queue_.size() == queue_depth;
   const bool moving = active_.has_value();
   const std::uint64_t leap = pace_.leap();
   const bool due = moving && !stop && phase_ + leap * rate_ < phase_;
@@ -152,6 +153,7 @@ void StepGeneratorReference::clock() {
     stopped_ = false;
   }
   inputs_before_ = inputs_;
+  queue_was_full_ = full;
   // The registers pass a write on in the clock after it.
   current_ = std::exchange(pending_, std::nullopt);
   ++now_;

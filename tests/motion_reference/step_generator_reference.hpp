@@ -108,6 +108,7 @@ class StepGeneratorReference {
   SegmentDraft draft_;
   std::uint64_t line_left_ = 0;  // of the last committed line
   std::deque<Queued> queue_;
+  bool queue_was_full_ = false;  // in the clock before, by which writes are judged
   std::uint64_t next_ready_ = 0;
 
   std::optional<Segment> active_;
