@@ -13,11 +13,11 @@ use work.step_generator_pkg.all;
 -- no multiplier is needed, a scale of exactly 1 is as if this entity were not there, and the ticks with
 -- their order stay the same at any scale, since they are counted by the base.
 --
--- Bounds. Base time lags behind the sum of the scale by less than 4 base clocks, and in a leap the rate of
--- its first base clock is used for all: the course of a ramp is that of its segment, shifted by less than 4
--- base clocks; where the scale never exceeds 1, leaps are of 1 and the base's own arithmetic is exact. A tick
--- below scale 1 is late by less than a base clock, that is 1/scale clocks: against the stretched distance of
--- steps the same part as at scale 1.
+-- Bounds. Up to a scale of 1 leaps are of 1, and the base's own arithmetic is exact; a tick is late by less
+-- than a base clock, that is 1/scale clocks: against the stretched distance of steps the same part as at
+-- scale 1. Above it, base time lags behind the sum of the scale by less than 4 base clocks; and a leap of n
+-- uses the rate of its first base clock for all, which is wrong by (n-1)/2 of the change of rate in it:
+-- over a ramp by at most 3/2 * 7/64 + 1/2 * 8/64, less than a quarter of a tick.
 --
 -- Two ticks stay two clocks apart: the base says which leap leaves its rate below 1/2 tick per clock.
 -- What cannot be leapt is forgotten beyond 3 base clocks, so that motion runs on at the longest leap and

@@ -94,6 +94,52 @@ TEST_F(StepGeneratorRampTest, makes_each_tick_at_the_first_clock_edge_after_its_
   EXPECT_GT(all_ticks, 100000);
 }
 
+// The bounds of rtl/motion/feed_override.vhd.
+TEST_F(StepGeneratorRampTest, places_ticks_within_the_bounds_of_the_override) {
+  std::mt19937 random(8);
+  const auto uniform = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  std::uint32_t step = 0;
+  bool moving = false;
+  std::uint64_t began = 0, ticks = 0;
+  long double scale = 1;
+  Ramp ramp;
+  chip_.after_clock = [&] {
+    if (chip_->moving && !moving) began = chip_.now();
+    moving = chip_->moving;
+    const bool rises = (chip_->step & 1u) != 0 && (step & 1u) == 0;
+    step = chip_->step;
+    if (!rises) return;
+    ++ticks;
+    const long double base_clocks = scale * static_cast<long double>(chip_.now() - began);
+    const auto wanted = static_cast<long double>(ticks);
+    const long double lag = scale > 1 ? 4 : 1, error = scale > 1 ? 0.25L : 1e-9L;
+    ASSERT_GE(ramp.ticks_at(base_clocks), wanted - error) << "early at tick " << ticks;
+    ASSERT_LT(ramp.ticks_at(base_clocks - scale - lag), wanted + error) << "late, tick " << ticks;
+  };
+  for (int i = 0; i < 300 && !HasFatalFailure(); ++i) {
+    const auto scale_65536ths = static_cast<std::uint32_t>(i % 3 == 0   ? uniform(6554, 65536)
+                                                           : i % 3 == 1 ? uniform(65536, 262143)
+                                                                        : 65536 * (1 + i % 4));
+    scale = std::min(scale_65536ths, 262143u) / 65536.0L;
+    generator_.set_override(std::min(scale_65536ths, 262143u));
+    const double clocks = std::exp2(uniform(8, 14)), most_change = std::ldexp(clocks, -22);
+    const double from = std::exp2(uniform(-12, -3.3));
+    const double to =
+        std::clamp(std::exp2(uniform(-12, -3.3)), from - most_change, from + most_change);
+    ramp = Ramp::between(from, to, clocks, uniform(-1, 1));
+    const auto count = static_cast<std::int32_t>(ramp.ticks_at(clocks));
+    if (count == 0) continue;
+    Segment segment = line({count, 0, 0, 0});
+    ramp.put(segment);
+    ticks = 0;
+    append(segment);
+    run_until_idle();
+    ASSERT_EQ(ticks, count);
+  }
+}
+
 // A hundred million clocks are 2 s at 50 MHz. The netlist and the arithmetic of its specification
 // make the same ticks in the same clocks; the arithmetic's end rate is off by less than 1 tick/s.
 TEST_F(StepGeneratorRampTest, whole_keeps_rate_and_count_over_a_hundred_million_clocks) {
