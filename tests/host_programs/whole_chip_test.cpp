@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hosts of every kind, and what they do wrong, against the whole chip: every line is taken once and
+// in order, and after whatever has happened a fresh host prints.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "tests/host_programs/served_chip.hpp"
+
+namespace host_programs {
+namespace {
+
+using host_link::test::HostModel;
+
+// Short moves away from where the axes stand, with what slicers put between.
+std::vector<std::string> job(int lines) {
+  std::mt19937_64 random(5);
+  std::vector<std::string> result{"G90", "G1 F6000"};
+  for (int i = 2; i < lines; ++i) {
+    if (i % 10 == 9) {
+      result.push_back(i % 20 == 9 ? "M105" : "M117 Layer G1 X5");
+      continue;
+    }
+    result.push_back("G1 X" + std::to_string(random() % 4) + "." + std::to_string(random() % 1000) +
+                     " Y" + std::to_string(random() % 4) + ".5");
+  }
+  return result;
+}
+
+using MakeHost = std::function<std::unique_ptr<HostModel>(std::vector<std::string>)>;
+
+struct Taken {
+  std::vector<std::string> lines;
+  std::vector<Edge> edges;
+  std::uint64_t resends;
+};
+
+Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& lines, double faults,
+                        std::uint64_t seed) {
+  ServedChip chip;
+  const auto host = make(lines);
+  EXPECT_TRUE(chip.converse(*host, faults, seed, 120)) << "the host hangs";
+  EXPECT_LE(chip.longest_wait(), faults == 0 ? 2.0 : 5.0);
+  Taken taken{{}, std::move(chip.edges), chip.watch->resends()};
+  int expected = host->first_number();
+  for (const auto& line : chip.accepted) {
+    if (!line.number || line.text.starts_with("M110")) {
+      continue;
+    }
+    EXPECT_EQ(*line.number, expected++);
+    taken.lines.push_back(line.text);
+  }
+  return taken;
+}
+
+void expect_the_same_over_a_noisy_line(const MakeHost& make) {
+  const std::vector<std::string> lines = job(300);
+  const Taken clean = print_over_a_line(make, lines, 0, 1);
+  EXPECT_EQ(clean.lines, lines);
+  EXPECT_EQ(clean.resends, 0u);
+  EXPECT_FALSE(clean.edges.empty());
+  const Taken noisy = print_over_a_line(make, lines, 1e-3, 2);
+  EXPECT_EQ(noisy.lines, lines);
+  EXPECT_GT(noisy.resends, 0u);
+  EXPECT_EQ(noisy.edges, clean.edges);
+}
+
+TEST(noisy_line, printcore_makes_the_same_pulses_as_on_a_clean_one) {
+  expect_the_same_over_a_noisy_line(host_link::test::printcore);
+}
+
+TEST(noisy_line, octoprint_makes_the_same_pulses_as_on_a_clean_one) {
+  expect_the_same_over_a_noisy_line(host_link::test::octoprint);
+}
+
+TEST(noisy_line, cura_makes_the_same_pulses_as_on_a_clean_one) {
+  expect_the_same_over_a_noisy_line(host_link::test::cura);
+}
+
+TEST(misbehaving_hosts, one_that_is_gone_in_the_midst_of_a_numbered_line) {
+  ServedChip chip;
+  chip.ask(0, "M110 N0");
+  chip.send("N1 G1 X50 F60");
+  chip.finish_sending();
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_that_floods_without_waiting) {
+  ServedChip chip;
+  std::string flood;
+  while (flood.size() < 100'000) {
+    flood += "G1 X10 Y10 F3000\n";
+  }
+  chip.send(flood);
+  chip.finish_sending();
+  EXPECT_LT(chip.accepted.size(), flood.size() / 17);
+  for (const auto& line : chip.accepted) {
+    EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
+  }
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_that_floods_a_megabyte_without_waiting) {
+  ServedChip chip;
+  std::string flood;
+  while (flood.size() < 1'000'000) {
+    flood += "G1 X10 Y10 F3000\n";
+  }
+  chip.send(flood);
+  chip.finish_sending();
+  for (const auto& line : chip.accepted) {
+    EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
+  }
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_with_a_line_of_64_kib) {
+  ServedChip chip;
+  chip.send("G1 X1" + std::string(65'536, '0') + "\n");
+  chip.finish_sending();
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_that_sends_nul_bytes) {
+  ServedChip chip;
+  chip.send(std::string(5'000, '\0'));
+  chip.finish_sending();
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_at_the_wrong_speed) {
+  ServedChip chip;
+  for (const std::uint32_t baud : {115'200u, 57'600u, 500'000u, 9'600u}) {
+    chip.printer->serial_line().set_baud(chip.simulation.now(), baud);
+    for (int i = 0; i < 5; ++i) {
+      chip.send("\nN0 M110 N0*125\nM105\n");
+    }
+    chip.finish_sending();
+  }
+  EXPECT_TRUE(chip.edges.empty());
+  chip.printer->serial_line().set_baud(chip.simulation.now(), 250'000);
+  chip.expect_that_a_fresh_host_prints();
+}
+
+TEST(misbehaving_hosts, one_that_is_killed_during_m109_leaves_a_printer_that_cools_down) {
+  ServedChip chip(196, 22);
+  chip.ask(0, "M110 N0");
+  chip.ask(1, "M86 S3");
+  chip.send("N2 M109 S200*97\n");
+  double hottest = 0;
+  for (int i = 0; i < 40; ++i) {
+    chip.run(1.0);
+    hottest = std::max(hottest, chip.printer->hotend_c());
+  }
+  EXPECT_GT(hottest, 198.0);
+  EXPECT_LT(hottest, 205.0);
+  // The wait is over, nobody has said a word for three seconds: the heat is off.
+  EXPECT_LT(chip.printer->hotend_c(), 195.0);
+  chip.expect_that_a_fresh_host_prints();
+}
+
+}  // namespace
+}  // namespace host_programs
