@@ -88,7 +88,8 @@ std::string to_json(const Results& results) {
                       {"bss_bytes", results.firmware.bss_bytes},
                       {"stack_peak_bytes", results.firmware.stack_peak_bytes}};
   json["processor"] = {{"busy_percent", rounded(results.processor_busy_percent)},
-                       {"instructions", results.instructions}};
+                       {"instructions", results.instructions},
+                       {"longest_pass_clocks", results.longest_pass_clocks}};
   json["serial"] = {{"bytes_corrupted", results.serial_bytes_corrupted}};
   json["messages"] = messages_json(results);
   json["messages_dropped"] = results.messages_dropped;

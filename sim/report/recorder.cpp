@@ -2,6 +2,8 @@
 // Connects the parts of the report to the printer and gathers what they found.
 #include "sim/report/recorder.hpp"
 
+#include "sim/report/firmware_watch.hpp"
+
 namespace report {
 
 namespace {
@@ -116,6 +118,9 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   results.processor_busy_percent =
       cycles > 0 ? 100.0 * (1.0 - static_cast<double>(processor.sleeping_clocks) / cycles) : 0.0;
   results.instructions = processor.instructions;
+  if (firmware.symbol("statistics")) {
+    results.longest_pass_clocks = FirmwareWatch(firmware, chip).longest_pass_clocks();
+  }
   results.serial_bytes_corrupted = printer_.serial_line().bytes_corrupted();
   results.messages = messages_.messages();
   results.messages_dropped = messages_.dropped();

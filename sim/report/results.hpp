@@ -64,6 +64,7 @@ struct Results {
   FirmwareResult firmware;
   double processor_busy_percent{};
   std::uint64_t instructions{};
+  std::uint64_t longest_pass_clocks{};  // of the firmware's loop, from waking up to sleeping
   std::uint64_t serial_bytes_corrupted{};
   std::vector<Message> messages;
   std::uint64_t messages_dropped{};

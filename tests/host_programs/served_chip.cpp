@@ -14,6 +14,8 @@ namespace {
 
 constexpr double start_up_seconds = 0.05;
 constexpr double millisecond = 0.001;
+// The planner holds up to 16 lines that are acknowledged and not yet made.
+constexpr double planned_motion_seconds = 4.0;
 
 bool is_sign_of_life(const std::string& line) {
   return line.starts_with("ok") || line.starts_with("Resend") || line.starts_with("echo:busy");
@@ -146,7 +148,7 @@ bool ServedChip::converse(host_link::test::HostModel& host, double faults_per_by
       reply.clear();
     }
   }
-  run(1.0);  // the last lines are carried out
+  run(planned_motion_seconds);  // the last lines are carried out
   noise_ = nullptr;
   replies_.clear();
   waiting_since_ = -1;
