@@ -63,12 +63,12 @@ Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& li
 }
 
 void expect_the_same_over_a_noisy_line(const MakeHost& make) {
-  const std::vector<std::string> lines = job(300);
+  const std::vector<std::string> lines = job(150);
   const Taken clean = print_over_a_line(make, lines, 0, 1);
   EXPECT_EQ(clean.lines, lines);
   EXPECT_EQ(clean.resends, 0u);
   EXPECT_FALSE(clean.edges.empty());
-  const Taken noisy = print_over_a_line(make, lines, 1e-3, 2);
+  const Taken noisy = print_over_a_line(make, lines, 2e-3, 2);
   EXPECT_EQ(noisy.lines, lines);
   EXPECT_GT(noisy.resends, 0u);
   EXPECT_TRUE(by_axis(noisy.edges) == by_axis(clean.edges));
