@@ -3,6 +3,10 @@
 // gone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {
@@ -82,6 +86,40 @@ TEST(host_actions, cancel_ends_the_motion_and_answers_what_waits_without_executi
   printer.talk("<- ok\n<- ok\n<- ok\n<- ok\n-> M118 after\n<- after\n<- ok");
   printer.run(1);
   EXPECT_LT(printer.mm(0), 30);
+}
+
+// From the line's end to its ok, and between signs of life on the way, in milliseconds.
+int longest_silence_ms(Printer& printer, std::string_view line) {
+  printer.chip.from_firmware.clear();
+  printer.send(line);
+  int longest = 0, silent = 0;
+  std::size_t seen = 0;
+  for (int ms = 0; ms < 200'000; ++ms) {
+    printer.run(0.001);
+    ++silent;
+    const std::string& said = printer.chip.from_firmware;
+    const std::size_t end = said.rfind('\n');
+    if (end == std::string::npos || end < seen) continue;
+    const std::string fresh = said.substr(seen, end + 1 - seen);
+    seen = end + 1;
+    const bool done = fresh.starts_with("ok") || fresh.find("\nok") != std::string::npos;
+    if (!done && fresh.find("echo:busy") == std::string::npos) continue;
+    longest = std::max(longest, silent);
+    silent = 0;
+    if (done) return longest;
+  }
+  ADD_FAILURE() << "no ok to " << line;
+  return longest;
+}
+
+TEST(host_actions, every_line_is_answered_or_called_busy_within_two_seconds) {
+  Printer printer;
+  printer.run(0.3);
+  for (const char* line :
+       {"", "; only a comment", "M105", "M115", "G28", "G4 S9", "G1 X150 F300", "M400", "M109 S60",
+        "M190 R40", "M0 S7", "G999", "N5 G1", "M117 text", "G1 X0 F600", "M84"}) {
+    EXPECT_LE(longest_silence_ms(printer, line), 2000) << line;
+  }
 }
 
 TEST(host_actions, heaters_are_switched_off_when_the_host_says_nothing_for_the_time_of_m86) {
