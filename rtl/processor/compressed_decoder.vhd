@@ -28,11 +28,13 @@ architecture rtl of compressed_decoder is
   signal is_add_immediate, is_jump_and_link, is_load_immediate, is_upper_or_sp : std_ulogic;
   signal is_arithmetic, is_jump_only, is_branch : std_ulogic;
   signal is_shift_left, is_load_from_sp, is_store_to_sp, is_move_or_jump : std_ulogic;
-  signal is_sp, is_short_shift, is_short_and, is_short_operation : std_ulogic;
+  signal upper_is_sp, is_sp, is_short_shift, is_short_and, is_short_operation : std_ulogic;
   signal is_jump_register, is_move, is_add, is_breakpoint : std_ulogic;
   signal is_load, is_store, is_jump : std_ulogic;
-  signal upper_zero, lower_zero, constant_zero, legal, has_destination : std_ulogic;
+  signal upper_zero, lower_zero, constant_zero, has_destination : std_ulogic;
   signal sign, extension : std_ulogic;
+  signal from_quadrant_0, from_quadrant_1, from_quadrant_2 : std_ulogic_vector(11 downto 0);
+  signal jump_offset, branch_offset, sp_amount, small_constant : std_ulogic_vector(11 downto 0);
   signal low : std_ulogic_vector(11 downto 0);
   signal destination : register_index_t;
 
@@ -64,7 +66,8 @@ begin
   is_move_or_jump <= quadrant_2 and (funct3 ?= "100");
   is_store_to_sp <= quadrant_2 and (funct3 ?= "110");
 
-  is_sp <= is_upper_or_sp and (upper_field ?= "00010");
+  upper_is_sp <= upper_field ?= "00010";
+  is_sp <= is_upper_or_sp and upper_is_sp;
   is_short_shift <= is_arithmetic and not instruction(11);
   is_short_and <= is_arithmetic and instruction(11) and not instruction(10);
   is_short_operation <= is_arithmetic and instruction(11) and instruction(10);
@@ -77,14 +80,14 @@ begin
   is_jump <= is_jump_only or is_jump_and_link;
 
   -- Shifts by more than 31 and constants of zero are reserved where they are named here.
-  legal <= (is_add_to_sp and (or instruction(12 downto 5))) or is_load_word or is_store_word or
-           is_add_immediate or is_jump or is_load_immediate or
-           (is_upper_or_sp and not constant_zero) or
-           (is_short_shift and not instruction(12)) or is_short_and or
-           (is_short_operation and not instruction(12)) or is_branch or
-           (is_shift_left and not instruction(12)) or (is_load_from_sp and not upper_zero) or
-           is_jump_register or is_breakpoint or is_move or is_add or is_store_to_sp;
-  decoded.illegal <= not legal;
+  decoded.legal(0) <= (is_add_to_sp and (or instruction(12 downto 5))) or is_load_word or
+                      is_store_word or is_add_immediate or is_jump or is_load_immediate;
+  decoded.legal(1) <= (is_upper_or_sp and not constant_zero) or
+                      (is_short_shift and not instruction(12)) or is_short_and or
+                      (is_short_operation and not instruction(12)) or is_branch;
+  decoded.legal(2) <= (is_shift_left and not instruction(12)) or
+                      (is_load_from_sp and not upper_zero) or is_store_to_sp;
+  decoded.legal(3) <= is_jump_register or is_breakpoint or is_move or is_add;
 
   -- Sums of sp; then the instructions with short numbers; li, lui and mv add to x0.
   decoded.first_index <= "00010" when is_add_to_sp or is_sp or is_load_from_sp or is_store_to_sp else
@@ -109,21 +112,34 @@ begin
   decoded.reads_first <= not (is_jump or is_load_immediate or is_move);
   decoded.reads_second <= is_store or is_branch or is_short_operation or is_move_or_jump;
 
-  low <= "00" & instruction(10 downto 7) & instruction(12 downto 11) & instruction(5) &
-           instruction(6) & "00" when is_add_to_sp else
-         "00000" & instruction(5) & instruction(12 downto 10) & instruction(6) & "00" when
-           is_load_word or is_store_word else
-         "0000" & instruction(3 downto 2) & instruction(12) & instruction(6 downto 4) & "00" when
-           is_load_from_sp else
-         "0000" & instruction(8 downto 7) & instruction(12 downto 9) & "00" when is_store_to_sp else
-         sign & instruction(8) & instruction(10 downto 9) & instruction(6) & instruction(7) &
-           instruction(2) & instruction(11) & instruction(5 downto 3) & '0' when is_jump else
-         (11 downto 8 => sign) & instruction(6 downto 5) & instruction(2) &
-           instruction(11 downto 10) & instruction(4 downto 3) & '0' when is_branch else
-         (11 downto 9 => sign) & instruction(4 downto 3) & instruction(5) & instruction(2) &
-           instruction(6) & "0000" when is_sp else
-         x"000" when is_upper_or_sp or is_move_or_jump else
-         (11 downto 5 => sign) & instruction(6 downto 2);
+  -- Chosen by as few bits as tell the constants apart, not by what the instruction is: that would
+  -- come late in the clock.
+  from_quadrant_0 <= "00000" & instruction(5) & instruction(12 downto 10) & instruction(6) & "00" when
+                       instruction(14) else
+                     "00" & instruction(10 downto 7) & instruction(12 downto 11) & instruction(5) &
+                       instruction(6) & "00";
+  jump_offset <= sign & instruction(8) & instruction(10 downto 9) & instruction(6) & instruction(7) &
+                 instruction(2) & instruction(11) & instruction(5 downto 3) & '0';
+  branch_offset <= (11 downto 8 => sign) & instruction(6 downto 5) & instruction(2) &
+                   instruction(11 downto 10) & instruction(4 downto 3) & '0';
+  sp_amount <= (11 downto 9 => sign) & instruction(4 downto 3) & instruction(5) & instruction(2) &
+               instruction(6) & "0000";
+  small_constant <= (11 downto 5 => sign) & instruction(6 downto 2);
+  -- funct3: 0, 2, 4 a small constant; 1, 5 a jump; 3 sp or the upper bits; 6, 7 a branch.
+  from_quadrant_1 <= branch_offset when instruction(15) and instruction(14) else
+                     jump_offset when instruction(13) and not instruction(14) else
+                     sp_amount when instruction(13) and upper_is_sp else
+                     x"000" when instruction(13) else
+                     small_constant;
+  from_quadrant_2 <= "0000" & instruction(8 downto 7) & instruction(12 downto 9) & "00" when
+                       instruction(15) and instruction(14) else
+                     "0000" & instruction(3 downto 2) & instruction(12) & instruction(6 downto 4) &
+                       "00" when instruction(14) else
+                     x"000" when instruction(15) else
+                     small_constant;
+  low <= from_quadrant_2 when instruction(1) else
+         from_quadrant_1 when instruction(0) else
+         from_quadrant_0;
   extension <= sign and quadrant_1;
   immediate <= (31 downto 17 => sign) & instruction(6 downto 2) & low when
                  is_upper_or_sp and not is_sp else

@@ -11,14 +11,16 @@ entity instruction_decoder is
     -- The bits behind a shorter instruction are of no meaning.
     instruction : in word_t;
     decoded : out decoded_t;
-    immediate : out word_t
+    -- The constant if it is short and if it is long: the choice is left to the next stage, which has
+    -- the time for it.
+    immediate_of_compressed : out word_t;
+    immediate_of_word : out word_t
   );
 end entity;
 
 architecture rtl of instruction_decoder is
 
   signal from_word, from_compressed : decoded_t;
-  signal immediate_of_word, immediate_of_compressed : word_t;
   signal is_word : std_ulogic;
 
 begin
@@ -37,6 +39,5 @@ begin
 
   is_word <= instruction(1) and instruction(0);
   decoded <= from_word when is_word else from_compressed;
-  immediate <= immediate_of_word when is_word else immediate_of_compressed;
 
 end architecture;

@@ -21,13 +21,10 @@ entity instruction_fetch is
     -- the clock in which it is executed; a redirection wins over a jump in the same clock.
     redirect : in std_ulogic;
     redirect_address : in unsigned(31 downto 0);
-    -- At most one of both, each with its target, of which bit 0 is ignored, and the target plus 2.
+    -- Its address, of which bit 0 is ignored, and this plus 2.
     jump : in std_ulogic;
-    target : in unsigned(31 downto 0);
-    target_plus_2 : in unsigned(31 downto 0);
-    jump_register : in std_ulogic;
-    register_target : in unsigned(31 downto 0);
-    register_target_plus_2 : in unsigned(31 downto 0);
+    jump_address : in unsigned(31 downto 0);
+    jump_address_plus_2 : in unsigned(31 downto 0);
     -- The instruction shown is taken in this clock.
     advance : in std_ulogic;
     instruction_request : out instruction_request_t;
@@ -48,7 +45,8 @@ architecture rtl of instruction_fetch is
   signal redirect_target, redirect_target_plus_2 : unsigned(31 downto 0);
   signal enable, is_word, in_upper_half, outside, straddles : std_ulogic;
   signal next_word, word_after : unsigned(31 downto 2);
-  signal upper_of_following, lower_of_following : unsigned(31 downto 2);
+  signal upper_behind_short, upper_behind_long : unsigned(31 downto 2);
+  signal lower_behind_short, lower_behind_long : unsigned(31 downto 2);
   signal upper_address, lower_address : unsigned(31 downto 2);
   signal next_in_upper_half : std_ulogic;
 
@@ -58,30 +56,36 @@ begin
   instruction <= instruction_data(15 downto 0) & instruction_data(31 downto 16) when
                    in_upper_half else
                  instruction_data;
-  is_word <= instruction(1) and instruction(0);
+  is_word <= (and instruction_data(17 downto 16)) when in_upper_half else
+             (and instruction_data(1 downto 0));
 
   -- The upper half words come from the word in which the instruction begins. The lower half words
   -- come from the same, or from the next where it begins in the upper half.
   next_word <= address(31 downto 2) + 1;
   word_after <= address(31 downto 2) + 2;
-  upper_of_following <= next_word when is_word or in_upper_half else address(31 downto 2);
-  lower_of_following <= word_after when is_word and in_upper_half else next_word;
-
-  -- What comes from execute comes late in the clock: it passes this one selection.
   redirect_target_plus_2 <= redirect_target + 2;
-  upper_address <= target(31 downto 2) when jump else
-                   register_target(31 downto 2) when jump_register else
-                   redirect_target(31 downto 2) when redirecting else
-                   upper_of_following;
-  lower_address <= target_plus_2(31 downto 2) when jump else
-                   register_target_plus_2(31 downto 2) when jump_register else
-                   redirect_target_plus_2(31 downto 2) when redirecting else
-                   lower_of_following;
-  next_in_upper_half <= target(1) when jump else
-                        register_target(1) when jump_register else
+  upper_behind_short <= redirect_target(31 downto 2) when redirecting else
+                        next_word when in_upper_half else
+                        address(31 downto 2);
+  upper_behind_long <= redirect_target(31 downto 2) when redirecting else
+                       next_word;
+  lower_behind_short <= redirect_target_plus_2(31 downto 2) when redirecting else
+                        next_word;
+  lower_behind_long <= redirect_target_plus_2(31 downto 2) when redirecting else
+                       word_after when in_upper_half else
+                       next_word;
+
+  -- Length and jump come late in the clock: they pass these two selections only.
+  upper_address <= jump_address(31 downto 2) when jump else
+                   upper_behind_long when is_word else
+                   upper_behind_short;
+  lower_address <= jump_address_plus_2(31 downto 2) when jump else
+                   lower_behind_long when is_word else
+                   lower_behind_short;
+  next_in_upper_half <= jump_address(1) when jump else
                         redirect_target(1) when redirecting else
                         in_upper_half xor not is_word;
-  enable <= redirecting or jump or jump_register or advance;
+  enable <= redirecting or jump or advance;
   instruction_request <= (
     enable => enable, upper_address => upper_address, lower_address => lower_address);
 

@@ -57,20 +57,22 @@ architecture rtl of processor is
   signal redirect : std_ulogic;
   signal redirect_address : unsigned(31 downto 0);
   signal decoded : decoded_t;
-  signal decoded_immediate : word_t;
+  signal decoded_immediate_of_compressed, decoded_immediate_of_word : word_t;
   signal advance, follow : std_ulogic;
 
   -- Execute.
   signal executing : executing_t;
   signal kind : decoded_t;
   signal executing_instruction, executing_immediate : word_t;
+  signal executing_immediate_of_compressed, executing_immediate_of_word : word_t;
   signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
   signal able, waiting, start, stall, complete, take_interrupt : std_ulogic;
   signal first_stored, first_value, second_stored, second_alternative, second_value : word_t;
   signal first_matches, second_matches : std_ulogic;
   signal alu_result, divider_result : word_t;
   signal equal, less, condition, divider_done : std_ulogic;
-  signal jump, jump_register : std_ulogic;
+  signal jump : std_ulogic;
+  signal jump_target, jump_target_plus_2 : unsigned(31 downto 0);
   signal target, target_plus_2, register_target, register_target_plus_2 : unsigned(31 downto 0);
   signal data_enable, data_misaligned, data_in_memory, data_done, data_error : std_ulogic;
   signal bus_active : std_ulogic;
@@ -105,11 +107,8 @@ begin
       redirect => redirect,
       redirect_address => redirect_address,
       jump => jump,
-      target => target,
-      target_plus_2 => target_plus_2,
-      jump_register => jump_register,
-      register_target => register_target,
-      register_target_plus_2 => register_target_plus_2,
+      jump_address => jump_target,
+      jump_address_plus_2 => jump_target_plus_2,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
@@ -123,11 +122,12 @@ begin
     port map (
       instruction => fetched_instruction,
       decoded => decoded,
-      immediate => decoded_immediate);
+      immediate_of_compressed => decoded_immediate_of_compressed,
+      immediate_of_word => decoded_immediate_of_word);
 
   advance <= not stall;
   -- What is decoded comes after what is executed.
-  follow <= fetched_valid and not (jump or jump_register or trap.enable or return_from_trap);
+  follow <= fetched_valid and not (jump or trap.enable or return_from_trap);
 
   pass_to_execute : process
   begin
@@ -136,10 +136,10 @@ begin
       executing <= (
         valid => follow,
         fetch_fault => fetch_fault,
-        leaves_memory => leaves_memory,
-        refused => fetch_fault or decoded.illegal);
+        leaves_memory => leaves_memory);
       kind <= decoded;
-      executing_immediate <= decoded_immediate;
+      executing_immediate_of_compressed <= decoded_immediate_of_compressed;
+      executing_immediate_of_word <= decoded_immediate_of_word;
       executing_address <= fetched_address;
       executing_instruction <= fetched_instruction;
       if not (and fetched_instruction(1 downto 0)) then
@@ -165,6 +165,9 @@ begin
       write_index => writing.destination,
       write_data => written_value);
 
+  executing_immediate <= executing_immediate_of_word when
+                           executing_instruction(1) and executing_instruction(0) else
+                         executing_immediate_of_compressed;
   first_matches <= writing.writes and (kind.first_index ?= writing.destination);
   second_matches <= writing.writes and (kind.second_index ?= writing.destination);
   first_value <= writing_result when first_matches else first_stored;
@@ -172,7 +175,8 @@ begin
   second_value <= second_alternative when kind.second_is_constant or second_matches else
                   second_stored;
 
-  able <= executing.valid and not executing.refused;
+  -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
+  able <= executing.valid and not executing.fetch_fault and (or kind.legal);
   waiting <= able and writing.late and ((kind.reads_first and first_matches) or
                                         (kind.reads_second and second_matches));
   take_interrupt <= interrupt_pending and (executing.valid or fetched_valid) and not bus_active and
@@ -203,8 +207,9 @@ begin
   register_target <= unsigned(first_value) + offset;
   register_target_plus_2 <= unsigned(first_value) + offset_plus_2;
   condition <= less xor kind.funct3(0) when kind.funct3(2) else equal xor kind.funct3(0);
-  jump <= able and not waiting and (kind.jump or (kind.branch and condition));
-  jump_register <= able and not waiting and kind.jump_register;
+  jump <= able and not waiting and (kind.jump or kind.jump_register or (kind.branch and condition));
+  jump_target <= register_target when kind.jump_register else target;
+  jump_target_plus_2 <= register_target_plus_2 when kind.jump_register else target_plus_2;
 
   multiplication : entity work.multiplier
     port map (

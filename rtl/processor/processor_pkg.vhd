@@ -15,8 +15,9 @@ package processor_pkg is
   -- register of more than 64 bits, which Verilator moves in pieces, and the simulation is an eighth
   -- slower. The same holds for `writing_t`.
   type decoded_t is record
-    -- Not an instruction of this processor. CSR addresses are judged by the CSRs themselves.
-    illegal : std_ulogic;
+    -- An instruction of this processor where one of these is set: their sum would come late in the
+    -- clock. CSR addresses are judged by the CSRs themselves.
+    legal : std_ulogic_vector(3 downto 0);
     first_index : register_index_t;
     second_index : register_index_t;
     destination : register_index_t;
@@ -59,8 +60,6 @@ package processor_pkg is
     -- Fetched from outside the memory; begun in its last two bytes.
     fetch_fault : std_ulogic;
     leaves_memory : std_ulogic;
-    -- A fetch fault or an illegal instruction: nothing of it may happen.
-    refused : std_ulogic;
   end record;
 
   -- The completed instruction whose result is written to its register.

@@ -35,14 +35,16 @@ end entity;
 
 architecture rtl of trap_control is
 
-  signal illegal, misaligned, exception : std_ulogic;
+  signal refused, illegal, misaligned, exception : std_ulogic;
   signal fetch_address : unsigned(31 downto 0);
 
 begin
 
-  illegal <= executing.refused or (kind.csr and not csr_legal);
+  refused <= nor kind.legal;
+  illegal <= refused or (kind.csr and not csr_legal);
   misaligned <= (kind.load or kind.store) and data_misaligned;
-  exception <= illegal or kind.environment_call or kind.breakpoint or misaligned or data_error;
+  exception <= executing.fetch_fault or illegal or kind.environment_call or kind.breakpoint or
+               misaligned or data_error;
 
   trap.enable <= take_interrupt or (executing.valid and ready and exception);
   trap.interrupt <= take_interrupt;

@@ -28,7 +28,7 @@ architecture rtl of word_decoder is
   signal is_shift, is_multiply_or_divide, is_csr, is_privileged : std_ulogic;
   signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
   signal funct7_zero, funct7_alternate : std_ulogic;
-  signal has_destination, legal : std_ulogic;
+  signal has_destination : std_ulogic;
   signal immediate_low : std_ulogic_vector(11 downto 0);
 
 begin
@@ -57,19 +57,19 @@ begin
   is_mret <= is_privileged and (instruction(31 downto 20) ?= x"302");
   is_wfi <= is_privileged and (instruction(31 downto 20) ?= x"105");
 
-  legal <= is_upper or is_upper_to_pc or is_jump or
-           (is_jump_register and (funct3 ?= "000")) or
-           (is_branch and (funct3(2) or not funct3(1))) or
-           (is_load and not (funct3(1) and (funct3(0) or funct3(2)))) or
-           (is_store and not funct3(2) and (funct3(1) nand funct3(0))) or
-           (is_immediate_operation and
-            (not is_shift or funct7_zero or (funct7_alternate and funct3(2)))) or
-           (is_operation and
-            (funct7_zero or (funct7_alternate and (funct3 ?= "000" or funct3 ?= "101")))) or
-           is_multiply_or_divide or
-           (is_fence and not funct3(2) and not funct3(1)) or
-           is_csr or is_ecall or is_ebreak or is_mret or is_wfi;
-  decoded.illegal <= not legal;
+  decoded.legal(0) <= is_upper or is_upper_to_pc or is_jump or
+                      (is_jump_register and (funct3 ?= "000")) or
+                      (is_branch and (funct3(2) or not funct3(1)));
+  decoded.legal(1) <= (is_load and not (funct3(1) and (funct3(0) or funct3(2)))) or
+                      (is_store and not funct3(2) and (funct3(1) nand funct3(0))) or
+                      (is_fence and not funct3(2) and not funct3(1)) or is_csr;
+  decoded.legal(2) <= (is_immediate_operation and
+                       (not is_shift or funct7_zero or (funct7_alternate and funct3(2)))) or
+                      (is_operation and
+                       (funct7_zero or
+                        (funct7_alternate and (funct3 ?= "000" or funct3 ?= "101")))) or
+                      is_multiply_or_divide;
+  decoded.legal(3) <= is_ecall or is_ebreak or is_mret or is_wfi;
 
   -- fence.i jumps to the next instruction, and so has it fetched again.
   immediate_low <= instruction(31 downto 25) & instruction(11 downto 7) when is_store else

@@ -16,10 +16,10 @@ architecture tb of instruction_fetch_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal redirect, jump, jump_register, advance, valid, fault, leaves_memory : std_ulogic := '0';
-  signal redirect_address, target, register_target, address : unsigned(31 downto 0) :=
+  signal redirect, jump, advance, valid, fault, leaves_memory : std_ulogic := '0';
+  signal redirect_address, target, address : unsigned(31 downto 0) :=
     (others => '0');
-  signal target_plus_2, register_target_plus_2 : unsigned(31 downto 0);
+  signal target_plus_2 : unsigned(31 downto 0);
   signal instruction_request : instruction_request_t;
   signal instruction_data : word_t := (others => '0');
   signal instruction : word_t;
@@ -28,7 +28,6 @@ begin
 
   clk <= not clk after 5 ns;
   target_plus_2 <= target + 2;
-  register_target_plus_2 <= register_target + 2;
 
   uut : entity work.instruction_fetch
     generic map (reset_address => x"80000000", memory_address_bits => 16)
@@ -38,11 +37,8 @@ begin
       redirect => redirect,
       redirect_address => redirect_address,
       jump => jump,
-      target => target,
-      target_plus_2 => target_plus_2,
-      jump_register => jump_register,
-      register_target => register_target,
-      register_target_plus_2 => register_target_plus_2,
+      jump_address => target,
+      jump_address_plus_2 => target_plus_2,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
@@ -119,16 +115,11 @@ begin
 
     -- Jumps, of which bit 0 is ignored, while nothing is taken or something is.
     for half_words in 0 to 7 loop
-      target <= x"80000100" + 2 * half_words;
-      register_target <= x"80000201" + 2 * half_words;
+      target <= x"80000101" + 2 * half_words;
       jump <= '1';
       clock;
       jump <= '0';
       expect(x"80000100" + 2 * half_words);
-      jump_register <= '1';
-      clock;
-      jump_register <= '0';
-      expect(x"80000200" + 2 * half_words);
       advance <= not advance;
     end loop;
     advance <= '0';

@@ -14,7 +14,8 @@ architecture tb of trap_control_tb is
 
   signal executing : executing_t := (valid => '1', others => '0');
   signal kind : decoded_t := (
-    first_index | second_index | destination => "00000", operation | funct3 => "000", others => '0');
+    legal => "0001", first_index | second_index | destination => "00000",
+    operation | funct3 => "000", others => '0');
   signal take_interrupt, data_misaligned, data_error : std_ulogic := '0';
   signal csr_legal, ready : std_ulogic := '1';
   signal interrupt_cause : std_ulogic_vector(4 downto 0) := 5d"20";
@@ -85,7 +86,7 @@ begin
     kind.breakpoint <= '1';
     expect(3, x"80000100");
     kind.breakpoint <= '0';
-    executing.refused <= '1';
+    kind.legal <= "0000";
     expect(2, x"12345678");
     executing.fetch_fault <= '1';
     expect(1, x"80000100");
