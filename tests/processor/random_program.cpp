@@ -26,7 +26,11 @@ constexpr Word bus_base = 30, data_base = 31;
 constexpr Word data_address = 0x8000C000, stack_address = 0x8000D000,
                short_data_address = 0x8000E000;
 constexpr Word mstatus = 0x300, mie = 0x304, mtvec = 0x305, mepc = 0x341, mcause = 0x342;
-constexpr std::size_t instructions_of_prologue = 100;
+constexpr std::size_t instructions_of_prologue = 120;
+// Nothing answers there, on any machine.
+constexpr Word nowhere = 0xF0004000;
+// Passes left, in the word below the one that tells the end.
+constexpr std::int32_t passes_offset = -4;
 // Jumps may lead a little beyond the end.
 constexpr std::size_t instructions_of_epilogue = 40;
 
@@ -37,10 +41,14 @@ class Generator {
 
   std::vector<std::uint8_t> generate() {
     prologue();
+    const std::size_t body = program_.size();
+    load_constant(stack_pointer, stack_address);
     while (program_.size() < instructions_of_prologue + settings_.length) {
       one_in(2) ? add_short_instruction() : add_instruction();
     }
     for (std::size_t count = 0; count < instructions_of_epilogue; ++count) emit(encode::nop());
+    read_back();
+    repeat(body);
     emit(encode::add_immediate(1, 0, 1));
     emit(encode::store(2, 1, tohost_base, 0));
     emit(encode::jump_and_link(0, 0));
@@ -62,6 +70,23 @@ class Generator {
   Word short_destination() { return 9 + below(7); }
   std::int32_t small_immediate() { return static_cast<std::int32_t>(below(4096)) - 2048; }
   std::int32_t tiny_immediate() { return static_cast<std::int32_t>(below(64)) - 32; }
+
+  // What was stored is looked at by loading it.
+  void read_back() {
+    for (std::int32_t offset = -128; offset < 128; offset += 4) {
+      emit(encode::load(2, 1, data_base, offset));
+      emit(encode::load(2, 1, short_data_base, offset + 128));
+    }
+  }
+
+  void repeat(std::size_t body) {
+    emit(encode::load(2, jump_base, tohost_base, passes_offset));
+    emit(encode::add_immediate(jump_base, jump_base, -1));
+    emit(encode::store(2, jump_base, tohost_base, passes_offset));
+    emit(encode::branch(0, jump_base, 0, 8));
+    program_.add_distance(program_.size(), body,
+                          [](std::int32_t bytes) { return encode::jump_and_link(0, bytes); });
+  }
 
   void load_constant(Word rd, Word value) {
     emit(encode::load_upper(rd, value + 0x800));
@@ -87,17 +112,20 @@ class Generator {
     emit(encode::branch(1, handler_second, 0, 8));
     emit(encode::add_immediate(handler_register, handler_register, 2));
     emit(encode::csr(1, 0, mepc, handler_register));
-    emit(encode::csr(2, 0, 0x343, 0));
+    emit(encode::csr(2, handler_second, 0x343, 0));
     emit(encode::trap_return());
     load_constant(handler_register, 0x80000004);
     emit(encode::csr(1, 0, mtvec, handler_register));
     load_constant(tohost_base, random_program_tohost);
-    load_constant(bus_base, TestDevice::base);
+    load_constant(bus_base, settings_.portable ? nowhere : TestDevice::base);
     load_constant(data_base, data_address);
-    load_constant(stack_pointer, stack_address);
     load_constant(short_data_base, short_data_address);
-    for (Word index = 9; index <= 18; ++index) load_constant(index, interesting_value());
-    while (program_.size() < instructions_of_prologue) emit(encode::nop());
+    for (Word index = 1; index <= 28; ++index) {
+      if (index != short_data_base) load_constant(index, interesting_value());
+    }
+    load_constant(1, settings_.passes);
+    emit(encode::store(2, 1, tohost_base, passes_offset));
+    while (program_.size() < instructions_of_prologue - 2) emit(encode::nop());
   }
 
   Word interesting_value() {
@@ -159,7 +187,7 @@ class Generator {
   // Mostly a place in memory, sometimes on the bus, rarely misaligned or where nothing answers.
   std::pair<Word, std::int32_t> place(Word size) {
     std::int32_t offset = static_cast<std::int32_t>(below(256)) - 128;
-    if (!one_in(12)) offset &= -static_cast<std::int32_t>(1u << size);
+    if (settings_.portable || !one_in(12)) offset &= -static_cast<std::int32_t>(1u << size);
     if (!one_in(6)) return {data_base, offset};
     return {bus_base, one_in(5) ? offset + 0x400 : (offset & 0xFF)};
   }
@@ -320,6 +348,7 @@ class Generator {
   }
 
   void add_csr() {
+    if (settings_.portable) return add_portable_csr();
     constexpr std::array<Word, 24> addresses{
         0x300, 0x301, 0x310, 0x320, 0x340, 0x340, 0x340, 0x341, 0x342, 0x343, 0x344, 0x7A0,
         0xB00, 0xB02, 0xB82, 0xB03, 0x323, 0xC00, 0xC02, 0xC82, 0xF11, 0xF14, 0x180, 0x3A0};
@@ -332,6 +361,16 @@ class Generator {
     emit(encode::csr(one_in(3) ? kind + 4 : kind, destination(), address, source()));
   }
 
+  // Of the last: one that does not exist, and one that cannot be written.
+  void add_portable_csr() {
+    constexpr std::array<Word, 7> addresses{0x340, 0x340, 0x341, 0x343, 0x301, 0x7C0, 0xF14};
+    const Word address = addresses[below(addresses.size())];
+    const Word kind = address == 0x301 ? 2 : 1 + below(3);
+    const bool from_constant = one_in(3);
+    const Word operand = address == 0x301 ? 0 : source();
+    emit(encode::csr(from_constant ? kind + 4 : kind, destination(), address, operand));
+  }
+
   Word wild_word() {
     while (true) {
       auto word = static_cast<Word>(random_());
@@ -342,7 +381,10 @@ class Generator {
           opcode == 0x73 &&
           (word >> 20 == mtvec || word == encode::wait_for_interrupt() ||
            word == encode::trap_return() || word >> 20 == mie || word >> 20 == mstatus);
-      if (!moves && !system && rd < 26 && rd != stack_pointer && rd != short_data_base) return word;
+      const bool portable = opcode != 0x73 && opcode != 0x03;
+      if (!moves && !system && (portable || !settings_.portable) && rd < 26 &&
+          rd != stack_pointer && rd != short_data_base)
+        return word;
     }
   }
 
@@ -356,8 +398,9 @@ class Generator {
                          (quadrant == 1 && (funct3 % 4 == 1 || funct3 >= 6)) ||
                          (quadrant == 2 && funct3 == 4 && (half_word >> 2 & 31) == 0 && rd != 0);
       const Word written = is_short ? short_rd : rd;
-      if (quadrant != 3 && !moves && written < 26 && written != stack_pointer &&
-          written != short_data_base) {
+      const bool portable = quadrant != 0 || funct3 != 2;
+      if (quadrant != 3 && !moves && (portable || !settings_.portable) && written < 26 &&
+          written != stack_pointer && written != short_data_base) {
         return half_word;
       }
     }

@@ -12,6 +12,11 @@ struct RandomProgramSettings {
   // Of 1000 instructions, so many are words that may be anything but a jump or a store.
   unsigned wild_per_mille = 30;
   bool interrupts = true;
+  // Only what every processor of this architecture does alike: no misaligned data, no peripherals,
+  // no registers whose contents are free.
+  bool portable = false;
+  // How often the random part is run, each time with the values that the time before has left.
+  unsigned passes = 1;
 };
 
 // The address at which it stores 1 when it has ended.
