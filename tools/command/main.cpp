@@ -15,6 +15,7 @@
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
 #include "tools/proof/run.hpp"
+#include "tools/synthesis/job.hpp"
 
 namespace command {
 
@@ -28,6 +29,7 @@ struct Jobs {
   ServeOptions serve;
   RunOptions run;
   proof::Options prove;
+  synthesis::Options synth;
   std::vector<std::string> labels;
   std::vector<std::string> later_arguments;
 };
@@ -140,8 +142,7 @@ void add_run(CLI::App& app, RunOptions& options) {
 
 void add_later_jobs(CLI::App& app, Jobs& jobs) {
   for (const auto& [name, what] :
-       {std::pair{"bench", "Run the benchmarks. Not part of this version."},
-        std::pair{"synth", "Synthesise for a board. Not part of this version."}}) {
+       {std::pair{"bench", "Run the benchmarks. Not part of this version."}}) {
     app.add_subcommand(name, what)
         ->add_option("arguments", jobs.later_arguments, "see the documentation")
         ->type_name("")
@@ -183,6 +184,11 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("prove")) {
     return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
   }
+  if (app.got_subcommand("synth")) {
+    build({"firmware"});
+    const auto firmware = build_folder() / "firmware" / "firmware.elf";
+    return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
+  }
   fmt::print(stderr, "stepfabric: {} is not part of this version\n",
              app.get_subcommands().front()->get_name());
   return failure;
@@ -202,6 +208,9 @@ int run_command(int count, char** arguments) {
   proof::add_options(
       *app.add_subcommand("prove", "Try the formal proofs, and that each of them bites."),
       jobs.prove);
+  synthesis::add_options(
+      *app.add_subcommand("synth", "Synthesise, place and route the chip with its firmware."),
+      jobs.synth);
   add_later_jobs(app, jobs);
   try {
     app.parse(count, arguments);

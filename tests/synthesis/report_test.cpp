@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tools report about a synthesis is told rightly, and a board's pins are those of its
+// table.
+#include "tools/synthesis/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace synthesis {
+namespace {
+
+constexpr const char* cells = R"({"design": {"num_cells_by_type": {"LUT4": 7000, "PFUMX": 9}}})";
+constexpr const char* layout = R"({
+  "fmax": {"clk": {"achieved": 60.0, "constraint": 50.0}},
+  "utilization": {
+    "TRELLIS_COMB": {"available": 80000, "used": 14000},
+    "TRELLIS_FF": {"available": 80000, "used": 6000},
+    "DP16KD": {"available": 200, "used": 34},
+    "MULT18X18D": {"available": 150, "used": 5}},
+  "critical_paths": [
+    {"from": "<async>", "to": "posedge clk", "path": []},
+    {"from": "posedge clk", "to": "posedge clk", "path": [
+      {"delay": 5.5, "from": {"cell": "ram", "port": "CLK"}, "to": {"cell": "ram", "port": "DOA"}},
+      {"delay": 2.5, "from": {"cell": "ram", "port": "DOA"}, "to": {"cell": "ff", "port": "DI"}}]}]
+})";
+
+class SynthesisReport : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& cells_text, const std::string& layout_text) const {
+    std::ofstream(folder_ / "cells.json") << cells_text;
+    std::ofstream(folder_ / "report.json") << layout_text;
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / "stepfabric_synthesis_report_test";
+};
+
+TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
+  write(cells, layout);
+  const Report report = read_report(folder_);
+  EXPECT_EQ(report.lut4, 7000);
+  EXPECT_EQ(report.logic_cells.used, 14000);
+  EXPECT_EQ(report.block_rams.available, 200);
+  EXPECT_EQ(report.multipliers.used, 5);
+  EXPECT_TRUE(report.fast_enough());
+  EXPECT_NEAR(report.margin_percent(), 20, 1e-9);
+  ASSERT_EQ(report.critical_path.size(), 2u);
+  EXPECT_EQ(report.critical_path.back().to, "ff.DI");
+  const auto object = nlohmann::json::parse(as_json(report));
+  EXPECT_EQ(object.at("registers").at("used"), 6000);
+  EXPECT_EQ(object.at("critical_path").at(0).at("delay_ns"), 5.5);
+  EXPECT_NE(as_table(report).find("60.0 MHz; 50 MHz are wanted: +20 %"), std::string::npos);
+}
+
+TEST_F(SynthesisReport, is_too_slow_below_the_wanted_clock) {
+  std::string slow = layout;
+  slow.replace(slow.find("60.0"), 4, "49.9");
+  write(cells, slow);
+  EXPECT_FALSE(read_report(folder_).fast_enough());
+}
+
+TEST_F(SynthesisReport, refuses_a_report_that_lacks_something) {
+  write("{}", layout);
+  EXPECT_THROW(read_report(folder_), std::runtime_error);
+  write(cells, R"({"fmax": {}, "utilization": {}, "critical_paths": []})");
+  EXPECT_THROW(read_report(folder_), std::runtime_error);
+}
+
+// The first columns of a table with a header row.
+std::multimap<std::string, std::string> read_pairs(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::multimap<std::string, std::string> pairs;
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line)) {
+    std::istringstream words(line);
+    std::string first, second;
+    std::getline(words, first, ',');
+    std::getline(words, second, ',');
+    pairs.emplace(first, second);
+  }
+  return pairs;
+}
+
+TEST(BoardUlx3s, connects_each_port_to_a_pin_of_its_own) {
+  const std::filesystem::path board = PROJECT_DIRECTORY "/boards/ulx3s";
+  const auto pins = read_pairs(board / "pins.csv");
+  const auto connections = read_pairs(board / "connections.csv");
+  ASSERT_FALSE(connections.empty());
+  std::set<std::string> used;
+  for (const auto& [port, signal] : connections) {
+    EXPECT_EQ(connections.count(port), 1u) << port;
+    ASSERT_EQ(pins.count(signal), 1u) << signal;
+    EXPECT_TRUE(used.insert(pins.find(signal)->second).second) << port << " shares its pin";
+  }
+}
+
+}  // namespace
+}  // namespace synthesis

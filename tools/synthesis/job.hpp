@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// `synth`: the chip with its firmware for a board, up to the bitstream, and what it costs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace synthesis {
+
+struct Options {
+  std::string board;
+  std::string device = "85k";
+  std::uint32_t seed = 1;
+  std::filesystem::path directory = "synthesis";
+};
+
+void add_options(CLI::App& job, Options& options);
+
+// `firmware` is the ELF file that becomes the memory's contents. Writes BOARD.bit, synthesis.json
+// and the tools' logs into the directory. False where the clock is too slow for the board's. Throws
+// std::runtime_error where a tool fails.
+bool synthesize(const Options& options, const std::filesystem::path& project,
+                const std::filesystem::path& firmware);
+
+}  // namespace synthesis
