@@ -32,9 +32,14 @@ entity printer_controller is
   port (
     -- The one clock, 4 to 100 MHz.
     clk : in std_ulogic;
-    -- The same clock for processor, memory and bus. A model may leave out its edges while
-    -- `processor_at_rest` is high, since they change nothing; on a board it is `clk`.
+    -- The same clock for parts that are often at rest: processor and memory; the registers of the bus but
+    -- for the timer's; the step generator between steps; uart, end stops and heaters. A model may leave out
+    -- their edges while the outputs `..._at_rest` are high, since they change nothing, but for the edge after
+    -- an input has changed. On a board all are `clk`.
     processor_clk : in std_ulogic;
+    bus_clk : in std_ulogic;
+    axes_clk : in std_ulogic;
+    peripheral_clk : in std_ulogic;
     -- Its frequency: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
     -- Synchronous.
@@ -63,8 +68,11 @@ entity printer_controller is
     fault : out std_ulogic;
     -- The processor waits for an interrupt; it has completed an instruction.
     sleeping : out std_ulogic;
+    retired : out std_ulogic;
     processor_at_rest : out std_ulogic;
-    retired : out std_ulogic
+    bus_at_rest : out std_ulogic;
+    axes_at_rest : out std_ulogic;
+    peripherals_at_rest : out std_ulogic
   );
 end entity;
 
@@ -101,14 +109,21 @@ architecture rtl of printer_controller is
   signal interrupts : std_ulogic_vector(15 downto 0);
 
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
+
+  -- Each clock has its own, so that nothing behind the registers of a clock at rest is driven by another.
+  signal reset_registered, processor_reset, axes_reset, peripheral_reset : std_ulogic := '1';
+  signal processor_rests, axes_rest, step_pins_rest, timer_alarm : std_ulogic;
+  signal uart_rests, end_stops_rest, converter_rests, heater_control_rests : std_ulogic;
+
   signal end_stops_triggered : std_ulogic_vector(7 downto 0);
   signal emergency_stop_synchronized : std_ulogic_vector(0 downto 0);
+  signal emergency_stop_settling : std_ulogic;
   signal motion_start_synchronized : std_ulogic_vector(0 downto 0);
+  signal motion_start_settling : std_ulogic;
   signal readings : sensor_reading_array_t(0 to heaters - 1);
 
   -- Nothing but a register stands behind an input pin: timing is simple on a board, and the model has no
   -- logic to evaluate when an input changes between clocks.
-  signal reset_registered : std_ulogic := '1';
   signal clock_frequency : unsigned(31 downto 0) := (others => '0');
 
 begin
@@ -119,8 +134,31 @@ begin
   begin
     wait until rising_edge(clk);
     reset_registered <= reset;
+  end process;
+
+  register_processor_inputs : process
+  begin
+    wait until rising_edge(processor_clk);
+    processor_reset <= reset;
+  end process;
+
+  register_axes_inputs : process
+  begin
+    wait until rising_edge(axes_clk);
+    axes_reset <= reset;
+  end process;
+
+  register_peripheral_inputs : process
+  begin
+    wait until rising_edge(peripheral_clk);
+    peripheral_reset <= reset;
     clock_frequency <= clock_frequency_hz;
   end process;
+
+  processor_at_rest <= processor_rests and not (timer_alarm or processor_reset);
+  axes_at_rest <= axes_rest and step_pins_rest and
+    not (emergency_stop_settling or motion_start_settling);
+  peripherals_at_rest <= uart_rests and end_stops_rest and converter_rests and heater_control_rests;
 
   -- The lower the index, the higher the priority.
   interrupts <= (
@@ -138,7 +176,7 @@ begin
     port map (
       clk => processor_clk,
       always_clk => clk,
-      reset => reset_registered,
+      reset => processor_reset,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
       memory_request => memory_request,
@@ -149,7 +187,7 @@ begin
       external_interrupt => '0',
       interrupts => interrupts,
       sleeping => sleeping,
-      at_rest => processor_at_rest,
+      at_rest => processor_rests,
       retired => retired,
       retirement => open
     );
@@ -172,11 +210,27 @@ begin
     )
     port map (
       clk => processor_clk,
-      reset => reset_registered,
+      reset => processor_reset,
       request => bus_request,
       response => bus_response,
       slave_requests => requests,
       slave_responses => responses
+    );
+
+  -- What an access sets off is over, in the registers themselves and in what watches for accesses, before as
+  -- many clocks have passed.
+  watch_bus : entity work.rest_watch
+    generic map (
+      settling_clocks => 6
+    )
+    port map (
+      clk => bus_clk,
+      bus_clk => bus_clk,
+      reset => processor_reset,
+      strobe => bus_request.strobe,
+      working => '0',
+      alarm => bus_request.strobe,
+      at_rest => bus_at_rest
     );
 
   identity_block : entity work.identity
@@ -189,45 +243,48 @@ begin
     )
     port map (
       clk => clk,
-      bus_clk => processor_clk,
+      bus_clk => bus_clk,
       clock_frequency_hz => clock_frequency,
-      reset => reset_registered,
+      reset => processor_reset,
       request => requests(identity_slave),
       response => responses(identity_slave)
     );
 
   serial_line : entity work.uart
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
+      clk => peripheral_clk,
+      bus_clk => bus_clk,
+      reset => peripheral_reset,
       request => requests(uart_slave),
       response => responses(uart_slave),
       receive => receive,
       transmit => transmit,
       receive_interrupt => uart_receive_interrupt,
-      transmit_interrupt => uart_transmit_interrupt
+      transmit_interrupt => uart_transmit_interrupt,
+      at_rest => uart_rests
     );
 
   machine_timer : entity work.timer
     port map (
       clk => clk,
       bus_clk => processor_clk,
-      reset => reset_registered,
+      reset => processor_reset,
       request => requests(timer_slave),
       response => responses(timer_slave),
-      timer_interrupt => timer_interrupt
+      timer_interrupt => timer_interrupt,
+      alarm => timer_alarm
     );
 
   end_stop_inputs : entity work.end_stops
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
+      clk => peripheral_clk,
+      bus_clk => bus_clk,
+      reset => peripheral_reset,
       request => requests(end_stops_slave),
       response => responses(end_stops_slave),
       switches => end_stop,
-      triggered => end_stops_triggered
+      triggered => end_stops_triggered,
+      at_rest => end_stops_rest
     );
 
   synchronize_emergency_stop : entity work.synchronizer
@@ -235,9 +292,10 @@ begin
       width => 1
     )
     port map (
-      clk => clk,
+      clk => axes_clk,
       asynchronous => (0 => emergency_stop),
-      synchronous => emergency_stop_synchronized
+      synchronous => emergency_stop_synchronized,
+      settling => emergency_stop_settling
     );
 
   synchronize_motion_start : entity work.synchronizer
@@ -245,9 +303,10 @@ begin
       width => 1
     )
     port map (
-      clk => clk,
+      clk => axes_clk,
       asynchronous => (0 => motion_start),
-      synchronous => motion_start_synchronized
+      synchronous => motion_start_synchronized,
+      settling => motion_start_settling
     );
 
   pins : entity work.step_pins
@@ -255,16 +314,17 @@ begin
       axes => axes
     )
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
+      clk => axes_clk,
+      bus_clk => bus_clk,
+      reset => axes_reset,
       request => requests(step_pins_slave),
       response => responses(step_pins_slave),
       emergency_stop => emergency_stop_synchronized(0),
       generated_step => generated_step,
       generated_direction => generated_direction,
       step => step,
-      direction => direction
+      direction => direction,
+      at_rest => step_pins_rest
     );
 
   sensors : entity work.temperature_converter
@@ -272,16 +332,18 @@ begin
       channels => heaters
     )
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
+      clk => peripheral_clk,
+      always_clk => clk,
+      bus_clk => bus_clk,
+      reset => peripheral_reset,
       request => requests(temperature_converter_slave),
       response => responses(temperature_converter_slave),
       drive_enable => sensor_drive_enable,
       drive_level => sensor_drive_level,
       discharging => sensor_discharging,
       sense => sensor_sense,
-      readings => readings
+      readings => readings,
+      at_rest => converter_rests
     );
 
   heat : entity work.heater_control
@@ -289,22 +351,24 @@ begin
       channels => heaters
     )
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
+      clk => peripheral_clk,
+      always_clk => clk,
+      bus_clk => bus_clk,
       clock_frequency_hz => clock_frequency,
-      reset => reset_registered,
+      reset => peripheral_reset,
       request => requests(heater_control_slave),
       response => responses(heater_control_slave),
       readings => readings,
       emergency_stop => emergency_stop,
       gates => heater_gate,
-      interrupt => heater_interrupt
+      interrupt => heater_interrupt,
+      at_rest => heater_control_rests
     );
 
   cooling_fan : entity work.fan
     port map (
       clk => clk,
-      bus_clk => processor_clk,
+      bus_clk => bus_clk,
       reset => reset_registered,
       request => requests(fan_slave),
       response => responses(fan_slave),
@@ -318,9 +382,10 @@ begin
       queue_depth => queue_depth
     )
     port map (
-      clk => clk,
-      bus_clk => processor_clk,
-      reset => reset_registered,
+      clk => axes_clk,
+      always_clk => clk,
+      bus_clk => bus_clk,
+      reset => axes_reset,
       request => requests(step_generator_slave),
       response => responses(step_generator_slave),
       end_stops => end_stops_triggered,
@@ -331,7 +396,8 @@ begin
       enable => motor_enable,
       moving => open,
       queue_interrupt => queue_interrupt,
-      stop_interrupt => stop_interrupt
+      stop_interrupt => stop_interrupt,
+      at_rest => axes_rest
     );
 
 end architecture;

@@ -34,8 +34,9 @@ begin
   chip : entity work.printer_controller
     generic map (axes => axes, heaters => heaters)
     port map (
-      clk => clk, processor_clk => clk, clock_frequency_hz => to_unsigned(50_000_000, 32),
-      reset => reset, receive => receive, transmit => transmit, step => step,
+      clk => clk, processor_clk => clk, bus_clk => clk, axes_clk => clk, peripheral_clk => clk,
+      clock_frequency_hz => to_unsigned(50_000_000, 32), reset => reset, receive => receive,
+      transmit => transmit, step => step,
       direction => direction, motor_enable => motor_enable, end_stop => end_stop,
       emergency_stop => emergency_stop, motion_start => receive, sensor_drive_enable => sensor_drive_enable,
       sensor_drive_level => open, sensor_discharging => open, sensor_sense => sensor_sense,

@@ -67,6 +67,9 @@ begin
     port map (
       clk => clk,
       processor_clk => clk,
+      bus_clk => clk,
+      axes_clk => clk,
+      peripheral_clk => clk,
       clock_frequency_hz => to_unsigned(clock_frequency_hz, 32),
       reset => not reset_done(15),
       receive => ftdi_txd,
@@ -85,8 +88,11 @@ begin
       fan_gate => fan_gate,
       fault => fault,
       sleeping => sleeping,
+      retired => open,
       processor_at_rest => open,
-      retired => open
+      bus_at_rest => open,
+      axes_at_rest => open,
+      peripherals_at_rest => open
     );
 
   motor_enable_n <= not motor_enable;

@@ -17,7 +17,9 @@ entity synchronizer is
   port (
     clk : in std_ulogic;
     asynchronous : in std_ulogic_vector(width - 1 downto 0);
-    synchronous : out std_ulogic_vector(width - 1 downto 0)
+    synchronous : out std_ulogic_vector(width - 1 downto 0);
+    -- A new level is under way to `synchronous`.
+    settling : out std_ulogic
   );
 end entity;
 
@@ -39,5 +41,15 @@ begin
   end process;
 
   synchronous <= samples(stages - 1);
+
+  compare : process (all)
+  begin
+    settling <= '0';
+    for stage in 1 to stages - 1 loop
+      if samples(stage) /= samples(stage - 1) then
+        settling <= '1';
+      end if;
+    end loop;
+  end process;
 
 end architecture;

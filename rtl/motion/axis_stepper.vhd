@@ -46,6 +46,8 @@ entity axis_stepper is
     direction : out std_ulogic := '0';
     -- A pulse or the pause after it is not finished.
     busy : out std_ulogic;
+    -- Pulses, pauses and guard times pass, or the direction is about to change.
+    working : out std_ulogic;
 
     -- Steps given, forward less backward. To be set only at rest.
     position : out position_t := (others => '0');
@@ -103,6 +105,8 @@ begin
     direction = wanted_direction and (setting_up = '0' or direction_left = 0) else '0';
   ready <= legal or not step_wanted;
   busy <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 else '0';
+  working <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 or direction_left /= 0 or
+    direction /= wanted_direction else '0';
 
   -- Works out the next tick in the clock after a tick.
   share_ticks : process

@@ -11,6 +11,7 @@ use work.end_stops_registers_pkg.all;
 
 entity end_stops is
   port (
+    -- Edges may be left out while `at_rest` is high, but for the one after a change of `switches`.
     clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
@@ -20,7 +21,8 @@ entity end_stops is
     -- The pins, asynchronous.
     switches : in std_ulogic_vector(7 downto 0);
     -- '1' while the switch is triggered, 3 clocks and the filter's time after the pin.
-    triggered : out std_ulogic_vector(7 downto 0) := (others => '0')
+    triggered : out std_ulogic_vector(7 downto 0) := (others => '0');
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -31,6 +33,7 @@ architecture rtl of end_stops is
 
   signal switches_synchronized : std_ulogic_vector(7 downto 0);
   signal filtered : std_ulogic_vector(7 downto 0);
+  signal settling, filtering : std_ulogic;
 
 begin
 
@@ -49,7 +52,16 @@ begin
 
   synchronize : entity work.synchronizer
     generic map (width => 8)
-    port map (clk => clk, asynchronous => switches, synchronous => switches_synchronized);
+    port map (
+      clk => clk, asynchronous => switches, synchronous => switches_synchronized,
+      settling => settling);
+
+  filtering <= '1' when filtered /= switches_synchronized else '0';
+
+  watch_rest : entity work.rest_watch
+    port map (
+      clk => clk, bus_clk => bus_clk, reset => reset, strobe => request.strobe, working => filtering,
+      alarm => settling, at_rest => at_rest);
 
   each_switch : for input in switches'range generate
     filter : entity work.input_filter

@@ -24,6 +24,7 @@ use work.step_generator_pkg.all;
 -- nothing is caught up later: from 7/64 tick per clock on the scale is at most 2, from 15/64 on at most 1.
 entity feed_override is
   port (
+    -- Edges may be left out while the inputs stay and not `working`, from 3 clocks on.
     clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -47,7 +48,9 @@ entity feed_override is
     leap : out leap_t := (others => '0');
     scale : out scale_t := scale_of_one;
     -- One clock later: the scale is 0 and no leap is left.
-    standing : out std_ulogic := '0'
+    standing : out std_ulogic := '0';
+    -- Something may change in each clock.
+    working : out std_ulogic
   );
 end entity;
 
@@ -98,6 +101,9 @@ architecture rtl of feed_override is
   end function;
 
 begin
+
+  -- At scale 1 one base clock is owed and done in every clock; at rest nothing is owed that is not forgotten.
+  working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0) else '0';
 
   approach : process
     variable to_target : scale_t;

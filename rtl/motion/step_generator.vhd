@@ -16,7 +16,10 @@ entity step_generator is
     queue_depth : positive range 2 to 255 := 32
   );
   port (
+    -- Edges may be left out while `at_rest` is high.
     clk : in std_ulogic;
+    -- The same clock, never left out.
+    always_clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
@@ -41,7 +44,8 @@ entity step_generator is
     -- The queue is at or below its threshold.
     queue_interrupt : out std_ulogic := '0';
     -- A stop waits for its acknowledgement.
-    stop_interrupt : out std_ulogic := '0'
+    stop_interrupt : out std_ulogic := '0';
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -84,6 +88,8 @@ architecture rtl of step_generator is
   signal stop_time : time_t;
   signal snapshot_time : time_t;
 
+  signal working, alarm : std_ulogic;
+
   signal set_position : std_ulogic_vector(axes - 1 downto 0);
   signal new_position : position_t;
 
@@ -97,12 +103,17 @@ begin
       clk => bus_clk, reset => reset, request => request, response => response,
       from_software => from_software, to_software => to_software);
 
+  watch_rest : entity work.rest_watch
+    port map (
+      clk => clk, bus_clk => bus_clk, reset => reset, strobe => request.strobe, working => working,
+      alarm => alarm, at_rest => at_rest);
+
   command <= from_software.command when from_software.command_written = '1' else (others => '0');
 
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
-      clk => clk, bus_clk => bus_clk, reset => reset, guards => guards,
+      clk => clk, always_clk => always_clk, bus_clk => bus_clk, reset => reset, guards => guards,
       both_edges => both_edges, rate_floor => rate_floor,
       run => control.run, start => start, software_start => command.start, waiting => waiting,
       override => from_software.override.scale,
@@ -120,7 +131,7 @@ begin
       set_position => set_position, new_position => new_position,
       position_refused => position_refused, snapshot => command.snapshot,
       snapshot_positions => snapshot_positions, snapshot_time => snapshot_time, step => step,
-      direction => direction);
+      direction => direction, working => working, alarm => alarm);
 
   enable <= from_software.motor_enable.axes(axes - 1 downto 0);
 

@@ -13,7 +13,10 @@ entity step_generator_core is
     queue_depth : positive range 2 to 255 := 32
   );
   port (
+    -- Edges may be left out while neither `working` nor `alarm` nor a command is high, from 3 clocks on.
     clk : in std_ulogic;
+    -- The same clock for what moves between ticks, never left out.
+    always_clk : in std_ulogic;
     -- The same clock for segments being written; edges may be left out while none are.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
@@ -80,7 +83,11 @@ entity step_generator_core is
 
     step : out std_ulogic_vector(axes - 1 downto 0);
     -- 1 = negative.
-    direction : out std_ulogic_vector(axes - 1 downto 0)
+    direction : out std_ulogic_vector(axes - 1 downto 0);
+
+    -- For a rest_watch.
+    working : out std_ulogic;
+    alarm : out std_ulogic
   );
 end entity;
 
@@ -115,6 +122,8 @@ architecture rtl of step_generator_core is
   signal tick : std_ulogic;
   signal ready : std_ulogic_vector(axes - 1 downto 0);
   signal busy : std_ulogic_vector(axes - 1 downto 0);
+  signal axis_working : std_ulogic_vector(axes - 1 downto 0);
+  signal scaling, watching : std_ulogic;
   signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
 
   signal active_stop_on : stop_condition_t;
@@ -169,14 +178,15 @@ begin
       clk => clk, reset => reset, moving => moving, target => override, slope => override_slope,
       braking => braking, brake_slope => brake_slope, stalled => stalled,
       longest_leap => longest_leap, advance => advance, leap => leap, scale => scale,
-      standing => standing);
+      standing => standing, working => scaling);
 
   held <= moving and standing;
   start_now <= software_start or (start and not start_before);
 
   base : entity work.time_base
     port map (
-      clk => clk, reset => reset, advance => advance, leap => leap, longest_leap => longest_leap,
+      clk => clk, always_clk => always_clk, reset => reset, advance => advance, leap => leap,
+      longest_leap => longest_leap,
       run => run, start => start_now, stop => stop, rate_floor => rate_floor,
       head_valid => head_valid, head => head, take => take, due => due,
       axes_ready => and ready, tick => tick, stalled => stalled, active => moving,
@@ -185,10 +195,18 @@ begin
 
   begin_line <= take and not head.continues_line;
 
-  keep_time_and_line : process
+  keep_time : process
+  begin
+    wait until rising_edge(always_clk);
+    now <= now + 1;
+    if reset then
+      now <= (others => '0');
+    end if;
+  end process;
+
+  keep_line : process
   begin
     wait until rising_edge(clk);
-    now <= now + 1;
     start_before <= start;
     if hit then
       stop_time <= now;
@@ -199,14 +217,14 @@ begin
     if begin_line then
       line_ticks <= head.line_ticks;
     end if;
-    if reset then
-      now <= (others => '0');
-    end if;
   end process;
 
   idle <= '1' when moving = '0' and level = 0 and (or busy) = '0' else '0';
   allowed_position <= set_position when idle = '1' else (others => '0');
   position_refused <= (or set_position) and not idle;
+
+  working <= scaling or (or axis_working);
+  alarm <= due or take or hit or stop_begins or watching or (start xor start_before);
 
   each_axis : for axis in 0 to axes - 1 generate
     stepper : entity work.axis_stepper
@@ -216,6 +234,7 @@ begin
         steps => head_steps(axis), backward => head.backward(axis), ahead => head.ahead(axis),
         behind => head.behind(axis), line_ticks => line_ticks, due => due, ready => ready(axis),
         tick => tick, step => step(axis), direction => direction(axis), busy => busy(axis),
+        working => axis_working(axis),
         position => positions(axis), set_position => allowed_position(axis),
         new_position => new_position, stalls => axis_stalls(axis));
 
@@ -236,7 +255,7 @@ begin
 
   watch : entity work.motion_watchdog
     port map (
-      clk => clk, reset => reset, limit => watchdog_limit, moving => moving, feed => feed_watchdog,
+      clk => always_clk, reset => reset, limit => watchdog_limit, moving => moving, feed => feed_watchdog,
       expired => watchdog_expired);
 
   stops : entity work.stop_latch
@@ -246,6 +265,6 @@ begin
       watchdog_expired => watchdog_expired, software_stop => software_stop,
       software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,
       hit => hit, braking => braking, stop => stop, stop_begins => stop_begins,
-      stopped => stopped, cause => stop_cause);
+      stopped => stopped, cause => stop_cause, watching => watching);
 
 end architecture;

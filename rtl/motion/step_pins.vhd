@@ -12,6 +12,7 @@ entity step_pins is
     axes : positive range 1 to 8 := 5
   );
   port (
+    -- Edges may be left out while `at_rest` is high.
     clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
@@ -29,7 +30,8 @@ entity step_pins is
 
     -- The pins: the step generator's without delay, or software's in the second clock after the write.
     step : out std_ulogic_vector(axes - 1 downto 0);
-    direction : out std_ulogic_vector(axes - 1 downto 0)
+    direction : out std_ulogic_vector(axes - 1 downto 0);
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -41,6 +43,7 @@ architecture rtl of step_pins is
   signal written_step : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
   signal written_direction : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
   signal stopped : std_ulogic := '0';
+  signal stop_begins : std_ulogic;
 
 begin
 
@@ -55,6 +58,18 @@ begin
     );
 
   to_software.stop.stopped <= stopped;
+  stop_begins <= emergency_stop and not stopped;
+
+  watch_rest : entity work.rest_watch
+    port map (
+      clk => clk,
+      bus_clk => bus_clk,
+      reset => reset,
+      strobe => request.strobe,
+      working => '0',
+      alarm => stop_begins,
+      at_rest => at_rest
+    );
 
   step <= written_step when from_software.control.software = '1' else generated_step;
   direction <= written_direction when from_software.control.software = '1' else generated_direction;

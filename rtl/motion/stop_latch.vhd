@@ -10,6 +10,8 @@ use work.step_generator_pkg.all;
 
 entity stop_latch is
   port (
+    -- Edges may be left out while neither `hit`, `stop_begins` nor `watching` is high and nothing is
+    -- acknowledged.
     clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -39,7 +41,9 @@ entity stop_latch is
     stop_begins : out std_ulogic;
     -- A stop waits for its acknowledgement.
     stopped : out std_ulogic := '0';
-    cause : out stop_cause_t := stop_cause_none
+    cause : out stop_cause_t := stop_cause_none;
+    -- An end stop has just changed.
+    watching : out std_ulogic
   );
 end entity;
 
@@ -52,6 +56,8 @@ architecture rtl of stop_latch is
   signal at_once, along_ramp : std_ulogic;
 
 begin
+
+  watching <= '1' when end_stops /= end_stops_before else '0';
 
   wanted <= end_stops xor (7 downto 0 => stop_on.on_release);
   changed <= end_stops xor end_stops_before;

@@ -22,7 +22,10 @@ use work.step_generator_pkg.all;
 -- 2000 ticks/s and 50 MHz. The number of ticks is counted, and exact.
 entity time_base is
   port (
+    -- Edges may be left out without `due`, `take` and `stop`, but for the one after `due` or `take`.
     clk : in std_ulogic;
+    -- The same clock for what moves between ticks, never left out.
+    always_clk : in std_ulogic;
     reset : in std_ulogic;
 
     -- Time passes for the base, so many clocks of it: this stretches the motion without changing its path.
@@ -164,13 +167,26 @@ begin
 
   integrate : process
   begin
-    wait until rising_edge(clk);
+    wait until rising_edge(always_clk);
 
     if active and advance and (not carry or axes_ready) then
       phase <= phase_sum;
       rate <= next_rate;
       acceleration <= acceleration + signed(doubled(unsigned(jerk), leap));
     end if;
+
+    if take then
+      rate <= floored(head.rate, rate_floor);
+      acceleration <= head.acceleration;
+      if not active then
+        phase <= (others => '0');
+      end if;
+    end if;
+  end process;
+
+  count_ticks : process
+  begin
+    wait until rising_edge(clk);
 
     count_changed <= tick or take;
     if count_changed then
@@ -192,15 +208,10 @@ begin
     if take then
       active <= '1';
       segments <= segments + 1;
-      rate <= floored(head.rate, rate_floor);
-      acceleration <= head.acceleration;
       jerk <= head.jerk;
       ticks_left <= head.ticks;
       ends_motion <= head.ends_motion;
       stop_on <= head.stop_on;
-      if not active then
-        phase <= (others => '0');
-      end if;
     end if;
 
     if stop then

@@ -52,7 +52,7 @@ architecture rtl of control_status_registers is
   signal last_trap_cause : std_ulogic_vector(4 downto 0);
   signal last_trap_was_interrupt : std_ulogic;
   signal cycle_stopped, instructions_stopped : std_ulogic;
-  signal cycle, instructions : unsigned(63 downto 0);
+  signal cycle, next_cycle, instructions : unsigned(63 downto 0);
 
   signal read_data, write_data, status : word_t;
   signal counter_half : unsigned(31 downto 0);
@@ -203,7 +203,16 @@ begin
       write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"80"),
       write_data => write_data,
-      count => cycle);
+      count => open,
+      next_count => next_cycle);
+
+  -- What instructions read: the same in all clocks before which no edge of `clk` was left out. Read from the
+  -- counter itself, all that a CSR instruction does would be evaluated in a model in every clock.
+  see_cycle : process
+  begin
+    wait until rising_edge(clk);
+    cycle <= next_cycle;
+  end process;
 
   instruction_event <= retire and not instructions_stopped;
   instruction_counter : entity work.event_counter
@@ -214,7 +223,8 @@ begin
       write_low => writes_counter and (request.address(7 downto 0) ?= x"02"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"82"),
       write_data => write_data,
-      count => instructions);
+      count => instructions,
+      next_count => open);
 
   interrupt_control : entity work.interrupt_control
     port map (

@@ -16,27 +16,35 @@ entity event_counter is
     write_low : in std_ulogic;
     write_high : in std_ulogic;
     write_data : in word_t;
-    count : out unsigned(63 downto 0)
+    count : out unsigned(63 downto 0);
+    -- In the next clock.
+    next_count : out unsigned(63 downto 0)
   );
 end entity;
 
 architecture rtl of event_counter is
 begin
 
-  count_events : process
+  choose_next : process (all)
   begin
-    wait until rising_edge(clk);
+    next_count <= count;
     if write_low then
-      count(31 downto 0) <= unsigned(write_data);
+      next_count(31 downto 0) <= unsigned(write_data);
     elsif write_high then
-      count(63 downto 32) <= unsigned(write_data);
+      next_count(63 downto 32) <= unsigned(write_data);
     elsif happens then
-      count <= count + 1;
+      next_count <= count + 1;
     end if;
 
     if reset then
-      count <= (others => '0');
+      next_count <= (others => '0');
     end if;
+  end process;
+
+  count_events : process
+  begin
+    wait until rising_edge(clk);
+    count <= next_count;
   end process;
 
 end architecture;

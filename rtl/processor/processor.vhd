@@ -351,7 +351,7 @@ begin
 
   watch_sleep : process
   begin
-    wait until rising_edge(always_clk);
+    wait until rising_edge(clk);
     asleep_before <= asleep_before(2 downto 0) & '1' when asleep = '1' else (others => '0');
     if reset then
       asleep_before <= (others => '0');

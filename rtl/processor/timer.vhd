@@ -11,13 +11,16 @@ use work.timer_registers_pkg.all;
 entity timer is
   port (
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers and the interrupt; edges may be left out while no access is made
+    -- and `alarm` is low.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
     -- Level: the deadline has come and no later one has been set.
-    timer_interrupt : out std_ulogic
+    timer_interrupt : out std_ulogic;
+    -- The next edge of bus_clk changes the interrupt.
+    alarm : out std_ulogic
   );
 end entity;
 
@@ -27,7 +30,12 @@ architecture rtl of timer is
   signal to_software : timer_to_software_t;
 
   signal now_cycles : unsigned(63 downto 0) := (others => '0');
-  -- High half of `now_cycles` one clock ago, which is when a read event's value was sampled.
+  signal next_cycles : unsigned(63 downto 0);
+  -- The same in all clocks before which no edge of bus_clk was left out: what software reads. Whatever
+  -- runs with bus_clk has no input that changes in every clock, or a model would evaluate all behind it.
+  signal seen_cycles : unsigned(63 downto 0) := (others => '0');
+  signal due : std_ulogic;
+  -- High half of `seen_cycles` one clock ago, which is when a read event's value was sampled.
   signal earlier_high : unsigned(31 downto 0) := (others => '0');
   signal deadline_cycles : unsigned(63 downto 0) := (others => '1');
   signal reached : std_ulogic := '0';
@@ -44,17 +52,30 @@ begin
       to_software => to_software
     );
 
-  to_software.time_low.cycles <= now_cycles(31 downto 0);
+  to_software.time_low.cycles <= seen_cycles(31 downto 0);
   to_software.compare_high.cycles <= deadline_cycles(63 downto 32);
   -- Off from the very clock in which a new deadline is acknowledged, so that none is taken twice.
   timer_interrupt <= reached and not from_software.compare_high_written;
 
+  next_cycles <= now_cycles + 1;
+  due <= '1' when now_cycles >= deadline_cycles else '0';
+  alarm <= due xor reached;
+
   keep_time : process
   begin
     wait until rising_edge(clk);
-    now_cycles <= now_cycles + 1;
-    earlier_high <= now_cycles(63 downto 32);
-    reached <= '1' when now_cycles >= deadline_cycles else '0';
+    now_cycles <= next_cycles;
+    if reset then
+      now_cycles <= (others => '0');
+    end if;
+  end process;
+
+  serve_software : process
+  begin
+    wait until rising_edge(bus_clk);
+    seen_cycles <= next_cycles;
+    earlier_high <= seen_cycles(63 downto 32);
+    reached <= due;
     if from_software.time_low_read then
       to_software.time_high.cycles <= earlier_high;
     end if;
@@ -63,7 +84,7 @@ begin
       reached <= '0';
     end if;
     if reset then
-      now_cycles <= (others => '0');
+      seen_cycles <= (others => '0');
       earlier_high <= (others => '0');
       deadline_cycles <= (others => '1');
       reached <= '0';

@@ -15,6 +15,7 @@ entity uart is
     transmit_depth : positive := 512
   );
   port (
+    -- Edges may be left out while `at_rest` is high, but for the one after a change of `receive`.
     clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
@@ -26,7 +27,8 @@ entity uart is
     transmit : out std_ulogic;
     -- Levels: as many bytes wait, or as much space is free, as software has asked for.
     receive_interrupt : out std_ulogic := '0';
-    transmit_interrupt : out std_ulogic := '0'
+    transmit_interrupt : out std_ulogic := '0';
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -37,6 +39,8 @@ architecture rtl of uart is
 
   -- Both directions rest while the speed changes or is 0.
   signal restart : std_ulogic := '1';
+
+  signal receiving, line_changes, sending, working : std_ulogic;
 
 begin
 
@@ -51,6 +55,20 @@ begin
       response => response,
       from_software => from_software,
       to_software => to_software
+    );
+
+  working <= receiving or sending;
+
+  watch_rest : entity work.rest_watch
+    generic map (settling_clocks => 6)
+    port map (
+      clk => clk,
+      bus_clk => bus_clk,
+      reset => reset,
+      strobe => request.strobe,
+      working => working,
+      alarm => line_changes,
+      at_rest => at_rest
     );
 
   settle_speed : process
@@ -89,7 +107,9 @@ begin
         noisy => noisy,
         framing_error => framing_error,
         break_condition => break_condition,
-        data => received_data
+        data => received_data,
+        busy => receiving,
+        settling => line_changes
       );
 
     received_bytes : entity work.fifo
@@ -206,6 +226,7 @@ begin
         transmit => transmit
       );
 
+    sending <= next_valid or taken or busy;
     space <= transmit_depth - level;
     to_software.status.transmit_space <= to_unsigned(space, 12);
     to_software.status.transmit_idle <= '1' when level = 0 and busy = '0' else '0';

@@ -22,7 +22,11 @@ entity uart_receiver is
     noisy : out std_ulogic := '0';
     framing_error : out std_ulogic := '0';
     break_condition : out std_ulogic := '0';
-    data : out std_ulogic_vector(7 downto 0) := (others => '0')
+    data : out std_ulogic_vector(7 downto 0) := (others => '0');
+    -- In a frame, or about to begin one.
+    busy : out std_ulogic;
+    -- A new level of the pin is under way to the receiver.
+    settling : out std_ulogic
   );
 end entity;
 
@@ -47,7 +51,10 @@ begin
 
   synchronize : entity work.synchronizer
     generic map (idle_level => '1')
-    port map (clk => clk, asynchronous(0) => receive, synchronous(0) => received);
+    port map (
+      clk => clk, asynchronous(0) => receive, synchronous(0) => received, settling => settling);
+
+  busy <= '1' when state /= idle or received = '0' else '0';
 
   -- Work is done in ticks: every clock of a fast line, every 16th of a bit of a slow one. A bit's
   -- level is the majority of three ticks around its middle. The first clock that sees the start bit

@@ -6,7 +6,7 @@
 --
 --   discharging  all pins drive 0 until the capacitor is empty
 --   precharging  the high reference drives 1 for a few clocks, a few more from charge to charge (dither)
---   charging     one resistor drives 1; clocks are counted until `sense` reads 1
+--   charging     one resistor drives 1; its clocks until `sense` reads 1 are the count
 --
 -- Without dither every charge would give the same count, and summing would gain no resolution. The
 -- precharge sets the same initial voltages for each resistor, so all sums stay proportional to their
@@ -21,8 +21,11 @@ use work.thermal_pkg.all;
 
 entity capacitor_timer is
   port (
+    -- Edges may be left out while nothing but time passes, if none is from `wake_cycles` on.
     clk : in std_ulogic;
     reset : in std_ulogic;
+    -- Clocks since any time, modulo 2^24; may stand still behind edges that were left out.
+    seen_cycles : in cycles_t;
     -- Convert without end; otherwise all pins are high-impedance.
     enable : in std_ulogic;
     -- The reference resistors are there.
@@ -48,7 +51,11 @@ entity capacitor_timer is
     state : out unsigned(2 downto 0) := (others => '0');
     thermistor_count : out unsigned(31 downto 0) := (others => '0');
     reference_low_count : out unsigned(31 downto 0) := (others => '0');
-    reference_high_count : out unsigned(31 downto 0) := (others => '0')
+    reference_high_count : out unsigned(31 downto 0) := (others => '0');
+    -- A phase has just begun.
+    changes : out std_ulogic := '0';
+    -- The clock before the one in which the present phase ends by time alone.
+    wake_cycles : out cycles_t := (others => '0')
   );
 end entity;
 
@@ -63,8 +70,10 @@ architecture rtl of capacitor_timer is
   -- Through which charges go now: low reference, high reference, thermistor.
   signal resistor : resistor_t := thermistor;
   signal charges_left : unsigned(7 downto 0) := (others => '0');
-  -- Of the present phase.
-  signal elapsed : unsigned(23 downto 0) := (others => '0');
+  -- The present phase: its first clock, the clocks since, and after how many of them it ends.
+  signal first_cycle : cycles_t := (others => '0');
+  signal elapsed : cycles_t;
+  signal limit : cycles_t;
   signal precharge_cycles : unsigned(15 downto 0) := (others => '0');
   signal sum : unsigned(31 downto 0) := (others => '0');
   signal low_sum : unsigned(31 downto 0) := (others => '0');
@@ -92,12 +101,31 @@ architecture rtl of capacitor_timer is
 
 begin
 
+  elapsed <= seen_cycles - first_cycle;
+
+  choose_limit : process (all)
+  begin
+    case phase is
+      when emptying => limit <= discharge_cycles;
+      when precharging => limit <= x"00" & (precharge_cycles - 1);
+      when charging => limit <= timeout_cycles;
+      when off | pausing | publishing => limit <= pause_cycles;
+    end case;
+  end process;
+
   convert : process
+    variable next_sum : unsigned(31 downto 0);
+
+    procedure begin_phase(next_phase : phase_t) is
+    begin
+      phase <= next_phase;
+      first_cycle <= seen_cycles + 1;
+      changes <= '1';
+    end procedure;
 
     procedure empty_the_capacitor is
     begin
-      phase <= emptying;
-      elapsed <= (others => '0');
+      begin_phase(emptying);
       drive_level <= (others => '0');
       drive_enable <= only(thermistor);
       if references then
@@ -108,7 +136,6 @@ begin
 
     procedure charge_through(index : resistor_t) is
     begin
-      elapsed <= (others => '0');
       drive_enable <= only(index);
       drive_level <= only(index);
       discharging <= '0';
@@ -127,13 +154,14 @@ begin
     begin
       empty_the_capacitor;
       outcome <= result;
-      phase <= publishing;
+      begin_phase(publishing);
     end procedure;
 
   begin
     wait until rising_edge(clk);
     updated <= '0';
-    elapsed <= elapsed + 1;
+    changes <= '0';
+    wake_cycles <= first_cycle + limit - 1;
 
     case phase is
       when off =>
@@ -144,56 +172,57 @@ begin
         end if;
 
       when pausing =>
-        if elapsed >= pause_cycles then
+        if elapsed >= limit then
           low_sum <= (others => '0');
           high_sum <= (others => '0');
           start_resistor(first_resistor(references));
         end if;
 
       when emptying =>
-        if elapsed >= discharge_cycles then
+        if elapsed >= limit then
           if sense then
             finish(temperature_converter_status_state_stuck);
           elsif precharge_cycles /= 0 and references = '1' then
-            phase <= precharging;
+            begin_phase(precharging);
             charge_through(reference_high);
           else
-            phase <= charging;
+            begin_phase(charging);
             charge_through(resistor);
           end if;
         end if;
 
       when precharging =>
-        if elapsed + 1 >= precharge_cycles then
-          phase <= charging;
+        if elapsed >= limit then
+          begin_phase(charging);
           charge_through(resistor);
         end if;
 
       when charging =>
         if sense then
+          -- The clocks in which `sense` read 0.
+          next_sum := sum + elapsed;
+          sum <= next_sum;
           precharge_cycles <= precharge_cycles + dither_cycles;
           charges_left <= charges_left - 1;
           if charges_left /= 0 then
             empty_the_capacitor;
           elsif resistor = reference_low then
-            low_sum <= sum;
+            low_sum <= next_sum;
             start_resistor(reference_high);
           elsif resistor = reference_high then
-            high_sum <= sum;
+            high_sum <= next_sum;
             start_resistor(thermistor);
-          elsif sum < short_limit then
+          elsif next_sum < short_limit then
             finish(temperature_converter_status_state_shorted);
           else
             finish(temperature_converter_status_state_ok);
           end if;
-        else
-          sum <= sum + 1;
-          if elapsed >= timeout_cycles then
-            if resistor = thermistor and references = '1' then
-              finish(temperature_converter_status_state_open);
-            else
-              finish(temperature_converter_status_state_time_out);
-            end if;
+        elsif elapsed >= limit then
+          sum <= sum + elapsed + 1;
+          if resistor = thermistor and references = '1' then
+            finish(temperature_converter_status_state_open);
+          else
+            finish(temperature_converter_status_state_time_out);
           end if;
         end if;
 
@@ -203,8 +232,7 @@ begin
         thermistor_count <= sum;
         reference_low_count <= low_sum;
         reference_high_count <= high_sum;
-        phase <= pausing;
-        elapsed <= (others => '0');
+        begin_phase(pausing);
     end case;
 
     if reset = '1' or enable = '0' then

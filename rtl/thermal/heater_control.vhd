@@ -20,7 +20,10 @@ entity heater_control is
     maximum_timeout_s : positive range 1 to 5 := 3
   );
   port (
+    -- Edges may be left out while `at_rest` is high, but for the one after a change of `emergency_stop`.
     clk : in std_ulogic;
+    -- The same clock, never left out.
+    always_clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
     -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
@@ -34,7 +37,8 @@ entity heater_control is
     emergency_stop : in std_ulogic;
     gates : out std_ulogic_vector(channels - 1 downto 0);
     -- A trip is latched on some channel.
-    interrupt : out std_ulogic := '0'
+    interrupt : out std_ulogic := '0';
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -47,8 +51,10 @@ architecture rtl of heater_control is
 
   signal tick : std_ulogic := '0';
   signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
+  signal tick_ends : std_ulogic;
   signal slot_start : std_ulogic := '0';
   signal slot_phase : unsigned(23 downto 0) := (others => '0');
+  signal slot_ends : std_ulogic;
 
   signal watchdog_timeout : tick_count_t := (others => '0');
   signal sensor_timeout : tick_count_t := (others => '0');
@@ -58,7 +64,8 @@ architecture rtl of heater_control is
   signal fed : std_ulogic;
 
   signal clear : std_ulogic;
-  signal emergency_stop_synchronized : std_ulogic;
+  signal emergency_stop_synchronized, emergency_stop_settling : std_ulogic;
+  signal reading_comes, alarm : std_ulogic;
   signal tripped : std_ulogic_vector(channels - 1 downto 0);
 
 begin
@@ -71,27 +78,57 @@ begin
   default_timeout <= resize(ticks_per_s * default_timeout_s, tick_count_bits);
   maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
 
-  make_ticks : process
+  tick_ends <= '1' when tick_phase = tick_cycles - 1 else '0';
+  slot_ends <= '1' when slot_phase + 1 >= from_software.slot.cycles else '0';
+
+  count_phases : process
   begin
-    wait until rising_edge(clk);
-    tick <= '0';
-    if tick_phase = tick_cycles - 1 then
+    wait until rising_edge(always_clk);
+    if tick_ends then
       tick_phase <= 0;
-      tick <= '1';
     else
       tick_phase <= tick_phase + 1;
     end if;
-    slot_start <= '0';
     slot_phase <= slot_phase + 1;
-    if slot_phase + 1 >= from_software.slot.cycles then
+    if slot_ends then
       slot_phase <= (others => '0');
-      slot_start <= '1';
     end if;
     if reset then
       tick_phase <= 0;
       slot_phase <= (others => '0');
     end if;
   end process;
+
+  make_ticks : process
+  begin
+    wait until rising_edge(clk);
+    tick <= tick_ends;
+    slot_start <= slot_ends;
+  end process;
+
+  note_readings : process (all)
+  begin
+    reading_comes <= '0';
+    for channel in readings'range loop
+      if readings(channel).updated then
+        reading_comes <= '1';
+      end if;
+    end loop;
+  end process;
+
+  alarm <= tick_ends or slot_ends or reading_comes or emergency_stop_settling;
+
+  -- A tick may end the watchdog's patience, which trips a channel, which interrupts.
+  watch_rest : entity work.rest_watch
+    generic map (settling_clocks => 7)
+    port map (
+      clk => clk,
+      bus_clk => bus_clk,
+      reset => reset,
+      strobe => request.strobe,
+      working => '0',
+      alarm => alarm,
+      at_rest => at_rest);
 
   fed <= '1' when from_software.feed_written = '1'
     and from_software.feed.key = heater_control_feed_key_alive else '0';
@@ -132,7 +169,8 @@ begin
     port map (
       clk => clk,
       asynchronous(0) => emergency_stop,
-      synchronous(0) => emergency_stop_synchronized);
+      synchronous(0) => emergency_stop_synchronized,
+      settling => emergency_stop_settling);
 
   each_channel : for channel in 0 to to_software.status'high generate
     present : if channel < channels generate

@@ -16,7 +16,10 @@ entity temperature_converter is
     channels : positive range 1 to 4 := 2
   );
   port (
+    -- Edges may be left out while `at_rest` is high, but for the one after a change of `sense`.
     clk : in std_ulogic;
+    -- The same clock, never left out.
+    always_clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
@@ -31,7 +34,8 @@ entity temperature_converter is
     -- Per channel: the capacitor is above the threshold of its pin. Asynchronous.
     sense : in std_ulogic_vector(channels - 1 downto 0);
     -- To the heater control.
-    readings : out sensor_reading_array_t(0 to channels - 1)
+    readings : out sensor_reading_array_t(0 to channels - 1);
+    at_rest : out std_ulogic
   );
 end entity;
 
@@ -42,18 +46,62 @@ architecture rtl of temperature_converter is
 
   signal sense_synchronized : std_ulogic_vector(channels - 1 downto 0);
 
+  signal now_cycles : cycles_t := (others => '0');
+  -- The same in all clocks before which no edge of `clk` was left out, otherwise a time that has passed.
+  signal seen_cycles : cycles_t := (others => '0');
+
   signal tick : std_ulogic := '0';
+  signal tick_ends : std_ulogic;
   signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
 
+  signal settling, alarm : std_ulogic;
+  signal waking, moving : std_ulogic_vector(channels - 1 downto 0);
+
 begin
+
+  count_cycles : process
+  begin
+    wait until rising_edge(always_clk);
+    now_cycles <= now_cycles + 1;
+    if reset then
+      now_cycles <= (others => '0');
+    end if;
+  end process;
+
+  see_cycles : process
+  begin
+    wait until rising_edge(clk);
+    seen_cycles <= now_cycles + 1;
+    if reset then
+      seen_cycles <= (others => '0');
+    end if;
+  end process;
+
+  alarm <= tick_ends or settling or (or waking);
+
+  watch_rest : entity work.rest_watch
+    port map (
+      clk => clk,
+      bus_clk => bus_clk,
+      reset => reset,
+      strobe => request.strobe,
+      working => or moving,
+      alarm => alarm,
+      at_rest => at_rest);
+
+  tick_ends <= '1' when tick_phase = tick_cycles - 1 else '0';
 
   make_tick : process
   begin
     wait until rising_edge(clk);
-    tick <= '0';
-    if tick_phase = tick_cycles - 1 then
+    tick <= tick_ends;
+  end process;
+
+  count_tick_phase : process
+  begin
+    wait until rising_edge(always_clk);
+    if tick_ends then
       tick_phase <= 0;
-      tick <= '1';
     else
       tick_phase <= tick_phase + 1;
     end if;
@@ -67,7 +115,8 @@ begin
     port map (
       clk => clk,
       asynchronous => sense,
-      synchronous => sense_synchronized);
+      synchronous => sense_synchronized,
+      settling => settling);
 
   each_channel : for channel in 0 to to_software.status'high generate
     present : if channel < channels generate
@@ -76,12 +125,20 @@ begin
       signal state : unsigned(2 downto 0);
       signal conversions : unsigned(7 downto 0) := (others => '0');
       signal age : tick_count_t := (others => '1');
+      signal changes : std_ulogic;
+      signal wake_cycles : cycles_t;
     begin
+
+      waking(channel) <= '1' when now_cycles = wake_cycles else '0';
+      moving(channel) <= changes or updated;
 
       timer : entity work.capacitor_timer
         port map (
           clk => clk,
           reset => reset,
+          seen_cycles => seen_cycles,
+          changes => changes,
+          wake_cycles => wake_cycles,
           enable => from_software.control.enable,
           references => from_software.control.references,
           more_charges => from_software.control.more_charges,

@@ -18,6 +18,9 @@ package thermal_pkg is
   constant tick_count_bits : positive := 20;
   subtype tick_count_t is unsigned(tick_count_bits - 1 downto 0);
 
+  -- Times within a conversion, modulo 2^24 clocks.
+  subtype cycles_t is unsigned(23 downto 0);
+
   -- The newest conversion of a sensor channel.
   type sensor_reading_t is record
     -- '1' for the one clock in which the rest is new.

@@ -80,6 +80,8 @@ struct InputPins {
   std::uint8_t end_stops{};  // bit n = switch n, 1 = triggered
   std::uint8_t sense{};  // bit n = capacitor of sensor channel n is above the threshold
   bool emergency_stop{};
+
+  constexpr bool operator==(const InputPins&) const = default;
 };
 
 }  // namespace sim

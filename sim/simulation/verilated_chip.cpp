@@ -7,9 +7,8 @@
 
 #include <cstdint>
 
+#include "sim/simulation/model_clocks.hpp"
 #include "sim/simulation/trace.hpp"
-#include "Vprinter_controller.h"
-#include "Vprinter_controller___024root.h"
 
 // The model calls this where an assertion fails; it was made with VL_USER_STOP and VL_USER_FATAL.
 void vl_stop(const char* file, int line, const char*) VL_MT_UNSAFE {
@@ -29,53 +28,42 @@ namespace {
 constexpr std::uint32_t memory_start = 0x8000'0000;
 constexpr int reset_clocks = 8;
 
-// Nothing in the chip happens at a falling edge: where Verilator keeps the last level of a clock in
-// the open, it is told that the clock has fallen, which saves half of the evaluations.
-template <class Model>
-void fall(Model& model) {
-  model.clk = 0;
-  model.processor_clk = 0;
-  if constexpr (requires {
-                  model.rootp->__Vtrigprevexpr___TOP__clk__0;
-                  model.rootp->__Vtrigprevexpr___TOP__processor_clk__0;
-                }) {
-    model.rootp->__Vtrigprevexpr___TOP__clk__0 = 0;
-    model.rootp->__Vtrigprevexpr___TOP__processor_clk__0 = 0;
-  } else {
-    model.eval();
-  }
-}
-
 }  // namespace
 
-VerilatedChip::VerilatedChip(std::uint32_t clock_hz)
+class VerilatedChip::Clocks : public ModelClocks<Vprinter_controller> {
+  using ModelClocks::ModelClocks;
+};
+
+VerilatedChip::VerilatedChip(std::uint32_t clock_hz, Edges edges)
     : context_(std::make_unique<VerilatedContext>()) {
   permit_tracing(*context_);
   model_ = std::make_unique<Vprinter_controller>(context_.get());
   model_->clock_frequency_hz = clock_hz;
   model_->reset = 1;
+  clocks_ = std::make_unique<Clocks>(*model_, edges);
   hold_reset();
   outputs_ = sampled_outputs();
 }
 
-VerilatedChip::~VerilatedChip() = default;
+VerilatedChip::~VerilatedChip() {
+  // A model takes its leave from the context of the thread, which of several chips may be
+  // another's.
+  Verilated::threadContextp(context_.get());
+}
 
 void VerilatedChip::hold_reset() {
+  set_inputs();
+  for (int i = 0; i < reset_clocks; ++i) {
+    clocks_->clock(true);
+  }
+}
+
+void VerilatedChip::set_inputs() {
   model_->receive = inputs_.receive;
   model_->end_stop = inputs_.end_stops;
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;
-  for (int i = 0; i < reset_clocks; ++i) {
-    clock();
-  }
-}
-
-void VerilatedChip::clock() {
-  model_->clk = 1;
-  // Edges that change nothing need not be evaluated: most of a print the processor sleeps.
-  model_->processor_clk = !model_->processor_at_rest;
-  model_->eval();
-  fall(*model_);
+  set_inputs_ = inputs_;
 }
 
 OutputPins VerilatedChip::sampled_outputs() const {
@@ -99,28 +87,32 @@ OutputPins VerilatedChip::sampled_outputs() const {
 }
 
 void VerilatedChip::advance(Clock limit) {
+  bool input_has_changed = inputs_ != set_inputs_;
   if (!started_) {
     started_ = true;
     hold_reset();  // with the program in memory, so that nothing old has been fetched
     model_->reset = 0;
+    input_has_changed = true;
   }
+  set_inputs();
   Vprinter_controller& model = *model_;
-  model.receive = inputs_.receive;
-  model.end_stop = inputs_.end_stops;
-  model.sensor_sense = inputs_.sense;
-  model.emergency_stop = inputs_.emergency_stop;
   const OutputPins before = outputs_;
   while (now_ < limit) {
-    clock();
+    const bool fan_gate = model.fan_gate;
+    const bool others = clocks_->clock(input_has_changed);
+    input_has_changed = false;
     ++now_;
     processor_.sleeping_clocks += model.sleeping;
     processor_.instructions += model.retired;
     if (trace_) {
       trace_->record(now_);
     }
-    outputs_ = sampled_outputs();
-    if (outputs_ != before) {
-      return;
+    // The fan's is the only pin that `clk` alone changes.
+    if (others || model.fan_gate != fan_gate) {
+      outputs_ = sampled_outputs();
+      if (outputs_ != before) {
+        return;
+      }
     }
   }
 }

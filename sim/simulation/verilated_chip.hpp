@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "sim/simulation/chip.hpp"
+#include "sim/simulation/edges.hpp"
 
 class VerilatedContext;
 class Vprinter_controller;
@@ -23,7 +24,7 @@ class HardwareAssertion : public std::runtime_error {
 // reset do not count.
 class VerilatedChip : public Chip {
  public:
-  explicit VerilatedChip(std::uint32_t clock_hz);
+  explicit VerilatedChip(std::uint32_t clock_hz, Edges edges = Edges::needed);
   ~VerilatedChip() override;
 
   void advance(Clock limit) override;
@@ -35,15 +36,19 @@ class VerilatedChip : public Chip {
   void trace_to(const std::string& file) override;
 
  private:
+  class Clocks;
+
   static std::uint32_t word_index(std::uint32_t address);
   void hold_reset();
-  void clock();
+  void set_inputs();
   OutputPins sampled_outputs() const;
 
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Vprinter_controller> model_;
+  std::unique_ptr<Clocks> clocks_;
   std::unique_ptr<Trace> trace_;
   ProcessorStatistics processor_;
+  InputPins set_inputs_;  // those that the model has
   bool started_ = false;
 };
 

@@ -17,6 +17,7 @@ architecture simulation of synchronizer_tb is
   signal pins : std_ulogic_vector(width - 1 downto 0) := "010";
   signal after_two : std_ulogic_vector(width - 1 downto 0);
   signal after_three : std_ulogic_vector(width - 1 downto 0);
+  signal settling : std_ulogic;
 
 begin
 
@@ -24,7 +25,8 @@ begin
 
   two_stages : entity work.synchronizer
     generic map (width => width)
-    port map (clk => clk, asynchronous => pins, synchronous => after_two);
+    port map (
+      clk => clk, asynchronous => pins, synchronous => after_two, settling => settling);
 
   three_stages : entity work.synchronizer
     generic map (width => width, stages => 3, idle_level => '1')
@@ -48,6 +50,8 @@ begin
       wait until falling_edge(clk);
       delays_by_two : assert clock < 2 or after_two = samples(2)
         report "two stages: " & to_string(after_two) severity error;
+      tells_of_a_new_level : assert clock < 2 or (settling = '1') = (samples(1) /= samples(2))
+        report "settling: " & to_string(settling) severity error;
       delays_by_three : assert clock < 3 or after_three = samples(3)
         report "three stages: " & to_string(after_three) severity error;
     end loop;

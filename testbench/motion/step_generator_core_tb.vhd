@@ -74,7 +74,8 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => depth)
     port map (
-      clk => clk, bus_clk => clk, reset => reset, guards => guards, both_edges => both_edges,
+      clk => clk, always_clk => clk, bus_clk => clk, reset => reset, guards => guards,
+      both_edges => both_edges,
       rate_floor => to_unsigned(2 ** 20, 31), run => '1', start => start,
       software_start => '0', waiting => waiting,
       override => override, override_slope => x"00100000", brake_slope => x"00200000",

@@ -46,7 +46,8 @@ begin
   core : entity work.step_generator_core
     generic map (axes => axes, queue_depth => depth)
     port map (
-      clk => clk, bus_clk => clk, reset => reset, guards => (others => shortest),
+      clk => clk, always_clk => clk, bus_clk => clk, reset => reset,
+      guards => (others => shortest),
       both_edges => both_edges, rate_floor => to_unsigned(1, 31), run => run, start => '0',
       software_start => '0', waiting => open, override => to_unsigned(65536, 18),
       override_slope => (others => '0'), brake_slope => (others => '0'), scale => open, held => open,

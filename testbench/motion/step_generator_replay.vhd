@@ -47,7 +47,7 @@ begin
   generator : entity work.step_generator
     generic map (axes => axes)
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
       end_stops => end_stops, emergency_stop => emergency_stop, start => start, step => step,
       direction => direction, enable => open, moving => open, queue_interrupt => open,

@@ -56,7 +56,7 @@ begin
   generator : entity work.step_generator
     generic map (axes => axes, queue_depth => 8)
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
       end_stops => x"00", emergency_stop => emergency_stop, start => '0', step => step,
       direction => direction, enable => enable, moving => moving,

@@ -57,7 +57,8 @@ begin
 
   base : entity work.time_base
     port map (
-      clk => clk, reset => reset, advance => advance, leap => leap, longest_leap => longest_leap,
+      clk => clk, always_clk => clk, reset => reset,
+      advance => advance, leap => leap, longest_leap => longest_leap,
       run => run, start => start, stop => stop, rate_floor => rate_floor,
       head_valid => head_valid, head => head, take => take, due => due,
       axes_ready => axes_ready, tick => tick, stalled => stalled, active => active,

@@ -21,6 +21,8 @@ architecture simulation of capacitor_timer_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
+  -- Begins shortly before it overflows.
+  signal seen_cycles : unsigned(23 downto 0) := x"FFFF00";
   signal enable : std_ulogic := '0';
   signal references : std_ulogic := '1';
   signal dither_cycles : unsigned(7 downto 0) := to_unsigned(2, 8);
@@ -42,9 +44,16 @@ begin
 
   clk <= not clk after 5 ns;
 
+  count_cycles : process
+  begin
+    wait until rising_edge(clk);
+    seen_cycles <= seen_cycles + 1;
+  end process;
+
   timer : entity work.capacitor_timer
     port map (
-      clk => clk, reset => reset, enable => enable, references => references,
+      clk => clk, reset => reset, seen_cycles => seen_cycles, enable => enable,
+      references => references,
       more_charges => to_unsigned(charges - 1, 8), dither_cycles => dither_cycles,
       discharge_cycles => discharge_cycles, timeout_cycles => timeout_cycles,
       pause_cycles => to_unsigned(10, 24), short_limit => short_limit,

@@ -45,7 +45,7 @@ begin
 
   control : entity work.heater_control
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       clock_frequency_hz => to_unsigned(clock_frequency_hz, 32), reset => reset,
       request => request, response => response, readings => readings,
       emergency_stop => emergency_stop, gates => gates, interrupt => interrupt);

@@ -43,7 +43,7 @@ begin
 
   converter : entity work.temperature_converter
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
       drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
       sense => sense, readings => readings);

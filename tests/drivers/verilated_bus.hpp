@@ -47,7 +47,10 @@ class VerilatedPeripheral : public ClockedPeripheral {
   ~VerilatedPeripheral() override { model_->final(); }
 
   // Pins by the names of the entity's ports; an input that is set counts from the next clock on.
-  Model* operator->() { return model_.get(); }
+  Model* operator->() {
+    input_may_have_changed_ = true;
+    return model_.get();
+  }
 
   // Clocks since reset.
   std::uint64_t now() const { return now_; }
@@ -71,9 +74,17 @@ class VerilatedPeripheral : public ClockedPeripheral {
   void write(std::uint32_t address, std::uint32_t value) override { access(address, true, value); }
 
  private:
-  // A peripheral has a clock for its registers too; here they always run together.
+  // A peripheral has a clock for its registers too; here they always run together. Where it says
+  // that it is at rest the edge of its other clock is left out, as the simulation of the whole chip
+  // does.
   void set_clocks(unsigned char level) {
-    model_->clk = level;
+    if constexpr (requires { model_->at_rest; }) {
+      model_->clk = level != 0 && (!model_->at_rest || input_may_have_changed_);
+      if (level != 0) input_may_have_changed_ = false;
+    } else {
+      model_->clk = level;
+    }
+    if constexpr (requires { model_->always_clk; }) model_->always_clk = level;
     if constexpr (requires { model_->bus_clk; }) model_->bus_clk = level;
   }
 
@@ -99,6 +110,7 @@ class VerilatedPeripheral : public ClockedPeripheral {
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
   std::unique_ptr<Model> model_ = std::make_unique<Model>(context_.get());
   std::uint64_t now_ = 0;
+  bool input_may_have_changed_ = true;
 };
 
 }  // namespace tests

@@ -44,14 +44,14 @@ begin
 
   converter : entity work.temperature_converter
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       reset => reset, request => converter_request, response => converter_response,
       drive_enable => drive_enable, drive_level => drive_level, discharging => open, sense => sense,
       readings => readings);
 
   heaters : entity work.heater_control
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk,
       clock_frequency_hz => clock_frequency_hz, reset => reset,
       request => heater_request, response => heater_response, readings => readings,
       emergency_stop => '0', gates => gates, interrupt => open);
