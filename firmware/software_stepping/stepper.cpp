@@ -70,6 +70,10 @@ void prepare(const motion::Segment& segment, QueuedLine& line) {
 bool executable(const motion::Segment& segment, std::uint32_t ticks_left) {
   if (segment.ticks == 0 || segment.ticks > ticks_left) return false;
   if (segment.rate > highest_rate || segment.jerk != 0) return false;
+  if (segment.stop_on_change || segment.stop_on_release || segment.stop_brakes ||
+      segment.waits_for_start) {
+    return false;
+  }
   if (segment.continues_line) return true;
   if (segment.line_ticks > most_line_ticks) return false;
   const auto too_many = [&](std::int32_t steps) { return magnitude(steps) > segment.line_ticks; };

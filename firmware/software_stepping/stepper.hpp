@@ -83,7 +83,8 @@ class Stepper {
   // For the program. The interrupt is kept out where it would see something half done.
   void configure(const Guard& guard, Interval longest_interval);
   // False where the queue is full, a stop waits for its acknowledgement, or the segment cannot be
-  // executed: out of range, or with a jerk, for which software has no time.
+  // executed: out of range, or what only the step generator can (jerk, stops but at once
+  // and by level, a common start).
   bool append(const motion::Segment& segment);
   void permit_motion(bool permitted);
   void flush();

@@ -23,7 +23,13 @@ ExternalProject_Add(firmware_image
   DEPENDS machine_header_file)
 add_custom_target(firmware DEPENDS firmware_image)
 
-# Of the same objects, built only where it is asked for.
+# Of the same objects, built only where they are asked for.
 add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image VERBATIM)
+add_custom_target(stepping_benchmark_programs
+  COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
+    --target stepping_benchmark_hardware.elf stepping_benchmark_software.elf
+  DEPENDS firmware_image VERBATIM)
+# One at a time: both are builds in the same folder.
+add_dependencies(stepping_benchmark_programs firmware_software_stepping)

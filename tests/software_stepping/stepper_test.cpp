@@ -234,6 +234,8 @@ TEST(stepper, refuses_what_it_cannot_execute) {
   EXPECT_TRUE(refused([](Segment& s) { s.line_ticks = 0x8000'0000; }));
   EXPECT_TRUE(refused([](Segment& s) { s.rate = (std::uint64_t{1} << 63) + 1; }));
   EXPECT_TRUE(refused([](Segment& s) { s.jerk = 1; }));
+  EXPECT_TRUE(refused([](Segment& s) { s.stop_brakes = true; }));
+  EXPECT_TRUE(refused([](Segment& s) { s.waits_for_start = true; }));
   EXPECT_TRUE(refused([](Segment& s) { s.continues_line = true; }));
   EXPECT_FALSE(run.stepper.moving());
   run.stepper.permit_motion(false);

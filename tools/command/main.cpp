@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "sim/machine/fault_plan.hpp"
+#include "tools/command/bench_job.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/print_job.hpp"
@@ -30,8 +31,8 @@ struct Jobs {
   RunOptions run;
   proof::Options prove;
   synthesis::Options synth;
+  BenchOptions bench;
   std::vector<std::string> labels;
-  std::vector<std::string> later_arguments;
 };
 
 void add_printer_options(CLI::App& job, PrinterChoices& choices, std::uint32_t lowest_hz) {
@@ -140,15 +141,21 @@ void add_run(CLI::App& app, RunOptions& options) {
       "interrupted.");
 }
 
-void add_later_jobs(CLI::App& app, Jobs& jobs) {
-  for (const auto& [name, what] :
-       {std::pair{"bench", "Run the benchmarks. Not part of this version."}}) {
-    app.add_subcommand(name, what)
-        ->add_option("arguments", jobs.later_arguments, "see the documentation")
-        ->type_name("")
-        ->group("");
-    app.get_subcommand(name)->allow_extras();
-  }
+void add_bench(CLI::App& app, BenchOptions& options) {
+  CLI::App& job = *app.add_subcommand(
+      "bench", "Measure, in clocks of the chip: how well hardware and software make steps.");
+  job.add_option("names", options.names, "stepping; default: all")
+      ->type_name("NAME...")
+      ->check(CLI::IsMember({"stepping"}));
+  job.add_option("--json", options.json, "write the figures")->type_name("FILE");
+  job.add_option("--report", options.report, "folder for stepping.html and stepping.svg")
+      ->type_name("DIR")
+      ->capture_default_str();
+  job.add_option("--print", options.print_file,
+                 "the whole print to make with both; default: a short one")
+      ->type_name("FILE.gcode")
+      ->check(CLI::ExistingFile);
+  job.add_flag("--quick", options.quick, "few and short runs, to see that everything works");
 }
 
 // Waveforms need another build of the chip's model, which slows nothing else down.
@@ -178,20 +185,18 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("run")) {
     return run(jobs.run);
   }
+  if (app.got_subcommand("bench")) {
+    return bench(jobs.bench);
+  }
   if (app.got_subcommand("test")) {
     return test(jobs.labels);
   }
   if (app.got_subcommand("prove")) {
     return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
   }
-  if (app.got_subcommand("synth")) {
-    build({"firmware"});
-    const auto firmware = build_folder() / "firmware" / "firmware.elf";
-    return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
-  }
-  fmt::print(stderr, "stepfabric: {} is not part of this version\n",
-             app.get_subcommands().front()->get_name());
-  return failure;
+  build({"firmware"});  // synth
+  const auto firmware = build_folder() / "firmware" / "firmware.elf";
+  return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
 }
 
 int run_command(int count, char** arguments) {
@@ -211,7 +216,7 @@ int run_command(int count, char** arguments) {
   synthesis::add_options(
       *app.add_subcommand("synth", "Synthesise, place and route the chip with its firmware."),
       jobs.synth);
-  add_later_jobs(app, jobs);
+  add_bench(app, jobs.bench);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Searches and series of runs.
+#include "tools/benchmark/stepping_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace benchmarks {
+
+namespace {
+
+constexpr std::uint32_t train_hertz = 10'000;
+constexpr std::uint32_t train_baud = 1'000'000;
+// An A4988's 1 us at 50 MHz.
+constexpr std::uint32_t slow_guard_clocks = 50;
+constexpr std::uint32_t fewest_clocks = 2;
+
+class Measurement {
+ public:
+  Measurement(const sim::ElfImage& program, const Scope& scope)
+      : program_(program), scope_(scope) {}
+
+  Run run(const Motion& motion, bool until_unclean = false) const {
+    return run_motion(program_, motion, scope_.clock_hz, until_unclean);
+  }
+
+  // The shortest interval at which it is clean; longer ones are taken to be so too.
+  std::uint32_t shortest_clean(Motion motion) const {
+    const auto clean = [&](std::uint32_t clocks) {
+      motion.interval_clocks = clocks;
+      return run(motion, true).clean(motion);
+    };
+    std::uint32_t dirty = fewest_clocks - 1;
+    std::uint32_t good = std::max(fewest_clocks, 2 * motion.guard_clocks);
+    while (!clean(good)) {
+      dirty = good;
+      good *= 2;
+    }
+    while (good - dirty > 1 && good > 2 * motion.guard_clocks) {
+      const std::uint32_t middle = dirty + (good - dirty) / 2;
+      (clean(middle) ? good : dirty) = middle;
+    }
+    return good;
+  }
+
+  CleanRate clean_rate(std::size_t count, std::uint32_t guard_clocks) const {
+    const std::uint32_t lines = scope_.quick ? 10 : 40;
+    const Motion in_lines{.ticks_per_line = scope_.quick ? 200u : 500u,
+                          .lines = lines,
+                          .axes = count,
+                          .guard_clocks = guard_clocks};
+    const Motion in_one{.ticks_per_line = scope_.quick ? 2'000u : 20'000u,
+                        .lines = 1,
+                        .axes = count,
+                        .guard_clocks = guard_clocks};
+    return {count, guard_clocks, shortest_clean(in_lines), shortest_clean(in_one)};
+  }
+
+  JitterFigure jitter(double interval_clocks) const {
+    const Motion motion{.interval_clocks = interval_clocks,
+                        .ticks_per_line = 500,
+                        .lines = scope_.quick ? 4u : 12u,
+                        .axes = axes};
+    return {interval_clocks, jitter_of(run(motion).pins[0].rises)};
+  }
+
+  Train train(bool saturated) const {
+    const Motion motion{.interval_clocks = static_cast<double>(scope_.clock_hz) / train_hertz,
+                        .ticks_per_line = 100,
+                        .lines = scope_.quick ? 2u : 10u,
+                        .baud = saturated ? train_baud : 0};
+    const Jitter jitter = jitter_of(run(motion).pins[0].rises);
+    return {saturated, scope_.clock_hz / jitter.mean, jitter};
+  }
+
+  Share share(std::uint32_t interval_clocks) const {
+    // Twice what the hardware's queue holds, so that handing over counts for both.
+    const Motion motion{.interval_clocks = static_cast<double>(interval_clocks),
+                        .ticks_per_line = scope_.quick ? 10u : 50u,
+                        .lines = 64,
+                        .axes = axes};
+    const Run result = run(motion);
+    return {interval_clocks, result.busy_share, result.clean(motion)};
+  }
+
+ private:
+  const sim::ElfImage& program_;
+  const Scope& scope_;
+};
+
+}  // namespace
+
+Figures measure(Stepping stepping, const sim::ElfImage& program, const Scope& scope,
+                const std::function<void(const std::string&)>& say) {
+  const Measurement measurement(program, scope);
+  Figures figures;
+  figures.stepping = stepping;
+  for (const std::size_t count : {std::size_t{1}, axes}) {
+    for (const std::uint32_t guard : {1u, slow_guard_clocks}) {
+      if (scope.quick && guard != 1) continue;
+      say(fmt::format("{}: highest clean rate, {} {}, guard of {}", name_of(stepping), count,
+                      count == 1 ? "axis" : "axes", guard));
+      figures.clean.push_back(measurement.clean_rate(count, guard));
+    }
+  }
+  say(fmt::format("{}: jitter", name_of(stepping)));
+  std::vector<double> intervals{1000, 1234.5};
+  if (stepping == Stepping::hardware) intervals.insert(intervals.end(), {2, 3.3});
+  for (const double clocks : intervals) figures.jitter.push_back(measurement.jitter(clocks));
+  for (const bool saturated : {false, true}) {
+    say(fmt::format("{}: 10 kHz, serial line {}", name_of(stepping),
+                    saturated ? "saturated" : "silent"));
+    figures.trains.push_back(measurement.train(saturated));
+  }
+  say(fmt::format("{}: share of the processor", name_of(stepping)));
+  const std::vector<std::uint32_t> shares =
+      scope.quick ? std::vector<std::uint32_t>{5000, 1000}
+                  : std::vector<std::uint32_t>{10'000, 5000, 2500, 1500, 1000, 700, 500, 400};
+  for (const std::uint32_t clocks : shares) figures.shares.push_back(measurement.share(clocks));
+  return figures;
+}
+
+}  // namespace benchmarks

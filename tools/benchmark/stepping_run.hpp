@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// One run of the stepping benchmark's program on the chip: what was asked, and what the pins did.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/benchmark/stepping.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "tools/benchmark/pin_watch.hpp"
+
+namespace benchmarks {
+
+enum class Stepping : std::uint8_t { hardware, software };
+constexpr const char* name_of(Stepping stepping) {
+  return stepping == Stepping::hardware ? "hardware" : "software";
+}
+
+// Lines at one rate, one after the other without a pause.
+struct Motion {
+  double interval_clocks{};  // between two ticks
+  std::uint32_t ticks_per_line{};
+  std::uint32_t lines{};
+  std::size_t axes = 1;  // the first steps at each tick, the others at parts of them
+  std::uint32_t guard_clocks = 1;  // high, low, set-up, hold
+  std::uint32_t baud{};  // the serial line is saturated in both directions; 0: silent
+};
+
+struct Run {
+  std::array<PinWatch::Axis, axes> pins;
+  std::array<std::uint64_t, axes> asked{};  // pulses
+  benchmark::SteppingResult result{};
+  std::uint32_t late_ticks{};
+  double busy_share{};  // of the processor's clocks while steps were made
+  bool ended{};
+
+  // Every pulse, the guard kept, no tick late or delayed, the queue never empty.
+  bool clean(const Motion& motion) const;
+};
+
+// Runs the motion to its end, or until it is no longer clean where only that is asked.
+Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t clock_hz,
+               bool until_unclean = false);
+
+// Intervals between the steps of an axis.
+struct Jitter {
+  std::uint64_t intervals{};
+  sim::Clock shortest{};
+  sim::Clock longest{};
+  double mean{};
+  double standard_deviation{};
+};
+Jitter jitter_of(const std::vector<sim::Clock>& rises);
+
+}  // namespace benchmarks

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the stepping benchmark on hardware and on software, and prints a file with both.
+#include "tools/command/bench_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "sim/report/json_report.hpp"
+#include "tools/benchmark/stepping_report.hpp"
+#include "tools/command/build.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/print_job.hpp"
+
+namespace command {
+
+namespace {
+
+using benchmarks::Stepping;
+
+// A print's clock: at 50 MHz a second of it takes the simulation half a minute.
+constexpr std::uint32_t print_clock_hz = 16'000'000;
+
+struct PrintOfBench {
+  benchmarks::PrintFigure figure;
+  nlohmann::json axes;
+};
+
+PrintOfBench print_with(Stepping stepping, const BenchOptions& options) {
+  PrintOptions choices;
+  choices.file = options.print_file;
+  choices.report = options.report / name_of(stepping);
+  choices.printer.clock_hz = print_clock_hz;
+  choices.printer.stepping = name_of(stepping);
+  choices.printer.warm = true;
+  if (print(choices) != success) {
+    throw std::runtime_error(fmt::format("the print with {} stepping failed", name_of(stepping)));
+  }
+  std::ifstream file(choices.report / "report.json");
+  const auto report = nlohmann::json::parse(file);
+  PrintOfBench result{.figure = {}, .axes = nlohmann::json::array()};
+  result.figure.result = report["result"];
+  result.figure.late_ticks = report["queue"]["late_ticks"];
+  result.figure.underruns = report["queue"]["underruns"];
+  result.figure.busy_percent = report["processor"]["busy_percent"];
+  result.figure.max_deviation_mm = report["path"]["max_deviation_mm"];
+  result.figure.seconds = report["simulated_seconds"];
+  for (const auto& axis : report["axes"]) {
+    result.figure.illegal_pulses += axis["illegal_pulses"].get<std::uint64_t>();
+    result.figure.max_step_rate_hz =
+        std::max(result.figure.max_step_rate_hz, axis["max_step_rate_hz"].get<double>());
+    result.axes.push_back({axis["steps_forward"], axis["steps_backward"]});
+  }
+  return result;
+}
+
+void print_both(const BenchOptions& options, benchmarks::Comparison& comparison) {
+  const PrintOfBench hardware = print_with(Stepping::hardware, options);
+  PrintOfBench software = print_with(Stepping::software, options);
+  software.figure.same_steps = software.axes == hardware.axes;
+  comparison.print_clock_hz = print_clock_hz;
+  comparison.print_file = options.print_file.filename().string();
+  comparison.prints = {hardware.figure, software.figure};
+  (*comparison.prints)[0].same_steps = true;
+}
+
+int bench_stepping(const BenchOptions& options) {
+  build({"stepping_benchmark_programs"});
+  const benchmarks::Scope scope{.quick = options.quick};
+  benchmarks::Comparison comparison;
+  comparison.clock_hz = scope.clock_hz;
+  for (const Stepping stepping : {Stepping::hardware, Stepping::software}) {
+    const auto program = sim::read_elf(build_folder() / "firmware" /
+                                       fmt::format("stepping_benchmark_{}.elf", name_of(stepping)));
+    comparison.figures[static_cast<std::size_t>(stepping)] = benchmarks::measure(
+        stepping, program, scope,
+        [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); });
+  }
+  if (!options.print_file.empty()) {
+    print_both(options, comparison);
+  }
+  fmt::print("{}", benchmarks::to_table(comparison));
+  if (!options.json.empty()) {
+    report::write_file(options.json, benchmarks::to_json(comparison));
+  }
+  report::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
+  report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
+  fmt::print("report: {}\n", (options.report / "stepping.html").string());
+  return success;
+}
+
+}  // namespace
+
+int bench(const BenchOptions& options) {
+  BenchOptions chosen = options;
+  if (chosen.print_file.empty() && !chosen.quick) {
+    chosen.print_file = project_folder() / "tools" / "benchmark" / "short_print.gcode";
+  }
+  return bench_stepping(chosen);
+}
+
+}  // namespace command

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// `bench`: the benchmarks, in clocks of the chip.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace command {
+
+struct BenchOptions {
+  std::vector<std::string> names;  // none: all
+  std::filesystem::path json;
+  std::filesystem::path report = "report";
+  std::filesystem::path print_file;
+  bool quick = false;
+};
+
+// Returns the exit status of the job.
+int bench(const BenchOptions& options);
+
+}  // namespace command
