@@ -137,11 +137,10 @@ begin
     if reset then
       highest_count <= 0;
     end if;
-
-    nothing_is_appended_to_a_full_queue : assert reset = '1' or append = '0' or count /= depth
-      severity failure;
-    nothing_is_taken_before_it_is_ready : assert reset = '1' or take = '0' or head_valid = '1'
-      severity failure;
   end process;
+
+  -- psl default clock is rising_edge(clk);
+  -- psl nothing_is_appended_to_a_full_queue : assert always (append -> count /= depth) abort reset;
+  -- psl nothing_is_taken_before_it_is_ready : assert always (take -> head_valid) abort reset;
 
 end architecture;

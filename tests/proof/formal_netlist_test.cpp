@@ -10,7 +10,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 constexpr const char* netlist = R"(module part
@@ -36,7 +35,7 @@ endmodule
 )";
 
 TEST(formal_netlist, assertions_are_asserted_and_assumptions_of_the_top_assumed) {
-  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {}, {});
+  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {});
   EXPECT_THAT(formal.verilog, HasSubstr("process_of_the_whole: assert (n2_o);"));
   EXPECT_THAT(formal.verilog, HasSubstr("relied_upon: assume (n2_o);"));
   EXPECT_THAT(formal.verilog, Not(HasSubstr("$fatal")));
@@ -44,32 +43,39 @@ TEST(formal_netlist, assertions_are_asserted_and_assumptions_of_the_top_assumed)
 }
 
 TEST(formal_netlist, what_a_part_relies_on_is_asserted_of_the_whole) {
-  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {}, {});
+  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {});
   EXPECT_THAT(formal.verilog, HasSubstr("watch_it: assert (n1_o);"));
   EXPECT_THAT(formal.asserted, ElementsAre("watch_it", "in_the_part", "process_of_the_whole"));
 }
 
 TEST(formal_netlist, a_free_signal_becomes_a_free_register_of_its_width) {
-  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {}, {});
+  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {});
   EXPECT_THAT(formal.verilog, HasSubstr("(* anyconst *) reg [30:0] n7_o;"));
   EXPECT_THAT(formal.verilog, Not(HasSubstr("gate_any")));
 }
 
 TEST(formal_netlist, only_the_named_properties_are_asserted) {
-  const proof::FormalNetlist formal = proof::make_formal(netlist, "whole", {"of_the_whole"}, {});
+  const proof::FormalNetlist formal =
+      proof::make_formal(netlist, "whole", {.only = {"of_the_whole"}});
   EXPECT_THAT(formal.asserted, ElementsAre("process_of_the_whole"));
-  EXPECT_THAT(proof::make_formal(netlist, "whole", {}, {"of_the_whole"}).asserted,
+  EXPECT_THAT(proof::make_formal(netlist, "whole", {.except = {"of_the_whole"}}).asserted,
               ElementsAre("watch_it", "in_the_part"));
 }
 
+TEST(formal_netlist, the_assertions_of_a_part_that_is_free_do_not_count) {
+  EXPECT_THAT(proof::make_formal(netlist, "whole", {.free = {"part"}}).asserted,
+              ElementsAre("process_of_the_whole"));
+}
+
 TEST(formal_netlist, a_property_that_is_not_there_is_an_error) {
-  EXPECT_THROW(proof::make_formal(netlist, "whole", {"missing"}, {}), std::runtime_error);
-  EXPECT_THROW(proof::make_formal(netlist, "whole", {}, {"the_whole_of_it"}), std::runtime_error);
+  EXPECT_THROW(proof::make_formal(netlist, "whole", {.only = {"missing"}}), std::runtime_error);
+  EXPECT_THROW(proof::make_formal(netlist, "whole", {.except = {"the_whole_of_it"}}),
+               std::runtime_error);
 }
 
 TEST(formal_netlist, an_unknown_form_of_a_property_is_an_error_and_not_lost) {
   constexpr const char* strange = "module whole\n  if (x) $error(\"assertion failure here\");\n";
-  EXPECT_THROW(proof::make_formal(strange, "whole", {}, {}), std::runtime_error);
+  EXPECT_THROW(proof::make_formal(strange, "whole", {}), std::runtime_error);
 }
 
 TEST(formal_netlist, a_property_is_found_behind_the_names_of_its_process_and_instance) {

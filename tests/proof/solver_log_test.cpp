@@ -7,7 +7,6 @@
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(solver_log, tells_the_properties_that_failed_and_when) {
   const proof::SolverLog log = proof::read_solver_log(

@@ -9,7 +9,8 @@ rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
 options=(--std=08 -fpsl --workdir="$work")
-"$project/tools/hardware/weave_properties.sh" "$project/rtl" "$project/testbench/proofs" "$work/rtl"
+"$project/tools/hardware/weave_properties.sh" "$project/rtl" "$project/testbench/proofs" \
+  "$work/rtl" simulation
 mapfile -t files < <(find "$work/rtl" "$project/testbench" -name '*.vhd' | sort)
 ghdl -i "${options[@]}" "${files[@]}"
 ghdl -m "${options[@]}" "$bench" > make.log || { cat make.log; exit 1; }

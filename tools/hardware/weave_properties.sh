@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Copies the chip's sources and puts each verification unit (*.psl) into its architecture as a block, because
 # GHDL binds verification units in synthesis only: so simulation, netlist and proof see the same text.
-# Usage: weave_properties.sh RTL_FOLDER PROPERTIES_FOLDER OUTPUT_FOLDER
+# Usage: weave_properties.sh RTL_FOLDER PROPERTIES_FOLDER OUTPUT_FOLDER [simulation]
+# For simulation, units that say "Not for simulation" are left out.
 set -euo pipefail
 rtl=$1 properties=$2 output=$3
 mkdir -p "$output"
@@ -10,6 +11,7 @@ cp -r "$rtl/." "$output"
 
 mapfile -t units < <(find "$properties" -name '*.psl' | sort)
 for unit in "${units[@]}"; do
+  if [ "${4-}" = simulation ] && grep -q '^-- Not for simulation' "$unit"; then continue; fi
   entity=$(sed -n 's/^vunit \w* (\(\w*\)(rtl)) {$/\1/p' "$unit")
   file=$(find "$output" -name "$entity.vhd")
   if [ -z "$entity" ] || [ ! -f "$file" ]; then

@@ -26,15 +26,13 @@ std::vector<std::string> lines_of(std::string_view text) {
 
 class Translation {
  public:
-  Translation(std::string_view top, const std::vector<std::string>& only,
-              const std::vector<std::string>& except)
-      : top_(top), only_(only), except_(except) {}
+  Translation(std::string_view top, const Choice& choice) : top_(top), choice_(choice) {}
 
   FormalNetlist translate(std::vector<std::string> lines) {
     for (std::size_t number = 0; number < lines.size(); ++number) {
       translate_line(lines, number);
     }
-    for (const auto* names : {&only_, &except_}) {
+    for (const auto* names : {&choice_.only, &choice_.except}) {
       for (const std::string& property : *names) {
         if (!has(seen_, property)) {
           throw std::runtime_error(fmt::format("{} has no property {}", top_, property));
@@ -93,9 +91,14 @@ class Translation {
     const auto is_label = [&label](const std::string& property) {
       return is_property(label, property);
     };
+    if (std::ranges::any_of(choice_.free, [this](const std::string& entity) {
+          return module_ == entity || module_.starts_with(entity + "_");
+        })) {
+      return "begin end";
+    }
     seen_.push_back(label);
-    if ((!only_.empty() && std::ranges::none_of(only_, is_label)) ||
-        std::ranges::any_of(except_, is_label)) {
+    if ((!choice_.only.empty() && std::ranges::none_of(choice_.only, is_label)) ||
+        std::ranges::any_of(choice_.except, is_label)) {
       return "begin end";
     }
     result_.asserted.push_back(label);
@@ -117,8 +120,7 @@ class Translation {
   }
 
   const std::string top_;
-  const std::vector<std::string>& only_;
-  const std::vector<std::string>& except_;
+  const Choice& choice_;
   std::vector<std::string> seen_;
   FormalNetlist result_;
   std::string module_;
@@ -128,10 +130,8 @@ class Translation {
 
 }  // namespace
 
-FormalNetlist make_formal(std::string_view verilog, std::string_view top,
-                          const std::vector<std::string>& only,
-                          const std::vector<std::string>& except) {
-  return Translation(top, only, except).translate(lines_of(verilog));
+FormalNetlist make_formal(std::string_view verilog, std::string_view top, const Choice& choice) {
+  return Translation(top, choice).translate(lines_of(verilog));
 }
 
 bool is_property(std::string_view label, std::string_view property) {

@@ -14,14 +14,18 @@ struct FormalNetlist {
   std::vector<std::string> assumed;
 };
 
+// Which assertions of a netlist are to be proved.
+struct Choice {
+  std::vector<std::string> only = {};  // all where empty
+  std::vector<std::string> except = {};
+  std::vector<std::string> free = {};  // entities whose own assertions do not count
+};
+
 // Assertions become `assert`, assumptions of module `top` become `assume`; those of the modules
 // within it become `assert` as well: what a part relies on is to be proved of the whole. Signals
-// with attribute anyconst or anyseq become free. With `only` not empty, assertions with no label of
-// it are left out, and always those of `except`; each name of both must be there
-// (std::runtime_error).
-FormalNetlist make_formal(std::string_view verilog, std::string_view top,
-                          const std::vector<std::string>& only,
-                          const std::vector<std::string>& except);
+// with attribute anyconst or anyseq become free. A property that is chosen or excepted but not
+// there is an error (std::runtime_error).
+FormalNetlist make_formal(std::string_view verilog, std::string_view top, const Choice& choice);
 
 // Whether a label of the netlist is this property. GHDL puts the names of the process and block
 // before it, Yosys those of the instances.

@@ -27,6 +27,8 @@ struct Proof {
   std::map<std::string, std::string> generics;
   std::vector<std::string> only;  // properties; all of the netlist where empty
   std::vector<std::string> except;  // properties that another proof is for
+  std::vector<std::string>
+      free;  // entities within, of which nothing is known: their outputs are free
   std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
   bool quick{};
 };

@@ -139,6 +139,7 @@ Proof proof_of(Entry& entry) {
     proof.generics = entry.generics();
     proof.only = entry.texts("only");
     proof.except = entry.texts("except");
+    proof.free = entry.texts("free");
     if (!entry.has("depth")) {
       entry.fail("depth is missing");
     }

@@ -20,15 +20,16 @@ namespace {
 constexpr std::chrono::milliseconds look_interval{20};
 
 [[noreturn]] void become(std::vector<char*>& arguments, const std::string& folder,
-                         const std::string& log) {
+                         const std::string& log, const std::string& error_log) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  if (file < 0 || chdir(folder.c_str()) != 0) {
+  const int errors = open(error_log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0 || errors < 0 || chdir(folder.c_str()) != 0) {
     _exit(126);
   }
   dup2(file, STDOUT_FILENO);
-  dup2(file, STDERR_FILENO);
+  dup2(errors, STDERR_FILENO);
   execvp(arguments.front(), arguments.data());
   _exit(127);
 }
@@ -46,12 +47,13 @@ ProcessResult run_process(const std::vector<std::string>& arguments,
   pointers.push_back(nullptr);
   const std::string folder_name = folder.string();
   const std::string log_name = log.string();
+  const std::string error_log_name = log_name + ".err";
   const pid_t child = fork();
   if (child < 0) {
     throw std::runtime_error("cannot start " + arguments.front());
   }
   if (child == 0) {
-    become(pointers, folder_name, log_name);
+    become(pointers, folder_name, log_name, error_log_name);
   }
   const auto end = std::chrono::steady_clock::now() + limit;
   ProcessResult result;

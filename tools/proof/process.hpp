@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running a program to its end or to a time limit, with its output in a file.
+// Running a program to its end or to a time limit, with what it says in files.
 #pragma once
 
 #include <chrono>

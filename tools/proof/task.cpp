@@ -68,30 +68,34 @@ Outcome solve(const SolverInput& input, const Stage& stage, const fs::path& fold
 
 Stage from_start(int depth) { return {"bounded", "", depth}; }
 
-// Whether the induction closes, by Yosys' own solver, which is far faster than z3 for this but
-// tells nothing where it does not.
-bool induction_closes(const SolverInput& input, int depth, const fs::path& folder,
-                      std::chrono::seconds limit) {
-  const fs::path log = folder / "induction_sat.log";
+// Whether one half of a proof holds, by Yosys' own solver: it is far faster than z3 for most of
+// this, but tells little where it does not hold.
+bool holds_by_sat(const SolverInput& input, const char* half, int depth, const fs::path& folder,
+                  std::chrono::seconds limit) {
+  const fs::path log = folder / "sat.log";
   const std::string script = fmt::format(
-      "read_rtlil {}; sat -tempinduct -tempinduct-inductonly -prove-asserts -set-assumes "
-      "-maxsteps {} -verify",
-      (input.file.parent_path() / "formal.il").string(), depth);
+      "read_rtlil {}; sat -tempinduct {} -prove-asserts -set-assumes -maxsteps {} -verify",
+      (input.file.parent_path() / "formal.il").string(), half, depth);
   const ProcessResult result = run_process({"yosys", "-p", script}, folder, log, limit);
   return result.exit_status == 0 &&
-         text_of(log).find("Induction step proven: SUCCESS!") != std::string::npos;
+         text_of(log).find("SAT temporal induction proof finished") == std::string::npos;
 }
 
 Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::path& folder,
                       std::chrono::seconds limit) {
   if (proof.method == Method::bounded) {
+    if (holds_by_sat(input, "-tempinduct-baseonly", proof.depth, folder, limit)) {
+      Outcome outcome;
+      outcome.verdict = Verdict::holds;
+      return outcome;
+    }
     return solve(input, from_start(proof.depth), folder, limit);
   }
   Outcome base = solve(input, from_start(proof.depth + 1), folder, limit);
   if (base.verdict != Verdict::holds) {
     return base;
   }
-  if (induction_closes(input, proof.depth, folder, limit)) {
+  if (holds_by_sat(input, "-tempinduct-inductonly", proof.depth, folder, limit)) {
     return base;
   }
   return solve(input, {"induction", "-i", proof.depth}, folder, limit);
@@ -101,7 +105,7 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
 Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::seconds limit) {
   const fs::path log_file = folder / "z3.log";
   const ProcessResult result = run_process({"z3", lemma.string()}, folder, log_file, limit);
-  const std::string log = text_of(log_file);
+  const std::string log = text_of(log_file) + text_of(log_file.string() + ".err");
   Outcome outcome;
   if (result.timed_out) {
     outcome.verdict = Verdict::undecided;

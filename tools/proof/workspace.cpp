@@ -32,7 +32,7 @@ void run_tool(const std::vector<std::string>& arguments, const fs::path& folder,
   const ProcessResult result = run_process(arguments, folder, log, tool_limit);
   if (result.exit_status != 0) {
     constexpr std::size_t last_words = 2000;
-    const std::string text = text_of(log);
+    const std::string text = text_of(log.string() + ".err");
     throw std::runtime_error(fmt::format(
         "{}\n{} {} in {}", text.substr(text.size() - std::min(text.size(), last_words)),
         arguments.front(), result.timed_out ? "took too long" : "failed", folder.string()));
@@ -91,17 +91,24 @@ SolverInput make_solver_input(const Folders& folders, const fs::path& sources, c
 
   SolverInput input;
   const std::string verilog = text_of(folder / "netlist.v");
-  input.netlist = property != nullptr
-                      ? make_formal(verilog, proof.entity, {*property}, {})
-                      : make_formal(verilog, proof.entity, proof.only, proof.except);
+  const Choice choice = property != nullptr
+                            ? Choice{.only = {*property}, .except = {}, .free = proof.free}
+                            : Choice{proof.only, proof.except, proof.free};
+  input.netlist = make_formal(verilog, proof.entity, choice);
+  // GHDL names a module by its entity and, where there are generics, something more.
+  std::string cuts;
+  for (const std::string& entity : proof.free) {
+    cuts += fmt::format("select -assert-min 1 t:{0} t:{0}_*; cutpoint t:{0} t:{0}_*; ", entity);
+  }
   write(folder / "formal.v", input.netlist.verilog);
   input.file = folder / "formal.smt2";
-  run_tool({"yosys", "-q", "-p",
-            fmt::format("read_verilog -formal -sv formal.v; prep -top {} -flatten; async2sync; "
-                        "chformal -lower; dffunmap; write_smt2 -wires formal.smt2; "
-                        "memory_map; opt -full; write_rtlil formal.il",
-                        proof.entity)},
-           folder, folder / "yosys.log");
+  run_tool(
+      {"yosys", "-q", "-p",
+       fmt::format("read_verilog -formal -sv formal.v; prep -top {}; {}flatten; opt_clean; "
+                   "opt -full; async2sync; chformal -lower; dffunmap; "
+                   "write_smt2 -wires formal.smt2; memory_map; opt -full; write_rtlil formal.il",
+                   proof.entity, cuts)},
+      folder, folder / "yosys.log");
   return input;
 }
 
