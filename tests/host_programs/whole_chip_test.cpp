@@ -155,7 +155,7 @@ TEST(misbehaving_hosts, one_that_is_killed_during_m109_leaves_a_printer_that_coo
   ServedChip chip(196, 22);
   chip.ask(0, "M110 N0");
   chip.ask(1, "M86 S3");
-  chip.send("N2 M109 S200*97\n");
+  chip.send("N2 M109 S200*104\n");
   double hottest = 0;
   for (int i = 0; i < 40; ++i) {
     chip.run(1.0);

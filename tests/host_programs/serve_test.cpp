@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// `stepfabric serve` as a host program meets it: a port that may be opened, left and opened again,
+// and a job that ends well on Ctrl-C.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sim/devices/terminal_settings.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+// Of the wall, on a machine that does other things as well.
+constexpr auto patience = 120s;
+
+class Serve : public testing::Test {
+ protected:
+  void start(const std::vector<std::string>& options) {
+    folder_ = fs::path(BUILD_DIRECTORY) / "scenarios" /
+              testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    port = folder_ / "port";
+    std::vector<std::string> words{BUILD_DIRECTORY "/bin/stepfabric",
+                                   "serve",
+                                   "--speed",
+                                   "max",
+                                   "--pty",
+                                   port,
+                                   "--report",
+                                   folder_ / "report",
+                                   "--accept-log",
+                                   folder_ / "accepted"};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+      arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+    job_ = fork();
+    if (job_ == 0) {
+      execv(arguments[0], arguments.data());
+      _exit(127);
+    }
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (!fs::is_symlink(port) && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(50ms);
+    }
+    ASSERT_TRUE(fs::is_symlink(port));
+  }
+
+  // Ctrl-C; the exit status.
+  int stop() {
+    kill(job_, SIGINT);
+    int status = 0;
+    waitpid(job_, &status, 0);
+    job_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  ~Serve() override {
+    if (job_ > 0) {
+      kill(job_, SIGKILL);
+      waitpid(job_, nullptr, 0);
+    }
+  }
+
+  std::string file(const char* name) const {
+    std::ifstream stream(folder_ / name);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  int open_port() const { return open(port.c_str(), O_RDWR | O_NOCTTY); }
+
+  // All that is read until `wanted` comes, or nothing within the patience.
+  static std::string read_until(int descriptor, const std::string& wanted,
+                                std::chrono::seconds time = patience) {
+    std::string text;
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (text.find(wanted) == std::string::npos && std::chrono::steady_clock::now() < end) {
+      pollfd event{descriptor, POLLIN, 0};
+      if (poll(&event, 1, 200) <= 0) {
+        continue;
+      }
+      char byte = 0;
+      if (read(descriptor, &byte, 1) == 1) {
+        text += byte;
+      }
+    }
+    return text;
+  }
+
+  // As hosts do: what is said while the chip starts is lost, so they ask again.
+  static bool connect(int descriptor) {
+    for (int i = 0; i < 20; ++i) {
+      write_text(descriptor, "M105\n");
+      if (read_until(descriptor, "ok T:", 5s).find("ok T:") != std::string::npos) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static void write_text(int descriptor, const std::string& text) {
+    ASSERT_EQ(write(descriptor, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+
+  fs::path port;
+
+ private:
+  fs::path folder_;
+  pid_t job_ = 0;
+};
+
+TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
+  start({});
+  int host = open_port();
+  EXPECT_TRUE(connect(host));
+  // Gone without reading what it has asked for, in the midst of a line.
+  write_text(host, "M115\nN1 G1 X5");
+  close(host);
+  std::this_thread::sleep_for(500ms);
+  // One at another speed is not understood, and does no harm.
+  host = open_port();
+  devices::set_raw(host, 115'200);
+  write_text(host, "M105\nM105\n");
+  std::this_thread::sleep_for(500ms);
+  close(host);
+  std::this_thread::sleep_for(500ms);
+  host = open_port();
+  write_text(host, "\nN0 M110 N0*125\n");
+  read_until(host, "ok");
+  write_text(host, "N1 M118 here*16\n");
+  EXPECT_NE(read_until(host, "here\n").find("here\n"), std::string::npos);
+  close(host);
+  EXPECT_EQ(stop(), 0);
+  EXPECT_FALSE(fs::exists(fs::symlink_status(port)));
+  EXPECT_NE(file("report/report.json").find("\"result\": \"stopped\""), std::string::npos);
+  EXPECT_NE(file("accepted").find("1\tM118 here\n"), std::string::npos);
+}
+
+TEST_F(Serve, opening_the_port_resets_the_chip_where_that_is_wanted) {
+  start({"--reset-on-open"});
+  for (int i = 0; i < 2; ++i) {
+    const int host = open_port();
+    EXPECT_NE(read_until(host, "start\n").find("start\n"), std::string::npos);
+    write_text(host, "M118 again\n");
+    EXPECT_NE(read_until(host, "again\n").find("again\n"), std::string::npos);
+    close(host);
+    std::this_thread::sleep_for(500ms);
+  }
+  EXPECT_EQ(stop(), 0);
+  EXPECT_EQ(file("accepted"), "-\tM118 again\n-\tM118 again\n");
+}
+
+}  // namespace
