@@ -67,6 +67,14 @@ void print_both(const BenchOptions& options, benchmarks::Comparison& comparison)
   (*comparison.prints)[0].same_steps = true;
 }
 
+void tell(const BenchOptions& options, const benchmarks::Comparison& comparison) {
+  if (!options.json.empty()) {
+    report::write_file(options.json, benchmarks::to_json(comparison));
+  }
+  report::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
+  report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
+}
+
 int bench_stepping(const BenchOptions& options) {
   build({"stepping_benchmark_programs"});
   const benchmarks::Scope scope{.quick = options.quick};
@@ -79,16 +87,14 @@ int bench_stepping(const BenchOptions& options) {
         stepping, program, scope,
         [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); });
   }
+  // The print takes longest: what is known is told before it, too.
+  tell(options, comparison);
   if (!options.print_file.empty()) {
     print_both(options, comparison);
+    tell(options, comparison);
   }
-  fmt::print("{}", benchmarks::to_table(comparison));
-  if (!options.json.empty()) {
-    report::write_file(options.json, benchmarks::to_json(comparison));
-  }
-  report::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
-  report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
-  fmt::print("report: {}\n", (options.report / "stepping.html").string());
+  fmt::print("{}report: {}\n", benchmarks::to_table(comparison),
+             (options.report / "stepping.html").string());
   return success;
 }
 
