@@ -7,5 +7,6 @@ set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)
 set(CMAKE_ASM_COMPILER riscv64-unknown-elf-gcc)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(processor_flags "-march=rv32imc_zicsr -mabi=ilp32 --specs=picolibc.specs")
-set(CMAKE_CXX_FLAGS_INIT ${processor_flags})
-set(CMAKE_ASM_FLAGS_INIT ${processor_flags})
+# By force, so that a build folder from before a change of these takes them over.
+set(CMAKE_CXX_FLAGS ${processor_flags} CACHE STRING "" FORCE)
+set(CMAKE_ASM_FLAGS ${processor_flags} CACHE STRING "" FORCE)
