@@ -84,7 +84,9 @@ def main():
             pronsole.wait_for("Count", 60)
             time.sleep(1)
         pronsole.process.kill()
-    errors = [line for line in pronsole.shown if "Error" in line or "Resend" in line]
+    # A warning of the desktop's message bus has "Error" in its middle.
+    errors = [line for line in pronsole.shown
+              if line.startswith("Error") or "[ERROR]" in line or "Resend" in line]
     with open(arguments.summary, "w", encoding="ascii", errors="replace") as file:
         json.dump({"online": online, "ended": ended, "errors": errors,
                    "shown": pronsole.shown[-40:]}, file, indent=1)
