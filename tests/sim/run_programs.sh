@@ -61,8 +61,8 @@ for case in 'missing does not exist' 'binary is not a G-code file' 'empty holds 
   expect_text "${case#* }"
   grep -q '"result": "faulted"' "$work/report/report.json" || { echo "no report of: $case"; failures=1; }
 done
-for job in bench synth; do
-  expect 1 "$job"
-  expect_text 'not part of this version'
+for job in bench prove synth; do
+  expect 2 "$job" nothing
+  expect_text 'nothing'
 done
 [ "$failures" = 0 ]
