@@ -14,9 +14,9 @@ shift
 rm -rf "$directory/work"
 mkdir -p "$directory/work" "$directory/verilated"
 cd "$directory"
-ghdl -i --std=08 --workdir=work "${files[@]}"
-ghdl -m --std=08 --workdir=work "$entity" > ghdl.log || { cat ghdl.log; exit 1; }
-ghdl synth --std=08 --workdir=work --out=verilog "${generics[@]}" "$entity" > "$entity.v" 2> synth.log ||
+ghdl -i --std=08 -fpsl --workdir=work "${files[@]}"
+ghdl -m --std=08 -fpsl --workdir=work "$entity" > ghdl.log || { cat ghdl.log; exit 1; }
+ghdl synth --std=08 -fpsl --no-assert-cover --workdir=work --out=verilog "${generics[@]}" "$entity" > "$entity.v" 2> synth.log ||
   { cat synth.log; exit 1; }
 
 # The netlist has no delays and many helper nets: names and unused nets are of no interest, all else is.
