@@ -67,7 +67,8 @@ class DescriptionError : public std::runtime_error {
 // Reads and checks a description file. Throws DescriptionError.
 Peripheral load(const std::filesystem::path& file);
 
-std::string vhdl_file(const Peripheral& peripheral, const std::string& source);
+std::string vhdl_package(const Peripheral& peripheral, const std::string& source);
+std::string vhdl_registers(const Peripheral& peripheral, const std::string& source);
 std::string cpp_file(const Peripheral& peripheral, const std::string& source);
 std::string markdown_file(const Peripheral& peripheral, const std::string& source);
 

@@ -55,8 +55,10 @@ int main(int argument_count, char** arguments) {
       const auto peripheral = register_generator::load(entry.path());
       const std::string source = fs::relative(entry.path(), project).generic_string();
       const std::string stem = peripheral.name + "_registers";
-      good &=
-          settle(project / "rtl/registers" / (stem + ".vhd"), vhdl_file(peripheral, source), check);
+      good &= settle(project / "rtl/registers" / (stem + "_pkg.vhd"),
+                     vhdl_package(peripheral, source), check);
+      good &= settle(project / "rtl/registers" / (stem + ".vhd"),
+                     vhdl_registers(peripheral, source), check);
       good &= settle(project / "firmware/drivers/registers" / (stem + ".hpp"),
                      cpp_file(peripheral, source), check);
       good &= settle(project / "rtl/registers" / (peripheral.name + ".md"),

@@ -1,122 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the VHDL of a peripheral's registers: a package of records and the bus slave that holds
-// them.
-#include <fmt/format.h>
-
+// Writes the VHDL entity of a peripheral's registers: the bus slave that holds them.
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
-#include "register_generator/description.hpp"
+#include "register_generator/vhdl_writer.hpp"
 
 namespace register_generator {
 namespace {
 
-class VhdlWriter {
+class VhdlRegistersWriter : private VhdlWriter {
  public:
-  VhdlWriter(const Peripheral& peripheral, const std::string& source)
-      : peripheral_(peripheral), source_(source) {}
+  VhdlRegistersWriter(const Peripheral& peripheral, const std::string& source)
+      : VhdlWriter(peripheral, "Registers", source) {}
 
   std::string write() {
-    package();
     entity();
     return text_;
   }
 
  private:
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    text_ += fmt::format(format, std::forward<Arguments>(arguments)...);
-    text_ += '\n';
-  }
-
-  std::string type_of(const Field& field) const {
-    switch (field.type) {
-      case FieldType::bit:
-        return "std_ulogic";
-      case FieldType::unsigned_number:
-        return fmt::format("unsigned({} downto 0)", field.width() - 1);
-      case FieldType::signed_number:
-        return fmt::format("signed({} downto 0)", field.width() - 1);
-      case FieldType::bits:
-        return fmt::format("std_ulogic_vector({} downto 0)", field.width() - 1);
-    }
-    return {};
-  }
-
-  std::string record_of(const Register& r) const {
-    return fmt::format("{}_{}_t", peripheral_.name, r.name);
-  }
-  std::string value_type(const Register& r) const {
-    return r.is_array ? fmt::format("{}_{}_array_t", peripheral_.name, r.name) : record_of(r);
-  }
-  std::string event_type(const Register& r) const {
-    return r.is_array ? fmt::format("std_ulogic_vector(0 to {})", r.count - 1) : "std_ulogic";
-  }
   std::string element(const Register& r, unsigned index) const {
     return r.is_array ? fmt::format("({})", index) : "";
   }
 
-  void libraries() {
-    line("library ieee;");
-    line("use ieee.std_logic_1164.all;");
-    line("use ieee.numeric_std.all;");
-    line("");
-  }
-
-  void package() {
-    line("-- SPDX-License-Identifier: Apache-2.0");
-    line("-- Registers of `{}`. Generated from {}: do not edit.", peripheral_.name, source_);
-    line("");
-    libraries();
-    line("package {}_registers_pkg is", peripheral_.name);
-    line("");
-    line("  constant {}_address : unsigned(31 downto 0) := x\"{:08X}\";", peripheral_.name,
-         peripheral_.address);
-    for (const Register& r : peripheral_.registers) {
-      line("");
-      line("  -- {}", r.summary);
-      line("  type {} is record", record_of(r));
-      for (const Field& field : r.fields) line("    {} : {};", field.name, type_of(field));
-      line("  end record;");
-      if (r.is_array) {
-        line("  type {} is array (0 to {}) of {};", value_type(r), r.count - 1, record_of(r));
-      }
-      for (const Field& field : r.fields) {
-        for (const auto& [name, value] : field.values) {
-          line("  constant {}_{}_{}_{} : natural := {};", peripheral_.name, r.name, field.name,
-               name, value);
-        }
-      }
-    }
-    direction_records();
-    line("");
-    line("end package;");
-    line("");
-  }
-
-  void direction_records() {
-    if (peripheral_.has_from_software()) {
-      line("");
-      line("  type {}_from_software_t is record", peripheral_.name);
-      for (const Register& r : peripheral_.registers) {
-        if (r.writable()) line("    {} : {};", r.name, value_type(r));
-        if (r.has_written()) line("    {}_written : {};", r.name, event_type(r));
-        if (r.read_event) line("    {}_read : {};", r.name, event_type(r));
-      }
-      line("  end record;");
-    }
-    if (peripheral_.has_to_software()) {
-      line("");
-      line("  type {}_to_software_t is record", peripheral_.name);
-      for (const Register& r : peripheral_.registers) {
-        if (r.value_to_software()) line("    {} : {};", r.name, value_type(r));
-      }
-      line("  end record;");
-    }
-  }
-
   void entity() {
-    libraries();
+    heading();
     line("use work.bus_pkg.all;");
     line("use work.{}_registers_pkg.all;", peripheral_.name);
     line("");
@@ -365,16 +274,12 @@ class VhdlWriter {
     line("  from_software.{}_{}{} <= '1' when {} = '1' and register_index = {} else '0';", r.name,
          kind, at, when, number);
   }
-
-  const Peripheral& peripheral_;
-  std::string source_;
-  std::string text_;
 };
 
 }  // namespace
 
-std::string vhdl_file(const Peripheral& peripheral, const std::string& source) {
-  return VhdlWriter(peripheral, source).write();
+std::string vhdl_registers(const Peripheral& peripheral, const std::string& source) {
+  return VhdlRegistersWriter(peripheral, source).write();
 }
 
 }  // namespace register_generator

@@ -1,0 +1,100 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Types of the registers of `heater_control`. Generated from rtl/thermal/heater_control.toml: do not edit.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+package heater_control_registers_pkg is
+
+  constant heater_control_address : unsigned(31 downto 0) := x"F0006000";
+
+  -- Restarts the watchdog.
+  type heater_control_feed_t is record
+    key : unsigned(15 downto 0);
+  end record;
+  constant heater_control_feed_key_alive : natural := 65261;
+
+  -- Time without a feed after which all gates close.
+  type heater_control_watchdog_t is record
+    ticks : unsigned(19 downto 0);
+  end record;
+
+  -- Time without a valid conversion after which a channel's gate closes for good.
+  type heater_control_sensor_timeout_t is record
+    ticks : unsigned(19 downto 0);
+  end record;
+
+  -- Shortest time that a gate keeps its level when it is modulated.
+  type heater_control_slot_t is record
+    cycles : unsigned(23 downto 0);
+  end record;
+
+  -- Clears the trips of channels whose duty is 0.
+  type heater_control_clear_t is record
+    channels : std_ulogic_vector(3 downto 0);
+    key : unsigned(15 downto 0);
+  end record;
+  constant heater_control_clear_key_clear_trips : natural := 49642;
+
+  -- How much of the time the channel heats. A request: the hardware decides.
+  type heater_control_duty_t is record
+    density : unsigned(15 downto 0);
+  end record;
+  type heater_control_duty_array_t is array (0 to 3) of heater_control_duty_t;
+
+  -- Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written.
+  type heater_control_minimum_count_t is record
+    cycles : unsigned(31 downto 0);
+  end record;
+  type heater_control_minimum_count_array_t is array (0 to 3) of heater_control_minimum_count_t;
+
+  -- Largest thermistor count at which the channel may heat: too cold or open. Locks when written.
+  type heater_control_maximum_count_t is record
+    cycles : unsigned(31 downto 0);
+  end record;
+  type heater_control_maximum_count_array_t is array (0 to 3) of heater_control_maximum_count_t;
+
+  -- What the channel does, and what tripped it since its trips were cleared.
+  type heater_control_status_t is record
+    gate : std_ulogic;
+    permitted : std_ulogic;
+    minimum_locked : std_ulogic;
+    maximum_locked : std_ulogic;
+    tripped : std_ulogic;
+    watchdog_trip : std_ulogic;
+    sensor_invalid_trip : std_ulogic;
+    sensor_stale_trip : std_ulogic;
+    too_hot_trip : std_ulogic;
+    too_cold_trip : std_ulogic;
+    limits_missing_trip : std_ulogic;
+    emergency_stop_trip : std_ulogic;
+  end record;
+  type heater_control_status_array_t is array (0 to 3) of heater_control_status_t;
+
+  type heater_control_from_software_t is record
+    feed : heater_control_feed_t;
+    feed_written : std_ulogic;
+    watchdog : heater_control_watchdog_t;
+    watchdog_written : std_ulogic;
+    sensor_timeout : heater_control_sensor_timeout_t;
+    sensor_timeout_written : std_ulogic;
+    slot : heater_control_slot_t;
+    clear : heater_control_clear_t;
+    clear_written : std_ulogic;
+    duty : heater_control_duty_array_t;
+    minimum_count : heater_control_minimum_count_array_t;
+    minimum_count_written : std_ulogic_vector(0 to 3);
+    maximum_count : heater_control_maximum_count_array_t;
+    maximum_count_written : std_ulogic_vector(0 to 3);
+  end record;
+
+  type heater_control_to_software_t is record
+    watchdog : heater_control_watchdog_t;
+    sensor_timeout : heater_control_sensor_timeout_t;
+    minimum_count : heater_control_minimum_count_array_t;
+    maximum_count : heater_control_maximum_count_array_t;
+    status : heater_control_status_array_t;
+  end record;
+
+end package;
