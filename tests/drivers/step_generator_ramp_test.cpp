@@ -49,95 +49,94 @@ long double rate_error_after(long double clocks) {
   return truncation / 2 + clocks * (truncation + rounding) + clocks * clocks / 2 * rounding;
 }
 
-class StepGeneratorRampTest : public tests::StepGeneratorFixture {};
+class StepGeneratorRampTest : public tests::StepGeneratorFixture {
+ protected:
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+  }
 
-TEST_F(StepGeneratorRampTest, makes_each_tick_at_the_first_clock_edge_after_its_exact_instant) {
-  std::mt19937 random(7);
-  const auto uniform = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-  };
-  std::uint32_t step = 0;
-  bool moving = false;
-  std::uint64_t began = 0, ticks = 0, all_ticks = 0;
-  Ramp ramp;
-  chip_.after_clock = [&] {
-    if (chip_->moving && !moving) began = chip_.now();
-    moving = chip_->moving;
-    const bool rises = (chip_->step & 1u) != 0 && (step & 1u) == 0;
-    step = chip_->step;
-    if (!rises) return;
-    ++ticks;
-    const auto clocks = static_cast<long double>(chip_.now() - began);
-    const auto wanted = static_cast<long double>(ticks);
-    const long double error = tick_error_after(clocks) + 1e-14L;  // of this arithmetic
-    ASSERT_GE(ramp.ticks_at(clocks), wanted - error) << "early at tick " << ticks;
-    ASSERT_LT(ramp.ticks_at(clocks - 1), wanted + error) << "late at tick " << ticks;
-  };
-  for (int i = 0; i < 2000 && !HasFatalFailure(); ++i) {
-    const double clocks = std::exp2(uniform(8, 14));
+  // Rates of 2^-12 up to a given power of two; the ramp's length is between 2^8 and 2^14 clocks.
+  Ramp random_ramp(double highest_rate_log2) {
+    clocks_ = std::exp2(uniform(8, 14));
     // An acceleration, at most twice the mean one, is below 2^-21.
-    const double most_change = std::ldexp(clocks, -22);
-    const double from = std::exp2(uniform(-12, -1.3));
-    const double to =
-        std::clamp(std::exp2(uniform(-12, -1.3)), from - most_change, from + most_change);
-    ramp = Ramp::between(from, to, clocks, uniform(-1, 1));
-    const auto count = static_cast<std::int32_t>(ramp.ticks_at(clocks));
-    if (count == 0) continue;
+    const double most_change = std::ldexp(clocks_, -22);
+    const double from = std::exp2(uniform(-12, highest_rate_log2));
+    const double to = std::clamp(std::exp2(uniform(-12, highest_rate_log2)), from - most_change,
+                                 from + most_change);
+    return Ramp::between(from, to, clocks_, uniform(-1, 1));
+  }
+
+  // Calls `judge(tick, clocks since the motion began)` at each tick of the first axis.
+  template <typename Judge>
+  void watch_ticks(Judge judge) {
+    chip_.after_clock = [this, judge, step = 0u, moving = false,
+                         began = std::uint64_t{}]() mutable {
+      if (chip_->moving && !moving) began = chip_.now();
+      moving = chip_->moving;
+      const bool rises = (chip_->step & 1u) != 0 && (step & 1u) == 0;
+      step = chip_->step;
+      if (rises) judge(++ticks_, static_cast<long double>(chip_.now() - began));
+    };
+  }
+
+  // Makes the ramp's ticks, as a segment of its own. Returns how many.
+  std::int32_t execute(const Ramp& ramp) {
+    const auto count = static_cast<std::int32_t>(ramp.ticks_at(clocks_));
+    if (count == 0) return 0;
     Segment segment = line({count, 0, 0, 0});
     ramp.put(segment);
+    ticks_ = 0;
     append(segment);
-    ticks = 0;
     run_until_idle();
-    ASSERT_EQ(ticks, count);
-    all_ticks += ticks;
+    EXPECT_EQ(ticks_, static_cast<std::uint64_t>(count));
+    return count;
+  }
+
+ private:
+  std::mt19937 random_{7};
+  double clocks_{};
+  std::uint64_t ticks_{};
+};
+
+TEST_F(StepGeneratorRampTest, makes_each_tick_at_the_first_clock_edge_after_its_exact_instant) {
+  Ramp ramp;
+  watch_ticks([&ramp](std::uint64_t tick, long double clocks) {
+    const auto wanted = static_cast<long double>(tick);
+    const long double error = tick_error_after(clocks) + 1e-14L;  // of this arithmetic
+    ASSERT_GE(ramp.ticks_at(clocks), wanted - error) << "early at tick " << tick;
+    ASSERT_LT(ramp.ticks_at(clocks - 1), wanted + error) << "late at tick " << tick;
+  });
+  std::int64_t all_ticks = 0;
+  for (int i = 0; i < 2000 && !HasFailure(); ++i) {
+    ramp = random_ramp(-1.3);
+    all_ticks += execute(ramp);
   }
   EXPECT_GT(all_ticks, 100000);
 }
 
 // The bounds of rtl/motion/feed_override.vhd.
 TEST_F(StepGeneratorRampTest, places_ticks_within_the_bounds_of_the_override) {
-  std::mt19937 random(8);
-  const auto uniform = [&random](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-  };
-  std::uint32_t step = 0;
-  bool moving = false;
-  std::uint64_t began = 0, ticks = 0;
-  long double scale = 1;
   Ramp ramp;
-  chip_.after_clock = [&] {
-    if (chip_->moving && !moving) began = chip_.now();
-    moving = chip_->moving;
-    const bool rises = (chip_->step & 1u) != 0 && (step & 1u) == 0;
-    step = chip_->step;
-    if (!rises) return;
-    ++ticks;
-    const long double base_clocks = scale * static_cast<long double>(chip_.now() - began);
-    const auto wanted = static_cast<long double>(ticks);
+  long double scale = 1;
+  watch_ticks([&ramp, &scale](std::uint64_t tick, long double clocks) {
+    const long double base_clocks = scale * clocks;
+    const auto wanted = static_cast<long double>(tick);
     const long double lag = scale > 1 ? 4 : 1, error = scale > 1 ? 0.25L : 1e-9L;
-    ASSERT_GE(ramp.ticks_at(base_clocks), wanted - error) << "early at tick " << ticks;
-    ASSERT_LT(ramp.ticks_at(base_clocks - scale - lag), wanted + error) << "late, tick " << ticks;
-  };
-  for (int i = 0; i < 300 && !HasFatalFailure(); ++i) {
-    const auto scale_65536ths = static_cast<std::uint32_t>(i % 3 == 0   ? uniform(6554, 65536)
-                                                           : i % 3 == 1 ? uniform(65536, 262143)
-                                                                        : 65536 * (1 + i % 4));
-    scale = std::min(scale_65536ths, 262143u) / 65536.0L;
-    generator_.set_override(std::min(scale_65536ths, 262143u));
-    const double clocks = std::exp2(uniform(8, 14)), most_change = std::ldexp(clocks, -22);
-    const double from = std::exp2(uniform(-12, -3.3));
-    const double to =
-        std::clamp(std::exp2(uniform(-12, -3.3)), from - most_change, from + most_change);
-    ramp = Ramp::between(from, to, clocks, uniform(-1, 1));
-    const auto count = static_cast<std::int32_t>(ramp.ticks_at(clocks));
-    if (count == 0) continue;
-    Segment segment = line({count, 0, 0, 0});
-    ramp.put(segment);
-    ticks = 0;
-    append(segment);
-    run_until_idle();
-    ASSERT_EQ(ticks, count);
+    ASSERT_GE(ramp.ticks_at(base_clocks), wanted - error) << "early at tick " << tick;
+    ASSERT_LT(ramp.ticks_at(base_clocks - scale - lag), wanted + error) << "late, tick " << tick;
+  });
+  std::int64_t all_ticks = 0;
+  for (int i = 0; i < 300 && !HasFailure(); ++i) {
+    const double wanted = i % 3 == 0   ? uniform(6554, 65536)
+                          : i % 3 == 1 ? uniform(65536, 262143)
+                                       : 65536.0 * (1 + i % 4);
+    const std::uint32_t scale_65536ths = std::min(static_cast<std::uint32_t>(wanted), 262143u);
+    scale = scale_65536ths / 65536.0L;
+    generator_.set_override(scale_65536ths);
+    ramp = random_ramp(-3.3);
+    all_ticks += execute(ramp);
   }
+  EXPECT_GT(all_ticks, 10000);
 }
 
 // A hundred million clocks are 2 s at 50 MHz. The netlist and the arithmetic of its specification
