@@ -45,8 +45,9 @@ const std::set<std::string> source_extensions{".vhd", ".cpp",   ".hpp",  ".c",  
                                               ".sh",  ".cmake", ".toml", ".ld", ".vlt"};
 
 bool is_generated(const fs::path& relative) {
+  const std::string stem = relative.stem().string();
   return relative.string().find("registers/") != std::string::npos &&
-         relative.stem().string().ends_with("_registers");
+         (stem.ends_with("_registers") || stem.ends_with("_registers_pkg"));
 }
 
 TEST(repository, every_source_file_names_its_licence_at_the_top) {
