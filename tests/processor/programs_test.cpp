@@ -22,7 +22,7 @@ TEST_P(Programs, pass_and_do_the_same_on_the_model) {
 
 INSTANTIATE_TEST_SUITE_P(all, Programs,
                          testing::Values("arithmetic", "compressed", "memory", "traps", "registers",
-                                         "interrupts", "pass"),
+                                         "interrupts", "machine_mode", "pass"),
                          [](const auto& parameter) { return parameter.param; });
 
 TEST(Programs, fail_with_their_status) {
