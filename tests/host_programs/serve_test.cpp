@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,7 +28,7 @@ constexpr auto patience = 120s;
 
 class Serve : public testing::Test {
  protected:
-  void start(const std::vector<std::string>& options) {
+  void start(const std::vector<std::string>& options, const char* speed = "max") {
     folder_ = fs::path(BUILD_DIRECTORY) / "scenarios" /
               testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
@@ -36,7 +37,7 @@ class Serve : public testing::Test {
     std::vector<std::string> words{BUILD_DIRECTORY "/bin/stepfabric",
                                    "serve",
                                    "--speed",
-                                   "max",
+                                   speed,
                                    "--pty",
                                    port,
                                    "--report",
@@ -50,8 +51,10 @@ class Serve : public testing::Test {
     }
     arguments.push_back(nullptr);
     setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+    const std::string output = folder_ / "output";
     job_ = fork();
     if (job_ == 0) {
+      dup2(open(output.c_str(), O_WRONLY | O_CREAT, 0644), STDOUT_FILENO);
       execv(arguments[0], arguments.data());
       _exit(127);
     }
@@ -149,6 +152,22 @@ TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
   EXPECT_FALSE(fs::exists(fs::symlink_status(port)));
   EXPECT_NE(file("report/report.json").find("\"result\": \"stopped\""), std::string::npos);
   EXPECT_NE(file("accepted").find("1\tM118 here\n"), std::string::npos);
+}
+
+// Which clock depends on the machine; the report must have the one that was announced.
+TEST_F(Serve, in_real_time_the_chip_gets_a_clock_of_which_is_told) {
+  start({}, "real");
+  const int host = open_port();
+  EXPECT_TRUE(connect(host));
+  close(host);
+  EXPECT_EQ(stop(), 0);
+  std::smatch announced, reported;
+  const std::string output = file("output"), report = file("report/report.json");
+  ASSERT_TRUE(std::regex_search(output, announced, std::regex("so the chip gets ([0-9.]+) MHz")))
+      << output;
+  ASSERT_TRUE(std::regex_search(report, reported, std::regex("\"clock_hz\": ([0-9]+)"))) << report;
+  EXPECT_GE(std::stod(announced[1]), 2);
+  EXPECT_DOUBLE_EQ(std::stod(announced[1]) * 1e6, std::stod(reported[1]));
 }
 
 TEST_F(Serve, opening_the_port_resets_the_chip_where_that_is_wanted) {

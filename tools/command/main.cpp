@@ -35,14 +35,11 @@ struct Jobs {
   std::vector<std::string> labels;
 };
 
-void add_printer_options(CLI::App& job, PrinterChoices& choices, std::uint32_t lowest_hz) {
+void add_printer_options(CLI::App& job, PrinterChoices& choices) {
   job.add_option(
          "--machine", choices.machine,
          "description of the simulated printer (TOML); the firmware is built for the default")
       ->type_name("FILE.toml");
-  job.add_option("--clock-hz", choices.clock_hz, "clock of the chip")
-      ->check(CLI::Range(lowest_hz, highest_clock_hz))
-      ->capture_default_str();
   job.add_option("--baud", choices.baud,
                  "baud rate of the host's end of the line; default: the machine's")
       ->check(CLI::Range(1'200, 3'000'000));
@@ -78,7 +75,10 @@ void add_print(CLI::App& app, PrintOptions& options) {
   job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  add_printer_options(job, options.printer, lowest_clock_hz);
+  job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  add_printer_options(job, options.printer);
   job.footer(
       "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a "
       "file\n"
@@ -106,16 +106,18 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
-  add_printer_options(job, options.printer, lowest_serve_clock_hz);
+  job.add_option(
+         "--clock-hz", options.clock_hz,
+         "clock of the chip; default: the highest with which this machine keeps up with real "
+         "time, which takes a second to find out")
+      ->check(CLI::Range(lowest_serve_clock_hz, highest_clock_hz));
+  add_printer_options(job, options.printer);
   job.footer(
       "Any program that opens the port with the machine's baud rate can print; it may close and "
       "open it\n"
-      "again at any time. A slow clock changes no pulse: choose one with which the status line "
-      "shows "
-      "1.00 of\n"
-      "real time. Exit status: 0 after Ctrl-C or --until, 1 where the hardware failed an "
-      "assertion, 2 "
-      "bad usage.");
+      "again at any time. A slow clock changes no pulse. Exit status: 0 after Ctrl-C or --until, 1 "
+      "where\n"
+      "the hardware failed an assertion, 2 bad usage.");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {

@@ -13,6 +13,7 @@
 #include "sim/report/json_report.hpp"
 #include "sim/report/recorder.hpp"
 #include "sim/report/served_host.hpp"
+#include "tools/command/clock_choice.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/pacer.hpp"
 #include "tools/command/printer_setup.hpp"
@@ -196,10 +197,27 @@ class Service {
   bool complained_ = false;
 };
 
+void choose_clock(ServeOptions& options) {
+  if (options.clock_hz) {
+    options.printer.clock_hz = *options.clock_hz;
+  } else if (options.real_time) {
+    const ClockChoice choice = clock_that_keeps_up(options.printer);
+    options.printer.clock_hz = choice.clock_hz;
+    fmt::print(
+        "this machine simulates {:.1f} million clocks/s of a print, so the chip gets {:.3g} "
+        "MHz{}\n",
+        choice.model_clocks_per_second * 1e-6, choice.clock_hz * 1e-6,
+        choice.model_clocks_per_second < choice.clock_hz
+            ? ", the lowest; it will not keep up with real time"
+            : "");
+  }
+}
+
 }  // namespace
 
-int serve(const ServeOptions& options) {
+int serve(ServeOptions options) {
   std::filesystem::create_directories(options.report);  // fails now rather than at the end
+  choose_clock(options);
   Service service(options);
   service.greet();
   int status = success;

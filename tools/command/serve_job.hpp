@@ -6,13 +6,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "tools/command/clock_choice.hpp"
 #include "tools/command/print_job.hpp"
 
 namespace command {
-
-// A slow chip that keeps up with the wall's clock serves a host better than a fast one that does
-// not.
-inline constexpr std::uint32_t lowest_serve_clock_hz = 2'000'000;
 
 struct ServeOptions {
   std::filesystem::path terminal = "/tmp/stepfabric";
@@ -21,10 +18,13 @@ struct ServeOptions {
   std::filesystem::path report = "report";
   std::filesystem::path edges;
   std::optional<double> until_seconds;
+  // Of the chip. Nothing: one with which this machine keeps up with real time, or that of `printer`
+  // where it need not.
+  std::optional<std::uint32_t> clock_hz;
   PrinterChoices printer;
 };
 
 // Runs until interrupted. Returns the exit status of the job.
-int serve(const ServeOptions& options);
+int serve(ServeOptions options);
 
 }  // namespace command
