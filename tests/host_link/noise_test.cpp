@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <functional>
 #include <random>
-#include <set>
 #include <span>
 
 #include "gcode/parser.hpp"
 #include "host_link/host_link.hpp"
-#include "tests/host_link/dialogue.hpp"
+#include "tests/host_link/eavesdropper.hpp"
 #include "tests/host_link/host_models.hpp"
 #include "tests/host_link/noisy_line.hpp"
 
@@ -29,7 +28,6 @@ struct Case {
 struct Outcome {
   std::vector<std::pair<int, std::string>> taken;  // with number, without M110
   std::vector<std::string> taken_without_number;
-  std::vector<std::string> unseen_faults;  // delivered with a right checksum, but never sent so
   bool hung = false;
   bool host_done = false;
   Milliseconds duration = 0;
@@ -61,45 +59,6 @@ std::vector<std::string> job(int lines, std::uint64_t seed) {
   }
   return result;
 }
-
-// The lines as they reach the link, cut at any line end.
-class Eavesdropper {
- public:
-  explicit Eavesdropper(std::set<std::string> sent) : sent_(std::move(sent)) {}
-
-  void hear(const std::string& bytes, std::vector<std::string>& unseen_faults) {
-    for (const char c : bytes) {
-      if (c != '\n' && c != '\r') {
-        line_ += c;
-        continue;
-      }
-      if (has_right_checksum(line_) && !sent_.contains(line_)) unseen_faults.push_back(line_);
-      // The receiver may have begun behind the line's start: it gives up what stays unfinished.
-      for (std::size_t n = line_.find('N', 1); n != std::string::npos; n = line_.find('N', n + 1)) {
-        const std::string line = line_.substr(n);
-        if (has_right_checksum(line) && !sent_.contains(line)) unseen_faults.push_back(line);
-      }
-      line_.clear();
-    }
-  }
-
- private:
-  // As a receiver may read it: up to three digits behind the last '*', perhaps blanks behind them.
-  static bool has_right_checksum(const std::string& line) {
-    const std::size_t star = line.rfind('*');
-    if (star == std::string::npos) return false;
-    const std::size_t end = line.find_last_not_of(" \t") + 1;
-    const std::string digits = line.substr(star + 1, end - star - 1);
-    if (digits.empty() || digits.size() > 3) return false;
-    if (digits.find_first_not_of("0123456789") != std::string::npos) return false;
-    unsigned sum = 0;
-    for (const char c : line.substr(0, star)) sum ^= static_cast<unsigned char>(c);
-    return std::stoul(digits) == sum;
-  }
-
-  std::set<std::string> sent_;
-  std::string line_;
-};
 
 // The firmware takes 1 to 6 ms for a line, sometimes long; never more than one line in hand.
 class Firmware {
@@ -134,30 +93,14 @@ class Firmware {
   Milliseconds busy_until_ = 0;
 };
 
-std::set<std::string> framed_lines(const std::vector<std::string>& lines) {
-  std::set<std::string> sent;
-  for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-    for (const int number : {i, i + 1}) {
-      for (const char* separator : {"", " "}) {
-        sent.insert(with_checksum("N" + std::to_string(number) + separator +
-                                  lines[static_cast<std::size_t>(i)] + "*?"));
-      }
-    }
-  }
-  for (const char* hello : {"N-1 M110*?", "N0 M110 N0*?", "N0M110*?"}) {
-    sent.insert(with_checksum(hello));
-  }
-  return sent;
-}
-
-Outcome converse(const Case& setting, const std::vector<std::string>& lines) {
+Outcome converse(const Case& setting, const std::vector<std::string>& lines,
+                 Eavesdropper& eavesdropper) {
   Outcome outcome;
   HostLink link;
   const std::unique_ptr<HostModel> host = setting.host(lines);
   NoisyLine down(setting.faults_per_byte, setting.seed);
   NoisyLine up(setting.faults_per_byte, setting.seed + 1000);
   Firmware firmware(setting.seed);
-  Eavesdropper eavesdropper(framed_lines(lines));
   std::string reply;
   std::size_t taken = 0;
   Milliseconds progress = 0;
@@ -165,7 +108,7 @@ Outcome converse(const Case& setting, const std::vector<std::string>& lines) {
   for (; !(host->done() && down.idle() && up.idle()) && !outcome.hung; ++now) {
     down.send(host->speak(now));
     const std::string bytes = down.arrive_in_a_millisecond();
-    eavesdropper.hear(bytes, outcome.unseen_faults);
+    eavesdropper.hear(bytes);
     link.receive(std::span(bytes), units::Milliseconds(now));
     link.update(units::Milliseconds(now), firmware.run(link, now, outcome));
     const std::span<const char> replies = link.to_send();
@@ -193,17 +136,13 @@ Outcome converse(const Case& setting, const std::vector<std::string>& lines) {
 // printcore ends its job when it has sent the last line, and no longer hears a Resend for it.
 constexpr std::size_t unguarded_lines = 2;
 
-bool is_among(const std::string& text, const std::vector<std::string>& lines) {
-  return std::ranges::any_of(
-      lines, [&](const std::string& line) { return line.find(text) != std::string::npos; });
-}
-
 class Noise : public testing::TestWithParam<Case> {};
 
 TEST_P(Noise, leaves_every_line_taken_once_and_in_order) {
   const Case& setting = GetParam();
   const std::vector<std::string> lines = job(setting.lines, setting.seed);
-  const Outcome outcome = converse(setting, lines);
+  Eavesdropper eavesdropper(framed_lines(lines));
+  const Outcome outcome = converse(setting, lines, eavesdropper);
   const int first = setting.host({})->first_number();
   EXPECT_FALSE(outcome.hung) << "after " << outcome.taken.size() << " lines";
   for (const std::string& text : outcome.taken_without_number) {
@@ -216,13 +155,13 @@ TEST_P(Noise, leaves_every_line_taken_once_and_in_order) {
     const auto& [number, text] = outcome.taken[i];
     ASSERT_EQ(number, static_cast<int>(i) + first);
     if (text != lines[i]) {
-      EXPECT_TRUE(is_among(text, outcome.unseen_faults)) << text << " taken for " << lines[i];
+      EXPECT_TRUE(eavesdropper.could_not_be_seen(text)) << text << " taken for " << lines[i];
     }
   }
   RecordProperty("faults", static_cast<int>(outcome.faults));
   std::printf("  %u faults, %u resends, %u repeats, %u dropped, %zu unseen, %.1f ms a line\n",
               outcome.faults, outcome.statistics.resends, outcome.statistics.repeats,
-              outcome.statistics.dropped, outcome.unseen_faults.size(),
+              outcome.statistics.dropped, eavesdropper.unseen_faults(),
               static_cast<double>(outcome.duration) / setting.lines);
 }
 

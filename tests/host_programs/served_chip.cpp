@@ -125,7 +125,8 @@ void ServedChip::expect_that_a_fresh_host_prints() {
 }
 
 bool ServedChip::converse(host_link::test::HostModel& host, double faults_per_byte,
-                          std::uint64_t seed, double patience_seconds) {
+                          std::uint64_t seed, double patience_seconds,
+                          host_link::test::Eavesdropper& eavesdropper) {
   host_link::test::NoisyLine down(faults_per_byte, seed);
   host_link::test::NoisyLine up(faults_per_byte, seed + 1000);
   noise_ = &up;
@@ -137,7 +138,9 @@ bool ServedChip::converse(host_link::test::HostModel& host, double faults_per_by
       waiting_since_ = simulation.seconds();
     }
     down.send(text);
-    send(down.arrive_in_a_millisecond());
+    const std::string arrived = down.arrive_in_a_millisecond();
+    eavesdropper.hear(arrived);
+    send(arrived);
     run(millisecond);
     for (const char c : up.arrive_in_a_millisecond()) {
       if (c != '\n') {

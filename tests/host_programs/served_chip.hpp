@@ -12,6 +12,7 @@
 #include "sim/report/firmware_watch.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tests/host_link/eavesdropper.hpp"
 #include "tests/host_link/host_models.hpp"
 #include "tests/host_link/noisy_line.hpp"
 
@@ -44,7 +45,7 @@ class ServedChip : public devices::ByteListener, public devices::StepListener {
 
   // Host model and noise on both ways; returns whether the host had everything acknowledged.
   bool converse(host_link::test::HostModel& host, double faults_per_byte, std::uint64_t seed,
-                double patience_seconds);
+                double patience_seconds, host_link::test::Eavesdropper& eavesdropper);
   // Between a line of the host and the next ok, resend or busy message, in seconds; the longest.
   double longest_wait() const { return longest_wait_; }
 
