@@ -28,6 +28,21 @@ bool trusted(const ReceivedLine& line) {
   return !line.spoilt && !line.too_long && (!line.framed() || line.checksum == Checksum::right);
 }
 
+// Typed by hand: `M117 5 * 3 = 15`. What is behind the last star cannot be a checksum.
+bool has_star_in_message(const ReceivedLine& line) {
+  if (line.starts_with_n || line.checksum != Checksum::wrong) return false;
+  if (!line.text.starts_with("M117") && !line.text.starts_with("M118")) return false;
+  const std::string_view rest = line.behind_star;
+  return rest.empty() || rest.find_first_not_of("0123456789 ") != std::string_view::npos;
+}
+
+// The same line with the star and all behind it as text.
+ReceivedLine without_checksum(ReceivedLine line) {
+  line.text = {line.text.data(), line.behind_star.data() + line.behind_star.size()};
+  line.checksum = Checksum::none;
+  return line;
+}
+
 }  // namespace
 
 void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
@@ -40,7 +55,10 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   }
 }
 
-void HostLink::handle(const ReceivedLine& line) {
+void HostLink::handle(const ReceivedLine& received) {
+  // Among numbered lines it may be one that has lost its number.
+  const bool message = has_star_in_message(received) && !in_numbered_session();
+  const ReceivedLine line = message ? without_checksum(received) : received;
   std::optional<EmergencyCommand> emergency;
   if (trusted(line)) emergency = emergency_in(line.text);
   if (emergency) emergencies_.put(*emergency);
@@ -137,7 +155,7 @@ std::optional<AcceptedLine> HostLink::next_line() {
 
 bool HostLink::finished(std::string_view report) {
   if (!in_hand_) return true;
-  const std::optional<std::int32_t> number = queue_.front().number;
+  const std::optional<LineNumber> number = queue_.front().number;
   if (!put_ok(number, report)) return false;
   queue_.drop();
   in_hand_ = false;

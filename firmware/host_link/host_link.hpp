@@ -86,7 +86,7 @@ class HostLink {
   static constexpr std::size_t notice_count = 5;
   static std::string_view describe(Notice notice);
 
-  void handle(const ReceivedLine& line);
+  void handle(const ReceivedLine& received);
   void handle_plain(const ReceivedLine& line, bool emergency);
   void handle_framed(const ReceivedLine& line, bool emergency);
   void handle_framed_unfinished(const ReceivedLine& line);
@@ -94,11 +94,11 @@ class HostLink {
   void accept(const ReceivedLine& line, bool emergency);
   bool in_numbered_session() const;
 
-  void answer_ok(std::optional<std::int32_t> number);
+  void answer_ok(std::optional<LineNumber> number);
   void notify(Notice notice);
   void request_resend(LineError error);
   void drop_owed_resend();
-  bool put_ok(std::optional<std::int32_t> number, std::string_view report);
+  bool put_ok(std::optional<LineNumber> number, std::string_view report);
   bool put_notice(std::size_t index);
   bool put_resend();
   void send_owed();

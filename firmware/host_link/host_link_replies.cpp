@@ -56,11 +56,11 @@ std::string_view HostLink::describe(Notice notice) {
 
 bool HostLink::say(std::string_view line) { return transmit_.put_line({line}, link_reserve); }
 
-bool HostLink::put_ok(std::optional<std::int32_t> number, std::string_view report) {
+bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report) {
   TextLine ok;
   ok.text("ok");
   if (advanced_ok_) {
-    if (number) ok.text(" N").integer(*number);
+    if (number) ok.text(" N").integer(written(*number));
     ok.text(" P").integer(planner_space_);
     // The place of the line that is being answered is free again.
     ok.text(" B").integer(static_cast<std::int64_t>(queue_.room() + (in_hand_ ? 1 : 0)));
@@ -71,7 +71,7 @@ bool HostLink::put_ok(std::optional<std::int32_t> number, std::string_view repor
   return true;
 }
 
-void HostLink::answer_ok(std::optional<std::int32_t> number) {
+void HostLink::answer_ok(std::optional<LineNumber> number) {
   if (!put_ok(number, {})) count_up(oks_owed_, 1);
 }
 
@@ -109,7 +109,7 @@ bool HostLink::put_resend() {
   TextLine error;
   if (error_owed_ != LineError::none) {
     error.text("Error:").text(host_link::describe(error_owed_));
-    error.text(", Last Line: ").integer(numbering_.last());
+    error.text(", Last Line: ").integer(written(numbering_.last()));
   }
   TextLine resend;
   resend.text("Resend: ").integer(numbering_.asked_for());

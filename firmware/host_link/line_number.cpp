@@ -11,13 +11,12 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-std::optional<std::int32_t> take_line_number(std::string_view& text) {
+std::optional<LineNumber> take_line_number(std::string_view& text) {
   std::size_t position = 0;
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) ++position;
   if (position >= text.size() || !is_digit(text[position])) return std::nullopt;
-  constexpr auto largest = std::uint32_t{std::numeric_limits<std::int32_t>::max()};
-  const std::uint32_t limit = negative ? largest + 1 : largest;
+  const std::uint32_t limit = negative ? 1u << 31 : std::numeric_limits<std::uint32_t>::max();
   std::uint32_t magnitude = 0;
   for (; position < text.size() && is_digit(text[position]); ++position) {
     const auto digit = static_cast<std::uint32_t>(text[position] - '0');
@@ -25,7 +24,7 @@ std::optional<std::int32_t> take_line_number(std::string_view& text) {
     magnitude = magnitude * 10 + digit;
   }
   text.remove_prefix(position);
-  return static_cast<std::int32_t>(negative ? 0 - magnitude : magnitude);
+  return negative ? 0 - magnitude : magnitude;
 }
 
 bool looks_like_command(std::string_view text) {
@@ -38,7 +37,7 @@ bool sets_numbering(std::string_view text) {
   return text.starts_with(command) && (text.size() == command.size() || !is_digit(text[4]));
 }
 
-std::optional<std::int32_t> number_set_by(std::string_view text) {
+std::optional<LineNumber> number_set_by(std::string_view text) {
   const std::size_t letter = text.find('N');
   if (letter == std::string_view::npos) return std::nullopt;
   text.remove_prefix(letter + 1);

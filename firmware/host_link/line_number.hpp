@@ -8,9 +8,19 @@
 
 namespace host_link {
 
-// A signed number of at most 32 bits at the start of `text`, which is then moved behind it; empty,
-// and `text` unchanged, if there is none or it does not fit.
-std::optional<std::int32_t> take_line_number(std::string_view& text);
+// Counted modulo 2^32: no host comes to the end, and -1, from which printcore counts, needs no
+// sign.
+using LineNumber = std::uint32_t;
+inline constexpr LineNumber before_first = 0xffff'ffff;
+
+// As a host writes it: -1, 0 .. 4294967294.
+constexpr std::int64_t written(LineNumber number) {
+  return number == before_first ? -1 : std::int64_t{number};
+}
+
+// A number of -2^31 .. 2^32 - 1 at the start of `text`, which is then moved behind it; empty, and
+// `text` unchanged, if there is none or it does not fit.
+std::optional<LineNumber> take_line_number(std::string_view& text);
 
 // G, M or T and a digit: not the remnant of a torn line.
 bool looks_like_command(std::string_view text);
@@ -19,6 +29,6 @@ bool looks_like_command(std::string_view text);
 bool sets_numbering(std::string_view text);
 
 // The N of an M110's text, if it has one: M110 N0.
-std::optional<std::int32_t> number_set_by(std::string_view text);
+std::optional<LineNumber> number_set_by(std::string_view text);
 
 }  // namespace host_link

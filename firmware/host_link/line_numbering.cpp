@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "host_link/line_number.hpp"
-
 namespace host_link {
 namespace {
 
@@ -40,9 +38,7 @@ std::string_view describe(LineError error) {
   return "";
 }
 
-std::int32_t LineNumbering::wanted() const {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(last_) + 1);
-}
+LineNumber LineNumbering::wanted() const { return last_ + 1; }
 
 bool LineNumbering::within_patience(units::Milliseconds now) const {
   return awaiting_resend_ && now - asked_ < resend_patience;
@@ -96,14 +92,15 @@ Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
 // means nothing to this host, or, worse, another line of its new job.
 bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Milliseconds now) const {
   if (!line.number) return false;
-  const std::int32_t number = *line.number;
-  if (!established_ && number <= 0) return true;
+  const LineNumber number = *line.number;
+  if (!established_ && (number == 0 || number == before_first)) return true;
   if (!sets_numbering(line.text)) return false;
-  return !established_ || (number >= -1 && number <= 1 && !may_be_sent_back(now));
+  const bool is_opening = number == before_first || number <= 1;
+  return !established_ || (is_opening && !may_be_sent_back(now));
 }
 
 Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) {
-  const std::int32_t number = *line.number;
+  const LineNumber number = *line.number;
   if (sets_numbering(line.text)) return judge_restart(line, now);
   if (start_may_be_lost(line)) {
     // In the midst of a job it is rather a host that was sent back, or a fault that the XOR missed.
@@ -127,7 +124,7 @@ bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
 
 Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
   // printcore's N-1 is sent once and never again.
-  if (*line.number >= 0 && may_be_sent_back(now)) return refuse_or_ignore(now);
+  if (*line.number != before_first && may_be_sent_back(now)) return refuse_or_ignore(now);
   return {Verdict::accept};
 }
 
@@ -159,7 +156,7 @@ void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) 
   if (sets_numbering(line.text)) {
     return restart_after(number_set_by(line.text).value_or(*line.number));
   }
-  const std::int32_t number = *line.number;
+  const LineNumber number = *line.number;
   const std::uint32_t fingerprint = fingerprint_of(line.text);
   if (number != wanted()) forget();
   if (number == 0 || number == 1) openings_[static_cast<std::size_t>(number)] = fingerprint;
@@ -170,7 +167,7 @@ void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) 
   end_recovery();
 }
 
-void LineNumbering::restart_after(std::int32_t last) {
+void LineNumbering::restart_after(LineNumber last) {
   forget();
   last_ = last;
   end_recovery();
@@ -200,14 +197,14 @@ void LineNumbering::resend_sent(units::Milliseconds now) {
   refused_number_ = 1;
 }
 
-bool LineNumbering::taken_before(std::int32_t number, std::uint32_t fingerprint) const {
+bool LineNumbering::taken_before(LineNumber number, std::uint32_t fingerprint) const {
   for (std::size_t i = 0; i < history_size_; ++i) {
     if (history_[i] == Taken{number, fingerprint}) return true;
   }
   return false;
 }
 
-bool LineNumbering::opened_with(std::int32_t number, std::uint32_t fingerprint) const {
+bool LineNumbering::opened_with(LineNumber number, std::uint32_t fingerprint) const {
   return openings_[static_cast<std::size_t>(number)] == fingerprint;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "host_link/line_number.hpp"
 #include "host_link/line_receiver.hpp"
 #include "units/quantity.hpp"
 
@@ -56,18 +57,18 @@ class LineNumbering {
   // The line judged `accept` is really taken.
   void accepted(const ReceivedLine& line, units::Milliseconds now);
   // M110 N<last> without number and checksum.
-  void restart_after(std::int32_t last);
+  void restart_after(LineNumber last);
   // Something came that could not be used while a resend is awaited: ask again in due time.
   void ignored() { ignored_since_resend_ = true; }
   // A resend request must be sent, as soon as there is room for it.
   void asked_for_resend(units::Milliseconds now);
   void resend_sent(units::Milliseconds now);
 
-  std::int32_t last() const { return last_; }
+  LineNumber last() const { return last_; }
   // The next line of the numbering.
-  std::int32_t wanted() const;
+  LineNumber wanted() const;
   // What a resend request asks for: the wanted line, or the lost beginning of a new numbering.
-  std::int32_t asked_for() const { return lost_start_.value_or(wanted()); }
+  LineNumber asked_for() const { return lost_start_.value_or(wanted()); }
   bool awaiting_resend() const { return awaiting_resend_; }
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
@@ -77,15 +78,15 @@ class LineNumbering {
 
  private:
   struct Taken {
-    std::int32_t number;
+    LineNumber number;
     std::uint32_t fingerprint;
     bool operator==(const Taken&) const = default;
   };
   static constexpr std::size_t history_length = 16;
 
   Judgement judge_number(const ReceivedLine& line, units::Milliseconds now);
-  bool taken_before(std::int32_t number, std::uint32_t fingerprint) const;
-  bool opened_with(std::int32_t number, std::uint32_t fingerprint) const;
+  bool taken_before(LineNumber number, std::uint32_t fingerprint) const;
+  bool opened_with(LineNumber number, std::uint32_t fingerprint) const;
   Judgement judge_restart(const ReceivedLine& line, units::Milliseconds now) const;
   Judgement judge_first_number(const ReceivedLine& line, units::Milliseconds now) const;
   Judgement refuse_or_ignore(units::Milliseconds now) const;
@@ -102,10 +103,10 @@ class LineNumbering {
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
   // The line with which a host has begun a new numbering, known to have come spoilt.
-  std::optional<std::int32_t> lost_start_{};
+  std::optional<LineNumber> lost_start_{};
   std::uint8_t lost_start_asked_{};
-  std::optional<std::int32_t> refused_number_{};  // as far as it could be read
-  std::int32_t last_{};
+  std::optional<LineNumber> refused_number_{};  // as far as it could be read
+  LineNumber last_{};
   units::Milliseconds last_taken_{};
   units::Milliseconds asked_{};
   bool ever_asked_{};

@@ -6,7 +6,7 @@
 
 namespace host_link {
 
-void LineQueue::put(std::string_view text, std::optional<std::int32_t> number, bool emergency) {
+void LineQueue::put(std::string_view text, std::optional<LineNumber> number, bool emergency) {
   Slot& slot = slots_[(first_ + size_) % capacity];
   const std::size_t length = std::min(text.size(), max_line_length);
   std::copy_n(text.data(), length, slot.text.data());

@@ -14,7 +14,7 @@ namespace host_link {
 
 struct AcceptedLine {
   std::string_view text;  // without line number and checksum; comments are still in it
-  std::optional<std::int32_t> number;  // empty for a line sent without one
+  std::optional<LineNumber> number;  // empty for a line sent without one
   bool emergency{};  // has been acted on when it was received: only its ok is due
 };
 
@@ -27,7 +27,7 @@ class LineQueue {
   std::size_t room() const { return capacity - size_; }
 
   // Needs room() != 0.
-  void put(std::string_view text, std::optional<std::int32_t> number, bool emergency);
+  void put(std::string_view text, std::optional<LineNumber> number, bool emergency);
   // Needs size() != 0. The text is valid until drop().
   AcceptedLine front() const;
   void drop();
@@ -36,7 +36,7 @@ class LineQueue {
   // contract with the simulation, which writes down what was accepted.
   struct Slot {
     std::array<char, max_line_length> text;
-    std::int32_t number;
+    LineNumber number;
     std::uint8_t length;
     bool numbered;
     bool emergency;

@@ -75,7 +75,11 @@ ReceivedLine LineReceiver::read() const {
     const bool right = checksum_digits_ > 0 && !checksum_malformed_ &&
                        checksum_value_ == exclusive_or_before_star_;
     line.checksum = right ? Checksum::right : Checksum::wrong;
-    if (last_star_ < text.size()) text.remove_suffix(text.size() - last_star_);
+    if (last_star_ < text.size()) {
+      line.behind_star = text;
+      line.behind_star.remove_prefix(last_star_ + 1);
+      text.remove_suffix(text.size() - last_star_);
+    }
   }
   trim(text);
   if (!text.empty() && text.front() == 'N') {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "host_link/line_number.hpp"
+
 namespace host_link {
 
 // With number and checksum, without line end. Marlin's is 96.
@@ -17,8 +19,9 @@ enum class Checksum : std::uint8_t { none, right, wrong };
 struct ReceivedLine {
   std::string_view text;  // without number, checksum and blanks around; valid until the next put()
   bool starts_with_n{};
-  std::optional<std::int32_t> number{};
+  std::optional<LineNumber> number{};
   Checksum checksum{};
+  std::string_view behind_star{};  // of the last '*': the digits of a checksum, or something else
   bool too_long{};  // more than max_line_length: text is its beginning
   bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
   bool spoilt{};  // the uart saw an error in it

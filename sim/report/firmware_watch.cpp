@@ -17,6 +17,8 @@ constexpr std::uint32_t ring_slots = 8;
 constexpr std::uint32_t slot_bytes = 136;
 constexpr std::uint32_t text_bytes = 128;
 constexpr std::uint32_t number_offset = 128;
+// As firmware/host_link/line_number.hpp has it.
+constexpr std::uint32_t before_first = 0xffff'ffff;
 constexpr std::uint32_t length_offset = 132;  // with `numbered` in the byte above it
 // The firmware overwrites a slot only in a later pass of its loop, and a pass with a line to take
 // costs more instructions than this.
@@ -47,7 +49,8 @@ AcceptedLine FirmwareWatch::line(std::uint32_t index) const {
   const std::uint32_t length = std::min(lengths & 0xff, text_bytes);
   AcceptedLine line;
   if ((lengths >> 8 & 0xff) != 0) {
-    line.number = static_cast<std::int32_t>(chip_.read_memory(slot + number_offset));
+    const std::uint32_t number = chip_.read_memory(slot + number_offset);
+    line.number = number == before_first ? -1 : std::int64_t{number};
   }
   for (std::uint32_t i = 0; i < length; ++i) {
     line.text += static_cast<char>(chip_.read_memory(slot + i / 4 * 4) >> (8 * (i % 4)));

@@ -14,7 +14,7 @@
 namespace report {
 
 struct AcceptedLine {
-  std::optional<std::int32_t> number;  // empty for a line without one
+  std::optional<std::int64_t> number;  // empty for a line without one
   std::string text;  // without number and checksum, as the firmware keeps it
 };
 

@@ -144,7 +144,8 @@ std::string Dialogue::expect_taken(const std::string& expected) {
   const std::optional<AcceptedLine> line = link_.next_line();
   std::string taken = "nothing";
   if (line) {
-    taken = (line->number ? std::to_string(*line->number) : "-") + " " + std::string(line->text);
+    taken = (line->number ? std::to_string(written(*line->number)) : "-") + " " +
+            std::string(line->text);
     if (line->emergency) taken += " (acted on)";
   }
   return taken == expected ? "" : differs(expected, taken);
