@@ -123,6 +123,7 @@ bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
 }
 
 Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
+  if (*line.number == wanted()) return {Verdict::accept};
   // printcore's N-1 is sent once and never again.
   if (*line.number != before_first && may_be_sent_back(now)) return refuse_or_ignore(now);
   return {Verdict::accept};
