@@ -11,7 +11,7 @@ use work.uart_registers_pkg.all;
 entity uart is
   generic (
     -- Bytes, a power of two, at most 2048.
-    receive_depth : positive := 1024;
+    receive_depth : positive := 2048;
     transmit_depth : positive := 512
   );
   port (
