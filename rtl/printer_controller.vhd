@@ -11,6 +11,7 @@ use work.fan_registers_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.identity_registers_pkg.all;
 use work.memory_pkg.all;
+use work.processor_pkg.all;
 use work.step_generator_registers_pkg.all;
 use work.step_pins_registers_pkg.all;
 use work.temperature_converter_registers_pkg.all;
@@ -27,7 +28,9 @@ entity printer_controller is
     -- Segments that wait in the step generator; a power of two.
     queue_depth : positive := 32;
     -- Temperature sensors, each with its heater: hotend, bed.
-    heaters : positive range 1 to 4 := 2
+    heaters : positive range 1 to 4 := 2;
+    -- A debugger can halt the processor and reach the memory over JTAG; the processor's clock never rests.
+    has_debug : boolean := false
   );
   port (
     -- The one clock, 4 to 100 MHz.
@@ -66,6 +69,11 @@ entity printer_controller is
     fan_gate : out std_ulogic;
     -- A lamp: heat has been cut off until software clears the cause.
     fault : out std_ulogic;
+    -- JTAG, asynchronous; of no effect without `has_debug`.
+    tck : in std_ulogic := '0';
+    tms : in std_ulogic := '0';
+    tdi : in std_ulogic := '0';
+    tdo : out std_ulogic;
     -- The processor waits for an interrupt; it has completed an instruction.
     sleeping : out std_ulogic;
     retired : out std_ulogic;
@@ -99,7 +107,12 @@ architecture rtl of printer_controller is
 
   signal instruction_request : instruction_request_t;
   signal instruction_data : std_ulogic_vector(31 downto 0);
-  signal memory_request : memory_request_t;
+  signal processor_memory_request, memory_request : memory_request_t;
+  signal processor_bus_request : bus_request_t;
+  signal processor_bus_response : bus_response_t;
+  signal debug_request : debug_request_t := debug_request_idle;
+  signal debug_response : debug_response_t;
+  signal chip_reset : std_ulogic := '0';
   signal memory_data : std_ulogic_vector(31 downto 0);
 
   signal timer_interrupt : std_ulogic;
@@ -133,32 +146,33 @@ begin
   register_inputs : process
   begin
     wait until rising_edge(clk);
-    reset_registered <= reset;
+    reset_registered <= reset or chip_reset;
   end process;
 
   register_processor_inputs : process
   begin
     wait until rising_edge(processor_clk);
-    processor_reset <= reset;
+    processor_reset <= reset or chip_reset;
   end process;
 
   register_axes_inputs : process
   begin
     wait until rising_edge(axes_clk);
-    axes_reset <= reset;
+    axes_reset <= reset or chip_reset;
   end process;
 
   register_peripheral_inputs : process
   begin
     wait until rising_edge(peripheral_clk);
-    peripheral_reset <= reset;
+    peripheral_reset <= reset or chip_reset;
     clock_frequency <= clock_frequency_hz;
   end process;
 
-  processor_at_rest <= processor_rests and not (timer_alarm or processor_reset);
+  processor_at_rest <= processor_rests and not (timer_alarm or processor_reset) when not has_debug else '0';
   axes_at_rest <= axes_rest and step_pins_rest and
-    not (emergency_stop_settling or motion_start_settling);
-  peripherals_at_rest <= uart_rests and end_stops_rest and converter_rests and heater_control_rests;
+    not (emergency_stop_settling or motion_start_settling or chip_reset);
+  peripherals_at_rest <= uart_rests and end_stops_rest and converter_rests and heater_control_rests and
+    not chip_reset;
 
   -- The lower the index, the higher the priority.
   interrupts <= (
@@ -179,18 +193,66 @@ begin
       reset => processor_reset,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
-      memory_request => memory_request,
+      memory_request => processor_memory_request,
       memory_data => memory_data,
-      bus_request => bus_request,
-      bus_response => bus_response,
+      bus_request => processor_bus_request,
+      bus_response => processor_bus_response,
       timer_interrupt => timer_interrupt,
       external_interrupt => '0',
       interrupts => interrupts,
       sleeping => sleeping,
       at_rest => processor_rests,
       retired => retired,
-      retirement => open
+      retirement => open,
+      debug_request => debug_request,
+      debug_response => debug_response
     );
+
+  with_debug : if has_debug generate
+    signal own_reset : std_ulogic := '1';
+  begin
+
+    -- The debugger's own part goes on while the chip is in the reset that it asks for.
+    register_own_reset : process
+    begin
+      wait until rising_edge(processor_clk);
+      own_reset <= reset;
+    end process;
+
+    debugging : entity work.debug_port
+      generic map (
+        memory_size_bytes => memory_size_bytes
+      )
+      port map (
+        clk => processor_clk,
+        reset => own_reset,
+        tck => tck,
+        tms => tms,
+        tdi => tdi,
+        tdo => tdo,
+        chip_reset => chip_reset,
+        processor_reset => processor_reset,
+        debug_request => debug_request,
+        debug_response => debug_response,
+        processor_memory_request => processor_memory_request,
+        memory_request => memory_request,
+        memory_data => memory_data,
+        processor_bus_request => processor_bus_request,
+        processor_bus_response => processor_bus_response,
+        bus_request => bus_request,
+        bus_response => bus_response
+      );
+
+  else generate
+
+    memory_request <= processor_memory_request;
+    bus_request <= processor_bus_request;
+    processor_bus_response <= bus_response;
+    debug_request <= debug_request_idle;
+    chip_reset <= '0';
+    tdo <= '0';
+
+  end generate;
 
   ram : entity work.memory
     generic map (

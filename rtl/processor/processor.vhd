@@ -42,7 +42,10 @@ entity processor is
     -- An instruction was completed.
     retired : out std_ulogic;
     -- What was completed, for tests; leave it open and it costs nothing.
-    retirement : out retirement_t
+    retirement : out retirement_t;
+    -- Halt, resume, step; the same.
+    debug_request : in debug_request_t := debug_request_idle;
+    debug_response : out debug_response_t
   );
 end entity;
 
@@ -52,6 +55,8 @@ architecture rtl of processor is
 
   -- Fetch and decode.
   signal fetched_valid, fetch_fault, leaves_memory : std_ulogic;
+  signal presented, presented_fault : std_ulogic;
+  signal presented_instruction : word_t;
   signal fetched_address : unsigned(31 downto 0);
   signal fetched_instruction : word_t;
   signal redirect : std_ulogic;
@@ -67,6 +72,7 @@ architecture rtl of processor is
   signal executing_immediate_of_compressed, executing_immediate_of_word : word_t;
   signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
   signal able, waiting, start, stall, complete, take_interrupt : std_ulogic;
+  signal interruptible, take_halt, enter_debug : std_ulogic;
   signal first_stored, first_value, second_stored, second_alternative, second_value : word_t;
   signal first_matches, second_matches : std_ulogic;
   signal alu_result, divider_result : word_t;
@@ -82,7 +88,7 @@ architecture rtl of processor is
   signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
   signal csr_request : csr_request_t;
   signal csr_response : csr_response_t;
-  signal trap : trap_t;
+  signal trap, machine_trap : trap_t;
   signal return_from_trap, awake, interrupt_pending : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
   signal trap_target, return_address : unsigned(31 downto 0);
@@ -118,16 +124,22 @@ begin
       fault => fetch_fault,
       leaves_memory => leaves_memory);
 
+  -- In debug mode what is injected takes the place of what is fetched.
+  presented <= debug_request.inject when debug_request.halted else fetched_valid;
+  presented_fault <= fetch_fault and not debug_request.halted;
+  presented_instruction <= debug_request.instruction when debug_request.halted else
+                           fetched_instruction;
+
   instruction_decoder : entity work.instruction_decoder
     port map (
-      instruction => fetched_instruction,
+      instruction => presented_instruction,
       decoded => decoded,
       immediate_of_compressed => decoded_immediate_of_compressed,
       immediate_of_word => decoded_immediate_of_word);
 
   advance <= not stall;
   -- What is decoded comes after what is executed.
-  follow <= fetched_valid and not (jump or trap.enable or return_from_trap);
+  follow <= presented and not (jump or trap.enable or return_from_trap);
 
   pass_to_execute : process
   begin
@@ -135,14 +147,14 @@ begin
     if advance then
       executing <= (
         valid => follow,
-        fetch_fault => fetch_fault,
+        fetch_fault => presented_fault,
         leaves_memory => leaves_memory);
       kind <= decoded;
       executing_immediate_of_compressed <= decoded_immediate_of_compressed;
       executing_immediate_of_word <= decoded_immediate_of_word;
       executing_address <= fetched_address;
-      executing_instruction <= fetched_instruction;
-      if not (and fetched_instruction(1 downto 0)) then
+      executing_instruction <= presented_instruction;
+      if not (and presented_instruction(1 downto 0)) then
         executing_instruction(31 downto 16) <= (others => '0');
       end if;
     end if;
@@ -179,13 +191,18 @@ begin
   able <= executing.valid and not executing.fetch_fault and (or kind.legal);
   waiting <= able and writing.late and ((kind.reads_first and first_matches) or
                                         (kind.reads_second and second_matches));
-  take_interrupt <= interrupt_pending and (executing.valid or fetched_valid) and not bus_active and
-                    not (executing.valid and kind.wait_for_interrupt);
+  -- Before which instruction debug mode begins is decided as for an interrupt, but wfi may be it.
+  interruptible <= (executing.valid or fetched_valid) and not bus_active;
+  take_halt <= debug_request.halt and interruptible;
+  take_interrupt <= take_halt or
+                    (interrupt_pending and interruptible and
+                     not (executing.valid and kind.wait_for_interrupt) and
+                     not debug_request.halted and not debug_request.step);
   start <= able and not waiting and not take_interrupt;
   stall <= able and not take_interrupt and
            (waiting or (kind.divide and not divider_done) or
             ((kind.load or kind.store) and not data_done) or
-            (kind.wait_for_interrupt and not awake));
+            (kind.wait_for_interrupt and not awake and not debug_request.step));
   complete <= executing.valid and not stall and not trap.enable;
 
   arithmetic : entity work.alu
@@ -266,9 +283,9 @@ begin
       reset => reset,
       request => csr_request,
       response => csr_response,
-      trap => trap,
+      trap => machine_trap,
       trap_return => return_from_trap,
-      retire => complete,
+      retire => complete and not debug_request.halted,
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
@@ -296,14 +313,40 @@ begin
       data_error => data_error,
       trap => trap);
 
-  redirect <= trap.enable or return_from_trap;
-  redirect_address <= trap_target when trap.enable else return_address;
+  -- Into debug mode and within it no trap is taken: what an injected instruction does wrong is only told.
+  enter_debug <= take_halt or
+                 (trap.enable and not take_interrupt and debug_request.halt_at_breakpoint and
+                  executing.valid and kind.breakpoint and not executing.fetch_fault);
+  machine_trap <= (
+    enable => trap.enable and not enter_debug and not debug_request.halted,
+    interrupt => trap.interrupt,
+    cause => trap.cause,
+    address => trap.address,
+    value => trap.value);
+
+  redirect <= trap.enable or return_from_trap or debug_request.resume;
+  redirect_address <= debug_request.resume_address when debug_request.halted else
+                      trap_target when trap.enable else
+                      return_address;
+
+  debug_response <= (
+    enter => enter_debug,
+    at_breakpoint => not take_halt,
+    address => trap.address,
+    advance => advance,
+    follows => follow,
+    next_address => fetched_address,
+    finish => complete or machine_trap.enable,
+    uses_data_port => executing.valid and (kind.load or kind.store),
+    completed => writing.valid,
+    trapped => writing.trapped,
+    value => written_value);
 
   pass_to_write_back : process
   begin
     wait until rising_edge(clk);
     writing.valid <= complete;
-    writing.trapped <= trap.enable;
+    writing.trapped <= trap.enable and not enter_debug;
     writing.interrupted <= trap.interrupt;
     writing.writes <= complete and kind.writes;
     writing_address <= trap.address;

@@ -121,6 +121,50 @@ package processor_pkg is
     value : word_t;
   end record;
 
+  -- From what debugs the processor (rtl/debug). Idle, as it is where the port is left open, it costs nothing.
+  type debug_request_t is record
+    -- The processor is in debug mode: it executes what is injected, and nothing else.
+    halted : std_ulogic;
+    -- Enter debug mode before the next instruction that is not executed yet.
+    halt : std_ulogic;
+    -- ebreak enters debug mode instead of a trap.
+    halt_at_breakpoint : std_ulogic;
+    -- While one instruction is stepped: no interrupt is taken, and wfi does not wait.
+    step : std_ulogic;
+    -- In debug mode: pass `instruction` to the execute stage, in a clock in which that is empty.
+    inject : std_ulogic;
+    instruction : word_t;
+    -- In debug mode: leave it with this clock, and go on at the address.
+    resume : std_ulogic;
+    resume_address : unsigned(31 downto 0);
+  end record;
+
+  constant debug_request_idle : debug_request_t := (
+    halted => '0', halt => '0', halt_at_breakpoint => '0', step => '0', inject => '0',
+    instruction => (others => '0'), resume => '0', resume_address => (others => '0'));
+
+  type debug_response_t is record
+    -- Debug mode begins with the next clock, for an ebreak or because it was asked for. The instruction
+    -- at `address` was not executed.
+    enter : std_ulogic;
+    at_breakpoint : std_ulogic;
+    address : unsigned(31 downto 0);
+    -- At the end of this clock the execute stage takes something new: the instruction at `next_address`
+    -- where it `follows`, or nothing.
+    advance : std_ulogic;
+    follows : std_ulogic;
+    next_address : unsigned(31 downto 0);
+    -- An instruction is completed, or refused with a trap, in this clock.
+    finish : std_ulogic;
+    -- The memory's data port may be needed in this clock; told early.
+    uses_data_port : std_ulogic;
+    -- A clock after its completion: an instruction was completed, or trapped; what it wrote, or would
+    -- have written were its destination not x0.
+    completed : std_ulogic;
+    trapped : std_ulogic;
+    value : word_t;
+  end record;
+
   -- Exceptions, in the coding of mcause.
   constant cause_instruction_misaligned : register_index_t := 5x"0";
   constant cause_instruction_access : register_index_t := 5x"1";

@@ -1,0 +1,128 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The test access port: identity, bypass, reset from every state, and accesses that reach the module.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use ieee.math_real.all;
+
+use work.debug_pkg.all;
+use work.jtag_pkg.all;
+use work.processor_pkg.all;
+
+entity debug_transport_tb is
+end entity;
+
+architecture tb of debug_transport_tb is
+
+  constant identity_code : word_t := x"15f01001";
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal pins : jtag_pins_t := (tck => '0', tms => '0', tdi => '0');
+  signal tdo : std_ulogic;
+  signal request : dmi_request_t;
+  signal data, last_written : word_t := x"00000000";
+  signal last_address : std_ulogic_vector(6 downto 0);
+  signal accesses, writes : natural := 0;
+
+begin
+
+  clk <= not clk after 5 ns;
+
+  uut : entity work.debug_transport
+    port map (
+      clk => clk, reset => reset, tck => pins.tck, tms => pins.tms, tdi => pins.tdi, tdo => tdo,
+      dmi_request => request, dmi_data => data);
+
+  -- Reads bring the address that they name, and how many there were.
+  data <= x"a500" & std_ulogic_vector(to_unsigned(accesses, 8)) & '0' & request.address when request.strobe
+          else x"deadbeef";
+
+  count_accesses : process
+  begin
+    wait until rising_edge(clk);
+    if request.strobe then
+      accesses <= accesses + 1;
+      last_address <= request.address;
+      if request.write then
+        writes <= writes + 1;
+        last_written <= request.data;
+      end if;
+    end if;
+  end process;
+
+  check : process
+
+    procedure expect_data(sent, wanted : std_ulogic_vector; what : string) is
+      variable captured : std_ulogic_vector(sent'length - 1 downto 0);
+    begin
+      scan_data(pins, tdo, sent, captured);
+      assert captured = wanted report what & ": " & to_hstring(captured) severity failure;
+    end procedure;
+
+    variable word : word_t;
+    variable access_word : std_ulogic_vector(40 downto 0);
+    variable seed_1, seed_2 : positive := 11;
+    variable chance : real;
+    variable seen, level : std_ulogic;
+
+  begin
+    wait for 42 ns;
+    reset <= '0';
+    reset_tap(pins, tdo);
+    expect_data(x"00000000", identity_code, "identity after a reset");
+
+    -- Behind the identity comes what went in, 32 bits later.
+    expect_data(x"3c5a12345678", x"5678" & identity_code, "identity register of 32 bits");
+
+    scan_instruction(pins, tdo, "11111");
+    expect_data(x"9b", x"36", "bypass of one bit");
+    scan_instruction(pins, tdo, "01010");
+    expect_data(x"9b", x"36", "bypass by any other instruction");
+    scan_instruction(pins, tdo, 5x"10");
+    expect_data(x"00030000", x"00000071", "dtmcs: version, width of addresses, no error");
+
+    scan_instruction(pins, tdo, 5x"11");
+    write_dmi(pins, tdo, 7x"12", x"89abcdef");
+    wait for 50 ns;
+    assert accesses = 1 and writes = 1 and last_address = 7x"12" and last_written = x"89abcdef"
+      severity failure;
+    read_dmi(pins, tdo, 7x"7f", word);
+    assert word = x"a500017f" and accesses = 2 and writes = 1
+      report "read " & to_hstring(word) severity failure;
+    -- Operations 0 and 3 are none.
+    scan_data(pins, tdo, 7x"55" & x"00000000" & "11", access_word);
+    wait for 50 ns;
+    assert accesses = 2 report "no access was asked for" severity failure;
+
+    -- Whatever happened before, five clocks with tms high lead to the identity. Without the instruction
+    -- dmi nothing on the way is an access.
+    reset_tap(pins, tdo);
+    for round in 1 to 40 loop
+      uniform(seed_1, seed_2, chance);
+      for step in 1 to 20 + integer(chance * 20.0) loop
+        uniform(seed_1, seed_2, chance);
+        level := '1' when chance < 0.5 else '0';
+        clock_tap(pins, tdo, level, '0', seen);
+      end loop;
+      reset_tap(pins, tdo);
+      expect_data(x"00000000", identity_code, "identity after a reset from anywhere");
+    end loop;
+    assert accesses = 2 report "a walk made an access" severity failure;
+
+    -- A reset of the chip while a scan is under way.
+    clock_tap(pins, tdo, '1', '0', seen);
+    clock_tap(pins, tdo, '0', '0', seen);
+    clock_tap(pins, tdo, '0', '0', seen);
+    wait until rising_edge(clk);
+    reset <= '1';
+    wait until rising_edge(clk);
+    reset <= '0';
+    clock_tap(pins, tdo, '0', '0', seen);
+    expect_data(x"00000000", identity_code, "identity after a reset of the chip");
+    report "debug_transport_tb passed";
+    std.env.finish;
+  end process;
+
+end architecture;
