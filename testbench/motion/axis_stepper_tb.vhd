@@ -2,13 +2,13 @@
 -- The axis shares out ticks exactly, keeps every guard time, and says when it is not ready.
 
 library ieee;
-use ieee.math_real.all;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 library std;
 use std.env.finish;
 
+use work.random_source_pkg.all;
 use work.step_generator_pkg.all;
 
 entity axis_stepper_tb is
@@ -60,15 +60,7 @@ begin
       pulses => pulses);
 
   test : process
-    variable seed_1 : positive := 1;
-    variable seed_2 : positive := 1;
-
-    impure function random(least, most : natural) return natural is
-      variable value : real;
-    begin
-      uniform(seed_1, seed_2, value);
-      return least + integer(floor(value * real(most - least + 1)));
-    end function;
+    variable random : random_source_t;
 
     procedure clocks(count : natural) is
     begin
@@ -195,14 +187,15 @@ begin
         clocks(20);
         -- With a high pin it cannot change to pulses.
         falling_too := '1' when line mod 40 = 0 or step = '1' else '0';
-        set_guard(random(0, 6), random(0, 6), random(0, 9), random(0, 9), falling_too);
+        set_guard(random.between(0, 6), random.between(0, 6), random.between(0, 9), random.between(0, 9),
+          falling_too);
       end if;
-      of_ticks := random(1, 40);
-      count := random(0, of_ticks);
-      negative := '1' when random(0, 1) = 1 else '0';
+      of_ticks := random.between(1, 40);
+      count := random.between(0, of_ticks);
+      negative := '1' when random.between(0, 1) = 1 else '0';
       pulses_before := pulses;
       position_before := position;
-      case random(0, 2) is
+      case random.between(0, 2) is
         when 0 =>
           start := of_ticks / 2;
           start_line(count, of_ticks, negative);
@@ -214,7 +207,7 @@ begin
           start_line(count, of_ticks, negative, early => '0', late => '1');
       end case;
       for i in 1 to of_ticks loop
-        clocks(random(0, 3));
+        clocks(random.between(0, 3));
         make_tick;
         made := to_integer(abs (position - position_before));
         assert made = (i * count + start) / of_ticks

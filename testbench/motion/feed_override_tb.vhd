@@ -2,13 +2,13 @@
 -- The base gets as much time as the scale says, in leaps that it can do, and the scale keeps to its ramp.
 
 library ieee;
-use ieee.math_real.all;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 library std;
 use std.env.finish;
 
+use work.random_source_pkg.all;
 use work.step_generator_pkg.all;
 
 entity feed_override_tb is
@@ -66,15 +66,7 @@ begin
   end process;
 
   test : process
-    variable seed_1 : positive := 3;
-    variable seed_2 : positive := 4;
-
-    impure function random(least, most : natural) return natural is
-      variable value : real;
-    begin
-      uniform(seed_1, seed_2, value);
-      return least + integer(floor(value * real(most - least + 1)));
-    end function;
+    variable random : random_source_t;
 
     procedure clocks(number : natural) is
     begin
@@ -107,6 +99,7 @@ begin
 
     variable done_before : natural;
   begin
+    random.seed(3, 4);
     clocks(2);
     reset <= '0';
     clocks(1);
@@ -122,11 +115,11 @@ begin
 
     -- Any constant scale, with and without stalls: 1000 clocks of it are owed and done.
     for run in 1 to 60 loop
-      rest_at(random(0, 2 ** 18 - 1));
+      rest_at(random.between(0, 2 ** 18 - 1));
       moving <= '1';
       for i in 1 to 1000 loop
         clocks(1);
-        stalled <= '1' when run mod 2 = 0 and random(0, 3) = 0 else '0';
+        stalled <= '1' when run mod 2 = 0 and random.between(0, 3) = 0 else '0';
         expect_lag_below(4);
       end loop;
       stalled <= '0';

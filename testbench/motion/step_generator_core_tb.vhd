@@ -2,13 +2,13 @@
 -- Random lines through queue, base and axes: exact counts, guards, positions; then a stop in the middle.
 
 library ieee;
-use ieee.math_real.all;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 library std;
 use std.env.finish;
 
+use work.random_source_pkg.all;
 use work.step_generator_pkg.all;
 
 entity step_generator_core_tb is
@@ -104,15 +104,7 @@ begin
   end generate;
 
   test : process
-    variable seed_1 : positive := 3;
-    variable seed_2 : positive := 5;
-
-    impure function random(least, most : natural) return natural is
-      variable value : real;
-    begin
-      uniform(seed_1, seed_2, value);
-      return least + integer(floor(value * real(most - least + 1)));
-    end function;
+    variable random : random_source_t;
 
     procedure put(lane : lane_t; data : natural) is
     begin
@@ -164,18 +156,19 @@ begin
     variable starts : natural;
     variable pulses_at_stop : naturals_t(axes - 1 downto 0);
   begin
+    random.seed(3, 5);
     wait until rising_edge(clk);
     wait until rising_edge(clk);
     reset <= '0';
 
     for line in 1 to 60 loop
       wait_for_space;
-      line_ticks := random(1, 20);
-      backward := random(0, 7);
+      line_ticks := random.between(1, 20);
+      backward := random.between(0, 7);
       -- Some axes ahead, some behind.
       starts := 0;
       for axis in 0 to axes - 1 loop
-        case random(0, 2) is
+        case random.between(0, 2) is
           when 1 => starts := starts + 2 ** (24 + axis);
           when 2 => starts := starts + 2 ** (28 + axis);
           when others => null;
@@ -184,7 +177,7 @@ begin
       put(flags_lane, starts + backward);
       put(line_ticks_lane, line_ticks);
       for axis in 0 to axes - 1 loop
-        steps := random(0, line_ticks);
+        steps := random.between(0, line_ticks);
         put(steps_lane + axis, steps);
         expected_pulses(axis) := expected_pulses(axis) + steps;
         if (backward / 2 ** axis) mod 2 = 1 then
@@ -193,7 +186,7 @@ begin
           expected(axis) := expected(axis) + steps;
         end if;
       end loop;
-      put_course(line_ticks, 2 ** random(24, 30));
+      put_course(line_ticks, 2 ** random.between(24, 30));
     end loop;
     wait_until_idle;
     for axis in 0 to axes - 1 loop

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# add_testbench(NAME [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking
-# GHDL
-#   test bench NAME.vhd of the current folder, run against all of rtl/.
+# add_testbench(NAME [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL test
+#   bench NAME.vhd of the current folder, run against all of rtl/.
 # add_verilated_model(TARGET TOP entity [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
-#   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET,
-# with
-#   the header V<entity>.h.
+#   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with the
+#   header V<entity>.h.
 file(GLOB_RECURSE rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.vhd)
 find_program(VERILATOR verilator REQUIRED)
 find_program(GHDL ghdl REQUIRED)
@@ -44,9 +42,8 @@ function(add_verilated_model target)
     get_filename_component(file ${file} ABSOLUTE)
     list(APPEND extra ${file})
   endforeach()
-  # The headers are named so that what includes them is compiled again in the same build: with a
-  # header
-  # of yesterday a program would read the model's variables in the wrong places.
+  # The headers are named so that what includes them is compiled again in the same build: with a header of
+  # yesterday a program would read the model's variables in the wrong places.
   add_custom_command(OUTPUT ${library}
     BYPRODUCTS ${directory}/verilated/V${argument_TOP}.h
       ${directory}/verilated/V${argument_TOP}___024root.h
