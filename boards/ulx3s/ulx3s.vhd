@@ -6,6 +6,10 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity ulx3s is
+  generic (
+    -- With the debug port. Its fit and its clock have not been tried.
+    has_debug : boolean := false
+  );
   port (
     clk_25mhz : in std_ulogic;
     -- Serial line of the USB bridge, named from its side.
@@ -28,7 +32,12 @@ entity ulx3s is
     fan_gate : out std_ulogic;
     -- Three resistors of each sensor, driven or left open, and its capacitor's level.
     sensor_resistor : out std_logic_vector(5 downto 0);
-    sensor_sense : in std_ulogic_vector(1 downto 0)
+    sensor_sense : in std_ulogic_vector(1 downto 0);
+    -- JTAG of the chip (not of the FPGA), for an external adapter; pulled up, so at rest without one.
+    tck : in std_ulogic;
+    tms : in std_ulogic;
+    tdi : in std_ulogic;
+    tdo : out std_ulogic
   );
 end entity;
 
@@ -63,7 +72,7 @@ begin
   end process;
 
   chip : entity work.printer_controller
-    generic map (axes => 5, heaters => 2)
+    generic map (axes => 5, heaters => 2, has_debug => has_debug)
     port map (
       clk => clk,
       processor_clk => clk,
@@ -87,6 +96,10 @@ begin
       heater_gate => heater_gate,
       fan_gate => fan_gate,
       fault => fault,
+      tck => tck,
+      tms => tms,
+      tdi => tdi,
+      tdo => tdo,
       sleeping => sleeping,
       retired => open,
       processor_at_rest => open,

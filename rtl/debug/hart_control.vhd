@@ -55,7 +55,7 @@ architecture rtl of hart_control is
   signal reserved, in_machine_mode, at_execution : std_ulogic_vector(0 to triggers - 1);
   signal addresses : addresses_t;
 
-  signal matches, triggered, step_done, reset_halt : std_ulogic := '0';
+  signal next_matches, triggered, step_done, reset_halt : std_ulogic := '0';
   signal trigger_word, trigger_address, status : word_t;
 
 begin
@@ -70,13 +70,13 @@ begin
     resume => resume,
     resume_address => return_address & '0');
 
-  match_addresses : process (all)
+  compare_addresses : process (all)
   begin
-    matches <= '0';
+    next_matches <= '0';
     for index in 0 to triggers - 1 loop
       if reserved(index) and in_machine_mode(index) and at_execution(index) and
         (debug_response.next_address ?= addresses(index)) then
-        matches <= '1';
+        next_matches <= '1';
       end if;
     end loop;
   end process;
@@ -86,7 +86,7 @@ begin
     wait until rising_edge(clk);
     -- The instruction in the execute stage is one to halt before.
     if debug_response.advance then
-      triggered <= debug_response.follows and matches and not halted;
+      triggered <= debug_response.follows and next_matches and not halted;
     end if;
     if debug_response.finish and steps and not halted then
       step_done <= '1';
