@@ -40,6 +40,37 @@ program 0
 expect 124 run "$work/program.elf" --max-cycles 20000
 expect_text 'within 20000 cycles'
 
+# Programs as the field's tests are: their start-up tries registers that need not be there, `tohost` has 64 bits
+# and a page of its own, and it is stored to again and again.
+processor_programs=$here/../processor/programs
+field_program() {
+  riscv64-unknown-elf-gcc -march=rv32imc_zicsr_zifencei -mabi=ilp32 -static -mcmodel=medany -nostdlib \
+    -nostartfiles -Wl,--no-warn-rwx-segments -Wa,-I"$processor_programs" \
+    -T "$processor_programs/environment.ld" "$@" -o "$work/program.elf"
+}
+field_body() {
+  printf '.include "environment.inc"\nenter\n%b\nleave\n' "$1" > "$work/body.S"
+  field_program "${@:2}" "$work/body.S"
+}
+field_program "$processor_programs/machine_mode.S"
+expect 0 run "$work/program.elf"
+expect_text '^passed: tohost = 1$'
+field_body 'li a0, 1\ncheck a0, 1\ncheck a0, 2'
+expect 2 run "$work/program.elf"
+expect_text '^failed: tohost = 5$'
+field_body '.word 0'
+expect 255 run "$work/program.elf"
+field_body '1: j 1b'
+expect 124 run "$work/program.elf" --max-cycles 1000
+field_body '.data\n.space 65536\n.text'
+expect 2 run "$work/program.elf"
+expect_text 'does not fit'
+field_body 'nop' -Wl,--defsym=other=0
+riscv64-unknown-elf-objcopy --globalize-symbol=tohost --redefine-sym tohost=elsewhere \
+  --add-symbol tohost=0x90000000,global "$work/program.elf"
+expect 2 run "$work/program.elf"
+expect_text 'tohost.*no memory'
+
 expect 2 run "$work/missing.elf"
 expect_text 'No such file'
 echo 'G28' > "$work/text.elf"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <stdexcept>
 
 #include "sim/devices/serial_line.hpp"
 #include "sim/simulation/elf_image.hpp"
@@ -50,6 +51,20 @@ void make_start(const sim::ElfImage& image, sim::Chip& chip) {
   chip.write_memory(reset_address + 4, lower << 20 | 0x28067);  // jalr zero, lower(t0)
 }
 
+// The chip's memory is looked at by words.
+void check_place(std::uint32_t tohost, const sim::Chip& chip) {
+  bool readable = tohost % 4 == 0;
+  try {
+    chip.read_memory(tohost);
+  } catch (const std::out_of_range&) {
+    readable = false;
+  }
+  if (!readable) {
+    throw std::runtime_error(
+        fmt::format("`tohost` lies at {:#010x}, where the chip has no memory word", tohost));
+  }
+}
+
 int exit_status_of(std::uint32_t value) {
   if (value == 1) {
     return success;
@@ -87,6 +102,7 @@ int run(const RunOptions& options) {
   sim::VerilatedChip chip(options.clock_hz);
   load(image, chip);
   make_start(image, chip);
+  check_place(*tohost, chip);
   if (!options.trace.empty()) {
     chip.trace_to(options.trace);
   }
