@@ -94,7 +94,9 @@ architecture rtl of processor is
   signal trap_target, return_address : unsigned(31 downto 0);
 
   -- Write back.
-  signal writing : writing_t;
+  -- Nothing is written before the first reset, not even to x0.
+  signal writing : writing_t := (
+    destination => "00000", size => "000", byte_index => "00", others => '0');
   signal writing_instruction, writing_result : word_t;
   signal writing_address : unsigned(31 downto 0);
   signal product, loaded_word, loaded, written_value : word_t;
