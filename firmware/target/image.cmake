@@ -33,3 +33,8 @@ add_custom_target(stepping_benchmark_programs
   DEPENDS firmware_image VERBATIM)
 # One at a time: both are builds in the same folder.
 add_dependencies(stepping_benchmark_programs firmware_software_stepping)
+add_custom_target(processor_benchmark_programs
+  COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
+    --target firmware.elf processor_benchmarks processor_benchmarks_without_c
+  DEPENDS firmware_image VERBATIM)
+add_dependencies(processor_benchmark_programs stepping_benchmark_programs)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stepping benchmark, short: it measures what it says, and hardware is what the design claims.
+// The benchmarks, short: they measure what they say, and the hardware is what the design claims.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -47,6 +47,32 @@ TEST(bench, stepping_measures_hardware_and_software) {
   }
   for (const auto& ratio : figures["ratio"]) EXPECT_GT(ratio["lines"], 100);
   EXPECT_GE(figures["published"].size(), 5u);
+}
+
+// What the processor is asked to be: clocks per instruction on the firmware's own code.
+TEST(bench, processor_measures_works_and_finds_where_the_clocks_go) {
+  const auto folder = scenarios::scratch_folder();
+  const auto file = folder / "processor.json";
+  std::filesystem::remove(file);
+  const auto job = scenarios::run_job(
+      {"bench", "processor", "--quick", "--json", file.string(), "--report", folder.string()});
+  ASSERT_EQ(job.status, 0) << job.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "processor.html"));
+  std::ifstream stream(file);
+  const auto figures = nlohmann::json::parse(stream);
+  EXPECT_EQ(figures["works"].size(), 6u);
+  for (const auto& work : figures["works"]) {
+    const auto& compiled = work["rv32imc"];
+    EXPECT_LE(compiled["clocks_per_instruction"], 1.35) << work["name"];
+    EXPECT_GT(compiled["clocks_per_instruction"], 1.0) << work["name"];
+    EXPECT_LT(compiled["code_bytes"], work["rv32im"]["code_bytes"]) << work["name"];
+    std::uint64_t waited = 0;
+    for (const auto& clocks : work["waiting_clocks"]) waited += clocks.get<std::uint64_t>();
+    EXPECT_EQ(compiled["instructions"].get<std::uint64_t>() + waited, compiled["clocks"]);
+    EXPECT_EQ(work["waiting_clocks"]["other"], 0) << work["name"];
+  }
+  EXPECT_LT(figures["firmware"]["rv32imc_code_bytes"].get<double>(),
+            0.85 * figures["firmware"]["rv32im_code_bytes"].get<double>());
 }
 
 }  // namespace

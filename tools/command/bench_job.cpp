@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the stepping benchmark on hardware and on software, and prints a file with both.
+// Runs the stepping benchmark on hardware and on software, and prints a file with both; or the
+// processor's, which is a program of its own.
 #include "tools/command/bench_job.hpp"
 
 #include <fmt/format.h>
@@ -98,14 +99,35 @@ int bench_stepping(const BenchOptions& options) {
   return success;
 }
 
+int bench_processor(const BenchOptions& options) {
+  build({"processor_benchmark", "processor_benchmark_programs"});
+  std::vector<std::string> words{(build_folder() / "bin" / "processor_benchmark").string(),
+                                 "--programs",
+                                 (build_folder() / "firmware").string(),
+                                 "--examples",
+                                 (project_folder() / "examples").string(),
+                                 "--report",
+                                 options.report.string()};
+  if (!options.json.empty()) words.insert(words.end(), {"--json", options.json.string()});
+  if (options.quick) words.push_back("--quick");
+  return run_program(words);
+}
+
 }  // namespace
 
 int bench(const BenchOptions& options) {
   BenchOptions chosen = options;
+  if (chosen.names.empty()) chosen.names = {"processor", "stepping"};
+  if (chosen.names.size() > 1 && !chosen.json.empty())
+    throw std::runtime_error("--json holds the figures of one benchmark: name it");
   if (chosen.print_file.empty() && !chosen.quick) {
     chosen.print_file = project_folder() / "tools" / "benchmark" / "short_print.gcode";
   }
-  return bench_stepping(chosen);
+  for (const std::string& name : chosen.names) {
+    const int status = name == "stepping" ? bench_stepping(chosen) : bench_processor(chosen);
+    if (status != success) return status;
+  }
+  return success;
 }
 
 }  // namespace command

@@ -145,12 +145,13 @@ void add_run(CLI::App& app, RunOptions& options) {
 
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App& job = *app.add_subcommand(
-      "bench", "Measure, in clocks of the chip: how well hardware and software make steps.");
-  job.add_option("names", options.names, "stepping; default: all")
+      "bench",
+      "Measure, in clocks: how hardware and software make steps, how fast the processor is.");
+  job.add_option("names", options.names, "stepping, processor; default: all")
       ->type_name("NAME...")
-      ->check(CLI::IsMember({"stepping"}));
+      ->check(CLI::IsMember({"stepping", "processor"}));
   job.add_option("--json", options.json, "write the figures")->type_name("FILE");
-  job.add_option("--report", options.report, "folder for stepping.html and stepping.svg")
+  job.add_option("--report", options.report, "folder for the pages: stepping.html, processor.html")
       ->type_name("DIR")
       ->capture_default_str();
   job.add_option("--print", options.print_file,
