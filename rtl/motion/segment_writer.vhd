@@ -17,7 +17,7 @@ entity segment_writer is
 
     -- The words: flags first, line_ticks before ticks and steps, the others in any order.
     write : in lane_write_t;
-    -- All words are written: append the segment.
+    -- All words are written, the last of them two clocks ago at least: append the segment.
     commit : in std_ulogic;
     -- Forget what is written, and the line that a segment could continue.
     flush : in std_ulogic;
@@ -45,6 +45,11 @@ architecture rtl of segment_writer is
     return lanes;
   end function;
 
+  -- The word of the clock before, which is judged now: comparing it is a clock's work of its own. A bus
+  -- access takes longer, so that software does not see the difference.
+  signal word : lane_write_t := (valid => '0', lane => 0, data => (others => '0'));
+  -- It came when the queue was full.
+  signal word_is_lost : std_ulogic := '0';
   signal written : lane_set_t := (others => '0');
   signal illegal : std_ulogic := '0';
   signal continues_line : std_ulogic := '0';
@@ -89,56 +94,58 @@ begin
     variable is_zero : boolean;
   begin
     wait until rising_edge(clk);
+    word <= write;
+    word_is_lost <= queue_full;
 
-    if write.valid then
-      exceeds_limit := unsigned(write.data) > limit;
-      is_zero := unsigned(write.data) = 0;
-      case write.lane is
+    if word.valid then
+      exceeds_limit := unsigned(word.data) > limit;
+      is_zero := unsigned(word.data) = 0;
+      case word.lane is
         when flags_lane =>
           written <= (others => '0');
-          written(flags_lane) <= not queue_full;
-          illegal <= not write.data(continues_line_bit) and
-            (or (write.data(ahead_bits) and write.data(behind_bits)));
-          continues_line <= write.data(continues_line_bit);
-          limit_known <= write.data(continues_line_bit);
-          if write.data(continues_line_bit) then
+          written(flags_lane) <= not word_is_lost;
+          illegal <= not word.data(continues_line_bit) and
+            (or (word.data(ahead_bits) and word.data(behind_bits)));
+          continues_line <= word.data(continues_line_bit);
+          limit_known <= word.data(continues_line_bit);
+          if word.data(continues_line_bit) then
             written <= lanes_of_line;
-            written(flags_lane) <= not queue_full;
+            written(flags_lane) <= not word_is_lost;
             limit <= line_left;
           end if;
         when line_ticks_lane =>
           if not continues_line then
             written(lane_set_t'high downto steps_lane) <= (others => '0');
             written(ticks_lane) <= '0';
-            written(line_ticks_lane) <= not queue_full;
-            limit <= unsigned(write.data(30 downto 0));
+            written(line_ticks_lane) <= not word_is_lost;
+            limit <= unsigned(word.data(30 downto 0));
             limit_known <= '1';
-            if is_zero or write.data(31) = '1' then
+            if is_zero or word.data(31) = '1' then
               illegal <= '1';
             end if;
           end if;
         when ticks_lane =>
-          written(ticks_lane) <= limit_known and not queue_full;
-          ticks <= unsigned(write.data(30 downto 0));
+          written(ticks_lane) <= limit_known and not word_is_lost;
+          ticks <= unsigned(word.data(30 downto 0));
           if limit_known = '1' and (is_zero or exceeds_limit) then
             illegal <= '1';
           end if;
         when rate_low_lane =>
-          written(rate_low_lane) <= not queue_full;
+          written(rate_low_lane) <= not word_is_lost;
           rate_low_is_zero <= '1' when is_zero else '0';
         when rate_high_lane =>
-          written(rate_high_lane) <= not queue_full;
-          rate_is_half <= write.data(31);
-          if write.data(31) = '1' and unsigned(write.data(30 downto 0)) /= 0 then
+          written(rate_high_lane) <= not word_is_lost;
+          rate_is_half <= word.data(31);
+          if word.data(31) = '1' and unsigned(word.data(30 downto 0)) /= 0 then
             illegal <= '1';
           end if;
         when acceleration_low_lane to jerk_high_lane =>
-          written(write.lane) <= not queue_full;
+          written(word.lane) <= not word_is_lost;
         when others =>
           if not continues_line then
             for axis in 0 to axes - 1 loop
-              if write.lane = steps_lane + axis then
-                written(steps_lane + axis) <= limit_known and not queue_full;
+              if word.lane = steps_lane + axis then
+                written(steps_lane + axis) <= limit_known and not word_is_lost;
                 if limit_known = '1' and exceeds_limit then
                   illegal <= '1';
                 end if;
@@ -156,9 +163,13 @@ begin
     end if;
 
     if reset or flush then
+      word.valid <= '0';
       written <= (others => '0');
       line_left <= (others => '0');
     end if;
   end process;
+
+  -- psl default clock is rising_edge(clk);
+  -- psl a_commit_finds_its_words_judged : assert always (commit -> not word.valid) abort reset;
 
 end architecture;

@@ -142,7 +142,9 @@ begin
       write <= (valid => '1', lane => lane, data => data);
     end procedure;
   begin
-    write <= (valid => '0', lane => 0, data => (others => '0'));
+    -- The data of most words are the same wires, so that no choice is made where nothing is written.
+    write <= (
+      valid => '0', lane => 0, data => std_ulogic_vector(from_software.segment_ticks.ticks));
     if from_software.segment_flags_written then
       put(flags_lane, from_software.segment_flags.behind & from_software.segment_flags.ahead &
         from_software.segment_flags.stop_mask & "00" &

@@ -78,6 +78,7 @@ begin
 
     procedure expect(name : string; acceptance : std_ulogic; reason : refusal_t := refusal_none) is
     begin
+      wait until rising_edge(clk);
       commit <= '1';
       wait for 1 ns;
       assert accepted = acceptance and refused = reason report name severity failure;

@@ -121,6 +121,7 @@ begin
       for lane in acceleration_low_lane to jerk_high_lane loop
         put(lane, 0);
       end loop;
+      wait until rising_edge(clk);
       commit <= '1';
       wait until rising_edge(clk);
       commit <= '0';

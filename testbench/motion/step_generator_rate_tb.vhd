@@ -89,6 +89,7 @@ begin
         put(lane, x"00000000");
       end loop;
       put(rate_high_lane, x"80000000");
+      wait until rising_edge(clk);
       commit <= '1';
       wait until rising_edge(clk);
       commit <= '0';
