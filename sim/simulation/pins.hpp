@@ -33,6 +33,7 @@ struct OutputPins {
   static constexpr unsigned fan_bit = 25;
   static constexpr unsigned heater_bit = 26;
   static constexpr unsigned fault_bit = 30;
+  static constexpr unsigned jtag_bit = 31;
   static constexpr unsigned sensor_bit = 32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level
   static constexpr unsigned sensor_level_bit = 3;
 
@@ -49,6 +50,7 @@ struct OutputPins {
   }
   static constexpr OutputPins transmit_pin() { return {bit(transmit_bit)}; }
   static constexpr OutputPins fan_pin() { return {bit(fan_bit)}; }
+  static constexpr OutputPins jtag_pin() { return {bit(jtag_bit)}; }
 
   constexpr bool at(unsigned position) const { return (word >> position & 1) != 0; }
   constexpr bool step(std::size_t axis) const { return at(step_bit + static_cast<unsigned>(axis)); }
@@ -64,6 +66,7 @@ struct OutputPins {
     return at(heater_bit + static_cast<unsigned>(channel));
   }
   constexpr bool fault() const { return at(fault_bit); }
+  constexpr bool jtag_data() const { return at(jtag_bit); }  // TDO
   // Bit n = SensorResistor n: 1 where the chip drives that pin; its level is in sensor_level().
   constexpr std::uint8_t sensor_drive(std::size_t channel) const {
     return static_cast<std::uint8_t>(word >> (sensor_bit + 8 * channel) & 7);
@@ -75,11 +78,21 @@ struct OutputPins {
   constexpr bool operator==(const OutputPins&) const = default;
 };
 
+// Of no effect in a model of the chip without debugging.
+struct JtagPins {
+  bool tck{};
+  bool tms = true;
+  bool tdi{};
+
+  constexpr bool operator==(const JtagPins&) const = default;
+};
+
 struct InputPins {
   bool receive = true;  // serial line, idle high
   std::uint8_t end_stops{};  // bit n = switch n, 1 = triggered
   std::uint8_t sense{};  // bit n = capacitor of sensor channel n is above the threshold
   bool emergency_stop{};
+  JtagPins jtag;
 
   constexpr bool operator==(const InputPins&) const = default;
 };

@@ -63,6 +63,9 @@ void VerilatedChip::set_inputs() {
   model_->end_stop = inputs_.end_stops;
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;
+  model_->tck = inputs_.jtag.tck;
+  model_->tms = inputs_.jtag.tms;
+  model_->tdi = inputs_.jtag.tdi;
   set_inputs_ = inputs_;
 }
 
@@ -75,7 +78,8 @@ OutputPins VerilatedChip::sampled_outputs() const {
                        std::uint64_t{model.transmit} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
-                       std::uint64_t{model.fault} << OutputPins::fault_bit;
+                       std::uint64_t{model.fault} << OutputPins::fault_bit |
+                       std::uint64_t{model.tdo} << OutputPins::jtag_bit;
   for (unsigned channel = 0; channel < sensor_count; ++channel) {
     const std::uint64_t drive =
         model.sensor_drive_enable >> (channel_pins * channel) & channel_mask;

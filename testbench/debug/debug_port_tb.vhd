@@ -45,6 +45,9 @@ architecture tb of debug_port_tb is
   signal processor_bus_request, bus_request : bus_request_t;
   signal processor_bus_response, bus_response : bus_response_t := bus_response_idle;
   signal bus_word : word_t := x"00000000";
+  -- The debugger accesses memory only; rounds of the program's loop that were seen meanwhile.
+  signal memory_only : boolean := false;
+  signal rounds : natural := 0;
 
 begin
 
@@ -103,6 +106,27 @@ begin
     strobe_falls_behind_an_answer : assert not (answered = '1' and bus_request.strobe = '1')
       severity failure;
     answered := bus_request.strobe and (bus_response.acknowledge or bus_response.error);
+  end process;
+
+  -- Memory accesses cost the program no clock.
+  watch_times : process
+    variable strobe_before : std_ulogic := '0';
+    variable since, period : natural := 0;
+  begin
+    wait until rising_edge(clk);
+    since := since + 1;
+    if processor_bus_request.strobe = '1' and strobe_before = '0' and
+      processor_bus_request.write = '1' then
+      if memory_only then
+        each_round_takes_the_same_time : assert period = 0 or since = period severity failure;
+        period := since;
+        rounds <= rounds + 1;
+      else
+        period := 0;
+      end if;
+      since := 0;
+    end if;
+    strobe_before := processor_bus_request.strobe;
   end process;
 
   debug : process
@@ -312,9 +336,16 @@ begin
       read_dmi(pins, tdo, sbdata0_address, before);
     end loop;
     assert unsigned(before) > 10 report "it does not run" severity failure;
-    write_dmi(sbaddress0_address, x"80001004");
-    write_dmi(sbdata0_address, x"0badcafe");
-    expect_memory(x"80001004", x"0badcafe");
+    wait for 1 us;
+    memory_only <= true;
+    for round in 1 to 8 loop
+      write_dmi(sbcs_address, x"00040000");
+      write_dmi(sbaddress0_address, x"80001004");
+      write_dmi(sbdata0_address, std_ulogic_vector(to_unsigned(round, 32)));
+      expect_memory(x"80001004", std_ulogic_vector(to_unsigned(round, 32)));
+    end loop;
+    memory_only <= false;
+    assert rounds > 100 report "the program stands" severity failure;
 
     -- A breakpoint put into the running program.
     write_dmi(sbaddress0_address, x"8000001c");

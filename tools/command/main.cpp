@@ -9,6 +9,7 @@
 #include "sim/machine/fault_plan.hpp"
 #include "tools/command/bench_job.hpp"
 #include "tools/command/build.hpp"
+#include "tools/command/debug_job.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/run_job.hpp"
@@ -32,6 +33,7 @@ struct Jobs {
   proof::Options prove;
   synthesis::Options synth;
   BenchOptions bench;
+  DebugOptions debug;
   std::vector<std::string> labels;
 };
 
@@ -161,23 +163,54 @@ void add_bench(CLI::App& app, BenchOptions& options) {
   job.add_flag("--quick", options.quick, "few and short runs, to see that everything works");
 }
 
-// Waveforms need another build of the chip's model, which slows nothing else down.
-int run_traced_program(int count, char** arguments) {
-  fmt::print(stderr, "stepfabric: building the model that writes waveforms\n");
-  build({"stepfabric_traced"});
-  std::vector<std::string> words{(build_folder() / "bin" / "stepfabric_traced").string()};
+void add_debug(CLI::App& app, DebugOptions& options) {
+  CLI::App& job = *app.add_subcommand(
+      "debug", "Run the chip with its JTAG pins in the hands of OpenOCD and gdb, until Ctrl-C.");
+  job.add_option("program", options.program,
+                 "as for `run`; default: the firmware, on the simulated printer")
+      ->type_name("PROGRAM.elf");
+  job.add_option("--port", options.port, "TCP port for OpenOCD's remote_bitbang; 0: any free one")
+      ->capture_default_str();
+  job.add_option("--pty", options.terminal, "symlink to the firmware's serial line, for a host")
+      ->type_name("PATH");
+  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
+      ->check(CLI::Range(lowest_serve_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  add_printer_options(job, options.printer);
+  job.footer(
+      "Says how to connect OpenOCD and gdb (tools/debug). While the processor is halted the rest "
+      "of "
+      "the\n"
+      "chip goes on: the heaters' watchdog switches them off, as it does for software that hangs.\n"
+      "Exit status: 0 after Ctrl-C or --until, 1 where the hardware failed an assertion, 2 bad "
+      "usage.");
+}
+
+// Waveforms and the debug port need other builds of the chip's model, which slow nothing else down.
+int run_other_program(const std::string& name, const char* model, int count, char** arguments) {
+  fmt::print(stderr, "stepfabric: building the model that {}\n", model);
+  build({name});
+  std::vector<std::string> words{(build_folder() / "bin" / name).string()};
   words.insert(words.end(), arguments + 1, arguments + count);
   return run_program(words);
 }
 
-bool this_program_traces(const char* name) {
-  return std::string_view(name).ends_with("stepfabric_traced");
+bool this_is_program(const char* path, std::string_view name) {
+  return std::string_view(path).ends_with(name);
 }
 
 int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   const bool traces = !jobs.print.trace.empty() || !jobs.run.trace.empty();
-  if (traces && !this_program_traces(arguments[0])) {
-    return run_traced_program(count, arguments);
+  if (traces && !this_is_program(arguments[0], "stepfabric_traced")) {
+    return run_other_program("stepfabric_traced", "writes waveforms", count, arguments);
+  }
+  if (app.got_subcommand("debug")) {
+    return this_is_program(arguments[0], "stepfabric_debug")
+               ? debug(jobs.debug)
+               : run_other_program("stepfabric_debug", "has the debug port", count, arguments);
   }
   if (app.got_subcommand("print")) {
     return print(jobs.print);
@@ -220,6 +253,7 @@ int run_command(int count, char** arguments) {
       *app.add_subcommand("synth", "Synthesise, place and route the chip with its firmware."),
       jobs.synth);
   add_bench(app, jobs.bench);
+  add_debug(app, jobs.debug);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

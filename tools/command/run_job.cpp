@@ -29,28 +29,6 @@ class PrintedBytes : public devices::ByteListener {
   void byte_received(sim::Clock, std::uint8_t byte) override { std::putchar(byte); }
 };
 
-// A program may begin elsewhere than where the chip starts: then a jump is put there, if there is
-// room.
-void make_start(const sim::ElfImage& image, sim::Chip& chip) {
-  if (image.entry == reset_address) {
-    return;
-  }
-  constexpr std::uint32_t jump_bytes = 8;
-  const bool free = std::ranges::all_of(image.segments, [](const sim::ElfSegment& segment) {
-    return segment.address >= reset_address + jump_bytes;
-  });
-  if (!free) {
-    throw std::runtime_error(fmt::format(
-        "the program begins at {:#010x}, but the chip starts at {:#010x}, where other code lies: "
-        "put the entry at the beginning of the memory",
-        image.entry, reset_address));
-  }
-  const std::uint32_t upper = (image.entry + 0x800) & 0xffff'f000;
-  const std::uint32_t lower = (image.entry - upper) & 0xfff;
-  chip.write_memory(reset_address, upper | 0x2b7);  // lui t0, upper
-  chip.write_memory(reset_address + 4, lower << 20 | 0x28067);  // jalr zero, lower(t0)
-}
-
 // The chip's memory is looked at by words.
 void check_place(std::uint32_t tohost, const sim::Chip& chip) {
   bool readable = tohost % 4 == 0;
@@ -90,6 +68,26 @@ std::uint32_t wait_for_store(sim::Simulation& simulation, std::uint32_t tohost,
 }
 
 }  // namespace
+
+void make_start(const sim::ElfImage& image, sim::Chip& chip) {
+  if (image.entry == reset_address) {
+    return;
+  }
+  constexpr std::uint32_t jump_bytes = 8;
+  const bool free = std::ranges::all_of(image.segments, [](const sim::ElfSegment& segment) {
+    return segment.address >= reset_address + jump_bytes;
+  });
+  if (!free) {
+    throw std::runtime_error(fmt::format(
+        "the program begins at {:#010x}, but the chip starts at {:#010x}, where other code lies: "
+        "put the entry at the beginning of the memory",
+        image.entry, reset_address));
+  }
+  const std::uint32_t upper = (image.entry + 0x800) & 0xffff'f000;
+  const std::uint32_t lower = (image.entry - upper) & 0xfff;
+  chip.write_memory(reset_address, upper | 0x2b7);  // lui t0, upper
+  chip.write_memory(reset_address + 4, lower << 20 | 0x28067);  // jalr zero, lower(t0)
+}
 
 int run(const RunOptions& options) {
   const sim::ElfImage image = sim::read_elf(options.program);

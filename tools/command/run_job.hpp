@@ -6,6 +6,11 @@
 #include <filesystem>
 #include <optional>
 
+namespace sim {
+class Chip;
+struct ElfImage;
+}  // namespace sim
+
 namespace command {
 
 struct RunOptions {
@@ -15,6 +20,10 @@ struct RunOptions {
   std::optional<std::uint32_t> baud;  // shows what the program writes to the serial line
   std::filesystem::path trace;
 };
+
+// A program may begin elsewhere than where the chip starts: then a jump is put there. Throws
+// std::runtime_error where there is no room for it.
+void make_start(const sim::ElfImage& image, sim::Chip& chip);
 
 // Returns the exit status of the job.
 int run(const RunOptions& options);
