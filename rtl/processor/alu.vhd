@@ -11,8 +11,9 @@ entity alu is
   port (
     first : in word_t;
     second : in word_t;
-    -- In the coding of funct3.
+    -- In the coding of funct3; 5 gives `second` as it is where `shift` is low.
     operation : in std_ulogic_vector(2 downto 0);
+    shift : in std_ulogic;
     -- Subtract instead of add; needed for comparisons, too.
     subtract : in std_ulogic;
     -- Arithmetic instead of logical shift to the right.
@@ -51,13 +52,15 @@ begin
   distance <= to_integer(unsigned(second(4 downto 0) xor (4 downto 0 => is_left)));
   shifted <= std_ulogic_vector(resize(shift_right(to_shift, distance), 32));
 
-  -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right, 6 or, 7 and.
+  -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right or `second`, 6 or,
+  -- 7 and.
   conditional <= (31 downto 1 => '0') & sum(33) when operation(1) else
                  std_ulogic_vector(sum(32 downto 1));
   logical <= first and second when operation(1) and operation(0) else
              first or second when operation(1) else
+             second when operation(0) else
              first xor second;
-  result <= shifted when operation(0) and not operation(1) else
+  result <= shifted when shift else
             logical when operation(2) else
             conditional;
 

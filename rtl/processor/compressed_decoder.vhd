@@ -30,13 +30,13 @@ architecture rtl of compressed_decoder is
   signal is_shift_left, is_load_from_sp, is_store_to_sp, is_move_or_jump : std_ulogic;
   signal upper_is_sp, is_sp, is_short_shift, is_short_and, is_short_operation : std_ulogic;
   signal is_jump_register, is_move, is_add, is_breakpoint : std_ulogic;
-  signal is_load, is_store, is_jump : std_ulogic;
-  signal upper_zero, lower_zero, constant_zero, has_destination : std_ulogic;
+  signal is_load, is_store, is_jump, is_constant : std_ulogic;
+  signal first_is_sp, first_is_short, second_is_zero : std_ulogic;
+  signal upper_zero, lower_zero, constant_zero : std_ulogic;
   signal sign, extension : std_ulogic;
   signal from_quadrant_0, from_quadrant_1, from_quadrant_2 : std_ulogic_vector(11 downto 0);
   signal jump_offset, branch_offset, sp_amount, small_constant : std_ulogic_vector(11 downto 0);
   signal low : std_ulogic_vector(11 downto 0);
-  signal destination : register_index_t;
 
 begin
 
@@ -78,6 +78,8 @@ begin
   is_load <= is_load_word or is_load_from_sp;
   is_store <= is_store_word or is_store_to_sp;
   is_jump <= is_jump_only or is_jump_and_link;
+  -- li, lui and mv have the second operand as their result, as it is.
+  is_constant <= is_load_immediate or (is_upper_or_sp and not upper_is_sp) or is_move;
 
   -- Shifts by more than 31 and constants of zero are reserved where they are named here.
   decoded.legal(0) <= (is_add_to_sp and (or instruction(12 downto 5))) or is_load_word or
@@ -89,27 +91,27 @@ begin
                       (is_load_from_sp and not upper_zero) or is_store_to_sp;
   decoded.legal(3) <= is_jump_register or is_breakpoint or is_move or is_add;
 
-  -- Sums of sp; then the instructions with short numbers; li, lui and mv add to x0.
-  decoded.first_index <= "00010" when is_add_to_sp or is_sp or is_load_from_sp or is_store_to_sp else
-                         upper_short when is_load_word or is_store_word or is_arithmetic or
-                           is_branch else
-                         "00000" when is_load_immediate or is_upper_or_sp or is_move else
+  -- Which registers are read decides the length of the clock: four bits tell where their numbers
+  -- stand in what is legal. Branches compare with x0.
+  first_is_sp <= (quadrant_0 and not instruction(14)) or (quadrant_2 and instruction(14));
+  first_is_short <= (quadrant_0 and instruction(14)) or (quadrant_1 and instruction(15));
+  second_is_zero <= quadrant_1 and instruction(14);
+  decoded.first_index <= "00010" when first_is_sp else
+                         upper_short when first_is_short else
                          upper_field;
-  decoded.second_index <= "00000" when is_branch else
-                          lower_short when is_store_word or is_arithmetic else
-                          lower_field;
-  destination <= lower_short when quadrant_0 else
-                 upper_short when is_arithmetic else
-                 "00001" when is_jump_and_link else
-                 -- jr and j write x0, jalr writes x1.
-                 "0000" & instruction(12) when is_move_or_jump and lower_zero else
-                 "00000" when is_jump_only else
-                 upper_field;
-  decoded.destination <= destination;
-  has_destination <= not (is_store or is_branch or is_breakpoint);
-  decoded.writes <= has_destination and (or destination);
+  decoded.second_index <= "00000" when second_is_zero else
+                          lower_field when quadrant_2 else
+                          lower_short;
+  decoded.destination <= lower_short when quadrant_0 else
+                         upper_short when is_arithmetic else
+                         "00001" when is_jump_and_link else
+                         -- jr and j write x0, jalr writes x1.
+                         "0000" & instruction(12) when is_move_or_jump and lower_zero else
+                         "00000" when is_jump_only else
+                         upper_field;
+  decoded.writes <= not (is_store or is_branch or is_breakpoint);
   decoded.late <= is_load;
-  decoded.reads_first <= not (is_jump or is_load_immediate or is_move);
+  decoded.reads_first <= not (is_jump or is_constant);
   decoded.reads_second <= is_store or is_branch or is_short_operation or is_move_or_jump;
 
   -- Chosen by as few bits as tell the constants apart, not by what the instruction is: that would
@@ -147,11 +149,12 @@ begin
 
   decoded.second_is_constant <= not (is_short_operation or is_branch or is_store or
                                      is_move_or_jump);
-  decoded.operation <= (is_arithmetic and
-                        (not is_short_operation or instruction(6) or instruction(5))) &
+  decoded.operation <= (is_constant or (is_arithmetic and
+                        (not is_short_operation or instruction(6) or instruction(5)))) &
                        (is_short_and or (is_short_operation and instruction(6))) &
-                       (is_shift_left or (is_arithmetic and
+                       (is_constant or is_shift_left or (is_arithmetic and
                         (not is_short_operation or (instruction(6) and instruction(5)))));
+  decoded.shift <= is_shift_left or is_short_shift;
   decoded.subtract <= is_branch or
                       (is_short_operation and not instruction(6) and not instruction(5));
   decoded.arithmetic_shift <= instruction(10);
@@ -168,6 +171,7 @@ begin
   decoded.multiply <= '0';
   decoded.divide <= '0';
   decoded.csr <= '0';
+  decoded.csr_exists <= '0';
   decoded.environment_call <= '0';
   decoded.breakpoint <= is_breakpoint;
   decoded.trap_return <= '0';

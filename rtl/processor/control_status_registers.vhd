@@ -13,14 +13,16 @@ entity control_status_registers is
     -- The same clock, never left out.
     always_clk : in std_ulogic;
     reset : in std_ulogic;
-    -- A CSR instruction; the response comes in the same clock.
+    -- A CSR instruction; the data comes in the same clock.
     request : in csr_request_t;
-    response : out csr_response_t;
+    read_data : out word_t;
+    -- Taken in the clock before, from which on nothing is executed for two clocks.
     trap : in trap_t;
     -- mret is executed in this clock.
     trap_return : in std_ulogic;
-    -- An instruction is completed in this clock.
+    -- An instruction is completed in this clock; the last one turns out to have not been.
     retire : in std_ulogic;
+    take_back : in std_ulogic;
     timer_interrupt : in std_ulogic;
     external_interrupt : in std_ulogic;
     interrupts : in std_ulogic_vector(15 downto 0);
@@ -31,7 +33,7 @@ entity control_status_registers is
     -- ... and mstatus lets it through too.
     interrupt_pending : out std_ulogic;
     interrupt_cause : out std_ulogic_vector(4 downto 0);
-    -- Where the trap of this clock goes.
+    -- Where a trap goes.
     trap_target : out unsigned(31 downto 0);
     -- mepc.
     return_address : out unsigned(31 downto 0)
@@ -54,12 +56,12 @@ architecture rtl of control_status_registers is
   signal cycle_stopped, instructions_stopped : std_ulogic;
   signal cycle, next_cycle, instructions : unsigned(63 downto 0);
 
-  signal read_data, write_data, status : word_t;
+  signal write_data, status : word_t;
   signal counter_half : unsigned(31 downto 0);
   signal trap_state, setup : word_t;
   signal is_counter, is_trap_state, is_setup : std_ulogic;
-  signal exists, write, writes_counter : std_ulogic;
-  signal cycle_event, instruction_event : std_ulogic;
+  signal write, writes_counter : std_ulogic;
+  signal cycle_event, instruction_event, instruction_taken_back : std_ulogic;
 
 begin
 
@@ -73,26 +75,8 @@ begin
                            19 => interrupts(3), 18 => interrupts(2), 17 => interrupts(1),
                            16 => interrupts(0), others => '0');
 
-  -- What exists is decided by the whole address; what is read by as few of its bits as tell apart
-  -- what exists: the gates stay few.
-  check_address : process (all)
-  begin
-    exists <= '1';
-    case request.address is
-      when x"300" | x"301" | x"304" | x"305" | x"310" | x"320" | x"340" | x"341" | x"342" | x"343" |
-           x"344" => null;
-      when x"7a0" | x"7a1" => null;  -- tselect, tdata1: "there is no trigger".
-      when x"b00" | x"c00" | x"b80" | x"c80" | x"b02" | x"c02" | x"b82" | x"c82" => null;
-      when x"f11" | x"f12" | x"f13" | x"f14" | x"f15" => null;  -- Who made it: unnamed; hart 0.
-      when others =>
-        -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero; nothing else.
-        exists <= (request.address(11 downto 8) ?= x"b" and not (or request.address(6 downto 5)) and
-                   (or request.address(4 downto 2) or (and request.address(1 downto 0)))) or
-                  (request.address(11 downto 5) ?= "0011001" and
-                   (or request.address(4 downto 2) or (and request.address(1 downto 0))));
-    end case;
-  end process;
-
+  -- What is read is decided by as few bits of the address as tell apart what exists: the gates stay
+  -- few. The decoder lets no other address come here.
   is_counter <= request.address(11) and (request.address(10) nand request.address(9)) and
                 not (or request.address(4 downto 2)) and not request.address(0);
   counter_half <= cycle(63 downto 32) when request.address(7) and not request.address(1) else
@@ -124,11 +108,7 @@ begin
                setup when is_setup else
                x"00000000";
 
-  response.data <= read_data;
-  -- The upper two bits of an address say that it cannot be written.
-  response.legal <= exists and not (request.writes and (and request.address(11 downto 10)));
-
-  write <= request.enable and request.writes and exists;
+  write <= request.enable and request.writes;
   write_data <= read_data or request.operand when request.operation = "10" else
                 read_data and not request.operand when request.operation = "11" else
                 request.operand;
@@ -200,6 +180,7 @@ begin
       clk => always_clk,
       reset => reset,
       happens => cycle_event,
+      take_back => '0',
       write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"80"),
       write_data => write_data,
@@ -215,11 +196,13 @@ begin
   end process;
 
   instruction_event <= retire and not instructions_stopped;
+  instruction_taken_back <= take_back and not instructions_stopped;
   instruction_counter : entity work.event_counter
     port map (
       clk => clk,
       reset => reset,
       happens => instruction_event,
+      take_back => instruction_taken_back,
       write_low => writes_counter and (request.address(7 downto 0) ?= x"02"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"82"),
       write_data => write_data,

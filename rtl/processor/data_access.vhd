@@ -19,9 +19,12 @@ entity data_access is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- A load or store is in the execute stage and nothing speaks against it; held until `done`.
+    -- A load or store is executed in this clock.
     enable : in std_ulogic;
     store : in std_ulogic;
+    -- A register, a constant of 12 bits with its sign before it, and the sum of both.
+    base : in unsigned(31 downto 0);
+    offset : in unsigned(31 downto 0);
     address : in unsigned(31 downto 0);
     -- In the coding of funct3.
     size : in std_ulogic_vector(1 downto 0);
@@ -32,9 +35,8 @@ entity data_access is
     -- Not at a multiple of its size; nothing is accessed then.
     misaligned : out std_ulogic;
     to_memory : out std_ulogic;
-    -- The bus has the request: from now on it cannot be taken back.
+    -- The bus has the request: from the clock after `enable` to that of the response.
     bus_active : out std_ulogic;
-    -- The access ends with this clock: always at once in memory, with the response on the bus.
     done : out std_ulogic;
     error : out std_ulogic
   );
@@ -44,12 +46,24 @@ architecture rtl of data_access is
 
   signal lanes : std_ulogic_vector(3 downto 0);
   signal lane_data : word_t;
-  signal in_memory, aligned : std_ulogic;
+  constant memory_number : unsigned(31 downto memory_address_bits) :=
+    memory_address(31 downto memory_address_bits);
+  signal lower_sum : unsigned(memory_address_bits downto 0);
+  signal carry, lies_at, lies_below, lies_above, in_memory, aligned : std_ulogic;
 
 begin
 
-  in_memory <= address(31 downto memory_address_bits) ?=
-               memory_address(31 downto memory_address_bits);
+  -- Whether the sum lies in the memory is known before the sum: the constant and the carry change the
+  -- upper bits of the register by one at most.
+  lower_sum <= ('0' & base(memory_address_bits - 1 downto 0)) +
+               ('0' & offset(memory_address_bits - 1 downto 0));
+  carry <= lower_sum(memory_address_bits);
+  lies_at <= base(31 downto memory_address_bits) ?= memory_number;
+  lies_below <= base(31 downto memory_address_bits) ?= memory_number - 1;
+  lies_above <= base(31 downto memory_address_bits) ?= memory_number + 1;
+  in_memory <= lies_below when carry and not offset(31) else
+               lies_above when offset(31) and not carry else
+               lies_at;
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;
   to_memory <= in_memory;
@@ -89,8 +103,7 @@ begin
   end process;
 
   bus_active <= bus_request.strobe;
-  done <= in_memory or not aligned or
-          (bus_request.strobe and (bus_response.acknowledge or bus_response.error));
+  done <= bus_request.strobe and bus_response.acknowledge;
   error <= bus_request.strobe and bus_response.error;
 
 end architecture;

@@ -13,6 +13,8 @@ entity event_counter is
     reset : in std_ulogic;
     -- Counts the clocks in which this is high, unless one of its halves is written.
     happens : in std_ulogic;
+    -- Takes back the last event counted, in a clock in which none happens and nothing is written.
+    take_back : in std_ulogic;
     write_low : in std_ulogic;
     write_high : in std_ulogic;
     write_data : in word_t;
@@ -32,8 +34,9 @@ begin
       next_count(31 downto 0) <= unsigned(write_data);
     elsif write_high then
       next_count(63 downto 32) <= unsigned(write_data);
-    elsif happens then
-      next_count <= count + 1;
+    elsif happens or take_back then
+      -- One more, or all ones more, which is one less.
+      next_count <= count + unsigned'((63 downto 1 => take_back) & '1');
     end if;
 
     if reset then

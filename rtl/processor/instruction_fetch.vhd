@@ -20,8 +20,10 @@ entity instruction_fetch is
     -- A trap or a return from one. It takes one clock more than a jump, which goes to the memory in
     -- the clock in which it is executed; a redirection wins over a jump in the same clock.
     redirect : in std_ulogic;
+    -- In the next clock; its address and, where this is not a whole word's, this plus 2.
     redirect_address : in unsigned(31 downto 0);
-    -- Its address, of which bit 0 is ignored, and this plus 2.
+    redirect_address_plus_2 : in unsigned(31 downto 0);
+    -- Comes with `advance`. Its address, of which bit 0 is ignored, and this plus 2.
     jump : in std_ulogic;
     jump_address : in unsigned(31 downto 0);
     jump_address_plus_2 : in unsigned(31 downto 0);
@@ -41,7 +43,7 @@ end entity;
 
 architecture rtl of instruction_fetch is
 
-  signal redirecting : std_ulogic;
+  signal redirecting, resetting : std_ulogic;
   signal redirect_target, redirect_target_plus_2 : unsigned(31 downto 0);
   signal enable, is_word, in_upper_half, outside, straddles : std_ulogic;
   signal next_word, word_after : unsigned(31 downto 2);
@@ -63,7 +65,8 @@ begin
   -- come from the same, or from the next where it begins in the upper half.
   next_word <= address(31 downto 2) + 1;
   word_after <= address(31 downto 2) + 2;
-  redirect_target_plus_2 <= redirect_target + 2;
+  redirect_target <= reset_address when resetting else redirect_address;
+  redirect_target_plus_2 <= reset_address when resetting else redirect_address_plus_2;
   upper_behind_short <= redirect_target(31 downto 2) when redirecting else
                         next_word when in_upper_half else
                         address(31 downto 2);
@@ -85,24 +88,17 @@ begin
   next_in_upper_half <= jump_address(1) when jump else
                         redirect_target(1) when redirecting else
                         in_upper_half xor not is_word;
-  enable <= redirecting or jump or advance;
+  enable <= redirecting or advance;
   instruction_request <= (
     enable => enable, upper_address => upper_address, lower_address => lower_address);
 
   follow : process
   begin
     wait until rising_edge(clk);
-    redirecting <= redirect;
-    if redirect then
-      redirect_target <= redirect_address;
-    end if;
+    redirecting <= redirect or reset;
+    resetting <= reset;
     if enable then
       address <= upper_address & next_in_upper_half & '0';
-    end if;
-
-    if reset then
-      redirecting <= '1';
-      redirect_target <= reset_address;
     end if;
   end process;
 

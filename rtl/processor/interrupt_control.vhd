@@ -26,25 +26,27 @@ architecture rtl of interrupt_control is
 
 begin
 
-  active <= requested and enabled;
-
-  choose : process
+  note : process
   begin
     wait until rising_edge(clk);
-    pending <= '0';
-    if or active then
-      pending <= '1';
-      for index in 31 downto 16 loop
-        if active(index) then
-          cause <= std_ulogic_vector(to_unsigned(index, 5));
-        end if;
-      end loop;
-      if active(7) then
-        cause <= 5d"7";
+    active <= requested and enabled;
+  end process;
+
+  pending <= or active;
+
+  choose : process (all)
+  begin
+    cause <= 5d"31";
+    for index in 30 downto 16 loop
+      if active(index) then
+        cause <= std_ulogic_vector(to_unsigned(index, 5));
       end if;
-      if active(11) then
-        cause <= 5d"11";
-      end if;
+    end loop;
+    if active(7) then
+      cause <= 5d"7";
+    end if;
+    if active(11) then
+      cause <= 5d"11";
     end if;
   end process;
 

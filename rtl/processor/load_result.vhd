@@ -19,19 +19,29 @@ end entity;
 
 architecture rtl of load_result is
 
-  signal half_word : std_ulogic_vector(15 downto 0);
+  signal fill_index : std_ulogic_vector(1 downto 0);
   signal low_byte : std_ulogic_vector(7 downto 0);
-  signal fill_half_word, fill_byte : std_ulogic;
+  signal second_byte : std_ulogic_vector(7 downto 0);
+  signal sign, fill : std_ulogic;
 
 begin
 
-  half_word <= loaded(31 downto 16) when byte_index(1) else loaded(15 downto 0);
-  low_byte <= half_word(15 downto 8) when byte_index(0) else half_word(7 downto 0);
-  fill_half_word <= half_word(15) and not size(2);
-  fill_byte <= low_byte(7) and not size(2);
+  low_byte <= loaded(31 downto 24) when byte_index(1) and byte_index(0) else
+              loaded(23 downto 16) when byte_index(1) else
+              loaded(15 downto 8) when byte_index(0) else
+              loaded(7 downto 0);
+  second_byte <= loaded(31 downto 24) when byte_index(1) else loaded(15 downto 8);
 
-  result <= loaded when size(1) else
-            (31 downto 16 => fill_half_word) & half_word when size(0) else
-            (31 downto 8 => fill_byte) & low_byte;
+  -- Straight from what was loaded, which comes late in the clock: the last bit of the last byte taken.
+  fill_index <= byte_index(1) & (byte_index(0) or size(0));
+  sign <= loaded(31) when fill_index(1) and fill_index(0) else
+          loaded(23) when fill_index(1) else
+          loaded(15) when fill_index(0) else
+          loaded(7);
+  fill <= sign and not size(2);
+
+  result(7 downto 0) <= low_byte;
+  result(15 downto 8) <= second_byte when size(1) or size(0) else (others => fill);
+  result(31 downto 16) <= loaded(31 downto 16) when size(1) else (others => fill);
 
 end architecture;

@@ -60,7 +60,7 @@ architecture rtl of processor is
   signal fetched_address : unsigned(31 downto 0);
   signal fetched_instruction : word_t;
   signal redirect : std_ulogic;
-  signal redirect_address : unsigned(31 downto 0);
+  signal redirect_address, redirect_address_plus_2 : unsigned(31 downto 0);
   signal decoded : decoded_t;
   signal decoded_immediate_of_compressed, decoded_immediate_of_word : word_t;
   signal advance, follow : std_ulogic;
@@ -73,33 +73,36 @@ architecture rtl of processor is
   signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
   signal able, waiting, start, stall, complete, take_interrupt : std_ulogic;
   signal interruptible, take_halt, enter_debug : std_ulogic;
-  signal first_stored, first_value, second_stored, second_alternative, second_value : word_t;
-  signal first_matches, second_matches : std_ulogic;
+  signal first_value, second_register, second_value, last_written : word_t;
+  signal first_is_result, second_is_result, await_result : std_ulogic;
   signal alu_result, divider_result : word_t;
   signal equal, less, condition, divider_done : std_ulogic;
   signal jump : std_ulogic;
   signal jump_target, jump_target_plus_2 : unsigned(31 downto 0);
   signal target, target_plus_2, register_target, register_target_plus_2 : unsigned(31 downto 0);
-  signal data_enable, data_misaligned, data_in_memory, data_done, data_error : std_ulogic;
-  signal bus_active : std_ulogic;
+  signal data_enable, data_misaligned, data_in_memory : std_ulogic;
+  signal bus_active, bus_done, bus_error : std_ulogic;
   signal csr_operand : word_t;
+  signal csr_writes : std_ulogic;
   signal asleep, interrupt_requested : std_ulogic;
   -- Clocks asleep so far; the stages behind are empty when all are set.
   signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
   signal csr_request : csr_request_t;
-  signal csr_response : csr_response_t;
-  signal trap, machine_trap : trap_t;
-  signal return_from_trap, awake, interrupt_pending : std_ulogic;
+  signal csr_data : word_t;
+  signal csr_legal : std_ulogic;
+  -- Of the instruction executed; that which is taken, and in the clock behind it.
+  signal trap, machine_trap, taken_trap : trap_t;
+  signal return_from_trap, returning, resuming, awake, interrupt_pending : std_ulogic;
+  signal writes, retire, take_back : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
-  signal trap_target, return_address : unsigned(31 downto 0);
+  signal trap_target, return_address, return_target : unsigned(31 downto 0);
 
   -- Write back.
   -- Nothing is written before the first reset, not even to x0.
   signal writing : writing_t := (
     destination => "00000", size => "000", byte_index => "00", others => '0');
   signal writing_instruction, writing_result : word_t;
-  signal writing_address : unsigned(31 downto 0);
-  signal product, loaded_word, loaded, written_value : word_t;
+  signal product, loaded_word, loaded, written_early, written_value : word_t;
 
 begin
 
@@ -114,6 +117,7 @@ begin
       reset => reset,
       redirect => redirect,
       redirect_address => redirect_address,
+      redirect_address_plus_2 => redirect_address_plus_2,
       jump => jump,
       jump_address => jump_target,
       jump_address_plus_2 => jump_target_plus_2,
@@ -161,38 +165,43 @@ begin
       end if;
     end if;
 
-    if reset then
+    if reset or bus_error then
       executing.valid <= '0';
     end if;
   end process;
 
-  -- Execute: everything that an instruction does, it does here, or it traps. The registers are read,
-  -- or what is just being written to them.
-  register_file : entity work.register_file
+  -- Execute: everything that an instruction does, it does here, or it traps. Only what goes over the
+  -- bus ends in the next stage, and all others stand still for it.
+  operand_reader : entity work.operand_reader
     port map (
       clk => clk,
-      first_index => kind.first_index,
-      first => first_stored,
-      second_index => kind.second_index,
-      second => second_stored,
+      read => advance,
+      first_index => decoded.first_index,
+      second_index => decoded.second_index,
+      next_writes => executing.valid and writes,
+      next_destination => kind.destination,
+      result => writing_result,
       write => writing.writes,
-      write_index => writing.destination,
-      write_data => written_value);
+      destination => writing.destination,
+      write_data => written_value,
+      await_result => await_result,
+      last_written => last_written,
+      first => first_value,
+      first_is_result => first_is_result,
+      second => second_register,
+      second_is_result => second_is_result);
 
   executing_immediate <= executing_immediate_of_word when
                            executing_instruction(1) and executing_instruction(0) else
                          executing_immediate_of_compressed;
-  first_matches <= writing.writes and (kind.first_index ?= writing.destination);
-  second_matches <= writing.writes and (kind.second_index ?= writing.destination);
-  first_value <= writing_result when first_matches else first_stored;
-  second_alternative <= executing_immediate when kind.second_is_constant else writing_result;
-  second_value <= second_alternative when kind.second_is_constant or second_matches else
-                  second_stored;
+  second_value <= executing_immediate when kind.second_is_constant else second_register;
 
   -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
   able <= executing.valid and not executing.fetch_fault and (or kind.legal);
-  waiting <= able and writing.late and ((kind.reads_first and first_matches) or
-                                        (kind.reads_second and second_matches));
+  await_result <= able and writing.late and not bus_active and
+                  ((kind.reads_first and first_is_result) or
+                   (kind.reads_second and second_is_result));
+  waiting <= bus_active or await_result;
   -- Before which instruction debug mode begins is decided as for an interrupt, but wfi may be it.
   interruptible <= (executing.valid or fetched_valid) and not bus_active;
   take_halt <= debug_request.halt and interruptible;
@@ -201,10 +210,10 @@ begin
                      not (executing.valid and kind.wait_for_interrupt) and
                      not debug_request.halted and not debug_request.step);
   start <= able and not waiting and not take_interrupt;
-  stall <= able and not take_interrupt and
-           (waiting or (kind.divide and not divider_done) or
-            ((kind.load or kind.store) and not data_done) or
-            (kind.wait_for_interrupt and not awake and not debug_request.step));
+  stall <= bus_active or
+           (able and not take_interrupt and
+            (await_result or (kind.divide and not divider_done) or
+             (kind.wait_for_interrupt and not awake and not debug_request.step)));
   complete <= executing.valid and not stall and not trap.enable;
 
   arithmetic : entity work.alu
@@ -212,6 +221,7 @@ begin
       first => first_value,
       second => second_value,
       operation => kind.operation,
+      shift => kind.shift,
       subtract => kind.subtract,
       arithmetic_shift => kind.arithmetic_shift,
       compare_unsigned => kind.compare_unsigned,
@@ -220,10 +230,12 @@ begin
       less => less);
 
   offset <= unsigned(executing_immediate);
-  offset_plus_2 <= offset + 2;
   target <= executing_address + offset;
-  target_plus_2 <= executing_address + offset_plus_2;
+  -- Both are even: a carry into bit 1 adds 2.
+  target_plus_2 <= ((executing_address(31 downto 1) & '1') + (offset(31 downto 1) & '1')) and
+                   x"fffffffe";
   register_target <= unsigned(first_value) + offset;
+  offset_plus_2 <= offset + 2;
   register_target_plus_2 <= unsigned(first_value) + offset_plus_2;
   condition <= less xor kind.funct3(0) when kind.funct3(2) else equal xor kind.funct3(0);
   jump <= able and not waiting and (kind.jump or kind.jump_register or (kind.branch and condition));
@@ -258,6 +270,8 @@ begin
       reset => reset,
       enable => data_enable,
       store => kind.store,
+      base => unsigned(first_value),
+      offset => offset,
       address => register_target,
       size => kind.funct3(1 downto 0),
       store_data => second_value,
@@ -267,16 +281,19 @@ begin
       misaligned => data_misaligned,
       to_memory => data_in_memory,
       bus_active => bus_active,
-      done => data_done,
-      error => data_error);
+      done => bus_done,
+      error => bus_error);
 
   csr_operand <= 27x"0" & executing_instruction(19 downto 15) when kind.funct3(2) else first_value;
+  csr_writes <= not kind.funct3(1) or (or executing_instruction(19 downto 15));
+  -- The upper two bits of an address say that it cannot be written.
+  csr_legal <= kind.csr_exists and not (csr_writes and (and executing_instruction(31 downto 30)));
   csr_request <= (
-    enable => start and kind.csr,
+    enable => start and kind.csr and kind.csr_exists,
     address => executing_instruction(31 downto 20),
     operation => kind.funct3(1 downto 0),
     operand => csr_operand,
-    writes => not kind.funct3(1) or (or executing_instruction(19 downto 15)));
+    writes => csr_writes);
   return_from_trap <= start and kind.trap_return;
   control_status_registers : entity work.control_status_registers
     port map (
@@ -284,10 +301,11 @@ begin
       always_clk => always_clk,
       reset => reset,
       request => csr_request,
-      response => csr_response,
-      trap => machine_trap,
+      read_data => csr_data,
+      trap => taken_trap,
       trap_return => return_from_trap,
-      retire => complete and not debug_request.halted,
+      retire => retire,
+      take_back => take_back,
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
@@ -309,15 +327,20 @@ begin
       take_interrupt => take_interrupt,
       interrupt_cause => interrupt_cause,
       next_address => fetched_address,
-      csr_legal => csr_response.legal,
+      csr_legal => csr_legal,
       data_address => register_target,
       data_misaligned => data_misaligned,
-      data_error => data_error,
+      bus_active => bus_active,
+      bus_error => bus_error,
+      bus_store => bus_request.write,
+      bus_address => bus_request.address,
+      bus_instruction_address => taken_trap.address,
       trap => trap);
 
   -- Into debug mode and within it no trap is taken: what an injected instruction does wrong is only told.
   enter_debug <= take_halt or
-                 (trap.enable and not take_interrupt and debug_request.halt_at_breakpoint and
+                 (trap.enable and not take_interrupt and not bus_active and
+                  debug_request.halt_at_breakpoint and
                   executing.valid and kind.breakpoint and not executing.fetch_fault);
   machine_trap <= (
     enable => trap.enable and not enter_debug and not debug_request.halted,
@@ -327,9 +350,10 @@ begin
     value => trap.value);
 
   redirect <= trap.enable or return_from_trap or debug_request.resume;
-  redirect_address <= debug_request.resume_address when debug_request.halted else
-                      trap_target when trap.enable else
-                      return_address;
+  -- In the next clock. Handlers begin with a word.
+  return_target <= debug_request.resume_address when resuming else return_address;
+  redirect_address <= return_target when resuming or returning else trap_target;
+  redirect_address_plus_2 <= return_target + 2 when resuming or returning else trap_target;
 
   debug_response <= (
     enter => enter_debug,
@@ -344,30 +368,53 @@ begin
     trapped => writing.trapped,
     value => written_value);
 
-  pass_to_write_back : process
+  -- Whether an instruction traps comes late in the clock: nothing more than must hangs on it. The CSRs
+  -- learn of it a clock later, when nothing is executed, and until then it counts as completed.
+  take_trap : process
   begin
     wait until rising_edge(clk);
-    writing.valid <= complete;
+    taken_trap <= machine_trap;
+    returning <= return_from_trap;
+    resuming <= debug_request.resume;
+    take_back <= trap.enable and not take_interrupt and not debug_request.halted;
+    if reset then
+      taken_trap.enable <= '0';
+      take_back <= '0';
+    end if;
+  end process;
+  retire <= executing.valid and not stall and not take_interrupt and not debug_request.halted;
+
+  writes <= kind.writes and (or kind.destination);
+  pass_to_write_back : process
+    variable on_bus : std_ulogic;
+  begin
+    wait until rising_edge(clk);
     writing.trapped <= trap.enable and not enter_debug;
     writing.interrupted <= trap.interrupt;
-    writing.writes <= complete and kind.writes;
-    writing_address <= trap.address;
-    writing_instruction <= executing_instruction;
-    if complete then
+    if bus_active then
+      writing.valid <= bus_done;
+      writing.writes <= bus_done and writing.wanted;
+    else
+      on_bus := (kind.load or kind.store) and not data_in_memory;
+      writing.valid <= complete and not on_bus;
+      writing.writes <= complete and writes and not on_bus;
+      writing.wanted <= writes;
+      writing.late <= complete and kind.late;
       writing.destination <= kind.destination;
-      writing.late <= kind.late;
-      writing_result <= divider_result when kind.divide else
-                        csr_response.data when kind.csr else
-                        bus_response.data when kind.load else
-                        std_ulogic_vector(target) when kind.address_result else
-                        std_ulogic_vector(fetched_address) when kind.jump or kind.jump_register else
-                        alu_result;
       writing.multiply <= kind.multiply;
       writing.load <= kind.load;
       writing.from_memory <= data_in_memory;
       writing.size <= kind.funct3;
       writing.byte_index <= std_ulogic_vector(register_target(1 downto 0));
+      writing_instruction <= executing_instruction;
     end if;
+    writing_result <= bus_response.data when bus_active else
+                      last_written when await_result else
+                      divider_result when kind.divide else
+                      csr_data when kind.csr else
+                      std_ulogic_vector(target) when kind.address_result else
+                      std_ulogic_vector(fetched_address) when kind.jump or kind.jump_register else
+                      alu_result;
 
     if reset then
       writing.valid <= '0';
@@ -386,11 +433,11 @@ begin
       byte_index => writing.byte_index,
       result => loaded);
 
-  written_value <= product when writing.multiply else
-                   loaded when writing.load else
-                   writing_result;
+  -- What is loaded comes last.
+  written_early <= product when writing.multiply else writing_result;
+  written_value <= loaded when writing.load else written_early;
 
-  asleep <= able and kind.wait_for_interrupt and not awake;
+  asleep <= able and not bus_active and kind.wait_for_interrupt and not awake;
   sleeping <= asleep;
   at_rest <= asleep and (and asleep_before) and not interrupt_requested;
 
@@ -408,7 +455,7 @@ begin
     valid => writing.valid,
     trap => writing.trapped,
     interrupt => writing.interrupted,
-    address => writing_address,
+    address => taken_trap.address,
     instruction => writing_instruction,
     destination => writing.destination and (4 downto 0 => writing.writes),
     value => written_value);

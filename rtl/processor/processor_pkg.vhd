@@ -16,21 +16,22 @@ package processor_pkg is
   -- slower. The same holds for `writing_t`.
   type decoded_t is record
     -- An instruction of this processor where one of these is set: their sum would come late in the
-    -- clock. CSR addresses are judged by the CSRs themselves.
+    -- clock. Whether a CSR may be accessed is judged beside it.
     legal : std_ulogic_vector(3 downto 0);
     first_index : register_index_t;
     second_index : register_index_t;
     destination : register_index_t;
     reads_first : std_ulogic;
     reads_second : std_ulogic;
-    -- Writes `destination`, which is not x0.
+    -- Writes `destination` unless this is x0.
     writes : std_ulogic;
     -- The result comes one clock after execution: who reads it next waits one clock.
     late : std_ulogic;
     -- Second operand of the arithmetic unit: the constant instead of a register.
     second_is_constant : std_ulogic;
-    -- Operation of the arithmetic unit in funct3's coding. Comparisons subtract, too.
+    -- Operation of the arithmetic unit in its coding. Comparisons subtract, too.
     operation : std_ulogic_vector(2 downto 0);
+    shift : std_ulogic;
     subtract : std_ulogic;
     arithmetic_shift : std_ulogic;
     compare_unsigned : std_ulogic;
@@ -48,6 +49,8 @@ package processor_pkg is
     multiply : std_ulogic;
     divide : std_ulogic;
     csr : std_ulogic;
+    -- There is a CSR of this address.
+    csr_exists : std_ulogic;
     environment_call : std_ulogic;
     breakpoint : std_ulogic;
     trap_return : std_ulogic;
@@ -68,7 +71,9 @@ package processor_pkg is
     trapped : std_ulogic;
     interrupted : std_ulogic;
     writes : std_ulogic;
-    -- `value` is not in `writing_result` yet.
+    -- It will write, if the bus does not refuse its access.
+    wanted : std_ulogic;
+    -- The result is not in `writing_result` yet.
     late : std_ulogic;
     destination : register_index_t;
     -- The result, or the data that came over the bus.
@@ -92,13 +97,7 @@ package processor_pkg is
     writes : std_ulogic;
   end record;
 
-  type csr_response_t is record
-    data : word_t;
-    -- The CSR exists and may be accessed so.
-    legal : std_ulogic;
-  end record;
-
-  -- A trap that is taken in this clock.
+  -- A trap that is taken.
   type trap_t is record
     enable : std_ulogic;
     interrupt : std_ulogic;

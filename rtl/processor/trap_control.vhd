@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Decides whether the instruction in the execute stage traps, and with which cause.
+-- Decides whether the instruction in the execute stage traps, or an access on the bus, and with which cause.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -28,7 +28,13 @@ entity trap_control is
     -- Of the load or the store.
     data_address : in unsigned(31 downto 0);
     data_misaligned : in std_ulogic;
-    data_error : in std_ulogic;
+    -- The bus is at work for the instruction before, with this address; nothing is ready meanwhile. It
+    -- refuses the access.
+    bus_active : in std_ulogic;
+    bus_error : in std_ulogic;
+    bus_store : in std_ulogic;
+    bus_address : in unsigned(31 downto 0);
+    bus_instruction_address : in unsigned(31 downto 0);
     trap : out trap_t
   );
 end entity;
@@ -44,20 +50,24 @@ begin
   illegal <= refused or (kind.csr and not csr_legal);
   misaligned <= (kind.load or kind.store) and data_misaligned;
   exception <= executing.fetch_fault or illegal or kind.environment_call or kind.breakpoint or
-               misaligned or data_error;
+               misaligned;
 
-  trap.enable <= take_interrupt or (executing.valid and ready and exception);
+  trap.enable <= take_interrupt or bus_error or (executing.valid and ready and exception);
   trap.interrupt <= take_interrupt;
-  trap.address <= address when executing.valid else next_address;
+  trap.address <= bus_instruction_address when bus_active else
+                  address when executing.valid else
+                  next_address;
   trap.cause <= interrupt_cause when take_interrupt else
+                "001" & bus_store & '1' when bus_error else
                 cause_instruction_access when executing.fetch_fault else
                 cause_illegal_instruction when illegal else
                 cause_environment_call when kind.environment_call else
                 cause_breakpoint when kind.breakpoint else
-                "001" & kind.store & not misaligned;
+                "001" & kind.store & '0';
   -- Where an instruction begins within the memory and ends outside, only its end is at fault.
   fetch_address <= memory_end when executing.leaves_memory else address;
   trap.value <= x"00000000" when take_interrupt else
+                std_ulogic_vector(bus_address) when bus_error else
                 std_ulogic_vector(fetch_address) when executing.fetch_fault else
                 instruction when illegal else
                 x"00000000" when kind.environment_call else

@@ -16,6 +16,9 @@ end entity;
 
 architecture rtl of word_decoder is
 
+  alias csr_address : std_ulogic_vector(11 downto 0) is instruction(31 downto 20);
+  signal csr_exists, is_hardware_performance : std_ulogic;
+
   -- Written as equations and not as one large case: each is a few gates and a few instructions of a
   -- simulation, which evaluates them in every clock. The lowest two bits are "11": words without
   -- them do not come here.
@@ -28,7 +31,6 @@ architecture rtl of word_decoder is
   signal is_shift, is_multiply_or_divide, is_csr, is_privileged : std_ulogic;
   signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
   signal funct7_zero, funct7_alternate : std_ulogic;
-  signal has_destination : std_ulogic;
   signal immediate_low : std_ulogic_vector(11 downto 0);
 
 begin
@@ -71,6 +73,34 @@ begin
                       is_multiply_or_divide;
   decoded.legal(3) <= is_ecall or is_ebreak or is_mret or is_wfi;
 
+  -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero.
+  is_hardware_performance <= (or csr_address(4 downto 2)) or (and csr_address(1 downto 0));
+  find_csr : process (all)
+  begin
+    csr_exists <= '0';
+    case csr_address(11 downto 5) is
+      when "0011000" =>  -- mstatus, misa, mie, mtvec; mstatush.
+        csr_exists <= not (csr_address(4) or csr_address(3) or csr_address(1)) or
+                      (csr_address(4 downto 0) ?= "10000");
+      when "0011001" =>  -- mcountinhibit, mhpmevent.
+        csr_exists <= (csr_address(4 downto 0) ?= "00000") or is_hardware_performance;
+      when "0011010" =>  -- mscratch, mepc, mcause, mtval, mip.
+        csr_exists <= not csr_address(4) and not csr_address(3) and
+                      (not csr_address(2) or not (or csr_address(1 downto 0)));
+      when "0111101" =>  -- tselect, tdata1: "there is no trigger".
+        csr_exists <= nor csr_address(4 downto 1);
+      when "1011000" | "1011100" =>  -- mcycle, minstret, mhpmcounter.
+        csr_exists <= not csr_address(0) or is_hardware_performance;
+      when "1100000" | "1100100" =>  -- cycle, instret.
+        csr_exists <= not (or csr_address(4 downto 2)) and not csr_address(0);
+      when "1111000" =>  -- mvendorid, marchid, mimpid, mhartid, mconfigptr: unnamed; hart 0.
+        csr_exists <= csr_address(4) and not csr_address(3) and
+                      ((not csr_address(2) and (or csr_address(1 downto 0))) or
+                       (csr_address(2) and not csr_address(1)));
+      when others => null;
+    end case;
+  end process;
+
   -- fence.i jumps to the next instruction, and so has it fetched again.
   immediate_low <= instruction(31 downto 25) & instruction(11 downto 7) when is_store else
                    instruction(7) & instruction(30 downto 25) & instruction(11 downto 8) & '0' when
@@ -85,8 +115,7 @@ begin
                (31 downto 12 => '0') & immediate_low when is_fence else
                (31 downto 12 => instruction(31)) & immediate_low;
 
-  -- lui adds its constant to x0.
-  decoded.first_index <= "00000" when is_upper else instruction(19 downto 15);
+  decoded.first_index <= instruction(19 downto 15);
   decoded.second_index <= instruction(24 downto 20);
   decoded.destination <= instruction(11 downto 7);
   -- All but lui, auipc, jal, fence and CSR instructions with a constant; then branch, store and
@@ -94,13 +123,16 @@ begin
   decoded.reads_first <= not (opcode(0) and (opcode(1) or opcode(2))) and
                          not (opcode(4) and opcode(2) and funct3(2));
   decoded.reads_second <= opcode(3) and not opcode(0) and not (opcode(4) and opcode(2));
-  has_destination <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
-                     is_upper or is_jump_register or is_jump or is_csr;
-  decoded.writes <= has_destination and (instruction(11 downto 7) ?/= "00000");
+  decoded.writes <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
+                    is_upper or is_jump_register or is_jump or is_csr;
   decoded.late <= is_load or (is_multiply_or_divide and not funct3(2));
 
   decoded.second_is_constant <= not (is_operation or is_branch or is_store);
-  decoded.operation <= funct3 when is_immediate_operation or is_operation else "000";
+  -- lui has its constant as the result, as it is.
+  decoded.operation <= "101" when is_upper else
+                       funct3 when is_immediate_operation or is_operation else
+                       "000";
+  decoded.shift <= is_shift and (is_immediate_operation or is_operation);
   -- Where it is not needed it does no harm.
   decoded.subtract <= is_branch or (is_operation and instruction(30)) or
                       ((is_operation or is_immediate_operation) and not funct3(2) and funct3(1));
@@ -117,6 +149,7 @@ begin
   decoded.multiply <= is_multiply_or_divide and not funct3(2);
   decoded.divide <= is_multiply_or_divide and funct3(2);
   decoded.csr <= is_csr;
+  decoded.csr_exists <= csr_exists;
   decoded.environment_call <= is_ecall;
   decoded.breakpoint <= is_ebreak;
   decoded.trap_return <= is_mret;

@@ -14,7 +14,7 @@ architecture tb of alu_tb is
 
   signal first, second, result : word_t := (others => '0');
   signal operation : std_ulogic_vector(2 downto 0) := "000";
-  signal subtract, arithmetic_shift, compare_unsigned, equal, less : std_ulogic := '0';
+  signal shift, subtract, arithmetic_shift, compare_unsigned, equal, less : std_ulogic := '0';
 
   type words_t is array (natural range <>) of word_t;
   constant values : words_t := (
@@ -28,6 +28,7 @@ begin
       first => first,
       second => second,
       operation => operation,
+      shift => shift,
       subtract => subtract,
       arithmetic_shift => arithmetic_shift,
       compare_unsigned => compare_unsigned,
@@ -40,6 +41,7 @@ begin
                      wanted : word_t; name : string) is
     begin
       operation <= code;
+      shift <= (not code(1) and code(0)) when name /= "second" else '0';
       subtract <= other;
       arithmetic_shift <= other;
       compare_unsigned <= unsigned_order;
@@ -75,6 +77,7 @@ begin
         expect("100", '0', '0', first xor second, "xor");
         expect("110", '0', '0', first or second, "or");
         expect("111", '0', '0', first and second, "and");
+        expect("101", '0', '0', second, "second");
         -- Shifts bit by bit.
         shifted := first;
         for count in 1 to distance loop

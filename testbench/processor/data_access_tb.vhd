@@ -18,6 +18,7 @@ architecture tb of data_access_tb is
   signal reset : std_ulogic := '1';
   signal enable, store : std_ulogic := '0';
   signal address : unsigned(31 downto 0) := (others => '0');
+  signal offset : unsigned(31 downto 0) := (others => '0');
   signal size : std_ulogic_vector(1 downto 0) := "00";
   signal store_data : word_t := x"a1b2c3d4";
   signal memory_request : memory_request_t;
@@ -36,6 +37,8 @@ begin
       reset => reset,
       enable => enable,
       store => store,
+      base => address - offset,
+      offset => offset,
       address => address,
       size => size,
       store_data => store_data,
@@ -49,6 +52,10 @@ begin
       error => error);
 
   check : process
+    type uppers_t is array (natural range <>) of unsigned(15 downto 0);
+    constant uppers : uppers_t := (
+      x"0000", x"0001", x"7fff", x"8000", x"8001", x"8002", x"c000", x"f000", x"ffff");
+
     procedure clock is
     begin
       wait until rising_edge(clk);
@@ -63,8 +70,7 @@ begin
       size <= width;
       address <= x"80001230" + place;
       wait for 1 ns;
-      assert misaligned = is_misaligned and memory_request.enable = not is_misaligned and done = '1'
-        severity failure;
+      assert misaligned = is_misaligned and memory_request.enable = not is_misaligned severity failure;
       if not is_misaligned then
         assert memory_request.write_bytes = lanes and memory_request.address & "00" = x"80001230"
           report to_string(memory_request.write_bytes) severity failure;
@@ -88,6 +94,10 @@ begin
       wait for 1 ns;
       assert done = '0' and memory_request.enable = '0' and bus_active = '0' severity failure;
       clock;
+      -- What comes next waits for it.
+      enable <= '0';
+      address <= x"80000000";
+      store <= '0';
       for count in 1 to wait_clocks loop
         assert bus_active = '1' and done = '0' and bus_request.strobe = '1' and
           bus_request.write = '1' and bus_request.address = x"f0001232" and
@@ -98,7 +108,7 @@ begin
       bus_response.acknowledge <= not fails;
       bus_response.error <= fails;
       wait for 1 ns;
-      assert done = '1' and error = fails severity failure;
+      assert done = not fails and error = fails severity failure;
       clock;
       bus_response <= bus_response_idle;
       assert bus_request.strobe = '0' report "a request ends with its response" severity failure;
@@ -123,10 +133,19 @@ begin
     wait for 1 ns;
     assert memory_request.enable = '1' and memory_request.write_bytes = "0000" and to_memory = '1'
       severity failure;
-    -- Just outside.
-    address <= x"80010000";
-    wait for 1 ns;
-    assert memory_request.enable = '0' and to_memory = '0' severity failure;
+    -- Within and outside, far and near, by all ways to add up to it.
+    enable <= '0';
+    for index in uppers'range loop
+      for lower in -7 to 7 loop
+        for step in -8 to 8 loop
+          address <= (uppers(index) & x"0000") + unsigned(to_signed(lower * 300 + lower mod 2, 32));
+          offset <= unsigned(to_signed(256 * step - (step + 8) / 16, 32));
+          wait for 1 ns;
+          assert to_memory = (address(31 downto 16) ?= x"8000")
+            report to_hstring(address) & ", " & to_hstring(offset) severity failure;
+        end loop;
+      end loop;
+    end loop;
     address <= x"80000000";
     clock;
     use_bus(1, '0');

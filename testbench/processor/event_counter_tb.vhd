@@ -14,7 +14,7 @@ architecture tb of event_counter_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal happens, write_low, write_high : std_ulogic := '0';
+  signal happens, take_back, write_low, write_high : std_ulogic := '0';
   signal write_data : word_t := (others => '0');
   signal count : unsigned(63 downto 0);
 
@@ -27,6 +27,7 @@ begin
       clk => clk,
       reset => reset,
       happens => happens,
+      take_back => take_back,
       write_low => write_low,
       write_high => write_high,
       write_data => write_data,
@@ -62,6 +63,12 @@ begin
     happens <= '0';
     clock;
     assert count = x"0000000700000000" severity failure;
+    take_back <= '1';
+    clock;
+    take_back <= '0';
+    assert count = x"00000006ffffffff" severity failure;
+    clock;
+    assert count = x"00000006ffffffff" severity failure;
     std.env.finish;
   end process;
 

@@ -36,6 +36,7 @@ begin
       reset => reset,
       redirect => redirect,
       redirect_address => redirect_address,
+      redirect_address_plus_2 => redirect_address + 2,
       jump => jump,
       jump_address => target,
       jump_address_plus_2 => target_plus_2,
@@ -113,26 +114,34 @@ begin
     clock;
     expect(place);
 
-    -- Jumps, of which bit 0 is ignored, while nothing is taken or something is.
+    -- Jumps, of which bit 0 is ignored, behind what was not taken and what was.
     for half_words in 0 to 7 loop
       target <= x"80000101" + 2 * half_words;
       jump <= '1';
+      advance <= '1';
       clock;
       jump <= '0';
       expect(x"80000100" + 2 * half_words);
-      advance <= not advance;
+      advance <= '0' when half_words mod 2 = 0 else '1';
+      clock;
     end loop;
-    advance <= '0';
 
-    redirect <= '1';
-    redirect_address <= x"80000302";
-    jump <= '1';
-    clock;
-    redirect <= '0';
-    jump <= '0';
-    assert valid = '0' severity failure;
-    clock;
-    expect(x"80000302");
+    -- Redirections, also while nothing is taken and in the clock of a jump.
+    for half_words in 0 to 7 loop
+      redirect <= '1';
+      jump <= '0' when half_words mod 2 = 0 else '1';
+      advance <= jump'driving_value;
+      clock;
+      redirect <= '0';
+      jump <= '0';
+      redirect_address <= x"80000302" + 2 * half_words;
+      assert valid = '0' severity failure;
+      clock;
+      advance <= '0';
+      redirect_address <= x"80000000";
+      expect(x"80000302" + 2 * half_words);
+    end loop;
+    advance <= '1';
 
     -- The end of the memory: a short instruction fits, a long one does not.
     jump <= '1';

@@ -16,7 +16,7 @@ architecture tb of trap_control_tb is
   signal kind : decoded_t := (
     legal => "0001", first_index | second_index | destination => "00000",
     operation | funct3 => "000", others => '0');
-  signal take_interrupt, data_misaligned, data_error : std_ulogic := '0';
+  signal take_interrupt, data_misaligned, bus_error, bus_store : std_ulogic := '0';
   signal csr_legal, ready : std_ulogic := '1';
   signal interrupt_cause : std_ulogic_vector(4 downto 0) := 5d"20";
   signal next_address : unsigned(31 downto 0) := x"80000200";
@@ -38,16 +38,21 @@ begin
       csr_legal => csr_legal,
       data_address => x"80000303",
       data_misaligned => data_misaligned,
-      data_error => data_error,
+      bus_active => bus_error,
+      bus_error => bus_error,
+      bus_store => bus_store,
+      bus_address => x"f0000404",
+      bus_instruction_address => x"800000fc",
       trap => trap);
 
   check : process
-    procedure expect(cause : natural; value : word_t) is
+    procedure expect(cause : natural; value : word_t;
+                     address : unsigned(31 downto 0) := x"80000100") is
     begin
       wait for 1 ns;
       assert trap.enable = '1' and trap.interrupt = '0' and
         to_integer(unsigned(trap.cause)) = cause and trap.value = value and
-        trap.address = x"80000100"
+        trap.address = address
         report "cause " & integer'image(to_integer(unsigned(trap.cause))) & ", value " &
           to_hstring(trap.value) severity failure;
     end procedure;
@@ -68,13 +73,17 @@ begin
     kind.store <= '1';
     expect(6, x"80000303");
     data_misaligned <= '0';
-    data_error <= '1';
-    expect(7, x"80000303");
     kind.store <= '0';
-    kind.load <= '1';
-    expect(5, x"80000303");
-    data_error <= '0';
-    kind.load <= '0';
+    -- The access of the instruction before is refused, while this one waits.
+    ready <= '0';
+    bus_error <= '1';
+    bus_store <= '1';
+    expect(7, x"f0000404", x"800000fc");
+    bus_store <= '0';
+    expect(5, x"f0000404", x"800000fc");
+    bus_error <= '0';
+    expect_none;
+    ready <= '1';
     kind.csr <= '1';
     expect(2, x"12345678");
     csr_legal <= '1';

@@ -22,7 +22,13 @@ begin
     port map (instruction => instruction, decoded => decoded, immediate => immediate);
 
   check : process
-    variable legal_words : natural;
+    type addresses_t is array (natural range <>) of std_ulogic_vector(11 downto 0);
+    -- Of traps, counters, triggers, shadows, identity; and the 87 counters and events that are zero.
+    constant csrs : addresses_t := (
+      x"300", x"301", x"304", x"305", x"310", x"340", x"341", x"342", x"343", x"344", x"320", x"7a0",
+      x"7a1", x"b00", x"b02", x"b80", x"b82", x"c00", x"c02", x"c80", x"c82", x"f11", x"f12", x"f13",
+      x"f14", x"f15");
+    variable legal_words, existing : natural;
 
     procedure decode(word : word_t) is
     begin
@@ -77,16 +83,17 @@ begin
     expect_offset(x"0000100f", x"00000004");  -- fence.i
     expect_constant(x"80050513", x"fffff800");  -- addi a0, a0, -2048
     expect_constant(x"12345537", x"12345000");  -- lui
-    assert decoded.first_index = "00000" report "lui adds to x0" severity failure;
+    assert decoded.operation = "101" and decoded.shift = '0' and decoded.reads_first = '0'
+      report "lui has its constant as the result" severity failure;
     expect_offset(x"fffff517", x"fffff000");  -- auipc
     assert decoded.address_result = '1' severity failure;
     expect_offset(x"00850567", x"00000008");  -- jalr a0, 8(a0)
     assert decoded.jump_register = '1' and decoded.jump = '0' severity failure;
 
-    -- add x0 writes nothing; a load is late; what is read.
+    -- What writes (x0 is left to the pipeline), a load is late; what is read.
     decode(x"00b50033");
-    assert decoded.writes = '0' and decoded.reads_first = '1' and decoded.reads_second = '1' and
-      decoded.late = '0' severity failure;
+    assert decoded.writes = '1' and decoded.destination = "00000" and decoded.reads_first = '1' and
+      decoded.reads_second = '1' and decoded.late = '0' severity failure;
     decode(x"00052583");
     assert decoded.writes = '1' and decoded.load = '1' and decoded.late = '1' and
       decoded.reads_first = '1' and decoded.reads_second = '0' severity failure;
@@ -96,6 +103,9 @@ begin
     assert decoded.divide = '0' and decoded.multiply = '1' severity failure;
     decode(x"40b50533");
     assert decoded.subtract = '1' and decoded.operation = "000" severity failure;
+    assert decoded.shift = '0' severity failure;
+    decode(x"00151513");
+    assert decoded.operation = "001" and decoded.shift = '1' severity failure;
     decode(x"c0050513");
     assert decoded.subtract = '0' report "addi of a negative constant does not subtract"
       severity failure;
@@ -113,6 +123,28 @@ begin
     assert decoded.wait_for_interrupt = '1' and (or decoded.legal) = '1' severity failure;
     decode(x"30200173");
     assert decoded.trap_return = '0' and (or decoded.legal) = '0' severity failure;
+
+    existing := 0;
+    for address in 0 to 4095 loop
+      decode(std_ulogic_vector(to_unsigned(address, 12)) & x"02573");
+      if decoded.csr_exists then
+        existing := existing + 1;
+      end if;
+      assert decoded.csr = '1' severity failure;
+    end loop;
+    assert existing = csrs'length + 87 report integer'image(existing) & " CSRs" severity failure;
+    for index in csrs'range loop
+      decode(csrs(index) & x"02573");
+      assert decoded.csr_exists = '1' report to_hstring(csrs(index)) severity failure;
+    end loop;
+    for number in 3 to 31 loop
+      decode((x"b00" or std_ulogic_vector(to_unsigned(number, 12))) & x"02573");
+      assert decoded.csr_exists = '1' severity failure;
+      decode((x"b80" or std_ulogic_vector(to_unsigned(number, 12))) & x"02573");
+      assert decoded.csr_exists = '1' severity failure;
+      decode((x"320" or std_ulogic_vector(to_unsigned(number, 12))) & x"02573");
+      assert decoded.csr_exists = '1' severity failure;
+    end loop;
 
     expect_legal("0110111", 1024);
     expect_legal("0010111", 1024);
