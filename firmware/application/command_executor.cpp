@@ -234,6 +234,8 @@ CommandExecutor::Progress CommandExecutor::execute_setting() {
       return set_speed_factor();
     case 221:
       return set_flow_factor();
+    case 997:
+      return update_firmware();
     default:
       return refuse_unknown();
   }

@@ -115,6 +115,7 @@ class CommandExecutor {
   Progress tell_interval(units::Milliseconds interval);
   Progress set_busy_interval();
   Progress set_host_silence();
+  Progress update_firmware();
 
   // report_commands.cpp
   Progress report_position();

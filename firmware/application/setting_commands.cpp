@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that change what the axes may do and how often what is said: M86 M92 M113 M154 M155
-// M201 M203 M204 M205.
+// The commands that change what the axes may do, how often what is said, and the program itself:
+// M86 M92 M113 M154 M155 M201 M203 M204 M205 M997.
 #include <algorithm>
 #include <limits>
 
 #include "application/command_executor.hpp"
 #include "host_link/replies.hpp"
+#include "platform/boot_loader.hpp"
 
 namespace application {
 namespace {
@@ -150,6 +151,13 @@ CommandExecutor::Progress CommandExecutor::set_host_silence() {
   constexpr std::int64_t longest_s = 24 * 3600;
   if (!command_.has('S')) return tell_interval(host_silence_);
   return set_interval(host_silence_, longest_s);
+}
+
+// The loader answers from then on; nobody returns here.
+CommandExecutor::Progress CommandExecutor::update_firmware() {
+  if (wait_for_rest() == Progress::again) return Progress::again;
+  if (platform::enter_boot_loader()) return Progress::done;
+  return refuse("No boot loader in this image");
 }
 
 }  // namespace application

@@ -41,6 +41,8 @@ _start:
 # timer's in the image that makes the steps in software.
   .weak timer_interrupt
   .set timer_interrupt, trap
+  # Its alignment must not move _start.
+  .section .text.vectors, "ax"
   .balign 128
   .globl vector_table
 vector_table:

@@ -13,6 +13,7 @@
 #include "drivers/registers/temperature_converter_registers.hpp"
 #include "drivers/registers/timer_registers.hpp"
 #include "drivers/registers/uart_registers.hpp"
+#include "platform/boot_loader.hpp"
 #include "platform/bus.hpp"
 
 namespace application_test {
@@ -250,6 +251,12 @@ void FakeChip::advance_heat(double seconds) {
 }  // namespace application_test
 
 namespace platform {
+
+bool enter_boot_loader() {
+  auto& chip = *application_test::chip;
+  if (chip.has_boot_loader) ++chip.boot_loader_entries;
+  return chip.has_boot_loader;
+}
 
 std::uint32_t bus_read(std::uint32_t address) { return application_test::chip->read(address); }
 void bus_write(std::uint32_t address, std::uint32_t value) {

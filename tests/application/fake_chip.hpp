@@ -48,6 +48,8 @@ class FakeChip {
   std::uint32_t heater_duty(std::size_t channel) { return words_[duty_address(channel)]; }
   std::uint32_t watchdog_feeds{};
   std::uint64_t time{};
+  bool has_boot_loader{};
+  unsigned boot_loader_entries{};
 
  private:
   struct Segment {

@@ -56,6 +56,22 @@ TEST(report_commands, answers_unknown_commands_and_goes_on) {
   EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
+TEST(report_commands, enters_the_boot_loader_at_rest_where_there_is_one) {
+  Printer printer;
+  printer.talk(R"(
+    -> M997
+    <- echo:No boot loader in this image, not executed: "M997"
+    <- ok
+  )");
+  printer.chip.has_boot_loader = true;
+  printer.send("G1 X5 F600");
+  printer.send("M997");
+  printer.run(0.2);
+  EXPECT_EQ(printer.chip.boot_loader_entries, 0u);  // the move is still under way
+  printer.run(5);
+  EXPECT_EQ(printer.chip.boot_loader_entries, 1u);
+}
+
 TEST(report_commands, accepts_what_has_no_display_to_show_it) {
   Printer printer;
   printer.talk("-> M73 P10 R5\n<- ok\n-> M117 Hello G1 X5\n<- ok\n-> M110 N0\n<- ok");

@@ -11,6 +11,7 @@
 #include "tools/command/build.hpp"
 #include "tools/command/debug_job.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/load_job.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/run_job.hpp"
 #include "tools/command/serve_job.hpp"
@@ -30,6 +31,7 @@ struct Jobs {
   PrintOptions print;
   ServeOptions serve;
   RunOptions run;
+  LoadOptions load;
   proof::Options prove;
   synthesis::Options synth;
   BenchOptions bench;
@@ -145,6 +147,26 @@ void add_run(CLI::App& app, RunOptions& options) {
       "interrupted.");
 }
 
+void add_load(CLI::App& app, LoadOptions& options) {
+  CLI::App& job = *app.add_subcommand("load", "Load a program into a chip over its serial line.");
+  job.add_option("program", options.program, "ELF file, or the plain contents of the memory")
+      ->required()
+      ->type_name("FILE");
+  job.add_option("port", options.port, "the serial port, or the pseudo-terminal of `serve`")
+      ->required()
+      ->type_name("PORT");
+  job.add_option("--baud", options.baud, "speed of the line")
+      ->check(CLI::Range(1'200, 3'000'000))
+      ->capture_default_str();
+  job.footer(
+      "The running firmware is asked with M997; where it does not answer, reset the board: the "
+      "boot "
+      "loader\n"
+      "listens for 10 ms after a reset. Exit status: 0 the chip has checked the program and starts "
+      "it, 1 not,\n"
+      "and then it starts none, 2 bad usage or no such program.");
+}
+
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "bench",
@@ -221,6 +243,9 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("run")) {
     return run(jobs.run);
   }
+  if (app.got_subcommand("load")) {
+    return load(jobs.load);
+  }
   if (app.got_subcommand("bench")) {
     return bench(jobs.bench);
   }
@@ -243,6 +268,7 @@ int run_command(int count, char** arguments) {
   add_print(app, jobs.print);
   add_serve(app, jobs.serve);
   add_run(app, jobs.run);
+  add_load(app, jobs.load);
   app.add_subcommand("test", "Build everything and run all tests, or those of some labels.")
       ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, ...")
       ->type_name("LABEL...");

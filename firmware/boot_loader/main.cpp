@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The boot loader: after a reset it passes on unless a host knocks; asked for, it waits for a
+// program.
+#include <array>
+#include <string_view>
+
+#include "boot_loader/line.hpp"
+#include "boot_loader/session.hpp"
+#include "drivers/registers/heater_control_registers.hpp"
+#include "drivers/registers/identity_registers.hpp"
+#include "drivers/registers/step_generator_registers.hpp"
+#include "machine/machine.hpp"
+#include "platform/bus.hpp"
+
+extern "C" {
+// Of start.S and boot_loader.ld.
+extern volatile std::uint32_t program_entry;
+extern std::uint8_t _program_memory[];
+extern std::uint8_t _start[];
+
+std::uint32_t load_or_pass(bool requested);
+}
+
+namespace {
+
+using namespace boot_loader;
+
+// A host that knocks does it without end.
+constexpr std::uint32_t windows_per_second = 100;  // 10 ms
+// A frame comes without a pause as long as this.
+constexpr std::uint32_t silences_per_second = 20;  // 50 ms
+// A host whose answer to `start` was lost asks again within this time.
+constexpr std::uint32_t silences_before_start = 12;  // 0.6 s
+// Without a load the program that was there goes on.
+constexpr std::uint32_t silences_before_return = 60 * silences_per_second;
+
+constexpr std::string_view greeting = "echo:Boot loader waits for a program\n";
+
+void stop_everything() {
+  using Duty = registers::heater_control::Duty;
+  for (std::size_t channel = 0; channel < Duty::count; ++channel) platform::write(channel, Duty{});
+  platform::write(registers::step_generator::Command{.flush = true, .stop = true});
+}
+
+// Whatever else comes is a host that wants the program.
+bool knocked(std::uint32_t clock_hz) {
+  for (unsigned count = 0; count < knocks; ++count) {
+    if (Line::receive(clock_hz / windows_per_second) != knock) return false;
+  }
+  return true;
+}
+
+// As reset.S has them: lui t0 with the loader's address, jalr to t0.
+Session::ResetCode way_back() {
+  Session::ResetCode code;
+  put_word(code, 0, reinterpret_cast<std::uintptr_t>(_start) | 0x2B7);
+  put_word(code, 4, 0x00028067);
+  return code;
+}
+
+// The entry of the program to start.
+std::uint32_t serve(std::uint32_t clock_hz) {
+  FrameReceiver receiver;
+  const std::uint32_t old_entry = program_entry;
+  Session session({_program_memory, _start}, reinterpret_cast<std::uintptr_t>(_program_memory),
+                  old_entry != 0 ? std::optional(old_entry) : std::nullopt, way_back());
+  std::uint32_t silences = 0;
+  for (;;) {
+    const auto byte = Line::receive(clock_hz / silences_per_second);
+    if (byte) {
+      silences = 0;
+      if (!receiver.receive(*byte)) continue;
+      const Answer answer = session.handle(receiver.frame());
+      program_entry = session.entry().value_or(0);
+      Line::send(answer.bytes());
+      continue;
+    }
+    if (!receiver.silence()) Line::send(Session::refuse(Refusal::damaged).bytes());
+    ++silences;
+    const bool over =
+        silences >= (session.start_wanted() ? silences_before_start : silences_before_return);
+    if (over && session.entry()) return *session.entry();
+  }
+}
+
+}  // namespace
+
+std::uint32_t load_or_pass(bool requested) {
+  const std::uint32_t clock_hz = platform::read<registers::identity::Clock>().frequency_hz;
+  if (!requested) Line::configure(machine::machine.baud, clock_hz);
+  if (requested || program_entry == 0 || knocked(clock_hz)) {
+    stop_everything();
+    if (requested)
+      Line::send({reinterpret_cast<const std::uint8_t*>(greeting.data()), greeting.size()});
+    program_entry = serve(clock_hz);
+  }
+  Line::leave();
+  return program_entry;
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// The host's end against the loader's, with everything between them that goes wrong.
+#include "tools/loading/loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <fstream>
+#include <optional>
+#include <random>
+
+#include "firmware/boot_loader/session.hpp"
+
+namespace {
+
+using namespace boot_loader;
+using loading::LoadFailed;
+using loading::Program;
+using std::chrono::milliseconds;
+
+constexpr std::uint32_t address = loading::memory_address;
+constexpr std::uint32_t old_entry = address + 8;
+
+Program random_program(std::size_t bytes) {
+  std::mt19937 random(3);
+  Program program{.address = address, .bytes = std::vector<std::uint8_t>(bytes), .entry = address};
+  for (auto& byte : program.bytes) byte = static_cast<std::uint8_t>(random());
+  return program;
+}
+
+// A chip that listens once it has heard M997, or has been reset while somebody knocks.
+class Chip : public loading::ByteStream {
+ public:
+  // What arrives of a byte; nothing where it is lost.
+  using Wire = std::function<std::optional<std::uint8_t>(std::uint8_t)>;
+
+  void write(std::span<const std::uint8_t> bytes) override {
+    for (const std::uint8_t byte : bytes) {
+      if (vanishes_after == 0) throw LoadFailed("the host is gone");
+      --vanishes_after;
+      if (const auto arrived = to_chip(byte)) hear(*arrived);
+    }
+  }
+
+  std::size_t read(std::span<std::uint8_t> bytes, milliseconds) override {
+    if (to_read_.empty()) stay_silent();
+    std::size_t count = 0;
+    while (count < bytes.size() && !to_read_.empty()) {
+      bytes[count++] = to_read_.front();
+      to_read_.pop_front();
+    }
+    return count;
+  }
+
+  Wire to_chip = [](std::uint8_t byte) { return byte; };
+  Wire to_host = [](std::uint8_t byte) { return byte; };
+  std::size_t vanishes_after = ~std::size_t{0};  // bytes from the host
+  bool knows_m997 = true;
+  unsigned reset_after_knocks = 0;  // 0: nobody resets it
+  std::optional<std::size_t> stuck_byte;  // of the memory
+  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0xF000);
+  Session session{memory, address, old_entry, {}};
+
+ private:
+  void hear(std::uint8_t byte) {
+    if (!listening_) {
+      heard_ += static_cast<char>(byte);
+      knocked_ = byte == knock ? knocked_ + 1 : 0;
+      total_knocks_ += byte == knock ? 1 : 0;
+      const bool reset = reset_after_knocks != 0 && total_knocks_ > reset_after_knocks;
+      listening_ = (knows_m997 && heard_.ends_with("M997\n")) || (reset && knocked_ >= knocks);
+      return;
+    }
+    if (!receiver_.receive(byte)) return;
+    const Answer answer = session.handle(receiver_.frame());
+    if (stuck_byte) memory[*stuck_byte] = 0;
+    say(answer);
+  }
+
+  void stay_silent() {
+    if (listening_ && !receiver_.silence()) say(Session::refuse(Refusal::damaged));
+  }
+
+  void say(const Answer& answer) {
+    for (const std::uint8_t byte : answer.bytes()) {
+      if (const auto arrived = to_host(byte)) to_read_.push_back(*arrived);
+    }
+  }
+
+  FrameReceiver receiver_;
+  std::string heard_;
+  unsigned knocked_ = 0, total_knocks_ = 0;
+  bool listening_ = false;
+  std::deque<std::uint8_t> to_read_;
+};
+
+// Spoils or loses one byte in so many.
+Chip::Wire bad_wire(unsigned one_in, unsigned seed) {
+  return [one_in, random = std::mt19937(seed)](std::uint8_t byte) mutable {
+    if (random() % one_in != 0) return std::optional(byte);
+    if (random() % 2 == 0) return std::optional<std::uint8_t>();
+    return std::optional(static_cast<std::uint8_t>(byte ^ 1u << random() % 8));
+  };
+}
+
+void expect_started(const Chip& chip, const Program& program) {
+  EXPECT_TRUE(chip.session.start_wanted());
+  EXPECT_EQ(chip.session.entry(), program.entry);
+  EXPECT_TRUE(std::equal(program.bytes.begin(), program.bytes.end(),
+                         chip.memory.begin() + (program.address - address)));
+}
+
+TEST(loading, a_program_arrives_over_a_good_line_without_repetition) {
+  Chip chip;
+  Program program = random_program(45'001);
+  program.address += 16;
+  program.entry = program.address + 128;
+  std::size_t told = 0;
+  const auto figures =
+      loading::load(chip, program, {.sent = [&](std::size_t sent) { told = sent; }});
+  expect_started(chip, program);
+  EXPECT_EQ(told, program.bytes.size());
+  EXPECT_EQ(figures.repeated_frames, 0u);
+  EXPECT_EQ(figures.restarts, 0u);
+}
+
+TEST(loading, it_arrives_whole_whatever_bytes_are_spoilt_or_lost) {
+  unsigned repeated = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    Chip chip;
+    chip.to_chip = bad_wire(2000, seed);
+    chip.to_host = bad_wire(200, seed + 1000);
+    const Program program = random_program(20'000);
+    repeated += loading::load(chip, program).repeated_frames;
+    expect_started(chip, program);
+  }
+  EXPECT_GT(repeated, 200u);
+}
+
+TEST(loading, a_line_that_passes_no_frame_ends_in_a_failure_and_starts_nothing) {
+  Chip chip;
+  const Program program = random_program(5000);
+  std::size_t passed = 0;
+  chip.to_chip = [&](std::uint8_t byte) {
+    return ++passed > 2000 ? std::optional(static_cast<std::uint8_t>(byte ^ 1u)) : byte;
+  };
+  EXPECT_THROW(loading::load(chip, program), LoadFailed);
+  EXPECT_EQ(chip.session.entry(), std::nullopt);
+  EXPECT_FALSE(chip.session.start_wanted());
+}
+
+TEST(loading, a_host_that_vanishes_leaves_nothing_to_start_and_the_next_one_loads) {
+  Chip chip;
+  const Program program = random_program(5000);
+  chip.vanishes_after = 3000;
+  EXPECT_THROW(loading::load(chip, program), LoadFailed);
+  EXPECT_EQ(chip.session.entry(), std::nullopt);
+  chip.vanishes_after = ~std::size_t{0};
+  loading::load(chip, program);
+  expect_started(chip, program);
+}
+
+TEST(loading, memory_that_does_not_keep_it_is_found_and_nothing_starts) {
+  Chip chip;
+  const Program program = random_program(5000);
+  chip.stuck_byte = 4321;
+  ASSERT_NE(program.bytes[4321], 0);
+  EXPECT_THROW(loading::load(chip, program), LoadFailed);
+  EXPECT_EQ(chip.session.entry(), std::nullopt);
+}
+
+TEST(loading, a_program_that_is_too_large_is_refused_before_anything_is_void) {
+  Chip chip;
+  EXPECT_THROW(loading::load(chip, random_program(0xF001)), LoadFailed);
+  EXPECT_EQ(chip.session.entry(), old_entry);
+}
+
+TEST(loading, a_chip_that_does_not_answer_is_knocked_at_until_it_is_reset) {
+  Chip chip;
+  chip.knows_m997 = false;
+  chip.reset_after_knocks = 500;
+  const Program program = random_program(700);
+  loading::load(chip, program);
+  expect_started(chip, program);
+}
+
+TEST(loading, where_there_is_no_loader_that_is_said) {
+  Chip chip;
+  chip.knows_m997 = false;
+  EXPECT_THROW(loading::load(chip, random_program(700)), LoadFailed);
+  EXPECT_EQ(chip.session.entry(), old_entry);
+}
+
+TEST(loading, plain_bytes_begin_where_the_memory_does) {
+  const auto file = std::filesystem::temp_directory_path() / "stepfabric_loading_test.bin";
+  std::ofstream(file, std::ios::binary) << "abcdef";
+  const Program program = loading::read_program(file);
+  EXPECT_EQ(program.address, address);
+  EXPECT_EQ(program.entry, address);
+  EXPECT_EQ(program.bytes.size(), 6u);
+  std::ofstream(file, std::ios::binary) << std::string(0xF001, 'x');
+  EXPECT_THROW(loading::read_program(file), std::runtime_error);
+  std::ofstream(file, std::ios::binary) << "";
+  EXPECT_THROW(loading::read_program(file), std::runtime_error);
+  std::filesystem::remove(file);
+  EXPECT_THROW(loading::read_program(file), std::runtime_error);
+}
+
+}  // namespace

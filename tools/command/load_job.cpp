@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads the program before the port is touched, and tells how far it is.
+#include "tools/command/load_job.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "tools/command/exit_status.hpp"
+#include "tools/loading/loading.hpp"
+#include "tools/loading/serial_port.hpp"
+
+namespace command {
+
+int load(const LoadOptions& options) {
+  const loading::Program program = loading::read_program(options.program);
+  loading::SerialPort port(options.port, options.baud);
+  constexpr std::size_t told_bytes = 8192;
+  loading::Progress progress{
+      .say = [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); },
+      .sent =
+          [&](std::size_t bytes) {
+            if (bytes % told_bytes == 0)
+              fmt::print(stderr, "stepfabric: {} of {} bytes\n", bytes, program.bytes.size());
+          }};
+  try {
+    const auto figures = loading::load(port, program, progress);
+    fmt::print("loaded {} bytes, {} frames repeated; the program starts at {:#010x}\n",
+               program.bytes.size(), figures.repeated_frames, program.entry);
+    return success;
+  } catch (const loading::LoadFailed& error) {
+    fmt::print(stderr, "stepfabric: {}\n", error.what());
+    return failure;
+  }
+}
+
+}  // namespace command

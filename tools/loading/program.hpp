@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program as the boot loader takes it: one piece of memory, and where to begin.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace loading {
+
+inline constexpr std::uint32_t memory_address = 0x8000'0000;
+// The boot loader itself (firmware/boot_loader/boot_loader.ld).
+inline constexpr std::uint32_t loader_address = 0x8000'F000;
+
+struct Program {
+  std::uint32_t address{};
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t entry{};
+};
+
+// An ELF file for the chip, or otherwise the plain contents of the memory from its begin on, which
+// are also the entry. The boot loader's part of a firmware is left out. Throws std::runtime_error
+// where a file is neither, or lies outside the memory.
+Program read_program(const std::filesystem::path& file);
+
+}  // namespace loading
