@@ -27,15 +27,21 @@ architecture rtl of input_filter is
 
   -- Clocks for which `level` has differed from `filtered` so far.
   signal differing_cycles : unsigned(width - 1 downto 0) := (others => '0');
+  -- That many without the one that is enough: a clock after `stable_cycles`, so that no sum is compared.
+  signal last_cycle : unsigned(width - 1 downto 0) := (others => '0');
 
 begin
 
   filter : process
   begin
     wait until rising_edge(clk);
+    last_cycle <= (others => '0');
+    if stable_cycles /= 0 then
+      last_cycle <= stable_cycles - 1;
+    end if;
     if level = filtered then
       differing_cycles <= (others => '0');
-    elsif differing_cycles + 1 >= stable_cycles then
+    elsif differing_cycles >= last_cycle then
       filtered <= level;
       differing_cycles <= (others => '0');
     else

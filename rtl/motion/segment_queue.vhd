@@ -27,6 +27,7 @@ entity segment_queue is
     flush : in std_ulogic;
 
     level : out natural range 0 to depth;
+    -- The highest that `level` was, up to the clock before.
     max_level : out natural range 0 to depth;
     full : out std_ulogic;
 
@@ -124,8 +125,9 @@ begin
       head_valid <= '1';
     end if;
     count <= next_count;
-    if next_count > highest_count then
-      highest_count <= next_count;
+    -- A clock later: what a tick takes out comes late in a clock.
+    if count > highest_count then
+      highest_count <= count;
     end if;
 
     if reset or flush then

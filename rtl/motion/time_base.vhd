@@ -87,6 +87,7 @@ architecture rtl of time_base is
   signal carry : std_ulogic;
   signal next_rate : unsigned(63 downto 0);
   signal may_start : std_ulogic;
+  signal may_tick, take_with_tick, take_from_rest : std_ulogic;
   -- The longest leaps that rate and floor permit.
   signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
 
@@ -157,12 +158,15 @@ begin
   longest_leap <= shorter(leap_of_head, leap_of_floor) when take = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
+  -- The carry is the last to be known in a clock: all else is made ready for it.
+  may_tick <= active and advance and not stop and axes_ready;
   due <= active and advance and not stop and carry;
-  tick <= due and axes_ready;
+  tick <= may_tick and carry;
   stalled <= due and not axes_ready;
   may_start <= run and (start or not head.waits_for_start);
-  take <= head_valid and not stop and
-    ((tick and last and not head.waits_for_start) or (not active and may_start));
+  take_with_tick <= may_tick and last and head_valid and not head.waits_for_start;
+  take_from_rest <= head_valid and not stop and not active and may_start;
+  take <= (take_with_tick and carry) or take_from_rest;
   waiting <= head_valid and head.waits_for_start and not active;
 
   integrate : process

@@ -24,7 +24,8 @@ architecture rtl of temperature_converter_registers is
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
   signal answered, reading, writing : std_ulogic := '0';
-  signal register_index : unsigned(9 downto 0) := (others => '0');
+  -- Of what is known only: the bits above are 0.
+  signal register_index : unsigned(4 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
@@ -76,7 +77,7 @@ begin
     if access_begins then
       response.data <= read_word;
       written_data <= request.data;
-      register_index <= request.address(11 downto 2);
+      register_index <= request.address(6 downto 2);
     end if;
     if reset then
       answered <= '0';

@@ -54,6 +54,8 @@ architecture rtl of heater_control is
   signal tick_ends : std_ulogic;
   signal slot_start : std_ulogic := '0';
   signal slot_phase : unsigned(23 downto 0) := (others => '0');
+  -- Of a slot, a clock after software sets it, so that no sum is compared.
+  signal last_phase : unsigned(23 downto 0) := (others => '0');
   signal slot_ends : std_ulogic;
 
   signal watchdog_timeout : tick_count_t := (others => '0');
@@ -79,7 +81,16 @@ begin
   maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
 
   tick_ends <= '1' when tick_phase = tick_cycles - 1 else '0';
-  slot_ends <= '1' when slot_phase + 1 >= from_software.slot.cycles else '0';
+  slot_ends <= '1' when slot_phase >= last_phase else '0';
+
+  find_last_phase : process
+  begin
+    wait until rising_edge(bus_clk);
+    last_phase <= (others => '0');
+    if from_software.slot.cycles /= 0 then
+      last_phase <= from_software.slot.cycles - 1;
+    end if;
+  end process;
 
   count_phases : process
   begin

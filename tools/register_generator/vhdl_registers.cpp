@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the VHDL entity of a peripheral's registers: the bus slave that holds them.
 #include <algorithm>
+#include <bit>
 #include <string_view>
 #include <vector>
 
@@ -53,7 +54,9 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("  -- The first clock of an access, and what it was, one clock later.");
     line("  signal access_begins : std_ulogic;");
     line("  signal answered, reading, writing : std_ulogic := '0';");
-    line("  signal register_index : unsigned(9 downto 0) := (others => '0');");
+    line("  -- Of what is known only: the bits above are 0.");
+    line("  signal register_index : unsigned({} downto 0) := (others => '0');",
+         highest_index_bit());
     line("  signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');");
     line("  signal readable, writable, known : std_ulogic;");
     line("  signal read_word : std_ulogic_vector(31 downto 0);");
@@ -112,6 +115,14 @@ class VhdlRegistersWriter : private VhdlWriter {
     return found;
   }
 
+  // Of the index of the last register.
+  unsigned highest_index_bit() const {
+    unsigned last = 1;
+    for (const Register& r : peripheral_.registers)
+      last = std::max(last, r.offset / 4 + r.count - 1);
+    return static_cast<unsigned>(std::bit_width(last)) - 1;
+  }
+
   void decode(const char* signal, const std::vector<std::pair<unsigned, unsigned>>& found) {
     if (found.empty()) {
       line("  {} <= '0';", signal);
@@ -149,7 +160,7 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("    if access_begins then");
     line("      response.data <= read_word;");
     line("      written_data <= request.data;");
-    line("      register_index <= request.address(11 downto 2);");
+    line("      register_index <= request.address({} downto 2);", highest_index_bit() + 2);
     line("    end if;");
     line("    if reset then");
     line("      answered <= '0';");
