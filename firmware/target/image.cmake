@@ -35,6 +35,6 @@ add_custom_target(stepping_benchmark_programs
 add_dependencies(stepping_benchmark_programs firmware_software_stepping)
 add_custom_target(processor_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
-    --target firmware.elf processor_benchmarks processor_benchmarks_without_c
+    --target processor_benchmarks processor_benchmarks_without_c
   DEPENDS firmware_image VERBATIM)
 add_dependencies(processor_benchmark_programs stepping_benchmark_programs)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The programs of `bench processor`: each work an image of its own, with and without compressed
-# instructions; and the firmware without them, for its size only.
+# instructions; and the firmware without its boot loader, for its size only.
 set(benchmark ${firmware}/benchmark)
 set(core_work linked_list.cpp matrix.cpp number_scanner.cpp core_work.cpp)
 set(record_work record_work.cpp)
@@ -31,12 +31,12 @@ function(add_processor_benchmarks suffix)
     add_code(main_code${suffix} ${firmware}/main.cpp)
     add_code(hardware_stepping_code${suffix} ${hardware_stepping})
     list(APPEND built firmware_code${suffix} main_code${suffix} hardware_stepping_code${suffix})
-    add_image(firmware${suffix} main_code${suffix} firmware_code${suffix}
-      hardware_stepping_code${suffix})
-    # It need not fit the chip's memory: it is not run.
-    target_link_options(firmware${suffix}.elf PRIVATE -Wl,--defsym=memory_bytes=0x20000)
-    list(APPEND linked firmware${suffix}.elf)
   endif()
+  add_image(firmware_alone${suffix} main_code${suffix} firmware_code${suffix}
+    hardware_stepping_code${suffix})
+  # It need not fit the chip's memory: it is not run.
+  target_link_options(firmware_alone${suffix}.elf PRIVATE -Wl,--defsym=memory_bytes=0x20000)
+  list(APPEND linked firmware_alone${suffix}.elf)
   foreach(target IN LISTS built linked)
     target_compile_options(${target} PRIVATE ${ARGN})
   endforeach()

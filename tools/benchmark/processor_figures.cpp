@@ -103,7 +103,8 @@ ProcessorFigures measure_processor(const ProcessorScope& scope,
          .uncompressed = run_compiled(work, uncompressed_suffix, iterations, text, scope)});
   }
   const auto size_of = [&](const char* suffix) {
-    return sim::read_elf(scope.programs / fmt::format("firmware{}.elf", suffix)).sizes.text_bytes;
+    return sim::read_elf(scope.programs / fmt::format("firmware_alone{}.elf", suffix))
+        .sizes.text_bytes;
   };
   figures.firmware_bytes = size_of("");
   figures.firmware_bytes_uncompressed = size_of(uncompressed_suffix);

@@ -36,7 +36,7 @@ struct WorkFigure {
 
 struct ProcessorFigures {
   std::vector<WorkFigure> works;
-  std::uint32_t firmware_bytes{};  // code and constants
+  std::uint32_t firmware_bytes{};  // code and constants, without the boot loader
   std::uint32_t firmware_bytes_uncompressed{};
 };
 
