@@ -113,6 +113,26 @@ TEST_F(Trial, what_is_reached_from_the_start_fails_with_its_name_clock_and_trace
   }
 }
 
+TEST_F(Trial, a_stand_in_takes_the_place_of_a_source) {
+  folder_.write("testbench/proofs/parts/counter.vhdl", counter);
+  auto proof = proof_of("stand_in", proof::Method::bounded, 2);
+  proof.only = {};
+  proof.stand_ins = {"parts/counter.vhdl"};
+  // The properties are woven into the source, so the stand-in has none.
+  EXPECT_THAT(outcome_of(proof).explanation, HasSubstr("there is nothing to prove"));
+}
+
+TEST_F(Trial, a_stand_in_for_nothing_is_an_error) {
+  folder_.write("testbench/proofs/other.vhdl", counter);
+  auto proof = proof_of("count_stays_below_six", proof::Method::bounded, 2);
+  for (const char* file : {"other.vhdl", "counter.vhdl"}) {
+    proof.stand_ins = {file};
+    const auto outcome = outcome_of(proof);
+    EXPECT_EQ(outcome.verdict, Verdict::broken);
+    EXPECT_THAT(outcome.explanation, HasSubstr("stands in for no source, or is not there"));
+  }
+}
+
 TEST_F(Trial, a_bounded_proof_says_nothing_of_later_clocks) {
   const auto outcome = outcome_of(proof_of("count_stays_below_four", proof::Method::bounded, 4));
   EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.explanation;

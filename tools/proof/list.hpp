@@ -29,6 +29,8 @@ struct Proof {
   std::vector<std::string> except;  // properties that another proof is for
   std::vector<std::string>
       free;  // entities within, of which nothing is known: their outputs are free
+  // Files relative to the list: each takes the place of the source with its name before the dot.
+  std::vector<std::filesystem::path> stand_ins;
   std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
   bool quick{};
 };

@@ -140,6 +140,9 @@ Proof proof_of(Entry& entry) {
     proof.only = entry.texts("only");
     proof.except = entry.texts("except");
     proof.free = entry.texts("free");
+    for (const std::string& file : entry.texts("stand_ins")) {
+      proof.stand_ins.emplace_back(file);
+    }
     if (!entry.has("depth")) {
       entry.fail("depth is missing");
     }

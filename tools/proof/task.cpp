@@ -68,23 +68,31 @@ Outcome solve(const SolverInput& input, const Stage& stage, const fs::path& fold
 
 Stage from_start(int depth) { return {"bounded", "", depth}; }
 
+enum class Answer { yes, no, unknown };
+
 // Whether one half of a proof holds, by Yosys' own solver: it is far faster than z3 for most of
 // this, but tells little where it does not hold.
-bool holds_by_sat(const SolverInput& input, const char* half, int depth, const fs::path& folder,
-                  std::chrono::seconds limit) {
+Answer ask_sat(const SolverInput& input, const char* half, int depth, const fs::path& folder,
+               std::chrono::seconds limit) {
   const fs::path log = folder / "sat.log";
   const std::string script = fmt::format(
       "read_rtlil {}; sat -tempinduct {} -prove-asserts -set-assumes -maxsteps {} -verify",
       (input.file.parent_path() / "formal.il").string(), half, depth);
   const ProcessResult result = run_process({"yosys", "-p", script}, folder, log, limit);
+  const std::string text = text_of(log);
+  if (text.find("model found for base case: FAIL!") != std::string::npos) {
+    return Answer::no;
+  }
   return result.exit_status == 0 &&
-         text_of(log).find("SAT temporal induction proof finished") == std::string::npos;
+                 text.find("SAT temporal induction proof finished") == std::string::npos
+             ? Answer::yes
+             : Answer::unknown;
 }
 
 Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::path& folder,
                       std::chrono::seconds limit) {
   if (proof.method == Method::bounded) {
-    if (holds_by_sat(input, "-tempinduct-baseonly", proof.depth, folder, limit)) {
+    if (ask_sat(input, "-tempinduct-baseonly", proof.depth, folder, limit) == Answer::yes) {
       Outcome outcome;
       outcome.verdict = Verdict::holds;
       return outcome;
@@ -95,7 +103,7 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
   if (base.verdict != Verdict::holds) {
     return base;
   }
-  if (holds_by_sat(input, "-tempinduct-inductonly", proof.depth, folder, limit)) {
+  if (ask_sat(input, "-tempinduct-inductonly", proof.depth, folder, limit) == Answer::yes) {
     return base;
   }
   return solve(input, {"induction", "-i", proof.depth}, folder, limit);
@@ -166,7 +174,13 @@ Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Pro
     prepare_sources(folders, folder / "sources", &mutation);
     const SolverInput input =
         make_solver_input(folders, folder / "sources", proof, &mutation.property, folder);
-    Outcome outcome = solve(input, from_start(mutation.depth), folder, limit);
+    Outcome outcome;
+    if (ask_sat(input, "-tempinduct-baseonly", mutation.depth, folder, limit) == Answer::no) {
+      outcome.verdict = Verdict::holds;
+      outcome.failed = {mutation.property};
+      return outcome;
+    }
+    outcome = solve(input, from_start(mutation.depth), folder, limit);
     if (outcome.verdict == Verdict::holds) {
       outcome.verdict = Verdict::fails;
       outcome.explanation = fmt::format("survives: {} holds for {} clocks all the same",

@@ -49,6 +49,17 @@ void add_sources(const fs::path& folder, std::vector<std::string>& files) {
   std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
 }
 
+void put_in_place(const fs::path& stand_in, std::vector<std::string>& files) {
+  const auto is_replaced = [&stand_in](const std::string& file) {
+    return fs::path(file).stem() == stand_in.stem();
+  };
+  if (std::ranges::count_if(files, is_replaced) != 1 || !fs::exists(stand_in)) {
+    throw std::runtime_error(
+        fmt::format("{} stands in for no source, or is not there", stand_in.string()));
+  }
+  *std::ranges::find_if(files, is_replaced) = stand_in.string();
+}
+
 }  // namespace
 
 void prepare_sources(const Folders& folders, const fs::path& sources, const Mutation* mutation) {
@@ -79,6 +90,9 @@ SolverInput make_solver_input(const Folders& folders, const fs::path& sources, c
   };
   std::vector<std::string> files;
   add_sources(sources, files);
+  for (const fs::path& stand_in : proof.stand_ins) {
+    put_in_place(folders.list() / stand_in, files);
+  }
   add_sources(folders.project / "testbench", files);
   ghdl("import", files, "import.log");
   ghdl("make", {proof.entity}, "make.log");

@@ -1,0 +1,313 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- RV32IM as its specification says it, for the proofs: what an instruction of 32 bits is, computes and
+-- where it leads. Shares nothing with the decoder and the arithmetic unit of the chip.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+package instruction_set_pkg is
+
+  subtype value_t is std_ulogic_vector(31 downto 0);
+
+  type kind_t is (
+    illegal, load_upper, add_upper, jump, jump_register, branch, load, store, operation, multiplication,
+    division, fence, fence_instruction, csr, environment_call, breakpoint, trap_return, wait_for_interrupt);
+
+  function kind_of(word : value_t) return kind_t;
+
+  -- The constants of the formats I, S, B, U, J.
+  function constant_i(word : value_t) return unsigned;
+  function constant_s(word : value_t) return unsigned;
+  function constant_b(word : value_t) return unsigned;
+  function constant_u(word : value_t) return unsigned;
+  function constant_j(word : value_t) return unsigned;
+
+  -- Whether the instruction reads rs1 and rs2 at all.
+  function reads_first(word : value_t) return boolean;
+  function reads_second(word : value_t) return boolean;
+  -- The register that it writes, "00000" where it writes none.
+  function destination_of(word : value_t) return std_ulogic_vector;
+
+  -- Of an operation on registers or on a register and a constant; `second` is the constant then.
+  function sum(word, first, second : value_t) return value_t;
+  function comparison(word, first, second : value_t) return value_t;
+  function logic(word, first, second : value_t) return value_t;
+  function shift(word, first, second : value_t) return value_t;
+  function is_taken(word, first, second : value_t) return boolean;
+  -- What multiplier.vhdl and divider.vhdl give instead of products and quotients: no solver could prove
+  -- those. It tells the operations and the operands apart.
+  function stand_in(funct3 : std_ulogic_vector(2 downto 0); first, second : value_t) return value_t;
+
+  -- Of loads and stores.
+  function is_misaligned(word : value_t; address : unsigned(31 downto 0)) return boolean;
+  function loaded(word, memory : value_t; address : unsigned(31 downto 0)) return value_t;
+  function stored(word, memory, data : value_t; address : unsigned(31 downto 0)) return value_t;
+  function lanes(word : value_t; address : unsigned(31 downto 0)) return std_ulogic_vector;
+
+end package;
+
+package body instruction_set_pkg is
+
+  function kind_of(word : value_t) return kind_t is
+    variable opcode : std_ulogic_vector(6 downto 0);
+    variable funct3 : std_ulogic_vector(2 downto 0);
+    variable funct7 : std_ulogic_vector(6 downto 0);
+    variable kind : kind_t;
+  begin
+    opcode := word(6 downto 0);
+    funct3 := word(14 downto 12);
+    funct7 := word(31 downto 25);
+    kind := illegal;
+    case opcode is
+      when "0110111" => kind := load_upper;
+      when "0010111" => kind := add_upper;
+      when "1101111" => kind := jump;
+      when "1100111" =>
+        if funct3 = "000" then
+          kind := jump_register;
+        end if;
+      when "1100011" =>
+        if funct3 /= "010" and funct3 /= "011" then
+          kind := branch;
+        end if;
+      when "0000011" =>
+        if funct3 /= "011" and funct3 /= "110" and funct3 /= "111" then
+          kind := load;
+        end if;
+      when "0100011" =>
+        if funct3 = "000" or funct3 = "001" or funct3 = "010" then
+          kind := store;
+        end if;
+      when "0010011" =>
+        if funct3 = "001" then
+          if funct7 = "0000000" then
+            kind := operation;
+          end if;
+        elsif funct3 = "101" then
+          if funct7 = "0000000" or funct7 = "0100000" then
+            kind := operation;
+          end if;
+        else
+          kind := operation;
+        end if;
+      when "0110011" =>
+        if funct7 = "0000000" then
+          kind := operation;
+        elsif funct7 = "0100000" and (funct3 = "000" or funct3 = "101") then
+          kind := operation;
+        elsif funct7 = "0000001" and funct3(2) = '0' then
+          kind := multiplication;
+        elsif funct7 = "0000001" then
+          kind := division;
+        end if;
+      when "0001111" =>
+        if funct3 = "000" then
+          kind := fence;
+        elsif funct3 = "001" then
+          kind := fence_instruction;
+        end if;
+      when "1110011" =>
+        if funct3 = "000" then
+          case word(31 downto 7) is
+            when x"000" & "0000000000000" => kind := environment_call;
+            when x"001" & "0000000000000" => kind := breakpoint;
+            when x"302" & "0000000000000" => kind := trap_return;
+            when x"105" & "0000000000000" => kind := wait_for_interrupt;
+            when others => null;
+          end case;
+        elsif funct3 /= "100" then
+          kind := csr;
+        end if;
+      when others => null;
+    end case;
+    return kind;
+  end function;
+
+  function extended(bits : std_ulogic_vector) return unsigned is
+  begin
+    return unsigned(resize(signed(bits), 32));
+  end function;
+
+  function constant_i(word : value_t) return unsigned is
+  begin
+    return extended(word(31 downto 20));
+  end function;
+
+  function constant_s(word : value_t) return unsigned is
+  begin
+    return extended(word(31 downto 25) & word(11 downto 7));
+  end function;
+
+  function constant_b(word : value_t) return unsigned is
+  begin
+    return extended(word(31) & word(7) & word(30 downto 25) & word(11 downto 8) & '0');
+  end function;
+
+  function constant_u(word : value_t) return unsigned is
+  begin
+    return unsigned(word(31 downto 12)) & x"000";
+  end function;
+
+  function constant_j(word : value_t) return unsigned is
+  begin
+    return extended(word(31) & word(19 downto 12) & word(20) & word(30 downto 21) & '0');
+  end function;
+
+  function reads_first(word : value_t) return boolean is
+  begin
+    case kind_of(word) is
+      when jump_register | branch | load | store | operation | multiplication | division => return true;
+      when csr => return word(14) = '0';
+      when others => return false;
+    end case;
+  end function;
+
+  function reads_second(word : value_t) return boolean is
+  begin
+    case kind_of(word) is
+      when branch | store | multiplication | division => return true;
+      when operation => return word(5) = '1';
+      when others => return false;
+    end case;
+  end function;
+
+  function destination_of(word : value_t) return std_ulogic_vector is
+  begin
+    case kind_of(word) is
+      when load_upper | add_upper | jump | jump_register | load | operation | multiplication |
+           division | csr =>
+        return word(11 downto 7);
+      when others => return "00000";
+    end case;
+  end function;
+
+  function sum(word, first, second : value_t) return value_t is
+  begin
+    if word(5) = '1' and word(30) = '1' then
+      return std_ulogic_vector(unsigned(first) - unsigned(second));
+    end if;
+    return std_ulogic_vector(unsigned(first) + unsigned(second));
+  end function;
+
+  function comparison(word, first, second : value_t) return value_t is
+    variable less : boolean;
+  begin
+    less := signed(first) < signed(second);
+    if word(12) = '1' then
+      less := unsigned(first) < unsigned(second);
+    end if;
+    if less then
+      return x"00000001";
+    end if;
+    return x"00000000";
+  end function;
+
+  function logic(word, first, second : value_t) return value_t is
+  begin
+    case word(14 downto 12) is
+      when "100" => return first xor second;
+      when "110" => return first or second;
+      when others => return first and second;
+    end case;
+  end function;
+
+  function shift(word, first, second : value_t) return value_t is
+    variable distance : natural range 0 to 31;
+  begin
+    distance := to_integer(unsigned(second(4 downto 0)));
+    if word(14) = '0' then
+      return std_ulogic_vector(shift_left(unsigned(first), distance));
+    elsif word(30) = '1' then
+      return std_ulogic_vector(shift_right(signed(first), distance));
+    end if;
+    return std_ulogic_vector(shift_right(unsigned(first), distance));
+  end function;
+
+  function is_taken(word, first, second : value_t) return boolean is
+  begin
+    case word(14 downto 12) is
+      when "000" => return first = second;
+      when "001" => return first /= second;
+      when "100" => return signed(first) < signed(second);
+      when "101" => return signed(first) >= signed(second);
+      when "110" => return unsigned(first) < unsigned(second);
+      when others => return unsigned(first) >= unsigned(second);
+    end case;
+  end function;
+
+  function stand_in(funct3 : std_ulogic_vector(2 downto 0); first, second : value_t) return value_t is
+  begin
+    return std_ulogic_vector(unsigned(first) - unsigned(second)) xor (funct3 & x"2d8e6a1" & '1');
+  end function;
+
+  function is_misaligned(word : value_t; address : unsigned(31 downto 0)) return boolean is
+  begin
+    case word(13 downto 12) is
+      when "00" => return false;
+      when "01" => return address(0) = '1';
+      when others => return address(1 downto 0) /= "00";
+    end case;
+  end function;
+
+  function loaded(word, memory : value_t; address : unsigned(31 downto 0)) return value_t is
+    variable half : std_ulogic_vector(15 downto 0);
+    variable byte : std_ulogic_vector(7 downto 0);
+    variable result : value_t;
+  begin
+    half := memory(31 downto 16) when address(1) = '1' else memory(15 downto 0);
+    byte := half(15 downto 8) when address(0) = '1' else half(7 downto 0);
+    case word(14 downto 12) is
+      when "000" => result := std_ulogic_vector(resize(signed(byte), 32));
+      when "001" => result := std_ulogic_vector(resize(signed(half), 32));
+      when "100" => result := x"000000" & byte;
+      when "101" => result := x"0000" & half;
+      when others => result := memory;
+    end case;
+    return result;
+  end function;
+
+  function lanes(word : value_t; address : unsigned(31 downto 0)) return std_ulogic_vector is
+    variable result : std_ulogic_vector(3 downto 0);
+  begin
+    case word(13 downto 12) is
+      when "00" =>
+        case address(1 downto 0) is
+          when "00" => result := "0001";
+          when "01" => result := "0010";
+          when "10" => result := "0100";
+          when others => result := "1000";
+        end case;
+      when "01" =>
+        result := "1100" when address(1) = '1' else "0011";
+      when others =>
+        result := "1111";
+    end case;
+    return result;
+  end function;
+
+  function stored(word, memory, data : value_t; address : unsigned(31 downto 0)) return value_t is
+    variable result : value_t;
+  begin
+    result := memory;
+    case word(13 downto 12) is
+      when "00" =>
+        case address(1 downto 0) is
+          when "00" => result(7 downto 0) := data(7 downto 0);
+          when "01" => result(15 downto 8) := data(7 downto 0);
+          when "10" => result(23 downto 16) := data(7 downto 0);
+          when others => result(31 downto 24) := data(7 downto 0);
+        end case;
+      when "01" =>
+        if address(1) = '1' then
+          result(31 downto 16) := data(15 downto 0);
+        else
+          result(15 downto 0) := data(15 downto 0);
+        end if;
+      when others =>
+        result := data;
+    end case;
+    return result;
+  end function;
+
+end package body;

@@ -1,0 +1,411 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The processor with memory, bus and interrupts of which nothing is known but their manners, and beside it
+-- the instruction set as its specification says it: each instruction that `retirement` tells is judged.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_pkg.all;
+use work.instruction_set_pkg.all;
+use work.memory_pkg.all;
+use work.processor_pkg.all;
+use work.short_instructions_pkg.all;
+
+entity processor_proof is
+  port (
+    clk : in std_ulogic;
+    -- Anything, in each clock anew.
+    any_instruction : in value_t;
+    any_data : in value_t;
+    bus_response : in bus_response_t;
+    interrupts_begin : in std_ulogic
+  );
+end entity;
+
+architecture proof of processor_proof is
+
+  constant memory_end : unsigned(31 downto 0) := x"80010000";
+  -- Clocks in which something must be completed or refused while the processor does not sleep: most needs a
+  -- bus access behind a load, or a trap out of it.
+  constant most_clocks_between_events : positive := 9;
+  constant most_clocks_of_bus : positive := 2;
+  -- Clocks after which a request must have been seen.
+  constant clocks_to_settle : positive := 5;
+
+  attribute anyconst : boolean;
+  -- Any two registers: programs here read no others, but write all.
+  signal first_register, second_register : register_index_t := (others => '0');
+  attribute anyconst of first_register : signal is true;
+  attribute anyconst of second_register : signal is true;
+  -- Any half word of the program, with the one behind it.
+  signal code_place : unsigned(31 downto 1) := (others => '0');
+  signal code_low, code_high : std_ulogic_vector(15 downto 0) := (others => '0');
+  attribute anyconst of code_place : signal is true;
+  attribute anyconst of code_low : signal is true;
+  attribute anyconst of code_high : signal is true;
+  -- Any word of the data, with what it is at first.
+  signal data_place : unsigned(31 downto 2) := (others => '0');
+  signal data_at_first : value_t := (others => '0');
+  attribute anyconst of data_place : signal is true;
+  attribute anyconst of data_at_first : signal is true;
+  -- Any interrupts, which begin at any time and stay.
+  signal any_requests : value_t := (others => '0');
+  attribute anyconst of any_requests : signal is true;
+
+  signal running : std_ulogic := '0';
+  signal reset : std_ulogic;
+
+  signal instruction_request : instruction_request_t;
+  signal memory_request : memory_request_t;
+  signal bus_request : bus_request_t;
+  signal instruction_data, memory_data, data_word : value_t := (others => '0');
+  signal requests : value_t := (others => '0');
+  signal requested_for : natural range 0 to clocks_to_settle := 0;
+  signal settled : std_ulogic;
+  signal sleeping : std_ulogic;
+  signal retirement : retirement_t;
+
+  -- What happens in this clock.
+  signal event, completed, refused, interrupted, has_word : std_ulogic;
+  signal is_long : std_ulogic;
+  signal word : value_t;
+  signal kind : kind_t;
+  signal address, link, next_address : unsigned(31 downto 0);
+  signal first, second, operand, immediate : value_t;
+  signal data_address, fetch_fault_address : unsigned(31 downto 0);
+  signal fetch_fault, misaligned, over_bus, is_access : std_ulogic;
+  signal must_trap, writes, asks_bus : std_ulogic;
+  signal cause : std_ulogic_vector(4 downto 0);
+  signal trap_value : value_t;
+  signal expected : value_t;
+
+  -- The state of the model.
+  signal first_content, second_content : value_t := (others => '0');
+  signal expected_address : unsigned(31 downto 0) := x"80000000";
+  signal address_known : std_ulogic := '1';
+  signal word_in_memory : value_t := (others => '0');
+  signal waited : natural range 0 to most_clocks_between_events + 1 := 0;
+  signal due_before : std_ulogic := '0';
+  signal asleep_for : natural range 0 to clocks_to_settle := 0;
+
+  -- The last answer on the bus that no instruction has told yet.
+  signal bus_answered : std_ulogic := '0';
+  signal bus_failed, bus_wrote : std_ulogic;
+  signal bus_address : unsigned(31 downto 0);
+  signal bus_lanes : std_ulogic_vector(3 downto 0);
+  signal bus_data, bus_written : value_t;
+  signal bus_waited : natural range 0 to most_clocks_of_bus := 0;
+
+  signal csr_legal, csr_known, permitted, return_known, due : std_ulogic;
+  signal csr_value, active : value_t;
+  signal trap_target, return_address : unsigned(31 downto 0);
+
+  default clock is rising_edge(clk);
+
+begin
+
+  reset <= not running;
+
+  processor : entity work.processor
+    port map (
+      clk => clk,
+      always_clk => clk,
+      reset => reset,
+      instruction_request => instruction_request,
+      instruction_data => instruction_data,
+      memory_request => memory_request,
+      memory_data => memory_data,
+      bus_request => bus_request,
+      bus_response => bus_response,
+      timer_interrupt => requests(7),
+      external_interrupt => requests(11),
+      interrupts => requests(31 downto 16),
+      sleeping => sleeping,
+      retirement => retirement);
+
+  -- The memory: of the program two half words are known and stay, of the data one word. What else it gives
+  -- is anything, but stays as long as nothing is asked.
+  memory : process
+  begin
+    wait until rising_edge(clk);
+    running <= '1';
+    if instruction_request.enable then
+      instruction_data <= any_instruction;
+      if instruction_request.upper_address & '1' = code_place then
+        instruction_data(31 downto 16) <= code_low;
+      elsif instruction_request.upper_address & '1' = code_place + 1 then
+        instruction_data(31 downto 16) <= code_high;
+      end if;
+      if instruction_request.lower_address & '0' = code_place then
+        instruction_data(15 downto 0) <= code_low;
+      elsif instruction_request.lower_address & '0' = code_place + 1 then
+        instruction_data(15 downto 0) <= code_high;
+      end if;
+    end if;
+    if memory_request.enable then
+      memory_data <= any_data;
+      if memory_request.address = data_place and memory_request.write_bytes = "0000" then
+        memory_data <= data_word;
+      end if;
+      for lane in 0 to 3 loop
+        if memory_request.address = data_place and memory_request.write_bytes(lane) = '1' then
+          data_word(8 * lane + 7 downto 8 * lane) <= memory_request.data(8 * lane + 7 downto 8 * lane);
+        end if;
+      end loop;
+    end if;
+    if reset then
+      data_word <= data_at_first;
+    end if;
+  end process;
+
+  request_interrupts : process
+  begin
+    wait until rising_edge(clk);
+    if interrupts_begin = '1' or requested_for > 0 then
+      requests <= any_requests and x"ffff0880";
+      if requested_for < clocks_to_settle then
+        requested_for <= requested_for + 1;
+      end if;
+    end if;
+    if reset then
+      requests <= x"00000000";
+      requested_for <= 0;
+    end if;
+  end process;
+  settled <= '1' when requested_for = 0 or requested_for = clocks_to_settle else '0';
+
+  -- What is told in this clock, and what the specification says of it.
+  completed <= running and retirement.valid;
+  interrupted <= running and retirement.trap and retirement.interrupt;
+  refused <= running and retirement.trap and not retirement.interrupt;
+  event <= completed or refused or interrupted;
+  address <= retirement.address;
+  is_long <= and retirement.instruction(1 downto 0);
+  word <= retirement.instruction when is_long = '1' else expanded(retirement.instruction(15 downto 0));
+  kind <= kind_of(word);
+  link <= address + 4 when is_long = '1' else address + 2;
+
+  first <= x"00000000" when word(19 downto 15) = "00000" else first_content;
+  second <= x"00000000" when word(24 downto 20) = "00000" else second_content;
+  immediate <= std_ulogic_vector(constant_s(word)) when kind = store else
+               std_ulogic_vector(constant_i(word));
+  operand <= first when kind = csr and word(14) = '0' else
+             x"000000" & "000" & word(19 downto 15) when kind = csr else
+             second when word(5) = '1' else
+             immediate;
+  data_address <= unsigned(first) + unsigned(immediate);
+  over_bus <= '1' when data_address(31 downto 16) /= x"8000" else '0';
+  is_access <= '1' when kind = load or kind = store else '0';
+  misaligned <= '1' when is_misaligned(word, data_address) else '0';
+
+  fetch_fault <= '1' when address(31 downto 16) /= x"8000" or
+                          (address = memory_end - 2 and is_long = '1') else '0';
+  fetch_fault_address <= memory_end when address(31 downto 16) = x"8000" else address;
+  has_word <= completed or (refused and not fetch_fault);
+
+  judge_traps : process (all)
+  begin
+    must_trap <= '1';
+    cause <= "00000";
+    trap_value <= std_ulogic_vector(address);
+    if fetch_fault then
+      cause <= cause_instruction_access;
+      trap_value <= std_ulogic_vector(fetch_fault_address);
+    elsif kind = illegal or (kind = csr and csr_legal = '0') then
+      cause <= cause_illegal_instruction;
+      trap_value <= retirement.instruction;
+    elsif kind = environment_call then
+      cause <= cause_environment_call;
+      trap_value <= x"00000000";
+    elsif kind = breakpoint then
+      cause <= cause_breakpoint;
+    elsif is_access = '1' and misaligned = '1' then
+      cause <= cause_load_misaligned when kind = load else cause_store_misaligned;
+      trap_value <= std_ulogic_vector(data_address);
+    elsif is_access = '1' and over_bus = '1' and bus_failed = '1' then
+      cause <= cause_load_access when kind = load else cause_store_access;
+      trap_value <= std_ulogic_vector(data_address);
+    else
+      must_trap <= '0';
+    end if;
+  end process;
+
+  registers : entity work.csr_model
+    port map (
+      clk => clk,
+      reset => reset,
+      completed => completed,
+      refused => refused,
+      interrupted => interrupted,
+      word => word,
+      address => address,
+      operand => operand,
+      cause => cause,
+      trap_value => trap_value,
+      requests => requests,
+      settled => settled,
+      legal => csr_legal,
+      value => csr_value,
+      known => csr_known,
+      active => active,
+      permitted => permitted,
+      trap_target => trap_target,
+      return_address => return_address,
+      return_known => return_known);
+
+  choose_next_address : process (all)
+  begin
+    next_address <= link;
+    if refused or interrupted then
+      next_address <= trap_target;
+    elsif kind = jump then
+      next_address <= address + constant_j(word);
+    elsif kind = jump_register then
+      next_address <= data_address(31 downto 1) & '0';
+    elsif kind = branch and is_taken(word, first, second) then
+      next_address <= address + constant_b(word);
+    elsif kind = trap_return then
+      next_address <= return_address;
+    end if;
+  end process;
+
+  due <= '1' when active /= x"00000000" and permitted = '1' and requested_for = clocks_to_settle else '0';
+
+  follow : process
+  begin
+    wait until rising_edge(clk);
+    if completed = '1' and retirement.destination /= "00000" then
+      if retirement.destination = first_register then
+        first_content <= retirement.value;
+      end if;
+      if retirement.destination = second_register then
+        second_content <= retirement.value;
+      end if;
+    end if;
+    if completed = '1' and kind = store and data_address(31 downto 2) = data_place then
+      word_in_memory <= stored(word, word_in_memory, second, data_address);
+    end if;
+    if event then
+      expected_address <= next_address;
+      address_known <= return_known when kind = trap_return and completed = '1' else '1';
+      due_before <= due;
+    end if;
+
+    waited <= waited + 1 when waited <= most_clocks_between_events else waited;
+    if event or sleeping then
+      waited <= 0;
+    end if;
+    asleep_for <= 0;
+    if sleeping = '1' and active /= x"00000000" and settled = '1' then
+      asleep_for <= asleep_for + 1 when asleep_for < clocks_to_settle else asleep_for;
+    end if;
+    if reset then
+      word_in_memory <= data_at_first;
+      expected_address <= x"80000000";
+      address_known <= '1';
+      waited <= 0;
+      due_before <= '0';
+      asleep_for <= 0;
+    end if;
+  end process;
+
+  watch_bus : process
+  begin
+    wait until rising_edge(clk);
+    if event then
+      bus_answered <= '0';
+    end if;
+    bus_waited <= 0;
+    if bus_request.strobe = '1' and bus_response.acknowledge = '0' and bus_response.error = '0' and
+       bus_waited < most_clocks_of_bus then
+      bus_waited <= bus_waited + 1;
+    end if;
+    if bus_request.strobe = '1' and (bus_response.acknowledge = '1' or bus_response.error = '1') then
+      bus_answered <= '1';
+      bus_failed <= bus_response.error;
+      bus_wrote <= bus_request.write;
+      bus_address <= bus_request.address;
+      bus_lanes <= bus_request.select_bytes;
+      bus_data <= bus_response.data;
+      bus_written <= bus_request.data;
+    end if;
+    if reset then
+      bus_answered <= '0';
+      bus_waited <= 0;
+    end if;
+  end process;
+
+  expected <= std_ulogic_vector(constant_u(word)) when kind = load_upper else
+              std_ulogic_vector(address + constant_u(word)) when kind = add_upper else
+              std_ulogic_vector(link) when kind = jump or kind = jump_register else
+              stand_in(word(14 downto 12), first, second) when kind = multiplication or kind = division else
+              sum(word, first, operand) when word(14 downto 12) = "000" else
+              shift(word, first, operand) when word(13 downto 12) = "01" else
+              comparison(word, first, operand) when word(14) = '0' else
+              logic(word, first, operand);
+
+  writes <= '1' when completed = '1' and retirement.destination /= "00000" else '0';
+  asks_bus <= (completed or refused) and not fetch_fault and is_access and over_bus and not misaligned;
+
+  -- Manners.
+  only_these_registers_are_read : assume always (has_word ->
+    ((not reads_first(word) or word(19 downto 15) = "00000" or word(19 downto 15) = first_register) and
+     (not reads_second(word) or word(24 downto 20) = "00000" or word(24 downto 20) = second_register)));
+  the_bus_answers : assume always
+    ((bus_request.strobe = '1' and bus_waited = most_clocks_of_bus) ->
+     (bus_response.acknowledge or bus_response.error));
+  the_bus_answers_in_one_way : assume always not (bus_response.acknowledge and bus_response.error);
+
+  instructions_come_from_their_address : assert always
+    ((has_word = '1' and address(31 downto 1) = code_place) ->
+     (retirement.instruction(15 downto 0) = code_low and
+      ((is_long = '1' and retirement.instruction(31 downto 16) = code_high) or
+       (is_long = '0' and retirement.instruction(31 downto 16) = x"0000"))));
+  each_instruction_follows_the_one_before : assert always
+    ((event and address_known) -> address = expected_address);
+  an_instruction_is_completed_or_refused : assert always
+    (not (completed and refused) and not (completed and interrupted));
+  what_must_trap_traps : assert always ((completed or refused) -> refused = must_trap);
+  each_instruction_writes_its_register : assert always
+    (completed -> retirement.destination = destination_of(word));
+
+  upper_constants_are_right : assert always
+    ((writes = '1' and (kind = load_upper or kind = add_upper)) -> retirement.value = expected);
+  links_are_right : assert always
+    ((writes = '1' and (kind = jump or kind = jump_register)) -> retirement.value = expected);
+  sums_are_right : assert always
+    ((writes = '1' and kind = operation and word(14 downto 12) = "000") -> retirement.value = expected);
+  shifts_are_right : assert always
+    ((writes = '1' and kind = operation and word(13 downto 12) = "01") -> retirement.value = expected);
+  comparisons_are_right : assert always
+    ((writes = '1' and kind = operation and word(14 downto 13) = "01") -> retirement.value = expected);
+  logic_is_right : assert always
+    ((writes = '1' and kind = operation and word(14) = '1' and word(13 downto 12) /= "01") ->
+     retirement.value = expected);
+  products_and_quotients_are_passed_on : assert always
+    ((writes = '1' and (kind = multiplication or kind = division)) -> retirement.value = expected);
+
+  loads_read_what_was_stored : assert always
+    ((writes = '1' and kind = load and over_bus = '0' and data_address(31 downto 2) = data_place) ->
+     retirement.value = loaded(word, word_in_memory, data_address));
+  the_bus_is_asked_for_the_right_thing : assert always
+    (asks_bus ->
+     (bus_answered = '1' and bus_address = data_address and (bus_wrote = '1') = (kind = store) and
+      bus_lanes = lanes(word, data_address) and
+      (kind = load or stored(word, bus_written, second, data_address) = bus_written)));
+  the_bus_is_asked_for_nothing_else : assert always ((event and not asks_bus) -> not bus_answered);
+  loads_over_the_bus_are_right : assert always
+    ((writes = '1' and kind = load and asks_bus = '1') ->
+     retirement.value = loaded(word, bus_data, data_address));
+
+  registers_of_machine_mode_are_right : assert always
+    ((writes = '1' and kind = csr and csr_known = '1') -> retirement.value = csr_value);
+  interrupts_are_due : assert always (interrupted -> (permitted = '1' and active /= x"00000000"));
+  due_interrupts_are_taken : assert always
+    ((event = '1' and due_before = '1' and due = '1') ->
+     (interrupted = '1' or (completed = '1' and kind = wait_for_interrupt)));
+  sleep_ends : assert always (asleep_for < clocks_to_settle);
+  something_happens : assert always (waited <= most_clocks_between_events);
+
+end architecture;
