@@ -11,10 +11,12 @@ entity alu is
   port (
     first : in word_t;
     second : in word_t;
+    -- The same where it is no constant: `equal` and `less` are wanted early in the clock.
+    second_register : in word_t;
     -- In the coding of funct3; 5 gives `second` as it is where `shift` is low.
     operation : in std_ulogic_vector(2 downto 0);
     shift : in std_ulogic;
-    -- Subtract instead of add; needed for comparisons, too.
+    -- Subtract instead of add.
     subtract : in std_ulogic;
     -- Arithmetic instead of logical shift to the right.
     arithmetic_shift : in std_ulogic;
@@ -27,22 +29,32 @@ end entity;
 
 architecture rtl of alu is
 
-  signal addend, shifted, conditional, logical : word_t;
-  signal first_sign, second_sign, is_left, fill : std_ulogic;
-  signal sum : unsigned(33 downto 0);
+  signal addend, shifted, without_sum, without_shift, logical : word_t;
+  signal first_sign, second_sign, register_sign, is_left, fill : std_ulogic;
+  signal sum : unsigned(32 downto 0);
+  signal less_than_second : std_ulogic;
+  signal equal_pairs : std_ulogic_vector(15 downto 0);
   signal to_shift : unsigned(62 downto 0);
   signal distance : natural range 0 to 31;
 
 begin
 
-  -- One adder for all: with a bit below, from which the carry comes, and one above, which answers
-  -- both comparisons.
+  -- With a bit below, from which the carry comes.
   addend <= second xor (31 downto 0 => subtract);
+  sum <= unsigned(first & '1') + unsigned(addend & subtract);
+
+  -- Comparisons have an adder of their own: branches depend on them, and so does the length of a clock.
   first_sign <= first(31) and not compare_unsigned;
-  second_sign <= (second(31) and not compare_unsigned) xor subtract;
-  sum <= unsigned(first_sign & first & '1') + unsigned(second_sign & addend & subtract);
-  less <= sum(33);
-  equal <= first ?= second;
+  second_sign <= second(31) and not compare_unsigned;
+  less_than_second <= '1' when signed(first_sign & first) < signed(second_sign & second) else '0';
+  register_sign <= second_register(31) and not compare_unsigned;
+  less <= '1' when signed(first_sign & first) < signed(register_sign & second_register) else '0';
+  compare_pairs : for pair in equal_pairs'range generate
+    equal_pairs(pair) <= first(2 * pair + 1 downto 2 * pair) ?=
+                         second_register(2 * pair + 1 downto 2 * pair);
+  end generate;
+  equal <= (and equal_pairs(3 downto 0)) and (and equal_pairs(7 downto 4)) and
+           (and equal_pairs(11 downto 8)) and (and equal_pairs(15 downto 12));
 
   -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
   is_left <= not operation(2);
@@ -54,14 +66,14 @@ begin
 
   -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right or `second`, 6 or,
   -- 7 and.
-  conditional <= (31 downto 1 => '0') & sum(33) when operation(1) else
-                 std_ulogic_vector(sum(32 downto 1));
+  -- Shifts take longest, then sums.
+  without_sum <= logical when operation(2) else (31 downto 1 => '0') & less_than_second;
+  without_shift <= without_sum when operation(2) or operation(1) else
+                   std_ulogic_vector(sum(32 downto 1));
   logical <= first and second when operation(1) and operation(0) else
              first or second when operation(1) else
              second when operation(0) else
              first xor second;
-  result <= shifted when shift else
-            logical when operation(2) else
-            conditional;
+  result <= shifted when shift else without_shift;
 
 end architecture;

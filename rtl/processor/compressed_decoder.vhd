@@ -20,7 +20,7 @@ architecture rtl of compressed_decoder is
   alias funct3 : std_ulogic_vector(2 downto 0) is instruction(15 downto 13);
   -- Full register numbers, and those of three bits that mean x8 to x15.
   alias upper_field : register_index_t is instruction(11 downto 7);
-  alias lower_field : register_index_t is instruction(6 downto 2);
+  alias lower_field : std_ulogic_vector(4 downto 0) is instruction(6 downto 2);
   signal upper_short, lower_short : register_index_t;
 
   signal quadrant_0, quadrant_1, quadrant_2 : std_ulogic;
@@ -31,9 +31,8 @@ architecture rtl of compressed_decoder is
   signal upper_is_sp, is_sp, is_short_shift, is_short_and, is_short_operation : std_ulogic;
   signal is_jump_register, is_move, is_add, is_breakpoint : std_ulogic;
   signal is_load, is_store, is_jump, is_constant : std_ulogic;
-  signal first_is_sp, first_is_short, second_is_zero : std_ulogic;
   signal upper_zero, lower_zero, constant_zero : std_ulogic;
-  signal sign, extension : std_ulogic;
+  signal sign, extension, without_link : std_ulogic;
   signal from_quadrant_0, from_quadrant_1, from_quadrant_2 : std_ulogic_vector(11 downto 0);
   signal jump_offset, branch_offset, sp_amount, small_constant : std_ulogic_vector(11 downto 0);
   signal low : std_ulogic_vector(11 downto 0);
@@ -91,25 +90,13 @@ begin
                       (is_load_from_sp and not upper_zero) or is_store_to_sp;
   decoded.legal(3) <= is_jump_register or is_breakpoint or is_move or is_add;
 
-  -- Which registers are read decides the length of the clock: four bits tell where their numbers
-  -- stand in what is legal. Branches compare with x0.
-  first_is_sp <= (quadrant_0 and not instruction(14)) or (quadrant_2 and instruction(14));
-  first_is_short <= (quadrant_0 and instruction(14)) or (quadrant_1 and instruction(15));
-  second_is_zero <= quadrant_1 and instruction(14);
-  decoded.first_index <= "00010" when first_is_sp else
-                         upper_short when first_is_short else
-                         upper_field;
-  decoded.second_index <= "00000" when second_is_zero else
-                          lower_field when quadrant_2 else
-                          lower_short;
+  -- jr and j write nothing, jal and jalr write x1.
+  without_link <= is_jump_only or (is_move_or_jump and lower_zero and not instruction(12));
   decoded.destination <= lower_short when quadrant_0 else
-                         upper_short when is_arithmetic else
-                         "00001" when is_jump_and_link else
-                         -- jr and j write x0, jalr writes x1.
-                         "0000" & instruction(12) when is_move_or_jump and lower_zero else
-                         "00000" when is_jump_only else
+                         upper_short when instruction(15) and quadrant_1 else
                          upper_field;
-  decoded.writes <= not (is_store or is_branch or is_breakpoint);
+  decoded.writes <= not (is_store or is_branch or is_breakpoint or without_link);
+  decoded.writes_link <= is_jump_and_link or (is_move_or_jump and lower_zero);
   decoded.late <= is_load;
   decoded.reads_first <= not (is_jump or is_constant);
   decoded.reads_second <= is_store or is_branch or is_short_operation or is_move_or_jump;
@@ -155,8 +142,7 @@ begin
                        (is_constant or is_shift_left or (is_arithmetic and
                         (not is_short_operation or (instruction(6) and instruction(5)))));
   decoded.shift <= is_shift_left or is_short_shift;
-  decoded.subtract <= is_branch or
-                      (is_short_operation and not instruction(6) and not instruction(5));
+  decoded.subtract <= is_short_operation and not instruction(6) and not instruction(5);
   decoded.arithmetic_shift <= instruction(10);
   decoded.compare_unsigned <= '0';
 

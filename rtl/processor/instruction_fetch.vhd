@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Asks the memory for the next instruction, and shows the one that it has brought.
+-- Asks the memory for instructions, and shows the next one of what it has brought.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -45,52 +45,67 @@ architecture rtl of instruction_fetch is
 
   signal redirecting, resetting : std_ulogic;
   signal redirect_target, redirect_target_plus_2 : unsigned(31 downto 0);
-  signal enable, is_word, in_upper_half, outside, straddles : std_ulogic;
-  signal next_word, word_after : unsigned(31 downto 2);
-  signal upper_behind_short, upper_behind_long : unsigned(31 downto 2);
-  signal lower_behind_short, lower_behind_long : unsigned(31 downto 2);
+  signal enable, is_word, outside, straddles : std_ulogic;
+
+  -- The memory is asked for pairs of half words, each 4 bytes behind the one before, from where the last
+  -- jump went. How long the instruction shown is comes too late in the clock to tell the memory where
+  -- to read on; it only decides which half words begin the next. `kept` is the pair before the one that
+  -- the memory shows.
+  type place_t is (memory_first, kept_second, kept_first);
+  signal place : place_t;
+  signal pair, kept : word_t;
+  signal kept_half : std_ulogic_vector(15 downto 0);
+  signal first_is_kept, first_is_upper, second_is_kept, second_is_upper : std_ulogic;
+  -- Where the pair begins that the memory shows; the next words.
+  signal pair_address : unsigned(31 downto 1);
+  signal word_after, second_word_after : unsigned(31 downto 2);
+  signal other_upper, other_lower : unsigned(31 downto 2);
   signal upper_address, lower_address : unsigned(31 downto 2);
-  signal next_in_upper_half : std_ulogic;
+  signal other_in_upper_half : std_ulogic;
 
 begin
 
-  in_upper_half <= address(1);
-  instruction <= instruction_data(15 downto 0) & instruction_data(31 downto 16) when
-                   in_upper_half else
-                 instruction_data;
-  is_word <= (and instruction_data(17 downto 16)) when in_upper_half else
-             (and instruction_data(1 downto 0));
+  pair <= instruction_data(15 downto 0) & instruction_data(31 downto 16) when pair_address(1) else
+          instruction_data;
+  -- What the memory brings comes late in the clock: one choice, made early, is all between it and the
+  -- instruction.
+  kept_half <= kept(31 downto 16) when place = kept_second else kept(15 downto 0);
+  first_is_kept <= '0' when place = memory_first else '1';
+  first_is_upper <= pair_address(1);
+  second_is_kept <= '1' when place = kept_first else '0';
+  second_is_upper <= pair_address(1) when place = kept_second else not pair_address(1);
+  instruction(15 downto 0) <= kept_half when first_is_kept else
+                              instruction_data(31 downto 16) when first_is_upper else
+                              instruction_data(15 downto 0);
+  instruction(31 downto 16) <= kept(31 downto 16) when second_is_kept else
+                               instruction_data(31 downto 16) when second_is_upper else
+                               instruction_data(15 downto 0);
+  is_word <= and instruction(1 downto 0);
 
-  -- The upper half words come from the word in which the instruction begins. The lower half words
-  -- come from the same, or from the next where it begins in the upper half.
-  next_word <= address(31 downto 2) + 1;
-  word_after <= address(31 downto 2) + 2;
-  redirect_target <= reset_address when resetting else redirect_address;
-  redirect_target_plus_2 <= reset_address when resetting else redirect_address_plus_2;
-  upper_behind_short <= redirect_target(31 downto 2) when redirecting else
-                        next_word when in_upper_half else
-                        address(31 downto 2);
-  upper_behind_long <= redirect_target(31 downto 2) when redirecting else
-                       next_word;
-  lower_behind_short <= redirect_target_plus_2(31 downto 2) when redirecting else
-                        next_word;
-  lower_behind_long <= redirect_target_plus_2(31 downto 2) when redirecting else
-                       word_after when in_upper_half else
-                       next_word;
+  -- While a whole pair is kept, the one that the memory shows is read again, so as not to lose it. Of a
+  -- pair that begins in the upper half of a word, the lower half words come from the word after.
+  word_after <= pair_address(31 downto 2) + 1;
+  second_word_after <= pair_address(31 downto 2) + 2;
+  other_upper <= redirect_target(31 downto 2) when redirecting else
+                 pair_address(31 downto 2) when place = kept_first else
+                 word_after;
+  other_lower <= redirect_target_plus_2(31 downto 2) when redirecting else
+                 pair_address(31 downto 2) when place = kept_first and pair_address(1) = '0' else
+                 word_after when place = kept_first or pair_address(1) = '0' else
+                 second_word_after;
+  other_in_upper_half <= redirect_target(1) when redirecting else pair_address(1);
 
-  -- Length and jump come late in the clock: they pass these two selections only.
-  upper_address <= jump_address(31 downto 2) when jump else
-                   upper_behind_long when is_word else
-                   upper_behind_short;
-  lower_address <= jump_address_plus_2(31 downto 2) when jump else
-                   lower_behind_long when is_word else
-                   lower_behind_short;
-  next_in_upper_half <= jump_address(1) when jump else
-                        redirect_target(1) when redirecting else
-                        in_upper_half xor not is_word;
+  -- A jump comes late in the clock.
+  upper_address <= jump_address(31 downto 2) when jump else other_upper;
+  lower_address <= jump_address_plus_2(31 downto 2) when jump else other_lower;
   enable <= redirecting or advance;
   instruction_request <= (
-    enable => enable, upper_address => upper_address, lower_address => lower_address);
+    enable => enable,
+    upper_address => upper_address,
+    lower_address => lower_address);
+
+  redirect_target <= reset_address when resetting else redirect_address;
+  redirect_target_plus_2 <= reset_address when resetting else redirect_address_plus_2;
 
   follow : process
   begin
@@ -98,7 +113,26 @@ begin
     redirecting <= redirect or reset;
     resetting <= reset;
     if enable then
-      address <= upper_address & next_in_upper_half & '0';
+      pair_address <= jump_address(31 downto 1) when jump else other_upper & other_in_upper_half;
+      if place /= kept_first then
+        kept <= pair;
+      end if;
+
+      if redirecting or jump then
+        address <= other_upper & other_in_upper_half & '0';
+        if jump then
+          address <= jump_address(31 downto 1) & '0';
+        end if;
+        place <= memory_first;
+      elsif is_word then
+        address <= address + 4;
+        if place = kept_first then
+          place <= memory_first;
+        end if;
+      else
+        address <= address + 2;
+        place <= kept_first when place = kept_second else kept_second;
+      end if;
     end if;
   end process;
 

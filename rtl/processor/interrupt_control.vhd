@@ -30,9 +30,10 @@ begin
   begin
     wait until rising_edge(clk);
     active <= requested and enabled;
+    pending <= or (requested and enabled);
   end process;
 
-  pending <= or active;
+  -- Nobody needs it early in the clock.
 
   choose : process (all)
   begin

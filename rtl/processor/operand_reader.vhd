@@ -12,8 +12,8 @@ entity operand_reader is
     clk : in std_ulogic;
     -- The instruction decoded goes on to execute; which registers it reads.
     read : in std_ulogic;
-    first_index : in register_index_t;
-    second_index : in register_index_t;
+    first_choice : in register_choice_t;
+    second_choice : in register_choice_t;
     -- What the instruction in execute will write, if it is completed with this clock.
     next_writes : in std_ulogic;
     next_destination : in register_index_t;
@@ -46,9 +46,9 @@ begin
     port map (
       clk => clk,
       read => read,
-      first_index => first_index,
+      first_index => chosen(first_choice),
       first => first_stored,
-      second_index => second_index,
+      second_index => chosen(second_choice),
       second => second_stored,
       write => write,
       write_index => destination,
@@ -58,10 +58,10 @@ begin
   begin
     wait until rising_edge(clk);
     if read then
-      first_is_result <= next_writes and (first_index ?= next_destination);
-      second_is_result <= next_writes and (second_index ?= next_destination);
-      first_is_written <= write and (first_index ?= destination);
-      second_is_written <= write and (second_index ?= destination);
+      first_is_result <= next_writes and is_chosen(first_choice, next_destination);
+      second_is_result <= next_writes and is_chosen(second_choice, next_destination);
+      first_is_written <= write and is_chosen(first_choice, destination);
+      second_is_written <= write and is_chosen(second_choice, destination);
     elsif await_result then
       -- The late result becomes what was written last, and what this was stands for the result; but
       -- where it is older than the late result and meant for the same register, it has had its day.

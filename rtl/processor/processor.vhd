@@ -61,13 +61,19 @@ architecture rtl of processor is
   signal fetched_instruction : word_t;
   signal redirect : std_ulogic;
   signal redirect_address, redirect_address_plus_2 : unsigned(31 downto 0);
-  signal decoded : decoded_t;
+  signal decoded_of_compressed, decoded_of_word : decoded_t;
+  signal first_choice, second_choice : register_choice_t;
+  signal decoded_is_word : std_ulogic;
   signal decoded_immediate_of_compressed, decoded_immediate_of_word : word_t;
   signal advance, follow : std_ulogic;
 
   -- Execute.
   signal executing : executing_t;
-  signal kind : decoded_t;
+  signal executing_is_word : std_ulogic;
+  signal kind, kind_of_compressed, kind_of_word : decoded_t;
+  signal executing_destination : register_index_t;
+  signal takes_constant_of_compressed, takes_constant_of_word : std_ulogic;
+  signal executing_bits, constant_operand : word_t;
   signal executing_instruction, executing_immediate : word_t;
   signal executing_immediate_of_compressed, executing_immediate_of_word : word_t;
   signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
@@ -75,7 +81,8 @@ architecture rtl of processor is
   signal interruptible, take_halt, enter_debug : std_ulogic;
   signal first_value, second_register, second_value, last_written : word_t;
   signal first_is_result, second_is_result, await_result : std_ulogic;
-  signal alu_result, divider_result : word_t;
+  signal alu_result, divider_result, other_result : word_t;
+  signal takes_other_result : std_ulogic;
   signal equal, less, condition, divider_done : std_ulogic;
   signal jump : std_ulogic;
   signal jump_target, jump_target_plus_2 : unsigned(31 downto 0);
@@ -139,10 +146,14 @@ begin
   instruction_decoder : entity work.instruction_decoder
     port map (
       instruction => presented_instruction,
-      decoded => decoded,
+      decoded_of_compressed => decoded_of_compressed,
+      decoded_of_word => decoded_of_word,
       immediate_of_compressed => decoded_immediate_of_compressed,
-      immediate_of_word => decoded_immediate_of_word);
+      immediate_of_word => decoded_immediate_of_word,
+      first => first_choice,
+      second => second_choice);
 
+  decoded_is_word <= and presented_instruction(1 downto 0);
   advance <= not stall;
   -- What is decoded comes after what is executed.
   follow <= presented and not (jump or trap.enable or return_from_trap);
@@ -155,14 +166,15 @@ begin
         valid => follow,
         fetch_fault => presented_fault,
         leaves_memory => leaves_memory);
-      kind <= decoded;
+      executing_is_word <= decoded_is_word;
+      kind_of_compressed <= decoded_of_compressed;
+      kind_of_word <= decoded_of_word;
+      takes_constant_of_compressed <= not decoded_is_word and decoded_of_compressed.second_is_constant;
+      takes_constant_of_word <= decoded_is_word and decoded_of_word.second_is_constant;
       executing_immediate_of_compressed <= decoded_immediate_of_compressed;
       executing_immediate_of_word <= decoded_immediate_of_word;
       executing_address <= fetched_address;
-      executing_instruction <= presented_instruction;
-      if not (and presented_instruction(1 downto 0)) then
-        executing_instruction(31 downto 16) <= (others => '0');
-      end if;
+      executing_bits <= presented_instruction;
     end if;
 
     if reset or bus_error then
@@ -176,10 +188,10 @@ begin
     port map (
       clk => clk,
       read => advance,
-      first_index => decoded.first_index,
-      second_index => decoded.second_index,
+      first_choice => first_choice,
+      second_choice => second_choice,
       next_writes => executing.valid and writes,
-      next_destination => kind.destination,
+      next_destination => executing_destination,
       result => writing_result,
       write => writing.writes,
       destination => writing.destination,
@@ -191,10 +203,19 @@ begin
       second => second_register,
       second_is_result => second_is_result);
 
-  executing_immediate <= executing_immediate_of_word when
-                           executing_instruction(1) and executing_instruction(0) else
+  kind <= kind_of_word when executing_is_word else kind_of_compressed;
+  executing_destination <= "00001" when kind.writes_link else kind.destination;
+  writes <= kind.writes and (kind.writes_link or (or kind.destination));
+  executing_instruction(15 downto 0) <= executing_bits(15 downto 0);
+  executing_instruction(31 downto 16) <= executing_bits(31 downto 16) and
+                                         (31 downto 16 => executing_is_word);
+  executing_immediate <= executing_immediate_of_word when executing_is_word else
                          executing_immediate_of_compressed;
-  second_value <= executing_immediate when kind.second_is_constant else second_register;
+  constant_operand <=
+    (executing_immediate_of_word and (31 downto 0 => takes_constant_of_word)) or
+    (executing_immediate_of_compressed and (31 downto 0 => takes_constant_of_compressed));
+  second_value <= constant_operand when takes_constant_of_word or takes_constant_of_compressed else
+                  second_register;
 
   -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
   able <= executing.valid and not executing.fetch_fault and (or kind.legal);
@@ -220,6 +241,7 @@ begin
     port map (
       first => first_value,
       second => second_value,
+      second_register => second_register,
       operation => kind.operation,
       shift => kind.shift,
       subtract => kind.subtract,
@@ -284,13 +306,13 @@ begin
       done => bus_done,
       error => bus_error);
 
-  csr_operand <= 27x"0" & executing_instruction(19 downto 15) when kind.funct3(2) else first_value;
-  csr_writes <= not kind.funct3(1) or (or executing_instruction(19 downto 15));
+  csr_operand <= 27x"0" & executing_bits(19 downto 15) when kind.funct3(2) else first_value;
+  csr_writes <= not kind.funct3(1) or (or executing_bits(19 downto 15));
   -- The upper two bits of an address say that it cannot be written.
-  csr_legal <= kind.csr_exists and not (csr_writes and (and executing_instruction(31 downto 30)));
+  csr_legal <= kind.csr_exists and not (csr_writes and (and executing_bits(31 downto 30)));
   csr_request <= (
     enable => start and kind.csr and kind.csr_exists,
-    address => executing_instruction(31 downto 20),
+    address => executing_bits(31 downto 20),
     operation => kind.funct3(1 downto 0),
     operand => csr_operand,
     writes => csr_writes);
@@ -384,7 +406,16 @@ begin
   end process;
   retire <= executing.valid and not stall and not take_interrupt and not debug_request.halted;
 
-  writes <= kind.writes and (or kind.destination);
+  -- What the arithmetic unit gives comes last in the clock.
+  other_result <= bus_response.data when bus_active else
+                  last_written when await_result else
+                  divider_result when kind.divide else
+                  csr_data when kind.csr else
+                  std_ulogic_vector(target) when kind.address_result else
+                  std_ulogic_vector(fetched_address);
+  takes_other_result <= bus_active or await_result or kind.divide or kind.csr or
+                        kind.address_result or kind.jump or kind.jump_register;
+
   pass_to_write_back : process
     variable on_bus : std_ulogic;
   begin
@@ -400,7 +431,7 @@ begin
       writing.writes <= complete and writes and not on_bus;
       writing.wanted <= writes;
       writing.late <= complete and kind.late;
-      writing.destination <= kind.destination;
+      writing.destination <= executing_destination;
       writing.multiply <= kind.multiply;
       writing.load <= kind.load;
       writing.from_memory <= data_in_memory;
@@ -408,13 +439,7 @@ begin
       writing.byte_index <= std_ulogic_vector(register_target(1 downto 0));
       writing_instruction <= executing_instruction;
     end if;
-    writing_result <= bus_response.data when bus_active else
-                      last_written when await_result else
-                      divider_result when kind.divide else
-                      csr_data when kind.csr else
-                      std_ulogic_vector(target) when kind.address_result else
-                      std_ulogic_vector(fetched_address) when kind.jump or kind.jump_register else
-                      alu_result;
+    writing_result <= other_result when takes_other_result else alu_result;
 
     if reset then
       writing.valid <= '0';

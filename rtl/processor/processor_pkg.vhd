@@ -18,18 +18,17 @@ package processor_pkg is
     -- An instruction of this processor where one of these is set: their sum would come late in the
     -- clock. Whether a CSR may be accessed is judged beside it.
     legal : std_ulogic_vector(3 downto 0);
-    first_index : register_index_t;
-    second_index : register_index_t;
     destination : register_index_t;
     reads_first : std_ulogic;
     reads_second : std_ulogic;
-    -- Writes `destination` unless this is x0.
+    -- Writes `destination` unless this is x0; x1 in its place.
     writes : std_ulogic;
+    writes_link : std_ulogic;
     -- The result comes one clock after execution: who reads it next waits one clock.
     late : std_ulogic;
     -- Second operand of the arithmetic unit: the constant instead of a register.
     second_is_constant : std_ulogic;
-    -- Operation of the arithmetic unit in its coding. Comparisons subtract, too.
+    -- Operation of the arithmetic unit in its coding.
     operation : std_ulogic_vector(2 downto 0);
     shift : std_ulogic;
     subtract : std_ulogic;
@@ -56,6 +55,21 @@ package processor_pkg is
     trap_return : std_ulogic;
     wait_for_interrupt : std_ulogic;
   end record;
+
+  -- Where a register's number stands: which number it is comes late in the clock, so whatever depends
+  -- on it is found for each place and chosen at the end.
+  type register_choice_t is record
+    -- "00" short, "01" long, "10" implied, "11" of a word.
+    place : std_ulogic_vector(1 downto 0);
+    short : register_index_t;
+    long : register_index_t;
+    implied : register_index_t;
+    of_word : register_index_t;
+  end record;
+
+  function chosen(choice : register_choice_t) return register_index_t;
+  -- `index` is the register chosen.
+  function is_chosen(choice : register_choice_t; index : register_index_t) return std_ulogic;
 
   -- Of the instruction in the execute stage, beside what was decoded.
   type executing_t is record
@@ -176,3 +190,31 @@ package processor_pkg is
   constant cause_environment_call : register_index_t := 5x"b";
 
 end package;
+
+package body processor_pkg is
+
+  function chosen(choice : register_choice_t) return register_index_t is
+  begin
+    if choice.place(1) and choice.place(0) then
+      return choice.of_word;
+    elsif choice.place(1) then
+      return choice.implied;
+    elsif choice.place(0) then
+      return choice.long;
+    end if;
+    return choice.short;
+  end function;
+
+  function is_chosen(choice : register_choice_t; index : register_index_t) return std_ulogic is
+  begin
+    if choice.place(1) and choice.place(0) then
+      return choice.of_word ?= index;
+    elsif choice.place(1) then
+      return choice.implied ?= index;
+    elsif choice.place(0) then
+      return choice.long ?= index;
+    end if;
+    return choice.short ?= index;
+  end function;
+
+end package body;

@@ -115,8 +115,6 @@ begin
                (31 downto 12 => '0') & immediate_low when is_fence else
                (31 downto 12 => instruction(31)) & immediate_low;
 
-  decoded.first_index <= instruction(19 downto 15);
-  decoded.second_index <= instruction(24 downto 20);
   decoded.destination <= instruction(11 downto 7);
   -- All but lui, auipc, jal, fence and CSR instructions with a constant; then branch, store and
   -- operation. Of no meaning where the instruction is illegal.
@@ -125,6 +123,7 @@ begin
   decoded.reads_second <= opcode(3) and not opcode(0) and not (opcode(4) and opcode(2));
   decoded.writes <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
                     is_upper or is_jump_register or is_jump or is_csr;
+  decoded.writes_link <= '0';
   decoded.late <= is_load or (is_multiply_or_divide and not funct3(2));
 
   decoded.second_is_constant <= not (is_operation or is_branch or is_store);
@@ -133,9 +132,7 @@ begin
                        funct3 when is_immediate_operation or is_operation else
                        "000";
   decoded.shift <= is_shift and (is_immediate_operation or is_operation);
-  -- Where it is not needed it does no harm.
-  decoded.subtract <= is_branch or (is_operation and instruction(30)) or
-                      ((is_operation or is_immediate_operation) and not funct3(2) and funct3(1));
+  decoded.subtract <= is_operation and instruction(30);
   decoded.arithmetic_shift <= instruction(30);
   decoded.compare_unsigned <= funct3(1) when is_branch else funct3(0);
 

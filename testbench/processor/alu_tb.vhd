@@ -27,6 +27,7 @@ begin
     port map (
       first => first,
       second => second,
+      second_register => second,
       operation => operation,
       shift => shift,
       subtract => subtract,

@@ -101,6 +101,7 @@ architecture tb of compressed_decoder_tb is
   signal compressed : std_ulogic_vector(15 downto 0) := x"0001";
   signal word : word_t := x"00000013";
   signal decoded, reference : decoded_t;
+  signal first, second, reference_first, reference_second : register_choice_t;
   signal immediate, reference_immediate : word_t;
 
 begin
@@ -112,9 +113,16 @@ begin
   word_decoder : entity work.word_decoder
     port map (instruction => word, decoded => reference, immediate => reference_immediate);
 
+  -- And so do the registers that it reads.
+  selector : entity work.register_selector
+    port map (instruction => x"ffff" & compressed, first => first, second => second);
+  word_selector : entity work.register_selector
+    port map (instruction => word, first => reference_first, second => reference_second);
+
   check : process
     variable legal : natural;
     variable is_constant : boolean;
+    variable destination : register_index_t;
 
     procedure compare(condition : boolean; what : string) is
     begin
@@ -143,10 +151,11 @@ begin
       word <= pairs(index).word;
       wait for 1 ns;
       compare((or decoded.legal) = '1' and (or reference.legal) = '1', "legality");
-      compare((decoded.writes = reference.writes or
-               (decoded.destination = "00000" and reference.destination = "00000")) and
-              decoded.late = reference.late, "result");
-      compare(decoded.writes = '0' or decoded.destination = reference.destination, "destination");
+      destination := "00001" when decoded.writes_link = '1' else decoded.destination;
+      compare(decoded.writes = (reference.writes and (or reference.destination)) or
+              (destination = "00000" and reference.destination = "00000"), "result");
+      compare(decoded.late = reference.late, "late");
+      compare(decoded.writes = '0' or destination = reference.destination, "destination");
       compare(decoded.load = reference.load and decoded.store = reference.store and
               decoded.branch = reference.branch and decoded.jump = reference.jump and
               decoded.jump_register = reference.jump_register and
@@ -160,13 +169,13 @@ begin
         if is_constant then
           compare(decoded.reads_first = '0' and decoded.second_is_constant = reference.second_is_constant
                   and (reference.operation = "101" or
-                       (reference.operation = "000" and reference.first_index = "00000")), "constant");
+                       (reference.operation = "000" and chosen(reference_first) = "00000")), "constant");
         end if;
-        compare(decoded.jump = '1' or is_constant or decoded.first_index = reference.first_index, "rs1");
+        compare(decoded.jump = '1' or is_constant or chosen(first) = chosen(reference_first), "rs1");
         if decoded.second_is_constant = '0' and not (decoded.jump or decoded.jump_register or
                                                      decoded.load) = '1' then
           compare(decoded.reads_second = '1' and
-                  decoded.second_index = reference.second_index, "rs2");
+                  chosen(second) = chosen(reference_second), "rs2");
         end if;
         if (decoded.load or decoded.store or decoded.branch or decoded.jump or
             decoded.jump_register or decoded.second_is_constant) = '1' then

@@ -16,7 +16,8 @@ architecture tb of operand_reader_tb is
 
   signal clk : std_ulogic := '0';
   signal read, next_writes, write, await_result : std_ulogic := '0';
-  signal first_index, second_index, next_destination, destination : register_index_t := "00001";
+  signal first_choice, second_choice : register_choice_t := (place => "00", others => "00001");
+  signal next_destination, destination : register_index_t := "00001";
   signal result, write_data, last_written, first, second : word_t := (others => '0');
   signal first_is_result, second_is_result : std_ulogic;
 
@@ -28,8 +29,8 @@ begin
     port map (
       clk => clk,
       read => read,
-      first_index => first_index,
-      second_index => second_index,
+      first_choice => first_choice,
+      second_choice => second_choice,
       next_writes => next_writes,
       next_destination => next_destination,
       result => result,
@@ -57,6 +58,27 @@ begin
     impure function random_index return register_index_t is
     begin
       return std_ulogic_vector(to_unsigned(14 + random(4), 5));
+    end function;
+
+    -- The register in one of its places, and whatever in the others.
+    impure function random_place(index : register_index_t) return register_choice_t is
+      variable choice : register_choice_t;
+    begin
+      choice := (place => "00", short => random_index, long => random_index, implied => random_index,
+                 of_word => random_index);
+      case random(4) is
+        when 0 => choice.short := index;
+        when 1 =>
+          choice.place := "01";
+          choice.long := index;
+        when 2 =>
+          choice.place := "10";
+          choice.implied := index;
+        when others =>
+          choice.place := "11";
+          choice.of_word := index;
+      end case;
+      return choice;
     end function;
 
     impure function random_word return word_t is
@@ -91,13 +113,13 @@ begin
       -- The next instruction is decoded while the one before, whatever it writes, leaves execute.
       reads_first := random_index;
       reads_second := random_index;
-      first_index <= reads_first;
-      second_index <= reads_second;
+      first_choice <= random_place(reads_first);
+      second_choice <= random_place(reads_second);
       read <= '1';
       clock;
       read <= '0';
-      first_index <= random_index;
-      second_index <= random_index;
+      first_choice <= random_place(random_index);
+      second_choice <= random_place(random_index);
 
       -- The one before is in write back now.
       write <= next_writes;

@@ -14,7 +14,7 @@ architecture tb of trap_control_tb is
 
   signal executing : executing_t := (valid => '1', others => '0');
   signal kind : decoded_t := (
-    legal => "0001", first_index | second_index | destination => "00000",
+    legal => "0001", destination => "00000",
     operation | funct3 => "000", others => '0');
   signal take_interrupt, data_misaligned, bus_error, bus_store : std_ulogic := '0';
   signal csr_legal, ready : std_ulogic := '1';

@@ -88,7 +88,8 @@ begin
     expect_offset(x"fffff517", x"fffff000");  -- auipc
     assert decoded.address_result = '1' severity failure;
     expect_offset(x"00850567", x"00000008");  -- jalr a0, 8(a0)
-    assert decoded.jump_register = '1' and decoded.jump = '0' severity failure;
+    assert decoded.jump_register = '1' and decoded.jump = '0' and decoded.writes_link = '0'
+      severity failure;
 
     -- What writes (x0 is left to the pipeline), a load is late; what is read.
     decode(x"00b50033");

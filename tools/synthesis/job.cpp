@@ -29,9 +29,10 @@ std::string quoted(const std::filesystem::path& path) {
 }  // namespace
 
 void add_options(CLI::App& job, Options& options) {
-  job.add_option("board", options.board, "a board with an ECP5: ulx3s")
+  job.add_option("board", options.board,
+                 "a board with an ECP5: ulx3s; or core: the processor with its memory alone")
       ->required()
-      ->check(CLI::IsMember({"ulx3s"}))
+      ->check(CLI::IsMember({"ulx3s", "core"}))
       ->type_name("BOARD");
   job.add_option("--device", options.device, "which ECP5 it bears")
       ->check(CLI::IsMember({"25k", "45k", "85k"}))
@@ -63,7 +64,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   report.device = options.device;
   std::ofstream(directory / "synthesis.json") << as_json(report);
   fmt::print("{}", as_table(report));
-  fmt::print("  bitstream, report and logs in {}\n", directory.string());
+  fmt::print("  report, logs and, for a board, the bitstream in {}\n", directory.string());
   return report.fast_enough();
 }
 
