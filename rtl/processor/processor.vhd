@@ -69,7 +69,8 @@ architecture rtl of processor is
 
   -- Execute.
   signal executing : executing_t;
-  signal executing_is_word : std_ulogic;
+  signal executing_is_word, legal : std_ulogic;
+  signal legal_of_compressed, legal_of_word : std_ulogic_vector(3 downto 0);
   signal kind, kind_of_compressed, kind_of_word : decoded_t;
   signal executing_destination : register_index_t;
   signal takes_constant_of_compressed, takes_constant_of_word : std_ulogic;
@@ -169,6 +170,8 @@ begin
       executing_is_word <= decoded_is_word;
       kind_of_compressed <= decoded_of_compressed;
       kind_of_word <= decoded_of_word;
+      legal_of_compressed <= decoded_of_compressed.legal and not (3 downto 0 => decoded_is_word);
+      legal_of_word <= decoded_of_word.legal and (3 downto 0 => decoded_is_word);
       takes_constant_of_compressed <= not decoded_is_word and decoded_of_compressed.second_is_constant;
       takes_constant_of_word <= decoded_is_word and decoded_of_word.second_is_constant;
       executing_immediate_of_compressed <= decoded_immediate_of_compressed;
@@ -218,7 +221,8 @@ begin
                   second_register;
 
   -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
-  able <= executing.valid and not executing.fetch_fault and (or kind.legal);
+  legal <= (or legal_of_compressed) or (or legal_of_word);
+  able <= executing.valid and not executing.fetch_fault and legal;
   await_result <= able and writing.late and not bus_active and
                   ((kind.reads_first and first_is_result) or
                    (kind.reads_second and second_is_result));
@@ -343,6 +347,7 @@ begin
     port map (
       executing => executing,
       kind => kind,
+      legal => legal,
       ready => not waiting,
       address => executing_address,
       instruction => executing_instruction,

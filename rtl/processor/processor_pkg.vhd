@@ -195,14 +195,11 @@ package body processor_pkg is
 
   function chosen(choice : register_choice_t) return register_index_t is
   begin
-    if choice.place(1) and choice.place(0) then
-      return choice.of_word;
-    elsif choice.place(1) then
-      return choice.implied;
-    elsif choice.place(0) then
-      return choice.long;
-    end if;
-    return choice.short;
+    -- One of four: written so, no tool makes of the constants among them a late reset of a register.
+    return (choice.of_word and (4 downto 0 => choice.place(1) and choice.place(0))) or
+           (choice.implied and (4 downto 0 => choice.place(1) and not choice.place(0))) or
+           (choice.long and (4 downto 0 => not choice.place(1) and choice.place(0))) or
+           (choice.short and (4 downto 0 => choice.place(1) nor choice.place(0)));
   end function;
 
   function is_chosen(choice : register_choice_t; index : register_index_t) return std_ulogic is

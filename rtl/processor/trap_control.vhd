@@ -15,6 +15,8 @@ entity trap_control is
   port (
     executing : in executing_t;
     kind : in decoded_t;
+    -- It is an instruction of this processor.
+    legal : in std_ulogic;
     -- It has the operands that it needs.
     ready : in std_ulogic;
     -- Of the instruction executed.
@@ -41,13 +43,12 @@ end entity;
 
 architecture rtl of trap_control is
 
-  signal refused, illegal, misaligned, exception : std_ulogic;
+  signal illegal, misaligned, exception : std_ulogic;
   signal fetch_address : unsigned(31 downto 0);
 
 begin
 
-  refused <= nor kind.legal;
-  illegal <= refused or (kind.csr and not csr_legal);
+  illegal <= not legal or (kind.csr and not csr_legal);
   misaligned <= (kind.load or kind.store) and data_misaligned;
   exception <= executing.fetch_fault or illegal or kind.environment_call or kind.breakpoint or
                misaligned;

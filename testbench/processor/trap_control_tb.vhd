@@ -17,7 +17,7 @@ architecture tb of trap_control_tb is
     legal => "0001", destination => "00000",
     operation | funct3 => "000", others => '0');
   signal take_interrupt, data_misaligned, bus_error, bus_store : std_ulogic := '0';
-  signal csr_legal, ready : std_ulogic := '1';
+  signal csr_legal, legal, ready : std_ulogic := '1';
   signal interrupt_cause : std_ulogic_vector(4 downto 0) := 5d"20";
   signal next_address : unsigned(31 downto 0) := x"80000200";
   signal trap : trap_t;
@@ -29,6 +29,7 @@ begin
     port map (
       executing => executing,
       kind => kind,
+      legal => legal,
       ready => ready,
       address => x"80000100",
       instruction => x"12345678",
@@ -95,7 +96,7 @@ begin
     kind.breakpoint <= '1';
     expect(3, x"80000100");
     kind.breakpoint <= '0';
-    kind.legal <= "0000";
+    legal <= '0';
     expect(2, x"12345678");
     executing.fetch_fault <= '1';
     expect(1, x"80000100");

@@ -39,7 +39,7 @@ sed -E -e 's/^( *)\$fatal\(.*\);/\1;/' \
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
-    (I => O) = 7600;
+    (I => O) = 6300;
   endspecify
 endmodule
 (* blackbox, abc9_box *) module way_to_block_ram (input I, output O);
@@ -76,13 +76,13 @@ awk '
 [ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = 9 ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
 
-# synth_ecp5 with a mapping of its own: a wire takes 0.7 ns, and what takes less than 12.5 ns is not made
+# synth_ecp5 with a mapping of its own: a wire takes 0.7 ns, and what takes less than 11 ns is not made
 # faster.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   read_verilog -sv work/with_ways.v $(find "$project/boards/$board" -name '*.v');
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
-  abc9 -W 700 -D 12500;
+  abc9 -W 700 -D 11000;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json work/netlist.json;
