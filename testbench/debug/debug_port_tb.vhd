@@ -4,6 +4,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use ieee.math_real.all;
 
 use work.bus_pkg.all;
 use work.debug_pkg.all;
@@ -48,6 +49,8 @@ architecture tb of debug_port_tb is
   -- The debugger accesses memory only; rounds of the program's loop that were seen meanwhile.
   signal memory_only : boolean := false;
   signal rounds : natural := 0;
+  -- The program is left to itself, but for halts: its numbers come one after the other.
+  signal undisturbed : boolean := false;
 
 begin
 
@@ -129,6 +132,22 @@ begin
     strobe_before := processor_bus_request.strobe;
   end process;
 
+  -- Halts lose and repeat nothing.
+  watch_numbers : process
+    variable strobe_before : std_ulogic := '0';
+    variable number, last_number : natural := 0;
+  begin
+    wait until rising_edge(clk);
+    if processor_bus_request.strobe = '1' and strobe_before = '0' and
+      processor_bus_request.write = '1' then
+      number := to_integer(unsigned(processor_bus_request.data));
+      numbers_follow_each_other : assert not undisturbed or number = last_number + 1
+        severity failure;
+      last_number := number;
+    end if;
+    strobe_before := processor_bus_request.strobe;
+  end process;
+
   debug : process
 
     procedure write_dmi(address : std_ulogic_vector(6 downto 0); data : word_t) is
@@ -203,6 +222,8 @@ begin
     end procedure;
 
     variable before : word_t;
+    variable seed_1, seed_2 : positive := 5;
+    variable chance : real;
 
   begin
     wait for 95 ns;
@@ -357,6 +378,16 @@ begin
     halt;
     expect_register(x"07b0", x"000000c3", x"000001c3");
 
+    -- Halts at any moment, in the middle of accesses too.
+    undisturbed <= true;
+    for halts in 1 to 40 loop
+      resume;
+      uniform(seed_1, seed_2, chance);
+      wait for 1 ns * integer(chance * 200.0);
+      halt;
+    end loop;
+    undisturbed <= false;
+
     -- Asleep: a request halts before the wfi, a step goes over it, an interrupt waits for the end of both.
     write_register(x"07b1", x"80000024");
     resume;
@@ -376,6 +407,25 @@ begin
     expect_register(x"0342", x"80000007");
     expect_register(x"0341", x"80000028");
     timer_interrupt <= '0';
+
+    -- A step into an access that nothing answers ends at the handler. A trigger behind such an access is
+    -- not reached.
+    for access_address in 4 to 5 loop
+      write_register(x"1006", x"10000000");
+      write_register(x"07b1", std_ulogic_vector(base + 4 * access_address));
+      write_register(x"07b0", x"00008004");
+      step_to(16#20#);
+      expect_register(x"0342", std_ulogic_vector(to_unsigned(7 - 2 * (access_address mod 2), 32)));
+      expect_register(x"0341", std_ulogic_vector(base + 4 * access_address));
+      expect_register(x"0343", x"10000000");
+      write_register(x"07b0", x"00008000");
+      write_register(x"07a1", x"28001044");
+      write_register(x"07a2", std_ulogic_vector(base + 4 * access_address + 4));
+      write_register(x"07b1", std_ulogic_vector(base + 4 * access_address));
+      resume;
+      expect_halt(base + 16#20#, 1);
+      write_register(x"07a1", x"00000000");
+    end loop;
 
     -- Without ebreakm an ebreak traps, here to itself.
     write_register(x"07b0", x"00000000");
