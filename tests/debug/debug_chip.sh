@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Lets the real OpenOCD, and gdb through it, debug the co-simulated chip.
-# Usage: debug_chip.sh openocd|gdb|firmware STEPFABRIC_DEBUG PROJECT PROGRAMS
+# Usage: debug_chip.sh openocd|gdb|firmware STEPFABRIC PROJECT PROGRAMS
 # PROGRAMS is a folder with sleeper.elf and counter.elf.
 set -euo pipefail
 dialogue=$1 stepfabric=$2 project=$3 programs=$4
@@ -40,8 +40,12 @@ case $dialogue in
       -ex "target extended-remote | $pipe" -x "$project/tests/debug/dialogue.gdb" > "$folder/dialogue.log" 2>&1
     ;;
   firmware)
-    # Heats the hotend, and keeps the port open.
+    # Keeps the port open. What is said before the firmware listens is lost.
     exec 3<> "$folder/terminal"
+    until IFS= read -r -t 1 -u 3 answer && [[ $answer == ok* ]]; do
+      kill -0 "$chip"
+      printf 'M105\n' >&3
+    done
     printf 'M104 S200\n' >&3
     "${connection[@]}" -c "gdb_port disabled" "${files[@]}" -f "$project/tests/debug/halted_firmware.tcl" \
       > "$folder/dialogue.log" 2>&1
