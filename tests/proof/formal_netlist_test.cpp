@@ -67,6 +67,20 @@ TEST(formal_netlist, the_assertions_of_a_part_that_is_free_do_not_count) {
               ElementsAre("process_of_the_whole"));
 }
 
+TEST(formal_netlist, the_assertions_of_a_copy_that_is_free_do_not_count) {
+  constexpr const char* copies =
+      "module whole\n"
+      "    if (!n1_o)\n"
+      "      $fatal(1, \"assertion failure unit_each_n1_holds\");\n"
+      "    if (!n2_o)\n"
+      "      $fatal(1, \"assertion failure unit_each_n2_holds\");\n"
+      "    if (!n3_o)\n"
+      "      $fatal(1, \"assertion failure unit_each_n22_holds\");\n"
+      "endmodule\n";
+  EXPECT_THAT(proof::make_formal(copies, "whole", {.free_copies = {"each_n2"}}).asserted,
+              ElementsAre("unit_each_n1_holds", "unit_each_n22_holds"));
+}
+
 TEST(formal_netlist, a_property_that_is_not_there_is_an_error) {
   EXPECT_THROW(proof::make_formal(netlist, "whole", {.only = {"missing"}}), std::runtime_error);
   EXPECT_THROW(proof::make_formal(netlist, "whole", {.except = {"the_whole_of_it"}}),

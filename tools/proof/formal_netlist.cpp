@@ -91,8 +91,12 @@ class Translation {
     const auto is_label = [&label](const std::string& property) {
       return is_property(label, property);
     };
-    if (std::ranges::any_of(choice_.free, [this](const std::string& entity) {
-          return module_ == entity || module_.starts_with(entity + "_");
+    if (std::ranges::any_of(choice_.free,
+                            [this](const std::string& entity) {
+                              return module_ == entity || module_.starts_with(entity + "_");
+                            }) ||
+        std::ranges::any_of(choice_.free_copies, [&label](const std::string& copy) {
+          return label.find(copy + "_") != std::string::npos;
         })) {
       return "begin end";
     }

@@ -19,6 +19,7 @@ struct Choice {
   std::vector<std::string> only = {};  // all where empty
   std::vector<std::string> except = {};
   std::vector<std::string> free = {};  // entities whose own assertions do not count
+  std::vector<std::string> free_copies = {};  // copies of a generate statement, likewise
 };
 
 // Assertions become `assert`, assumptions of module `top` become `assume`; those of the modules

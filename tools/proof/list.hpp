@@ -31,6 +31,8 @@ struct Proof {
       free;  // entities within, of which nothing is known: their outputs are free
   // Files relative to the list: each takes the place of the source with its name before the dot.
   std::vector<std::filesystem::path> stand_ins;
+  // Copies of a generate statement, as "LABEL_n2", of which nothing is known and nothing is proved.
+  std::vector<std::string> free_copies;
   std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
   bool quick{};
 };

@@ -143,6 +143,7 @@ Proof proof_of(Entry& entry) {
     for (const std::string& file : entry.texts("stand_ins")) {
       proof.stand_ins.emplace_back(file);
     }
+    proof.free_copies = entry.texts("free_copies");
     if (!entry.has("depth")) {
       entry.fail("depth is missing");
     }

@@ -106,22 +106,35 @@ SolverInput make_solver_input(const Folders& folders, const fs::path& sources, c
   SolverInput input;
   const std::string verilog = text_of(folder / "netlist.v");
   const Choice choice = property != nullptr
-                            ? Choice{.only = {*property}, .except = {}, .free = proof.free}
-                            : Choice{proof.only, proof.except, proof.free};
+                            ? Choice{.only = {*property},
+                                     .except = {},
+                                     .free = proof.free,
+                                     .free_copies = proof.free_copies}
+                            : Choice{proof.only, proof.except, proof.free, proof.free_copies};
   input.netlist = make_formal(verilog, proof.entity, choice);
-  // GHDL names a module by its entity and, where there are generics, something more.
-  std::string cuts;
+  // GHDL names a module by its entity and, where there are generics, something more. Whether there
+  // is what is to be free is asked at the beginning: what has no output left and nothing to prove
+  // is gone later.
+  std::string checks, cuts;
+  const auto free = [&](const std::string& selection) {
+    checks += fmt::format("select -assert-min 1 {}; ", selection);
+    cuts += fmt::format("cutpoint {}; ", selection);
+  };
   for (const std::string& entity : proof.free) {
-    cuts += fmt::format("select -assert-min 1 t:{0} t:{0}_*; cutpoint t:{0} t:{0}_*; ", entity);
+    free(fmt::format("t:{0} t:{0}_*", entity));
+  }
+  for (const std::string& copy : proof.free_copies) {
+    free(fmt::format("c:*{}_*", copy));
   }
   write(folder / "formal.v", input.netlist.verilog);
   input.file = folder / "formal.smt2";
   run_tool(
       {"yosys", "-q", "-p",
-       fmt::format("read_verilog -formal -sv formal.v; prep -top {}; {}flatten; opt_clean; "
+       fmt::format("read_verilog -formal -sv formal.v; hierarchy -top {0}; {1}prep -top {0}; "
+                   "{2}flatten; opt_clean; "
                    "opt -full; async2sync; chformal -lower; dffunmap; "
                    "write_smt2 -wires formal.smt2; memory_map; opt -full; write_rtlil formal.il",
-                   proof.entity, cuts)},
+                   proof.entity, checks, cuts)},
       folder, folder / "yosys.log");
   return input;
 }
