@@ -23,7 +23,7 @@ architecture rtl of heater_control_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(4 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -53,6 +53,18 @@ architecture rtl of heater_control_registers is
   signal status_1_word : std_ulogic_vector(31 downto 0);
   signal status_2_word : std_ulogic_vector(31 downto 0);
   signal status_3_word : std_ulogic_vector(31 downto 0);
+  signal feed_written : std_ulogic := '0';
+  signal watchdog_written : std_ulogic := '0';
+  signal sensor_timeout_written : std_ulogic := '0';
+  signal clear_written : std_ulogic := '0';
+  signal minimum_count_0_written : std_ulogic := '0';
+  signal minimum_count_1_written : std_ulogic := '0';
+  signal minimum_count_2_written : std_ulogic := '0';
+  signal minimum_count_3_written : std_ulogic := '0';
+  signal maximum_count_0_written : std_ulogic := '0';
+  signal maximum_count_1_written : std_ulogic := '0';
+  signal maximum_count_2_written : std_ulogic := '0';
+  signal maximum_count_3_written : std_ulogic := '0';
 
 begin
 
@@ -63,7 +75,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -75,7 +86,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;
@@ -175,34 +185,77 @@ begin
     end if;
   end process;
 
-  from_software.feed_written <= '1' when writing = '1' and register_index = 0 else '0';
+  tell_events : process
+  begin
+    wait until rising_edge(clk);
+    feed_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 0);
+    watchdog_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 1);
+    sensor_timeout_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 2);
+    clear_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 4);
+    minimum_count_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 9);
+    minimum_count_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 10);
+    minimum_count_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 11);
+    minimum_count_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 12);
+    maximum_count_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 13);
+    maximum_count_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 14);
+    maximum_count_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 15);
+    maximum_count_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 16);
+    if reset then
+      feed_written <= '0';
+      watchdog_written <= '0';
+      sensor_timeout_written <= '0';
+      clear_written <= '0';
+      minimum_count_0_written <= '0';
+      minimum_count_1_written <= '0';
+      minimum_count_2_written <= '0';
+      minimum_count_3_written <= '0';
+      maximum_count_0_written <= '0';
+      maximum_count_1_written <= '0';
+      maximum_count_2_written <= '0';
+      maximum_count_3_written <= '0';
+    end if;
+  end process;
+
+  from_software.feed_written <= feed_written;
   from_software.feed.key <= unsigned(written_data(15 downto 0));
-  from_software.watchdog_written <= '1' when writing = '1' and register_index = 1 else '0';
+  from_software.watchdog_written <= watchdog_written;
   from_software.watchdog.ticks <= unsigned(written_data(19 downto 0));
-  from_software.sensor_timeout_written <= '1' when writing = '1' and register_index = 2 else '0';
+  from_software.sensor_timeout_written <= sensor_timeout_written;
   from_software.sensor_timeout.ticks <= unsigned(written_data(19 downto 0));
   from_software.slot.cycles <= unsigned(slot_stored(23 downto 0));
-  from_software.clear_written <= '1' when writing = '1' and register_index = 4 else '0';
+  from_software.clear_written <= clear_written;
   from_software.clear.channels <= written_data(3 downto 0);
   from_software.clear.key <= unsigned(written_data(31 downto 16));
   from_software.duty(0).density <= unsigned(duty_0_stored(15 downto 0));
   from_software.duty(1).density <= unsigned(duty_1_stored(15 downto 0));
   from_software.duty(2).density <= unsigned(duty_2_stored(15 downto 0));
   from_software.duty(3).density <= unsigned(duty_3_stored(15 downto 0));
-  from_software.minimum_count_written(0) <= '1' when writing = '1' and register_index = 9 else '0';
+  from_software.minimum_count_written(0) <= minimum_count_0_written;
   from_software.minimum_count(0).cycles <= unsigned(written_data(31 downto 0));
-  from_software.minimum_count_written(1) <= '1' when writing = '1' and register_index = 10 else '0';
+  from_software.minimum_count_written(1) <= minimum_count_1_written;
   from_software.minimum_count(1).cycles <= unsigned(written_data(31 downto 0));
-  from_software.minimum_count_written(2) <= '1' when writing = '1' and register_index = 11 else '0';
+  from_software.minimum_count_written(2) <= minimum_count_2_written;
   from_software.minimum_count(2).cycles <= unsigned(written_data(31 downto 0));
-  from_software.minimum_count_written(3) <= '1' when writing = '1' and register_index = 12 else '0';
+  from_software.minimum_count_written(3) <= minimum_count_3_written;
   from_software.minimum_count(3).cycles <= unsigned(written_data(31 downto 0));
-  from_software.maximum_count_written(0) <= '1' when writing = '1' and register_index = 13 else '0';
+  from_software.maximum_count_written(0) <= maximum_count_0_written;
   from_software.maximum_count(0).cycles <= unsigned(written_data(31 downto 0));
-  from_software.maximum_count_written(1) <= '1' when writing = '1' and register_index = 14 else '0';
+  from_software.maximum_count_written(1) <= maximum_count_1_written;
   from_software.maximum_count(1).cycles <= unsigned(written_data(31 downto 0));
-  from_software.maximum_count_written(2) <= '1' when writing = '1' and register_index = 15 else '0';
+  from_software.maximum_count_written(2) <= maximum_count_2_written;
   from_software.maximum_count(2).cycles <= unsigned(written_data(31 downto 0));
-  from_software.maximum_count_written(3) <= '1' when writing = '1' and register_index = 16 else '0';
+  from_software.maximum_count_written(3) <= maximum_count_3_written;
   from_software.maximum_count(3).cycles <= unsigned(written_data(31 downto 0));
 end architecture;

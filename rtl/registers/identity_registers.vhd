@@ -22,7 +22,7 @@ architecture rtl of identity_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(2 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -44,7 +44,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -56,7 +55,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;

@@ -23,7 +23,7 @@ architecture rtl of step_generator_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(6 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -86,6 +86,51 @@ architecture rtl of step_generator_registers is
   signal axis_stalls_5_word : std_ulogic_vector(31 downto 0);
   signal axis_stalls_6_word : std_ulogic_vector(31 downto 0);
   signal axis_stalls_7_word : std_ulogic_vector(31 downto 0);
+  signal control_written : std_ulogic := '0';
+  signal command_written : std_ulogic := '0';
+  signal rate_floor_written : std_ulogic := '0';
+  signal segment_flags_written : std_ulogic := '0';
+  signal segment_line_ticks_written : std_ulogic := '0';
+  signal segment_ticks_written : std_ulogic := '0';
+  signal segment_rate_low_written : std_ulogic := '0';
+  signal segment_rate_high_written : std_ulogic := '0';
+  signal segment_acceleration_low_written : std_ulogic := '0';
+  signal segment_acceleration_high_written : std_ulogic := '0';
+  signal segment_jerk_low_written : std_ulogic := '0';
+  signal segment_jerk_high_written : std_ulogic := '0';
+  signal segment_steps_0_written : std_ulogic := '0';
+  signal segment_steps_1_written : std_ulogic := '0';
+  signal segment_steps_2_written : std_ulogic := '0';
+  signal segment_steps_3_written : std_ulogic := '0';
+  signal segment_steps_4_written : std_ulogic := '0';
+  signal segment_steps_5_written : std_ulogic := '0';
+  signal segment_steps_6_written : std_ulogic := '0';
+  signal segment_steps_7_written : std_ulogic := '0';
+  signal segment_commit_written : std_ulogic := '0';
+  signal pulse_guard_0_written : std_ulogic := '0';
+  signal pulse_guard_1_written : std_ulogic := '0';
+  signal pulse_guard_2_written : std_ulogic := '0';
+  signal pulse_guard_3_written : std_ulogic := '0';
+  signal pulse_guard_4_written : std_ulogic := '0';
+  signal pulse_guard_5_written : std_ulogic := '0';
+  signal pulse_guard_6_written : std_ulogic := '0';
+  signal pulse_guard_7_written : std_ulogic := '0';
+  signal direction_guard_0_written : std_ulogic := '0';
+  signal direction_guard_1_written : std_ulogic := '0';
+  signal direction_guard_2_written : std_ulogic := '0';
+  signal direction_guard_3_written : std_ulogic := '0';
+  signal direction_guard_4_written : std_ulogic := '0';
+  signal direction_guard_5_written : std_ulogic := '0';
+  signal direction_guard_6_written : std_ulogic := '0';
+  signal direction_guard_7_written : std_ulogic := '0';
+  signal position_0_written : std_ulogic := '0';
+  signal position_1_written : std_ulogic := '0';
+  signal position_2_written : std_ulogic := '0';
+  signal position_3_written : std_ulogic := '0';
+  signal position_4_written : std_ulogic := '0';
+  signal position_5_written : std_ulogic := '0';
+  signal position_6_written : std_ulogic := '0';
+  signal position_7_written : std_ulogic := '0';
 
 begin
 
@@ -96,7 +141,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -108,7 +152,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;
@@ -310,12 +353,154 @@ begin
     end if;
   end process;
 
-  from_software.control_written <= '1' when writing = '1' and register_index = 1 else '0';
+  tell_events : process
+  begin
+    wait until rising_edge(clk);
+    control_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 1);
+    command_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 2);
+    rate_floor_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 6);
+    segment_flags_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 12);
+    segment_line_ticks_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 13);
+    segment_ticks_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 14);
+    segment_rate_low_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 15);
+    segment_rate_high_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 16);
+    segment_acceleration_low_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 17);
+    segment_acceleration_high_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 18);
+    segment_jerk_low_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 19);
+    segment_jerk_high_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 20);
+    segment_steps_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 21);
+    segment_steps_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 22);
+    segment_steps_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 23);
+    segment_steps_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 24);
+    segment_steps_4_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 25);
+    segment_steps_5_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 26);
+    segment_steps_6_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 27);
+    segment_steps_7_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 28);
+    segment_commit_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 29);
+    pulse_guard_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 30);
+    pulse_guard_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 31);
+    pulse_guard_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 32);
+    pulse_guard_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 33);
+    pulse_guard_4_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 34);
+    pulse_guard_5_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 35);
+    pulse_guard_6_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 36);
+    pulse_guard_7_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 37);
+    direction_guard_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 38);
+    direction_guard_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 39);
+    direction_guard_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 40);
+    direction_guard_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 41);
+    direction_guard_4_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 42);
+    direction_guard_5_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 43);
+    direction_guard_6_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 44);
+    direction_guard_7_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 45);
+    position_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 46);
+    position_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 47);
+    position_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 48);
+    position_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 49);
+    position_4_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 50);
+    position_5_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 51);
+    position_6_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 52);
+    position_7_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 53);
+    if reset then
+      control_written <= '0';
+      command_written <= '0';
+      rate_floor_written <= '0';
+      segment_flags_written <= '0';
+      segment_line_ticks_written <= '0';
+      segment_ticks_written <= '0';
+      segment_rate_low_written <= '0';
+      segment_rate_high_written <= '0';
+      segment_acceleration_low_written <= '0';
+      segment_acceleration_high_written <= '0';
+      segment_jerk_low_written <= '0';
+      segment_jerk_high_written <= '0';
+      segment_steps_0_written <= '0';
+      segment_steps_1_written <= '0';
+      segment_steps_2_written <= '0';
+      segment_steps_3_written <= '0';
+      segment_steps_4_written <= '0';
+      segment_steps_5_written <= '0';
+      segment_steps_6_written <= '0';
+      segment_steps_7_written <= '0';
+      segment_commit_written <= '0';
+      pulse_guard_0_written <= '0';
+      pulse_guard_1_written <= '0';
+      pulse_guard_2_written <= '0';
+      pulse_guard_3_written <= '0';
+      pulse_guard_4_written <= '0';
+      pulse_guard_5_written <= '0';
+      pulse_guard_6_written <= '0';
+      pulse_guard_7_written <= '0';
+      direction_guard_0_written <= '0';
+      direction_guard_1_written <= '0';
+      direction_guard_2_written <= '0';
+      direction_guard_3_written <= '0';
+      direction_guard_4_written <= '0';
+      direction_guard_5_written <= '0';
+      direction_guard_6_written <= '0';
+      direction_guard_7_written <= '0';
+      position_0_written <= '0';
+      position_1_written <= '0';
+      position_2_written <= '0';
+      position_3_written <= '0';
+      position_4_written <= '0';
+      position_5_written <= '0';
+      position_6_written <= '0';
+      position_7_written <= '0';
+    end if;
+  end process;
+
+  from_software.control_written <= control_written;
   from_software.control.run <= written_data(0);
   from_software.control.queue_interrupt_enable <= written_data(1);
   from_software.control.stop_interrupt_enable <= written_data(2);
   from_software.control.queue_threshold <= unsigned(written_data(31 downto 16));
-  from_software.command_written <= '1' when writing = '1' and register_index = 2 else '0';
+  from_software.command_written <= command_written;
   from_software.command.flush <= written_data(0);
   from_software.command.stop <= written_data(1);
   from_software.command.acknowledge_stop <= written_data(2);
@@ -325,13 +510,13 @@ begin
   from_software.command.brake <= written_data(6);
   from_software.command.feed_watchdog <= written_data(7);
   from_software.motor_enable.axes <= motor_enable_stored(7 downto 0);
-  from_software.rate_floor_written <= '1' when writing = '1' and register_index = 6 else '0';
+  from_software.rate_floor_written <= rate_floor_written;
   from_software.rate_floor.rate <= unsigned(written_data(30 downto 0));
   from_software.override.scale <= unsigned(override_stored(17 downto 0));
   from_software.override_slope.slope <= unsigned(override_slope_stored(31 downto 0));
   from_software.brake_slope.slope <= unsigned(brake_slope_stored(31 downto 0));
   from_software.watchdog.clocks <= unsigned(watchdog_stored(31 downto 0));
-  from_software.segment_flags_written <= '1' when writing = '1' and register_index = 12 else '0';
+  from_software.segment_flags_written <= segment_flags_written;
   from_software.segment_flags.backward <= written_data(7 downto 0);
   from_software.segment_flags.continues_line <= written_data(8);
   from_software.segment_flags.ends_motion <= written_data(9);
@@ -342,110 +527,110 @@ begin
   from_software.segment_flags.stop_mask <= written_data(23 downto 16);
   from_software.segment_flags.ahead <= written_data(27 downto 24);
   from_software.segment_flags.behind <= written_data(31 downto 28);
-  from_software.segment_line_ticks_written <= '1' when writing = '1' and register_index = 13 else '0';
+  from_software.segment_line_ticks_written <= segment_line_ticks_written;
   from_software.segment_line_ticks.ticks <= unsigned(written_data(31 downto 0));
-  from_software.segment_ticks_written <= '1' when writing = '1' and register_index = 14 else '0';
+  from_software.segment_ticks_written <= segment_ticks_written;
   from_software.segment_ticks.ticks <= unsigned(written_data(31 downto 0));
-  from_software.segment_rate_low_written <= '1' when writing = '1' and register_index = 15 else '0';
+  from_software.segment_rate_low_written <= segment_rate_low_written;
   from_software.segment_rate_low.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_rate_high_written <= '1' when writing = '1' and register_index = 16 else '0';
+  from_software.segment_rate_high_written <= segment_rate_high_written;
   from_software.segment_rate_high.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_acceleration_low_written <= '1' when writing = '1' and register_index = 17 else '0';
+  from_software.segment_acceleration_low_written <= segment_acceleration_low_written;
   from_software.segment_acceleration_low.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_acceleration_high_written <= '1' when writing = '1' and register_index = 18 else '0';
+  from_software.segment_acceleration_high_written <= segment_acceleration_high_written;
   from_software.segment_acceleration_high.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_jerk_low_written <= '1' when writing = '1' and register_index = 19 else '0';
+  from_software.segment_jerk_low_written <= segment_jerk_low_written;
   from_software.segment_jerk_low.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_jerk_high_written <= '1' when writing = '1' and register_index = 20 else '0';
+  from_software.segment_jerk_high_written <= segment_jerk_high_written;
   from_software.segment_jerk_high.word <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(0) <= '1' when writing = '1' and register_index = 21 else '0';
+  from_software.segment_steps_written(0) <= segment_steps_0_written;
   from_software.segment_steps(0).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(1) <= '1' when writing = '1' and register_index = 22 else '0';
+  from_software.segment_steps_written(1) <= segment_steps_1_written;
   from_software.segment_steps(1).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(2) <= '1' when writing = '1' and register_index = 23 else '0';
+  from_software.segment_steps_written(2) <= segment_steps_2_written;
   from_software.segment_steps(2).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(3) <= '1' when writing = '1' and register_index = 24 else '0';
+  from_software.segment_steps_written(3) <= segment_steps_3_written;
   from_software.segment_steps(3).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(4) <= '1' when writing = '1' and register_index = 25 else '0';
+  from_software.segment_steps_written(4) <= segment_steps_4_written;
   from_software.segment_steps(4).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(5) <= '1' when writing = '1' and register_index = 26 else '0';
+  from_software.segment_steps_written(5) <= segment_steps_5_written;
   from_software.segment_steps(5).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(6) <= '1' when writing = '1' and register_index = 27 else '0';
+  from_software.segment_steps_written(6) <= segment_steps_6_written;
   from_software.segment_steps(6).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_steps_written(7) <= '1' when writing = '1' and register_index = 28 else '0';
+  from_software.segment_steps_written(7) <= segment_steps_7_written;
   from_software.segment_steps(7).steps <= unsigned(written_data(31 downto 0));
-  from_software.segment_commit_written <= '1' when writing = '1' and register_index = 29 else '0';
+  from_software.segment_commit_written <= segment_commit_written;
   from_software.segment_commit.any <= unsigned(written_data(31 downto 0));
-  from_software.pulse_guard_written(0) <= '1' when writing = '1' and register_index = 30 else '0';
+  from_software.pulse_guard_written(0) <= pulse_guard_0_written;
   from_software.pulse_guard(0).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(0).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(0).both_edges <= written_data(31);
-  from_software.pulse_guard_written(1) <= '1' when writing = '1' and register_index = 31 else '0';
+  from_software.pulse_guard_written(1) <= pulse_guard_1_written;
   from_software.pulse_guard(1).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(1).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(1).both_edges <= written_data(31);
-  from_software.pulse_guard_written(2) <= '1' when writing = '1' and register_index = 32 else '0';
+  from_software.pulse_guard_written(2) <= pulse_guard_2_written;
   from_software.pulse_guard(2).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(2).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(2).both_edges <= written_data(31);
-  from_software.pulse_guard_written(3) <= '1' when writing = '1' and register_index = 33 else '0';
+  from_software.pulse_guard_written(3) <= pulse_guard_3_written;
   from_software.pulse_guard(3).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(3).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(3).both_edges <= written_data(31);
-  from_software.pulse_guard_written(4) <= '1' when writing = '1' and register_index = 34 else '0';
+  from_software.pulse_guard_written(4) <= pulse_guard_4_written;
   from_software.pulse_guard(4).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(4).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(4).both_edges <= written_data(31);
-  from_software.pulse_guard_written(5) <= '1' when writing = '1' and register_index = 35 else '0';
+  from_software.pulse_guard_written(5) <= pulse_guard_5_written;
   from_software.pulse_guard(5).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(5).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(5).both_edges <= written_data(31);
-  from_software.pulse_guard_written(6) <= '1' when writing = '1' and register_index = 36 else '0';
+  from_software.pulse_guard_written(6) <= pulse_guard_6_written;
   from_software.pulse_guard(6).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(6).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(6).both_edges <= written_data(31);
-  from_software.pulse_guard_written(7) <= '1' when writing = '1' and register_index = 37 else '0';
+  from_software.pulse_guard_written(7) <= pulse_guard_7_written;
   from_software.pulse_guard(7).high <= unsigned(written_data(11 downto 0));
   from_software.pulse_guard(7).low <= unsigned(written_data(27 downto 16));
   from_software.pulse_guard(7).both_edges <= written_data(31);
-  from_software.direction_guard_written(0) <= '1' when writing = '1' and register_index = 38 else '0';
+  from_software.direction_guard_written(0) <= direction_guard_0_written;
   from_software.direction_guard(0).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(0).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(1) <= '1' when writing = '1' and register_index = 39 else '0';
+  from_software.direction_guard_written(1) <= direction_guard_1_written;
   from_software.direction_guard(1).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(1).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(2) <= '1' when writing = '1' and register_index = 40 else '0';
+  from_software.direction_guard_written(2) <= direction_guard_2_written;
   from_software.direction_guard(2).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(2).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(3) <= '1' when writing = '1' and register_index = 41 else '0';
+  from_software.direction_guard_written(3) <= direction_guard_3_written;
   from_software.direction_guard(3).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(3).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(4) <= '1' when writing = '1' and register_index = 42 else '0';
+  from_software.direction_guard_written(4) <= direction_guard_4_written;
   from_software.direction_guard(4).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(4).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(5) <= '1' when writing = '1' and register_index = 43 else '0';
+  from_software.direction_guard_written(5) <= direction_guard_5_written;
   from_software.direction_guard(5).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(5).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(6) <= '1' when writing = '1' and register_index = 44 else '0';
+  from_software.direction_guard_written(6) <= direction_guard_6_written;
   from_software.direction_guard(6).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(6).hold <= unsigned(written_data(27 downto 16));
-  from_software.direction_guard_written(7) <= '1' when writing = '1' and register_index = 45 else '0';
+  from_software.direction_guard_written(7) <= direction_guard_7_written;
   from_software.direction_guard(7).setup <= unsigned(written_data(11 downto 0));
   from_software.direction_guard(7).hold <= unsigned(written_data(27 downto 16));
-  from_software.position_written(0) <= '1' when writing = '1' and register_index = 46 else '0';
+  from_software.position_written(0) <= position_0_written;
   from_software.position(0).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(1) <= '1' when writing = '1' and register_index = 47 else '0';
+  from_software.position_written(1) <= position_1_written;
   from_software.position(1).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(2) <= '1' when writing = '1' and register_index = 48 else '0';
+  from_software.position_written(2) <= position_2_written;
   from_software.position(2).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(3) <= '1' when writing = '1' and register_index = 49 else '0';
+  from_software.position_written(3) <= position_3_written;
   from_software.position(3).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(4) <= '1' when writing = '1' and register_index = 50 else '0';
+  from_software.position_written(4) <= position_4_written;
   from_software.position(4).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(5) <= '1' when writing = '1' and register_index = 51 else '0';
+  from_software.position_written(5) <= position_5_written;
   from_software.position(5).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(6) <= '1' when writing = '1' and register_index = 52 else '0';
+  from_software.position_written(6) <= position_6_written;
   from_software.position(6).steps <= signed(written_data(31 downto 0));
-  from_software.position_written(7) <= '1' when writing = '1' and register_index = 53 else '0';
+  from_software.position_written(7) <= position_7_written;
   from_software.position(7).steps <= signed(written_data(31 downto 0));
 end architecture;

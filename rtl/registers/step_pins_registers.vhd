@@ -23,7 +23,7 @@ architecture rtl of step_pins_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(1 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -36,6 +36,7 @@ architecture rtl of step_pins_registers is
   signal direction_word : std_ulogic_vector(31 downto 0);
   signal direction_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal stop_word : std_ulogic_vector(31 downto 0);
+  signal stop_written : std_ulogic := '0';
 
 begin
 
@@ -46,7 +47,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -58,7 +58,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;
@@ -104,9 +103,19 @@ begin
     end if;
   end process;
 
+  tell_events : process
+  begin
+    wait until rising_edge(clk);
+    stop_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 3);
+    if reset then
+      stop_written <= '0';
+    end if;
+  end process;
+
   from_software.control.software <= control_stored(0);
   from_software.step.pins <= step_stored(7 downto 0);
   from_software.direction.pins <= direction_stored(7 downto 0);
-  from_software.stop_written <= '1' when writing = '1' and register_index = 3 else '0';
+  from_software.stop_written <= stop_written;
   from_software.stop.stopped <= written_data(0);
 end architecture;

@@ -23,7 +23,7 @@ architecture rtl of timer_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(1 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -34,6 +34,8 @@ architecture rtl of timer_registers is
   signal compare_low_word : std_ulogic_vector(31 downto 0);
   signal compare_low_stored : std_ulogic_vector(31 downto 0) := x"FFFFFFFF";
   signal compare_high_word : std_ulogic_vector(31 downto 0);
+  signal time_low_read : std_ulogic := '0';
+  signal compare_high_written : std_ulogic := '0';
 
 begin
 
@@ -44,7 +46,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -56,7 +57,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;
@@ -94,8 +94,21 @@ begin
     end if;
   end process;
 
-  from_software.time_low_read <= '1' when reading = '1' and register_index = 0 else '0';
+  tell_events : process
+  begin
+    wait until rising_edge(clk);
+    time_low_read <= access_begins and known and not request.write and
+      (request.address(11 downto 2) ?= 0);
+    compare_high_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 3);
+    if reset then
+      time_low_read <= '0';
+      compare_high_written <= '0';
+    end if;
+  end process;
+
+  from_software.time_low_read <= time_low_read;
   from_software.compare_low.cycles <= unsigned(compare_low_stored(31 downto 0));
-  from_software.compare_high_written <= '1' when writing = '1' and register_index = 3 else '0';
+  from_software.compare_high_written <= compare_high_written;
   from_software.compare_high.cycles <= unsigned(written_data(31 downto 0));
 end architecture;

@@ -23,7 +23,7 @@ architecture rtl of uart_registers is
 
   -- The first clock of an access, and what it was, one clock later.
   signal access_begins : std_ulogic;
-  signal answered, reading, writing : std_ulogic := '0';
+  signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(3 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
@@ -39,6 +39,9 @@ architecture rtl of uart_registers is
   signal framing_errors_word : std_ulogic_vector(31 downto 0);
   signal breaks_word : std_ulogic_vector(31 downto 0);
   signal noisy_bytes_word : std_ulogic_vector(31 downto 0);
+  signal clear_written : std_ulogic := '0';
+  signal data_written : std_ulogic := '0';
+  signal data_read : std_ulogic := '0';
 
 begin
 
@@ -49,7 +52,6 @@ begin
   begin
     wait until rising_edge(clk);
     answered <= access_begins;
-    reading <= access_begins and known and not request.write;
     writing <= access_begins and known and request.write;
     response.acknowledge <= access_begins and known;
     response.error <= access_begins and not known;
@@ -61,7 +63,6 @@ begin
     end if;
     if reset then
       answered <= '0';
-      reading <= '0';
       writing <= '0';
       response <= bus_response_idle;
     end if;
@@ -117,6 +118,22 @@ begin
     end if;
   end process;
 
+  tell_events : process
+  begin
+    wait until rising_edge(clk);
+    clear_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 2);
+    data_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 3);
+    data_read <= access_begins and known and not request.write and
+      (request.address(11 downto 2) ?= 3);
+    if reset then
+      clear_written <= '0';
+      data_written <= '0';
+      data_read <= '0';
+    end if;
+  end process;
+
   note_baud_rate : process
   begin
     wait until rising_edge(clk);
@@ -124,13 +141,13 @@ begin
   end process;
 
   from_software.baud_rate.increment <= unsigned(baud_rate_stored(31 downto 0));
-  from_software.clear_written <= '1' when writing = '1' and register_index = 2 else '0';
+  from_software.clear_written <= clear_written;
   from_software.clear.overrun <= written_data(0);
   from_software.clear.framing_error <= written_data(1);
   from_software.clear.break_condition <= written_data(2);
   from_software.clear.noise <= written_data(3);
-  from_software.data_written <= '1' when writing = '1' and register_index = 3 else '0';
-  from_software.data_read <= '1' when reading = '1' and register_index = 3 else '0';
+  from_software.data_written <= data_written;
+  from_software.data_read <= data_read;
   from_software.data.byte <= unsigned(written_data(7 downto 0));
   from_software.data.valid <= written_data(8);
   from_software.data.gap <= written_data(9);

@@ -53,7 +53,7 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("");
     line("  -- The first clock of an access, and what it was, one clock later.");
     line("  signal access_begins : std_ulogic;");
-    line("  signal answered, reading, writing : std_ulogic := '0';");
+    line("  signal answered, writing : std_ulogic := '0';");
     line("  -- Of what is known only: the bits above are 0.");
     line("  signal register_index : unsigned({} downto 0) := (others => '0');",
          highest_index_bit());
@@ -67,6 +67,9 @@ class VhdlRegistersWriter : private VhdlWriter {
              reset_word(r));
       }
     });
+    for_each_event([&](const std::string& event, bool, unsigned) {
+      line("  signal {} : std_ulogic := '0';", event);
+    });
     line("");
     line("begin");
     line("");
@@ -74,6 +77,7 @@ class VhdlRegistersWriter : private VhdlWriter {
     known_registers();
     readable_words();
     store_process();
+    event_process();
     for (const Register& r : peripheral_.registers) connect(r);
     line("end architecture;");
   }
@@ -83,6 +87,16 @@ class VhdlRegistersWriter : private VhdlWriter {
     for (const Register& r : peripheral_.registers) {
       for (unsigned index = 0; index < r.count; ++index) action(r, index);
     }
+  }
+
+  // Writes and reads that the hardware is told of in the clock of their acknowledge.
+  template <class Action>
+  void for_each_event(Action action) {
+    for_each_register([&](const Register& r, unsigned index) {
+      const unsigned number = r.offset / 4 + index;
+      if (r.has_written() && !r.stored()) action(name_of(r, index) + "_written", true, number);
+      if (r.read_event) action(name_of(r, index) + "_read", false, number);
+    });
   }
 
   static std::uint32_t reset_word(const Register& r) {
@@ -152,7 +166,6 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("  begin");
     line("    wait until rising_edge(clk);");
     line("    answered <= access_begins;");
-    line("    reading <= access_begins and known and not request.write;");
     line("    writing <= access_begins and known and request.write;");
     line("    response.acknowledge <= access_begins and known;");
     line("    response.error <= access_begins and not known;");
@@ -164,7 +177,6 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("    end if;");
     line("    if reset then");
     line("      answered <= '0';");
-    line("      reading <= '0';");
     line("      writing <= '0';");
     line("      response <= bus_response_idle;");
     line("    end if;");
@@ -250,12 +262,37 @@ class VhdlRegistersWriter : private VhdlWriter {
     line("");
   }
 
+  // Which register it is, is found out before the clock in which the hardware needs it.
+  void event_process() {
+    bool some = false;
+    for_each_event([&](const std::string&, bool, unsigned) { some = true; });
+    if (!some) return;
+    line("  tell_events : process");
+    line("  begin");
+    line("    wait until rising_edge(clk);");
+    for_each_event([&](const std::string& event, bool write, unsigned number) {
+      line("    {} <= access_begins and known and {}request.write and", event, write ? "" : "not ");
+      line("      (request.address(11 downto 2) ?= {});", number);
+    });
+    line("    if reset then");
+    for_each_event(
+        [&](const std::string& event, bool, unsigned) { line("      {} <= '0';", event); });
+    line("    end if;");
+    line("  end process;");
+    line("");
+  }
+
   void connect(const Register& r) {
     for (unsigned index = 0; index < r.count; ++index) {
       const std::string at = element(r, index);
       const unsigned number = r.offset / 4 + index;
-      if (r.has_written()) event(r, at, "written", r.stored() ? "stored" : "writing", number);
-      if (r.read_event) event(r, at, "read", "reading", number);
+      if (r.has_written() && r.stored()) note_stored(r, at, number);
+      if (r.has_written() && !r.stored()) {
+        line("  from_software.{0}_written{1} <= {2}_written;", r.name, at, name_of(r, index));
+      }
+      if (r.read_event) {
+        line("  from_software.{0}_read{1} <= {2}_read;", r.name, at, name_of(r, index));
+      }
       if (!r.writable()) continue;
       const std::string source = r.stored() ? storage(r, index) : "written_data";
       for (const Field& field : r.fields) {
@@ -269,21 +306,17 @@ class VhdlRegistersWriter : private VhdlWriter {
     }
   }
 
-  void event(const Register& r, const std::string& at, const char* kind, const char* when,
-             unsigned number) {
-    if (std::string_view(when) == "stored") {
-      // One clock later, together with the stored value.
-      line("  note_{}{} : process", r.name, at.empty() ? "" : "_" + at.substr(1, at.size() - 2));
-      line("  begin");
-      line("    wait until rising_edge(clk);");
-      line("    from_software.{}_{}{} <= '1' when writing = '1' and register_index = {} else '0';",
-           r.name, kind, at, number);
-      line("  end process;");
-      line("");
-      return;
-    }
-    line("  from_software.{}_{}{} <= '1' when {} = '1' and register_index = {} else '0';", r.name,
-         kind, at, when, number);
+  // One clock later than the write, together with the stored value.
+  void note_stored(const Register& r, const std::string& at, unsigned number) {
+    line("  note_{}{} : process", r.name, at.empty() ? "" : "_" + at.substr(1, at.size() - 2));
+    line("  begin");
+    line("    wait until rising_edge(clk);");
+    line(
+        "    from_software.{}_written{} <= '1' when writing = '1' and register_index = {} else "
+        "'0';",
+        r.name, at, number);
+    line("  end process;");
+    line("");
   }
 };
 
