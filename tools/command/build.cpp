@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
@@ -49,13 +50,19 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count) {
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-// `log` empty: the program writes to this one's terminal.
-int run_with_output(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+// What execvp() wants.
+std::vector<char*> pointers_to(const std::vector<std::string>& arguments) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) {
     pointers.push_back(const_cast<char*>(argument.c_str()));
   }
   pointers.push_back(nullptr);
+  return pointers;
+}
+
+// `log` empty: the program writes to this one's terminal.
+int run_with_output(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
+  const std::vector<char*> pointers = pointers_to(arguments);
   const pid_t child = fork();
   if (child < 0) {
     throw std::runtime_error("cannot start " + arguments.front());
@@ -98,6 +105,12 @@ void build(const std::vector<std::string>& targets) {
 
 int run_program(const std::vector<std::string>& arguments) {
   return run_with_output(arguments, {});
+}
+
+void become_program(const std::vector<std::string>& arguments) {
+  std::fflush(nullptr);
+  execvp(arguments.front().c_str(), pointers_to(arguments).data());
+  throw std::runtime_error("cannot start " + arguments.front());
 }
 
 }  // namespace command

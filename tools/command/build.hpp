@@ -19,4 +19,8 @@ void build(const std::vector<std::string>& targets);
 // Runs a program with this one's terminal and waits for it; returns its exit status (128 + signal).
 int run_program(const std::vector<std::string>& arguments);
 
+// Goes on as another program, which gets this one's terminal and its signals. Throws
+// std::runtime_error where it cannot be started.
+[[noreturn]] void become_program(const std::vector<std::string>& arguments);
+
 }  // namespace command

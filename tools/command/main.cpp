@@ -212,12 +212,13 @@ void add_debug(CLI::App& app, DebugOptions& options) {
 }
 
 // Waveforms and the debug port need other builds of the chip's model, which slow nothing else down.
-int run_other_program(const std::string& name, const char* model, int count, char** arguments) {
+[[noreturn]] void become_other_program(const std::string& name, const char* model, int count,
+                                       char** arguments) {
   fmt::print(stderr, "stepfabric: building the model that {}\n", model);
   build({name});
   std::vector<std::string> words{(build_folder() / "bin" / name).string()};
   words.insert(words.end(), arguments + 1, arguments + count);
-  return run_program(words);
+  become_program(words);
 }
 
 bool this_is_program(const char* path, std::string_view name) {
@@ -227,12 +228,13 @@ bool this_is_program(const char* path, std::string_view name) {
 int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   const bool traces = !jobs.print.trace.empty() || !jobs.run.trace.empty();
   if (traces && !this_is_program(arguments[0], "stepfabric_traced")) {
-    return run_other_program("stepfabric_traced", "writes waveforms", count, arguments);
+    become_other_program("stepfabric_traced", "writes waveforms", count, arguments);
   }
   if (app.got_subcommand("debug")) {
-    return this_is_program(arguments[0], "stepfabric_debug")
-               ? debug(jobs.debug)
-               : run_other_program("stepfabric_debug", "has the debug port", count, arguments);
+    if (!this_is_program(arguments[0], "stepfabric_debug")) {
+      become_other_program("stepfabric_debug", "has the debug port", count, arguments);
+    }
+    return debug(jobs.debug);
   }
   if (app.got_subcommand("print")) {
     return print(jobs.print);
