@@ -64,7 +64,8 @@ void FirmwareWatch::wake(sim::Clock now) {
   next_wake_ = now + interval_clocks;
   const std::uint32_t version = word(Word::version);
   if (version == 0) {
-    return;  // not started yet
+    begin_anew();  // not started yet; or started again, by the boot loader
+    return;
   }
   if (version < least_version) {
     throw std::runtime_error("this firmware does not tell which lines it accepts");

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -182,6 +183,20 @@ TEST_F(Serve, opening_the_port_resets_the_chip_where_that_is_wanted) {
   }
   EXPECT_EQ(stop(), 0);
   EXPECT_EQ(file("accepted"), "-\tM118 again\n-\tM118 again\n");
+}
+
+// As on a board: the running firmware makes way, and the one that has come takes its place.
+TEST_F(Serve, a_firmware_is_loaded_over_the_port_and_answers) {
+  start({"--clock-hz", "4000000"});
+  const std::string load = BUILD_DIRECTORY "/bin/stepfabric load ";
+  const std::string firmware = BUILD_DIRECTORY "/firmware/firmware.elf ";
+  EXPECT_EQ(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
+  const int host = open_port();
+  EXPECT_TRUE(connect(host));
+  close(host);
+  EXPECT_EQ(stop(), 0);
+  // With nobody at the other end.
+  EXPECT_NE(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
 }
 
 }  // namespace

@@ -77,6 +77,23 @@ TEST(FirmwareWatch, tells_every_accepted_line_once_and_in_order) {
   EXPECT_EQ(log, expected);
 }
 
+TEST(FirmwareWatch, counts_from_0_where_the_firmware_starts_again) {
+  Firmware firmware;
+  report::FirmwareWatch watch(firmware.image, firmware.chip);
+  std::size_t lines = 0;
+  watch.on_accepted = [&](sim::Clock, const AcceptedLine&) { ++lines; };
+  firmware.start();
+  firmware.accept("M997", std::nullopt);
+  watch.wake(1000);
+  for (const std::uint32_t word : {0u, 1u, 2u, 3u, 12u}) firmware.set(word, 0);
+  watch.wake(2000);
+  firmware.start();
+  ASSERT_NO_THROW(watch.wake(3000));
+  firmware.set(3, 1);
+  watch.wake(4000);
+  EXPECT_EQ(lines, 2u);
+}
+
 TEST(FirmwareWatch, does_not_pretend_where_lines_were_missed) {
   Firmware firmware;
   report::FirmwareWatch watch(firmware.image, firmware.chip);
