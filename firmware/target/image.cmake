@@ -20,7 +20,7 @@ ExternalProject_Add(firmware_image
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
   BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target firmware.elf
   INSTALL_COMMAND ""
-  DEPENDS machine_header_file)
+  DEPENDS machine_header_file benchmark_machine_header)
 add_custom_target(firmware DEPENDS firmware_image)
 
 # Of the same objects, built only where they are asked for.
@@ -30,6 +30,7 @@ add_custom_target(firmware_software_stepping
 add_custom_target(stepping_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target stepping_benchmark_hardware.elf stepping_benchmark_software.elf
+      printing_benchmark_hardware.elf printing_benchmark_software.elf
   DEPENDS firmware_image VERBATIM)
 # One at a time: both are builds in the same folder.
 add_dependencies(stepping_benchmark_programs firmware_software_stepping)

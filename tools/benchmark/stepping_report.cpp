@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "tools/benchmark/clean_rates.hpp"
 #include "tools/benchmark/published_figures.hpp"
 
 namespace benchmarks {
@@ -26,17 +27,19 @@ Json jitter_json(const Jitter& jitter) {
           {"standard_deviation_clocks", rounded(jitter.standard_deviation)}};
 }
 
+Json pair_json(const CleanPair& pair, double clock_hz) {
+  Json json{{"hardware_steps_per_second_per_axis", rounded(clock_hz / pair.hardware_clocks)},
+            {"software_steps_per_second_per_axis", rounded(clock_hz / pair.software_clocks)},
+            {"hardware_clocks_per_step", pair.hardware_clocks},
+            {"software_clocks_per_step", pair.software_clocks}};
+  // Only known of the whole firmware.
+  if (!pair.hardware_limited_by.empty()) json["hardware_limited_by"] = pair.hardware_limited_by;
+  if (!pair.software_limited_by.empty()) json["software_limited_by"] = pair.software_limited_by;
+  return json;
+}
+
 Json figures_json(const Figures& figures, double clock_hz) {
   Json json;
-  for (const CleanRate& rate : figures.clean) {
-    json["clean"].push_back(
-        {{"axes", rate.axes},
-         {"guard_clocks", rate.guard_clocks},
-         {"clocks_per_step", rate.lines_clocks},
-         {"steps_per_second_per_axis", rounded(clock_hz / rate.lines_clocks)},
-         {"clocks_per_step_within_a_line", rate.one_line_clocks},
-         {"steps_per_second_within_a_line", rounded(clock_hz / rate.one_line_clocks)}});
-  }
   for (const JitterFigure& figure : figures.jitter) {
     Json row = jitter_json(figure.jitter);
     row["asked_clocks"] = figure.interval_clocks;
@@ -73,18 +76,12 @@ Json print_json(const PrintFigure& print) {
 
 std::string to_json(const Comparison& comparison) {
   Json json{{"benchmark", "stepping"}, {"clock_hz", comparison.clock_hz}};
+  for (const CleanPair& pair : clean_pairs(comparison)) {
+    json["highest_clean_rate"][pair.name] = pair_json(pair, comparison.clock_hz);
+    json["ratio"][pair.name] = rounded(pair.ratio());
+  }
   for (const Figures& figures : comparison.figures) {
     json[name_of(figures.stepping)] = figures_json(figures, comparison.clock_hz);
-  }
-  const auto& hardware = comparison.figures[0].clean;
-  const auto& software = comparison.figures[1].clean;
-  for (std::size_t i = 0; i < hardware.size(); ++i) {
-    json["ratio"].push_back(
-        {{"axes", hardware[i].axes},
-         {"guard_clocks", hardware[i].guard_clocks},
-         {"lines", rounded(double(software[i].lines_clocks) / hardware[i].lines_clocks)},
-         {"within_a_line",
-          rounded(double(software[i].one_line_clocks) / hardware[i].one_line_clocks)}});
   }
   if (comparison.prints) {
     json["print"] = {{"file", comparison.print_file},
@@ -112,17 +109,11 @@ std::string to_table(const Comparison& comparison) {
   const Figures& hardware = comparison.figures[0];
   const Figures& software = comparison.figures[1];
   const double clock = comparison.clock_hz;
-  add("At {:.3g} MHz              {:>22} {:>22}  ratio\n", clock * 1e-6, "hardware", "software");
-  for (std::size_t i = 0; i < hardware.clean.size(); ++i) {
-    const CleanRate& hard = hardware.clean[i];
-    const CleanRate& soft = software.clean[i];
-    const auto row = [&](const char* what, std::uint32_t a, std::uint32_t b) {
-      add("{} {}, guard {:2} {:>9} {:>14.0f} steps/s {:>14.0f} steps/s {:>6.1f}\n", hard.axes,
-          hard.axes == 1 ? "axis" : "axes", hard.guard_clocks, what, clock / a, clock / b,
-          double(b) / a);
-    };
-    row("lines", hard.lines_clocks, soft.lines_clocks);
-    row("one line", hard.one_line_clocks, soft.one_line_clocks);
+  add("{:<50} {:>19} {:>17}  ratio\n", fmt::format("At {:.3g} MHz", clock * 1e-6), "hardware",
+      "software");
+  for (const CleanPair& pair : clean_pairs(comparison)) {
+    add("{:<50} {:>11.0f} steps/s {:>9.0f} steps/s {:>6.1f}\n", pair.text,
+        clock / pair.hardware_clocks, clock / pair.software_clocks, pair.ratio());
   }
   for (const Figures& figures : comparison.figures) {
     for (const JitterFigure& figure : figures.jitter) {

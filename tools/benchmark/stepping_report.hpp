@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/benchmark/printing_figures.hpp"
 #include "tools/benchmark/stepping_figures.hpp"
 
 namespace benchmarks {
@@ -23,6 +24,7 @@ struct PrintFigure {
 struct Comparison {
   std::uint32_t clock_hz{};
   std::array<Figures, 2> figures;  // hardware, software
+  std::array<std::vector<PrintingRates>, 2> printing;  // the same, of the whole firmware
   std::uint32_t print_clock_hz{};
   std::string print_file;
   std::optional<std::array<PrintFigure, 2>> prints;

@@ -76,17 +76,28 @@ void tell(const BenchOptions& options, const benchmarks::Comparison& comparison)
   report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
 }
 
+sim::ElfImage image(const char* program, Stepping stepping) {
+  return sim::read_elf(build_folder() / "firmware" /
+                       fmt::format("{}_{}.elf", program, name_of(stepping)));
+}
+
+std::filesystem::path benchmark_machine() {
+  return project_folder() / "firmware" / "machines" / "benchmark.toml";
+}
+
 int bench_stepping(const BenchOptions& options) {
   build({"stepping_benchmark_programs"});
   const benchmarks::Scope scope{.quick = options.quick};
   benchmarks::Comparison comparison;
   comparison.clock_hz = scope.clock_hz;
+  const auto say = [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); };
+  const auto machine = machine::read_description(benchmark_machine());
   for (const Stepping stepping : {Stepping::hardware, Stepping::software}) {
-    const auto program = sim::read_elf(build_folder() / "firmware" /
-                                       fmt::format("stepping_benchmark_{}.elf", name_of(stepping)));
-    comparison.figures[static_cast<std::size_t>(stepping)] = benchmarks::measure(
-        stepping, program, scope,
-        [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); });
+    const auto index = static_cast<std::size_t>(stepping);
+    comparison.figures[index] =
+        benchmarks::measure(stepping, image("stepping_benchmark", stepping), scope, say);
+    comparison.printing[index] = benchmarks::measure_printing(
+        comparison.figures[index], {image("printing_benchmark", stepping), machine}, scope, say);
   }
   // The print takes longest: what is known is told before it, too.
   tell(options, comparison);
