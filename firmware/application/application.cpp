@@ -160,6 +160,8 @@ void Application::look_for_faults() {
     halt(text_of(*fault).view());
   } else if (motion_.emergency_input()) {
     halt("Error:Emergency stop input");
+  } else if (motion_.watchdog_stop()) {
+    halt("Error:Motion stopped by its watchdog");
   } else if (executor_.fatal()) {
     halt(text_of(*executor_.fatal()).view());
   }

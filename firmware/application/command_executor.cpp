@@ -41,10 +41,15 @@ void CommandExecutor::quick_stop() {
   wait_cancelled_ = true;
 }
 
+void CommandExecutor::hold(bool held) {
+  held_ = held;
+  motion_.hold(held);
+}
+
 // The host's //action:cancel: what waits in the queue belongs to what is cancelled.
 void CommandExecutor::cancel_lines() {
   quick_stop();
-  held_ = false;
+  hold(false);
   cancelled_lines_ = link_.waiting_lines();
   if (stage_ == Stage::idle) return;
   --cancelled_lines_;
@@ -123,7 +128,7 @@ CommandExecutor::Progress CommandExecutor::execute_g(Now now) {
   switch (command_.code) {
     case 0:
     case 1:
-      return move(now);
+      return move();
     case 4:
       return dwell(now);
     case 20:

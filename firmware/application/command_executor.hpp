@@ -42,7 +42,8 @@ class CommandExecutor {
   void prompt_answered() {
     if (stage_ == Stage::asking) wait_cancelled_ = true;
   }
-  void hold(bool held) { held_ = held; }
+  // Holds back the lines that wait, and motion where it is.
+  void hold(bool held);
   void cancel_lines();
 
   // Whether a line is in hand that is not yet answered, and what it waits for.
@@ -89,7 +90,7 @@ class CommandExecutor {
   Progress execute_setting();
 
   // motion_commands.cpp
-  Progress move(Now now);
+  Progress move();
   Progress dwell(Now now);
   Progress home(Now now);
   Progress set_position();

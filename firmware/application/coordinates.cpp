@@ -63,8 +63,8 @@ void Coordinates::take_feedrate(const gcode::Command& command) {
 }
 
 units::MicrometersPerSecond Coordinates::feedrate() const {
-  if (speed_percent_ == 100) return feedrate_;
-  const std::int64_t speed = divided(std::int64_t{feedrate_.count()} * speed_percent_, 100);
+  if (planned_percent_ == 100) return feedrate_;
+  const std::int64_t speed = divided(std::int64_t{feedrate_.count()} * planned_percent_, 100);
   return units::MicrometersPerSecond(
       static_cast<std::int32_t>(std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
 }

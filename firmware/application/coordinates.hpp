@@ -22,8 +22,11 @@ class Coordinates {
   void set_inches(bool inches) { inches_ = inches; }
   // M221, percent of what lines ask for; 1 or more.
   void set_flow(std::int32_t percent) { flow_percent_ = percent; }
-  // M220, percent of the feedrates; 1 or more.
-  void set_speed(std::int32_t percent) { speed_percent_ = percent; }
+  // M220, percent of the feedrates, and how much of it is to be planned; 1 or more.
+  void set_speed(std::int32_t percent, std::int32_t planned_percent) {
+    speed_percent_ = percent;
+    planned_percent_ = planned_percent;
+  }
 
   std::int32_t flow() const { return flow_percent_; }
   std::int32_t speed() const { return speed_percent_; }
@@ -45,7 +48,7 @@ class Coordinates {
 
   // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.
   void take_feedrate(const gcode::Command& command);
-  // With the speed factor; 1 um/s at least.
+  // With what is to be planned of the speed factor; 1 um/s at least.
   units::MicrometersPerSecond feedrate() const;
 
  private:
@@ -55,6 +58,7 @@ class Coordinates {
   bool inches_{};
   std::int32_t flow_percent_{100};
   std::int32_t speed_percent_{100};
+  std::int32_t planned_percent_{100};
   units::MicrometersPerSecond feedrate_{25'000};  // Marlin's default: 1500 mm/min
 };
 

@@ -42,7 +42,7 @@ host_link::TextLine missing_number(char letter) {
 
 }  // namespace
 
-CommandExecutor::Progress CommandExecutor::move(Now now) {
+CommandExecutor::Progress CommandExecutor::move() {
   waits_for_room_ = !motion_.has_room();
   if (waits_for_room_ || motion_.stopping()) return Progress::again;
   if (const auto letter = letter_without_number("XYZEF"))
@@ -70,8 +70,7 @@ CommandExecutor::Progress CommandExecutor::move(Now now) {
   if (const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine)) {
     return refuse(beyond(*axis, motion_.limits().of(*axis).travel).view());
   }
-  const auto accepted =
-      motion_.append({.target = machine, .feedrate = coordinates_.feedrate()}, now);
+  const auto accepted = motion_.append({.target = machine, .feedrate = coordinates_.feedrate()});
   if (!accepted) return refuse(motion::describe(accepted.error()));
   for (const Axis axis : all_axes) coordinates_.set_logical(axis, wanted[index_of(axis)]);
   planned_ = motion_.position();
@@ -182,7 +181,8 @@ CommandExecutor::Progress CommandExecutor::set_speed_factor() {
     return say(line.text("FR:").integer(coordinates_.speed()).character('%'));
   }
   if (*percent < 1 || *percent > largest_percentage) return refuse("Factor not within 1 to 999");
-  coordinates_.set_speed(static_cast<std::int32_t>(*percent));
+  const auto speed = static_cast<std::int32_t>(*percent);
+  coordinates_.set_speed(speed, motion_.set_speed(speed));
   return Progress::done;
 }
 

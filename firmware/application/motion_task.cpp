@@ -14,6 +14,9 @@ constexpr std::uint32_t rate_floor_hz = 10;
 // Shorter pulses on an end stop's line are noise.
 constexpr std::uint32_t end_stop_filter_ns = 2000;
 
+// A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
+constexpr std::uint32_t watchdog_ms = 200;
+
 constexpr std::uint64_t nanoseconds_per_second = 1'000'000'000;
 
 constexpr units::PerAxis<units::Axis> all_axes{units::Axis::x, units::Axis::y, units::Axis::z,
@@ -65,7 +68,8 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       clock_(clock),
       step_generator_(step_generator),
       end_stops_(end_stops),
-      planner_(machine.limits, timing_of(machine, clock)) {}
+      planner_(machine.limits, timing_of(machine, clock)),
+      pace_(step_generator, clock) {}
 
 void MotionTask::start() {
   const auto floor = (std::uint64_t{rate_floor_hz} << 32) / clock_.count();
@@ -76,12 +80,17 @@ void MotionTask::start() {
       {.enabled = end_stops_of(machine_.limits),
        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
   step_generator_.enable_stop_interrupt(true);
+  step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
+  pace_.set_limits(machine_.limits);
 }
 
 void MotionTask::update(Now now) {
+  step_generator_.feed_watchdog();
+  pace_.update(now.microseconds, step_generator_.moving());
   settle_stop();
-  if (homing_.active()) lead_homing(now);
-  refill(now);
+  if (homing_.active()) lead_homing();
+  pace_.set_homing(homing_.active());
+  refill();
 }
 
 // Every stop ends in the same way: what was planned is void, and the planner learns where the axes
@@ -96,6 +105,10 @@ void MotionTask::settle_stop() {
     emergency_input_ = true;
     return;
   }
+  if (stop.watchdog) {
+    watchdog_stop_ = true;
+    return;
+  }
   planner_.clear();
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
@@ -107,15 +120,13 @@ void MotionTask::settle_stop() {
   step_generator_.acknowledge_stop();
 }
 
-void MotionTask::lead_homing(Now now) {
+void MotionTask::lead_homing() {
   if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
-  carry_out(
-      homing_.update(
-          {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}),
-      now);
+  carry_out(homing_.update(
+      {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }
 
-void MotionTask::carry_out(const motion::HomingRequest& request, Now now) {
+void MotionTask::carry_out(const motion::HomingRequest& request) {
   using Kind = motion::HomingRequest::Kind;
   switch (request.kind) {
     case Kind::nothing:
@@ -127,7 +138,7 @@ void MotionTask::carry_out(const motion::HomingRequest& request, Now now) {
                             .feedrate = request.move.speed,
                             .stop_mask = request.move.stop_mask};
       move.target[index_of(request.move.axis)] += request.move.distance;
-      const auto accepted = append(move, now);
+      const auto accepted = append(move);
       if (!accepted) {
         homing_.cancel();
         homing_fault_ = accepted.error();
@@ -148,18 +159,18 @@ void MotionTask::carry_out(const motion::HomingRequest& request, Now now) {
   }
 }
 
-void MotionTask::refill(Now now) {
+void MotionTask::refill() {
   if (stopping_) return;
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
-    const auto segment = planner_.next_segment(now.microseconds);
+    const auto segment = planner_.next_segment(pace_.time());
     if (!segment) return;
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
     if (!step_generator_.append(*segment)) return;
   }
 }
 
-std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move, Now now) {
-  const auto accepted = planner_.append(move, now.microseconds);
+std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {
+  const auto accepted = planner_.append(move, pace_.time());
   if (accepted && !(motors_on_ == units::AxisSet::all())) {
     enable_motors(units::AxisSet::all(), true);
   }
@@ -200,9 +211,14 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
   }
 }
 
+void MotionTask::set_limits(const motion::Limits& limits) {
+  planner_.set_limits(limits);
+  pace_.set_limits(limits);
+}
+
 void MotionTask::set_steps_per_meter(const motion::Limits& limits) {
   const auto positions = planner_.position();
-  planner_.set_limits(limits);
+  set_limits(limits);
   set_position(positions);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "application/machine_description.hpp"
+#include "application/pace.hpp"
 #include "application/tick_clock.hpp"
 #include "drivers/end_stops.hpp"
 #include "drivers/step_generator.hpp"
@@ -30,7 +31,7 @@ class MotionTask {
   bool has_room() const { return planner_.has_room(); }
   std::size_t room() const { return motion::Planner::capacity - planner_.lines(); }
   // Switches the motors on. `target` in machine coordinates.
-  std::expected<void, motion::Fault> append(const motion::LineMove& move, Now now);
+  std::expected<void, motion::Fault> append(const motion::LineMove& move);
   // What has been appended starts without waiting for more.
   void flush() { planner_.flush(); }
   // Planner empty, step generator idle, no stop or homing under way.
@@ -50,12 +51,18 @@ class MotionTask {
   bool stopping() const { return stopping_; }
   // The emergency stop input has ended motion.
   bool emergency_input() const { return emergency_input_; }
+  // Motion has been stopped because update() was not called in time.
+  bool watchdog_stop() const { return watchdog_stop_; }
+
+  // M220 and the pause in the middle of a move: see Pace.
+  std::int32_t set_speed(std::int32_t percent) { return pace_.set_speed(percent); }
+  void hold(bool held) { pace_.hold(held); }
 
   void enable_motors(units::AxisSet axes, bool enabled);
   std::uint8_t end_stops() const { return end_stops_.triggered(); }
 
   const motion::Limits& limits() const { return planner_.limits(); }
-  void set_limits(const motion::Limits& limits) { planner_.set_limits(limits); }
+  void set_limits(const motion::Limits& limits);
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
   void set_steps_per_meter(const motion::Limits& limits);
 
@@ -67,9 +74,9 @@ class MotionTask {
 
  private:
   void settle_stop();
-  void lead_homing(Now now);
-  void carry_out(const motion::HomingRequest& request, Now now);
-  void refill(Now now);
+  void lead_homing();
+  void carry_out(const motion::HomingRequest& request);
+  void refill();
   void set_position(const units::PerAxis<units::Nanometers>& positions);
 
   const MachineDescription& machine_;
@@ -78,6 +85,7 @@ class MotionTask {
   drivers::EndStops& end_stops_;
   motion::Planner planner_;
   motion::Homing homing_;
+  Pace pace_;
   std::optional<motion::Fault> homing_fault_;
   units::Axis homing_axis_{};
   units::AxisSet homed_;
@@ -86,6 +94,7 @@ class MotionTask {
   bool stopped_by_end_stop_{};
   bool stopping_{};
   bool emergency_input_{};
+  bool watchdog_stop_{};
 };
 
 }  // namespace application

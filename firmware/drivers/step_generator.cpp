@@ -118,6 +118,8 @@ void StepGenerator::permit_motion(bool permitted) {
 
 void StepGenerator::flush() { platform::write(registers::Command{.flush = true}); }
 
+bool StepGenerator::stretches_time() const { return true; }
+
 void StepGenerator::set_override(std::uint32_t scale_65536ths) {
   platform::write(registers::Override{scale_65536ths});
 }

@@ -60,6 +60,9 @@ class StepGenerator {
   // Forgets the queue; the segment being executed is finished.
   void flush();
 
+  // Whether what follows up to start() and the watchdog are there. Where software makes the steps
+  // they are not: setting them has no effect.
+  bool stretches_time() const;
   // How fast time passes for motion, its path unchanged: 65536 as segments ask, 0 for a feed hold,
   // below 4 * 65536. Approached by the slope while a segment is executed, taken at once at rest.
   // Above 65536 the tick rate limits it: from 7/64 tick per clock on to 2, from 15/64 on to 1

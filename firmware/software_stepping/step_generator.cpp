@@ -58,6 +58,18 @@ void StepGenerator::permit_motion(bool permitted) { chip_stepper().permit_motion
 
 void StepGenerator::flush() { chip_stepper().flush(); }
 
+bool StepGenerator::stretches_time() const { return false; }
+
+void StepGenerator::set_override(std::uint32_t) {}
+
+void StepGenerator::set_slopes(std::uint32_t, std::uint32_t) {}
+
+std::uint32_t StepGenerator::scale() const { return 1u << 16; }
+
+void StepGenerator::set_watchdog(std::uint32_t) {}
+
+void StepGenerator::feed_watchdog() {}
+
 bool StepGenerator::moving() const { return chip_stepper().moving(); }
 
 bool StepGenerator::idle() const { return !chip_stepper().moving() && chip_stepper().level() == 0; }

@@ -42,7 +42,10 @@ double clocks_of(double ticks, double rate, double acceleration) {
 
 }  // namespace
 
-FakeChip::FakeChip() { chip = this; }
+FakeChip::FakeChip() {
+  words_[steps::Override::address] = 1u << 16;
+  chip = this;
+}
 FakeChip::~FakeChip() { chip = nullptr; }
 
 std::uint32_t FakeChip::duty_address(std::size_t channel) {
@@ -103,8 +106,12 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
         .encode();
   }
   if (address == steps::MotorEnable::address) return motors;
+  // Without slopes.
+  if (address == steps::Scale::address) return words_[steps::Override::address];
   if (address == steps::StopCause::address) {
-    return steps::StopCause{.end_stops = stop_end_stops_, .software = stopped_by_software_}
+    return steps::StopCause{.end_stops = stop_end_stops_,
+                            .software = stopped_by_software_,
+                            .watchdog = stopped_by_watchdog_}
         .encode();
   }
   for (const std::size_t axis :
@@ -157,6 +164,7 @@ void FakeChip::command(std::uint32_t value) {
   if (wanted.flush) queue_.clear();
   if (wanted.stop) stop(0, true);
   if (wanted.acknowledge_stop) stopped_ = false;
+  if (wanted.feed_watchdog) ++motion_watchdog_feeds;
 }
 
 void FakeChip::stop(std::uint32_t end_stops, bool software) {
@@ -167,6 +175,11 @@ void FakeChip::stop(std::uint32_t end_stops, bool software) {
   stopped_by_software_ = software;
 }
 
+void FakeChip::stop_by_watchdog() {
+  stop(0, false);
+  stopped_by_watchdog_ = true;
+}
+
 void FakeChip::commit() {
   const auto flags = steps::SegmentFlags::decode(words_[steps::SegmentFlags::address]);
   const auto wide = [this](std::uint32_t low, std::uint32_t high) {
@@ -174,6 +187,7 @@ void FakeChip::commit() {
   };
   Segment segment;
   segment.continues = flags.continues_line;
+  segment.ends_motion = flags.ends_motion;
   segment.stop_mask = flags.stop_mask;
   segment.line_ticks = words_[steps::SegmentLineTicks::address];
   segment.ticks = words_[steps::SegmentTicks::address];
@@ -198,7 +212,7 @@ void FakeChip::advance(std::uint32_t clocks) {
 }
 
 void FakeChip::advance_motion(std::uint32_t clocks) {
-  double left = clocks;
+  double left = std::ldexp(clocks, -16) * words_[steps::Override::address];
   while (left > 0 && !stopped_) {
     if (!moving_) {
       if (queue_.empty()) return;
@@ -206,20 +220,22 @@ void FakeChip::advance_motion(std::uint32_t clocks) {
       line_ = queue_.front();
       queue_.pop_front();
       segment_end_tick_ = line_tick_ + line_.ticks;
-      segment_time_left_ =
-          clocks_of(static_cast<double>(line_.ticks), line_.rate, line_.acceleration);
+      segment_time_ = clocks_of(static_cast<double>(line_.ticks), line_.rate, line_.acceleration);
+      segment_time_left_ = segment_time_;
       moving_ = true;
     }
     if (segment_time_left_ > left) {
-      const double share = left / segment_time_left_;
       segment_time_left_ -= left;
-      walk_to(line_tick_ + static_cast<std::int64_t>(
-                               static_cast<double>(segment_end_tick_ - line_tick_) * share));
+      const double ticks_left =
+          static_cast<double>(line_.ticks) * segment_time_left_ / segment_time_;
+      walk_to(segment_end_tick_ - static_cast<std::int64_t>(std::ceil(ticks_left)));
       return;
     }
     left -= segment_time_left_;
     walk_to(segment_end_tick_);
-    if (!stopped_) moving_ = false;
+    if (stopped_) return;
+    moving_ = false;
+    if (queue_.empty() && !line_.ends_motion) ++underruns;
   }
 }
 

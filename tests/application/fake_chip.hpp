@@ -47,6 +47,9 @@ class FakeChip {
   std::uint32_t fan_duty{};
   std::uint32_t heater_duty(std::size_t channel) { return words_[duty_address(channel)]; }
   std::uint32_t watchdog_feeds{};
+  std::uint32_t motion_watchdog_feeds{};
+  std::uint32_t underruns{};
+  void stop_by_watchdog();
   std::uint64_t time{};
   bool has_boot_loader{};
   unsigned boot_loader_entries{};
@@ -60,6 +63,7 @@ class FakeChip {
     double acceleration{};  // ticks per clock^2
     std::uint32_t stop_mask{};
     bool continues{};
+    bool ends_motion{};
   };
 
   static std::uint32_t duty_address(std::size_t channel);
@@ -76,11 +80,12 @@ class FakeChip {
   std::deque<Segment> queue_;
   Segment line_;  // the line under way, its flags those of its last segment
   std::int64_t line_tick_{};  // ticks of the line that are done
-  double segment_time_left_{};  // clocks
+  double segment_time_{}, segment_time_left_{};  // clocks
   std::int64_t segment_end_tick_{};
   bool moving_{};
   bool stopped_{};
   bool stopped_by_software_{};
+  bool stopped_by_watchdog_{};
   std::uint32_t stop_end_stops_{};
   std::uint32_t time_high_{};
 };

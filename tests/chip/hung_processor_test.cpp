@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A processor that hangs in the middle of a move: the whole chip stops motion without it.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+
+namespace {
+
+constexpr std::uint32_t clock_hz = 4'000'000;
+constexpr sim::Clock millisecond = clock_hz / 1000;
+// As firmware/application/motion_task.cpp sets it.
+constexpr sim::Clock watchdog = 200 * millisecond;
+
+class LastStep : public devices::StepListener {
+ public:
+  void stepped(const devices::StepEdge& edge) override { clock = edge.clock; }
+  sim::Clock clock = 0;
+};
+
+// Wherever the processor is, and whatever trap it takes: from now on it jumps to where it is.
+void hang(sim::Chip& chip) {
+  constexpr std::uint32_t memory = 0x8000'0000, bytes = 64 * 1024, jump_to_itself = 0x0000'006f;
+  for (std::uint32_t i = 0; i < bytes; i += 4) chip.write_memory(memory + i, jump_to_itself);
+}
+
+class HungProcessor : public testing::Test {
+ protected:
+  HungProcessor() {
+    sim::load(sim::read_elf(FIRMWARE), chip_);
+    printer_.add_step_listener(last_step_);
+    simulation_.run_until(20 * millisecond);
+    // 15 s at 10 mm/s, in one segment that would go on without a processor.
+    printer_.serial_line().send(simulation_.now(), "G91\nG1 X150 F600\n");
+  }
+
+  sim::VerilatedChip chip_{clock_hz};
+  sim::Simulation simulation_{chip_, sim::ClockRate(clock_hz)};
+  machine::Description description_{
+      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml")};
+  machine::Printer printer_{
+      description_,
+      {.baud = description_.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
+      simulation_};
+  LastStep last_step_;
+};
+
+TEST_F(HungProcessor, motion_ends_within_the_time_of_the_watchdog) {
+  simulation_.run_until(600 * millisecond);
+  ASSERT_GT(last_step_.clock, 595 * millisecond) << "nothing moves";
+  hang(chip_);
+  simulation_.run_until(1000 * millisecond);
+  EXPECT_LE(last_step_.clock, 600 * millisecond + watchdog);
+  EXPECT_GT(last_step_.clock, 600 * millisecond + watchdog / 2);
+}
+
+TEST_F(HungProcessor, a_processor_that_works_lets_motion_go_on) {
+  simulation_.run_until(1000 * millisecond);
+  EXPECT_GT(last_step_.clock, 995 * millisecond);
+}
+
+}  // namespace
