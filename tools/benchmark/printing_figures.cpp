@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t cruise_ticks = 10'000;
 // Ticks of a line are whole hundreds, so that all axes have whole steps.
 constexpr std::uint32_t hundred = 100;
+// To which part of itself an interval is searched: a run takes seconds.
+constexpr std::uint32_t fine_part = 50, coarse_part = 8;
 
 class Search {
  public:
@@ -40,7 +42,7 @@ class Search {
         dirty = good;
         good += more;
       }
-      while (good - dirty > (coarse_ ? good / 8 + 1 : 1)) {
+      while (good - dirty > good / (coarse_ ? coarse_part : fine_part) + 1) {
         const std::uint32_t middle = dirty + (good - dirty) / 2;
         (clean(middle) ? good : dirty) = middle;
       }
