@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace benchmarks {
 
@@ -15,6 +16,8 @@ constexpr std::uint32_t cruise_ticks = 10'000;
 constexpr std::uint32_t hundred = 100;
 // To which part of itself an interval is searched: a run takes seconds.
 constexpr std::uint32_t fine_part = 50, coarse_part = 8;
+// 500 steps/s at 50 MHz: whoever cannot do that has another fault.
+constexpr std::uint32_t longest_interval = 100'000;
 
 class Search {
  public:
@@ -41,6 +44,9 @@ class Search {
       for (std::uint32_t more = good / 4 + 1; !clean(good); more *= 2) {
         dirty = good;
         good += more;
+        if (good > longest_interval) {
+          throw std::runtime_error("no rate is clean: " + result.limited_by);
+        }
       }
       while (good - dirty > good / (coarse_ ? coarse_part : fine_part) + 1) {
         const std::uint32_t middle = dirty + (good - dirty) / 2;

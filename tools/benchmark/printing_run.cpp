@@ -23,7 +23,7 @@ constexpr double least_ramp_ticks = 5'000;
 constexpr double hotend_c = 205;
 constexpr double bed_c = 60;
 // So long until the temperatures are known and controlled, before the lines come.
-constexpr unsigned settle_ms = 60;
+constexpr unsigned settle_ms = 250;
 constexpr sim::Clock start_clocks = 30'000'000;
 constexpr sim::Clock looks_clocks = 20'000;
 constexpr sim::Clock after_end_clocks = 1'000;
