@@ -19,8 +19,7 @@ architecture tb of debug_transport_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal pins : jtag_pins_t := (tck => '0', tms => '0', tdi => '0');
-  signal tdo : std_ulogic;
+  signal jtag : jtag_t := jtag_idle;
   signal request : dmi_request_t;
   signal data, last_written : word_t := x"00000000";
   signal last_address : std_ulogic_vector(6 downto 0);
@@ -32,7 +31,7 @@ begin
 
   uut : entity work.debug_transport
     port map (
-      clk => clk, reset => reset, tck => pins.tck, tms => pins.tms, tdi => pins.tdi, tdo => tdo,
+      clk => clk, reset => reset, tck => jtag.tck, tms => jtag.tms, tdi => jtag.tdi, tdo => jtag.tdo,
       dmi_request => request, dmi_data => data);
 
   -- Reads bring the address that they name, and how many there were.
@@ -57,7 +56,7 @@ begin
     procedure expect_data(sent, wanted : std_ulogic_vector; what : string) is
       variable captured : std_ulogic_vector(sent'length - 1 downto 0);
     begin
-      scan_data(pins, tdo, sent, captured);
+      scan_data(jtag, sent, captured);
       assert captured = wanted report what & ": " & to_hstring(captured) severity failure;
     end procedure;
 
@@ -70,56 +69,56 @@ begin
   begin
     wait for 42 ns;
     reset <= '0';
-    reset_tap(pins, tdo);
+    reset_tap(jtag);
     expect_data(x"00000000", identity_code, "identity after a reset");
 
     -- Behind the identity comes what went in, 32 bits later.
     expect_data(x"3c5a12345678", x"5678" & identity_code, "identity register of 32 bits");
 
-    scan_instruction(pins, tdo, "11111");
+    scan_instruction(jtag, "11111");
     expect_data(x"9b", x"36", "bypass of one bit");
-    scan_instruction(pins, tdo, "01010");
+    scan_instruction(jtag, "01010");
     expect_data(x"9b", x"36", "bypass by any other instruction");
-    scan_instruction(pins, tdo, 5x"10");
+    scan_instruction(jtag, 5x"10");
     expect_data(x"00030000", x"00000071", "dtmcs: version, width of addresses, no error");
 
-    scan_instruction(pins, tdo, 5x"11");
-    write_dmi(pins, tdo, 7x"12", x"89abcdef");
+    scan_instruction(jtag, 5x"11");
+    write_dmi(jtag, 7x"12", x"89abcdef");
     wait for 50 ns;
     assert accesses = 1 and writes = 1 and last_address = 7x"12" and last_written = x"89abcdef"
       severity failure;
-    read_dmi(pins, tdo, 7x"7f", word);
+    read_dmi(jtag, 7x"7f", word);
     assert word = x"a500017f" and accesses = 2 and writes = 1
       report "read " & to_hstring(word) severity failure;
     -- Operations 0 and 3 are none.
-    scan_data(pins, tdo, 7x"55" & x"00000000" & "11", access_word);
+    scan_data(jtag, 7x"55" & x"00000000" & "11", access_word);
     wait for 50 ns;
     assert accesses = 2 report "no access was asked for" severity failure;
 
     -- Whatever happened before, five clocks with tms high lead to the identity. Without the instruction
     -- dmi nothing on the way is an access.
-    reset_tap(pins, tdo);
+    reset_tap(jtag);
     for round in 1 to 40 loop
       uniform(seed_1, seed_2, chance);
       for step in 1 to 20 + integer(chance * 20.0) loop
         uniform(seed_1, seed_2, chance);
         level := '1' when chance < 0.5 else '0';
-        clock_tap(pins, tdo, level, '0', seen);
+        clock_tap(jtag, level, '0', seen);
       end loop;
-      reset_tap(pins, tdo);
+      reset_tap(jtag);
       expect_data(x"00000000", identity_code, "identity after a reset from anywhere");
     end loop;
     assert accesses = 2 report "a walk made an access" severity failure;
 
     -- A reset of the chip while a scan is under way.
-    clock_tap(pins, tdo, '1', '0', seen);
-    clock_tap(pins, tdo, '0', '0', seen);
-    clock_tap(pins, tdo, '0', '0', seen);
+    clock_tap(jtag, '1', '0', seen);
+    clock_tap(jtag, '0', '0', seen);
+    clock_tap(jtag, '0', '0', seen);
     wait until rising_edge(clk);
     reset <= '1';
     wait until rising_edge(clk);
     reset <= '0';
-    clock_tap(pins, tdo, '0', '0', seen);
+    clock_tap(jtag, '0', '0', seen);
     expect_data(x"00000000", identity_code, "identity after a reset of the chip");
     report "debug_transport_tb passed";
     std.env.finish;
