@@ -10,8 +10,6 @@ use work.end_stops_registers_pkg.all;
 use work.fan_registers_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.identity_registers_pkg.all;
-use work.memory_pkg.all;
-use work.processor_pkg.all;
 use work.step_generator_registers_pkg.all;
 use work.step_pins_registers_pkg.all;
 use work.temperature_converter_registers_pkg.all;
@@ -105,15 +103,7 @@ architecture rtl of printer_controller is
   signal requests : bus_request_array_t(base_addresses'range);
   signal responses : bus_response_array_t(base_addresses'range);
 
-  signal instruction_request : instruction_request_t;
-  signal instruction_data : std_ulogic_vector(31 downto 0);
-  signal processor_memory_request, memory_request : memory_request_t;
-  signal processor_bus_request : bus_request_t;
-  signal processor_bus_response : bus_response_t;
-  signal debug_request : debug_request_t := debug_request_idle;
-  signal debug_response : debug_response_t;
   signal chip_reset : std_ulogic := '0';
-  signal memory_data : std_ulogic_vector(31 downto 0);
 
   signal timer_interrupt : std_ulogic;
   signal uart_receive_interrupt, uart_transmit_interrupt : std_ulogic;
@@ -183,87 +173,28 @@ begin
     4 => uart_transmit_interrupt,
     others => '0');
 
-  cpu : entity work.processor
+  computing : entity work.computer
     generic map (
-      memory_size_bytes => memory_size_bytes
+      memory_size_bytes => memory_size_bytes,
+      has_debug => has_debug
     )
     port map (
       clk => processor_clk,
       always_clk => clk,
+      external_reset => reset,
       reset => processor_reset,
-      instruction_request => instruction_request,
-      instruction_data => instruction_data,
-      memory_request => processor_memory_request,
-      memory_data => memory_data,
-      bus_request => processor_bus_request,
-      bus_response => processor_bus_response,
+      chip_reset => chip_reset,
+      bus_request => bus_request,
+      bus_response => bus_response,
       timer_interrupt => timer_interrupt,
-      external_interrupt => '0',
       interrupts => interrupts,
+      tck => tck,
+      tms => tms,
+      tdi => tdi,
+      tdo => tdo,
       sleeping => sleeping,
-      at_rest => processor_rests,
       retired => retired,
-      retirement => open,
-      debug_request => debug_request,
-      debug_response => debug_response
-    );
-
-  with_debug : if has_debug generate
-    signal own_reset : std_ulogic := '1';
-  begin
-
-    -- The debugger's own part goes on while the chip is in the reset that it asks for.
-    register_own_reset : process
-    begin
-      wait until rising_edge(processor_clk);
-      own_reset <= reset;
-    end process;
-
-    debugging : entity work.debug_port
-      generic map (
-        memory_size_bytes => memory_size_bytes
-      )
-      port map (
-        clk => processor_clk,
-        reset => own_reset,
-        tck => tck,
-        tms => tms,
-        tdi => tdi,
-        tdo => tdo,
-        chip_reset => chip_reset,
-        processor_reset => processor_reset,
-        debug_request => debug_request,
-        debug_response => debug_response,
-        processor_memory_request => processor_memory_request,
-        memory_request => memory_request,
-        memory_data => memory_data,
-        processor_bus_request => processor_bus_request,
-        processor_bus_response => processor_bus_response,
-        bus_request => bus_request,
-        bus_response => bus_response
-      );
-
-  else generate
-
-    memory_request <= processor_memory_request;
-    bus_request <= processor_bus_request;
-    processor_bus_response <= bus_response;
-    debug_request <= debug_request_idle;
-    chip_reset <= '0';
-    tdo <= '0';
-
-  end generate;
-
-  ram : entity work.memory
-    generic map (
-      size_bytes => memory_size_bytes
-    )
-    port map (
-      clk => processor_clk,
-      instruction_request => instruction_request,
-      instruction_data => instruction_data,
-      data_request => memory_request,
-      data => memory_data
+      at_rest => processor_rests
     );
 
   fabric : entity work.bus_interconnect
@@ -434,10 +365,9 @@ begin
       reset => reset_registered,
       request => requests(fan_slave),
       response => responses(fan_slave),
-      output => fan_gate
+      level => fan_gate
     );
 
-  -- Last, because GHDL 5.0.1's synthesis ends with an internal error when heat comes after it.
   motion : entity work.step_generator
     generic map (
       axes => axes,

@@ -18,7 +18,7 @@ entity pulse_density is
     advance : in std_ulogic;
     -- Ones per 2**width - 1 slots: 0 is never on, all ones is always on.
     density : in unsigned(width - 1 downto 0);
-    output : out std_ulogic := '0'
+    level : out std_ulogic := '0'
   );
 end entity;
 
@@ -39,15 +39,15 @@ begin
     if advance then
       sum := error + density;
       if sum >= full then
-        output <= '1';
+        level <= '1';
         error <= sum - full;
       else
-        output <= '0';
+        level <= '0';
         error <= sum;
       end if;
     end if;
     if reset then
-      output <= '0';
+      level <= '0';
       error <= (others => '0');
     end if;
   end process;

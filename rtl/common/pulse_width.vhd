@@ -19,7 +19,7 @@ entity pulse_width is
     -- Slots of a period in which the output is on: 0 is never, all ones is always. Looked at when a
     -- period begins.
     duty : in unsigned(width - 1 downto 0);
-    output : out std_ulogic := '0'
+    level : out std_ulogic := '0'
   );
 end entity;
 
@@ -39,16 +39,16 @@ begin
       if slot = last_slot then
         slot <= (others => '0');
         slots_on <= duty;
-        output <= '1' when duty /= 0 else '0';
+        level <= '1' when duty /= 0 else '0';
       else
         slot <= slot + 1;
-        output <= '1' when slot + 1 < slots_on else '0';
+        level <= '1' when slot + 1 < slots_on else '0';
       end if;
     end if;
     if reset then
       slot <= last_slot;
       slots_on <= (others => '0');
-      output <= '0';
+      level <= '0';
     end if;
   end process;
 

@@ -17,7 +17,7 @@ entity fan is
     request : in bus_request_t;
     response : out bus_response_t;
     -- '1' is on.
-    output : out std_ulogic
+    level : out std_ulogic
   );
 end entity;
 
@@ -62,7 +62,7 @@ begin
       reset => reset,
       advance => advance,
       duty => from_software.duty.slots,
-      output => output
+      level => level
     );
 
 end architecture;

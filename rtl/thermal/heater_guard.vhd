@@ -119,7 +119,7 @@ begin
       reset => reset,
       advance => slot_start,
       density => duty,
-      output => modulated);
+      level => modulated);
 
   drive_gate : process
   begin

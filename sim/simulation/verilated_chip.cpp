@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <verilated.h>
 
+#include <array>
 #include <cstdint>
+#include <utility>
 
 #include "sim/simulation/model_clocks.hpp"
 #include "sim/simulation/trace.hpp"
@@ -128,10 +130,23 @@ void VerilatedChip::reset() {
   outputs_ = sampled_outputs();
 }
 
+namespace {
+
+// The memory is a lane for each byte of a word.
+template <typename Root>
+auto lanes(Root& root) {
+  return std::array{&root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n1_bytes,
+                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n2_bytes,
+                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n3_bytes,
+                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n4_bytes};
+}
+
+}  // namespace
+
 std::uint32_t VerilatedChip::word_index(std::uint32_t address) {
   using Root = Vprinter_controller___024root;
   constexpr std::size_t words =
-      sizeof(Root::printer_controller__DOT__ram__DOT__lanes_n1_bytes) / sizeof(std::uint8_t);
+      sizeof(Root::printer_controller__DOT__computing__DOT__ram__DOT__lanes_n1_bytes);
   const std::uint32_t index = (address - memory_start) / 4;
   if (address < memory_start || index >= words) {
     throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
@@ -141,23 +156,21 @@ std::uint32_t VerilatedChip::word_index(std::uint32_t address) {
 
 std::uint32_t VerilatedChip::read_memory(std::uint32_t address) const {
   const std::uint32_t index = word_index(address);
-  const Vprinter_controller___024root& root = *model_->rootp;
-  return std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n1_bytes[index]} |
-         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n2_bytes[index]} << 8 |
-         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n3_bytes[index]} << 16 |
-         std::uint32_t{root.printer_controller__DOT__ram__DOT__lanes_n4_bytes[index]} << 24;
+  std::uint32_t word = 0;
+  unsigned shift = 0;
+  for (const auto* lane : lanes(std::as_const(*model_->rootp))) {
+    word |= std::uint32_t{(*lane)[index]} << shift;
+    shift += 8;
+  }
+  return word;
 }
 
 void VerilatedChip::write_memory(std::uint32_t address, std::uint32_t word) {
   const std::uint32_t index = word_index(address);
-  Vprinter_controller___024root& root = *model_->rootp;
-  root.printer_controller__DOT__ram__DOT__lanes_n1_bytes[index] = static_cast<std::uint8_t>(word);
-  root.printer_controller__DOT__ram__DOT__lanes_n2_bytes[index] =
-      static_cast<std::uint8_t>(word >> 8);
-  root.printer_controller__DOT__ram__DOT__lanes_n3_bytes[index] =
-      static_cast<std::uint8_t>(word >> 16);
-  root.printer_controller__DOT__ram__DOT__lanes_n4_bytes[index] =
-      static_cast<std::uint8_t>(word >> 24);
+  for (auto* lane : lanes(*model_->rootp)) {
+    (*lane)[index] = static_cast<std::uint8_t>(word);
+    word >>= 8;
+  }
 }
 
 QueueStatistics VerilatedChip::queue_statistics() const {

@@ -17,7 +17,7 @@ architecture simulation of pulse_density_tb is
   signal reset : std_ulogic := '1';
   signal advance : std_ulogic := '0';
   signal density : unsigned(width - 1 downto 0) := (others => '0');
-  signal output : std_ulogic;
+  signal level : std_ulogic;
 
 begin
 
@@ -25,7 +25,7 @@ begin
 
   modulator : entity work.pulse_density
     generic map (width => width)
-    port map (clk => clk, reset => reset, advance => advance, density => density, output => output);
+    port map (clk => clk, reset => reset, advance => advance, density => density, level => level);
 
   check : process
     variable ones : natural;
@@ -39,18 +39,18 @@ begin
       wait until rising_edge(clk);
       advance <= '0';
       wait until falling_edge(clk);
-      held := output;
+      held := level;
       for i in 1 to 2 loop
         wait until rising_edge(clk);
         wait until falling_edge(clk);
-        holds_within_a_slot : assert output = held report "changes within a slot" severity error;
+        holds_within_a_slot : assert level = held report "changes within a slot" severity error;
       end loop;
     end procedure;
   begin
     wait until rising_edge(clk);
     wait until rising_edge(clk);
     reset <= '0';
-    is_off_after_reset : assert output = '0' report "on after reset" severity error;
+    is_off_after_reset : assert level = '0' report "on after reset" severity error;
 
     for value in 0 to full loop
       density <= to_unsigned(value, width);
@@ -58,7 +58,7 @@ begin
       gap := 0;
       for slot in 1 to 4 * full loop
         next_slot;
-        if output then
+        if level then
           ones := ones + 1;
           gap := 0;
         else
@@ -74,7 +74,7 @@ begin
     reset <= '1';
     wait until rising_edge(clk);
     wait until falling_edge(clk);
-    goes_off_at_reset : assert output = '0' report "on in reset" severity error;
+    goes_off_at_reset : assert level = '0' report "on in reset" severity error;
     std.env.finish;
   end process;
 

@@ -18,7 +18,7 @@ architecture simulation of pulse_width_tb is
   signal reset : std_ulogic := '1';
   signal advance : std_ulogic := '0';
   signal duty : unsigned(width - 1 downto 0) := (others => '0');
-  signal output : std_ulogic;
+  signal level : std_ulogic;
 
 begin
 
@@ -26,7 +26,7 @@ begin
 
   modulator : entity work.pulse_width
     generic map (width => width)
-    port map (clk => clk, reset => reset, advance => advance, duty => duty, output => output);
+    port map (clk => clk, reset => reset, advance => advance, duty => duty, level => level);
 
   check : process
 
@@ -44,7 +44,7 @@ begin
     begin
       for slot in 0 to slots - 1 loop
         next_slot;
-        is_on_for_its_duty : assert (output = '1') = (slot < present)
+        is_on_for_its_duty : assert (level = '1') = (slot < present)
           report "slot " & to_string(slot) & " at duty " & to_string(present) severity error;
         if slot = slots / 2 then
           duty <= to_unsigned(following, width);
@@ -57,7 +57,7 @@ begin
     wait until rising_edge(clk);
     wait until rising_edge(clk);
     reset <= '0';
-    is_off_after_reset : assert output = '0' report "on after reset" severity error;
+    is_off_after_reset : assert level = '0' report "on after reset" severity error;
     for present in 0 to slots loop
       for following in 0 to slots loop
         check_period(before, present);
@@ -68,7 +68,7 @@ begin
     reset <= '1';
     wait until rising_edge(clk);
     wait until falling_edge(clk);
-    goes_off_at_reset : assert output = '0' report "on in reset" severity error;
+    goes_off_at_reset : assert level = '0' report "on in reset" severity error;
     std.env.finish;
   end process;
 

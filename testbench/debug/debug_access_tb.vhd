@@ -20,7 +20,7 @@ architecture tb of debug_access_tb is
 
 begin
 
-  uut : entity work.debugged_processor
+  uut : entity work.debugged_computer
     port map (
       jtag => jtag, reset => reset, hold => hold);
 

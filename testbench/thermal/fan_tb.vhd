@@ -22,7 +22,7 @@ architecture simulation of fan_tb is
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
   signal response : bus_response_t;
-  signal output : std_ulogic;
+  signal level : std_ulogic;
 
   signal clocks_on : natural := 0;
   signal switched_on : natural := 0;
@@ -34,19 +34,19 @@ begin
   fan : entity work.fan
     port map (
       clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response, output => output);
+      reset => reset, request => request, response => response, level => level);
 
   watch : process
     variable before : std_ulogic := '0';
   begin
     wait until rising_edge(clk);
-    if output then
+    if level then
       clocks_on <= clocks_on + 1;
     end if;
-    if output and not before then
+    if level and not before then
       switched_on <= switched_on + 1;
     end if;
-    before := output;
+    before := level;
   end process;
 
   check : process
@@ -102,7 +102,7 @@ begin
     is_on_for_its_duty(slots, 1);
     reset <= '1';
     wait_clocks(2);
-    goes_off_at_reset : assert output = '0' report "on in reset" severity error;
+    goes_off_at_reset : assert level = '0' report "on in reset" severity error;
     std.env.finish;
   end process;
 

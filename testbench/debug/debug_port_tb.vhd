@@ -11,10 +11,10 @@ use work.debugger_pkg.all;
 use work.jtag_pkg.all;
 use work.processor_pkg.all;
 
-entity debug_run_control_tb is
+entity debug_port_tb is
 end entity;
 
-architecture tb of debug_run_control_tb is
+architecture tb of debug_port_tb is
 
   signal jtag : jtag_t := jtag_idle;
   signal reset, hold : std_ulogic := '1';
@@ -23,7 +23,7 @@ architecture tb of debug_run_control_tb is
 
 begin
 
-  uut : entity work.debugged_processor
+  uut : entity work.debugged_computer
     port map (
       jtag => jtag, reset => reset, hold => hold,
       memory_only => memory_only, rounds => rounds, undisturbed => undisturbed);
@@ -109,7 +109,7 @@ begin
       halt(jtag);
     end loop;
     undisturbed <= false;
-    report "debug_run_control_tb passed";
+    report "debug_port_tb passed";
     std.env.finish;
   end process;
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A debugger on the JTAG pins where the processor sleeps, traps, or is reset.
+-- The computer with a debugger on its JTAG pins: asleep, where the program traps, and reset.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,10 +10,10 @@ use work.debugger_pkg.all;
 use work.jtag_pkg.all;
 use work.processor_pkg.all;
 
-entity debug_traps_tb is
+entity computer_tb is
 end entity;
 
-architecture tb of debug_traps_tb is
+architecture tb of computer_tb is
 
   signal jtag : jtag_t := jtag_idle;
   signal reset, hold : std_ulogic := '1';
@@ -21,7 +21,7 @@ architecture tb of debug_traps_tb is
 
 begin
 
-  uut : entity work.debugged_processor
+  uut : entity work.debugged_computer
     port map (
       jtag => jtag, reset => reset, hold => hold,
       timer_interrupt => timer_interrupt, rounds => open);
@@ -92,7 +92,7 @@ begin
     write_dmi(jtag, dmcontrol_address, x"00000001");
     write_dmi(jtag, dmcontrol_address, x"10000001");
     expect(jtag, dmstatus_address, x"00000c00", x"000c0f00", "running");
-    report "debug_traps_tb passed";
+    report "computer_tb passed";
     std.env.finish;
   end process;
 
