@@ -23,10 +23,10 @@ struct Fan : testing::Test {
   };
   Seen watch(std::uint64_t clocks) {
     Seen seen;
-    bool before = chip->output != 0;
+    bool before = chip->level != 0;
     for (std::uint64_t i = 0; i < clocks; ++i) {
       chip.clock();
-      const bool on = chip->output != 0;
+      const bool on = chip->level != 0;
       seen.clocks_on += on;
       seen.switched_on += on && !before;
       before = on;
