@@ -80,9 +80,9 @@ TEST(clock_use, branches_count_by_where_they_went) {
 TEST(clock_use, a_division_behind_a_jump_has_its_own_clocks) {
   Executed executed;
   executed.then(encode::jump_and_link(1, 0x40), 1);
-  executed.at(start + 0x44, encode::operation(4, 1, 5, 6, 7), 35).then(encode::nop(), 1);
+  executed.at(start + 0x44, encode::operation(4, 1, 5, 6, 7), 19).then(encode::nop(), 1);
   EXPECT_EQ(executed.use().waited(Waiting::jump), 1u);
-  EXPECT_EQ(executed.use().waited(Waiting::division), 33u);
+  EXPECT_EQ(executed.use().waited(Waiting::division), 17u);
   EXPECT_EQ(executed.use().count(Event::division), 1u);
   EXPECT_EQ(executed.use().count(Event::jump_direct), 1u);
 }
