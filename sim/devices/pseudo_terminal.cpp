@@ -35,6 +35,7 @@ constexpr std::size_t host_buffer_bytes = 65'536;
 PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, SerialLine& line,
                                sim::ClockRate rate, std::uint32_t baud)
     : link_(link),
+      lock_(link),
       line_(line),
       poll_interval_(rate.clocks(poll_interval_seconds) + 1),
       chip_baud_(baud),

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "sim/devices/path_lock.hpp"
 #include "sim/devices/serial_line.hpp"
 
 namespace devices {
@@ -17,7 +18,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
  public:
   // The wire runs at `baud` until a host chooses otherwise. Throws std::system_error where no
   // pseudo-terminal can be made, and std::runtime_error where `link` is there already and is no
-  // symlink.
+  // symlink, or leads to another pseudo-terminal that is still served.
   PseudoTerminal(const std::filesystem::path& link, SerialLine& line, sim::ClockRate rate,
                  std::uint32_t baud);
   ~PseudoTerminal() override;
@@ -48,6 +49,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void flush();
 
   std::filesystem::path link_;
+  PathLock lock_;
   SerialLine& line_;
   sim::Clock poll_interval_;
   std::uint32_t chip_baud_;

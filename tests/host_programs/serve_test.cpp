@@ -81,8 +81,9 @@ class Serve : public testing::Test {
     }
   }
 
+  std::string file_path(const char* name) const { return folder_ / name; }
   std::string file(const char* name) const {
-    std::ifstream stream(folder_ / name);
+    std::ifstream stream(file_path(name));
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
@@ -183,6 +184,22 @@ TEST_F(Serve, opening_the_port_resets_the_chip_where_that_is_wanted) {
   }
   EXPECT_EQ(stop(), 0);
   EXPECT_EQ(file("accepted"), "-\tM118 again\n-\tM118 again\n");
+}
+
+TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
+  start({});
+  const std::string complaint = file_path("complaint");
+  const std::string second = BUILD_DIRECTORY "/bin/stepfabric serve --speed max --until 1 --pty " +
+                             port.string() + " --report " + file_path("second") + " 2> " +
+                             complaint;
+  const int status = std::system(second.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 2);
+  EXPECT_NE(file("complaint").find("port is in use by process "), std::string::npos);
+  const int host = open_port();
+  EXPECT_TRUE(connect(host));
+  close(host);
+  EXPECT_EQ(stop(), 0);
 }
 
 // As on a board: the running firmware makes way, and the one that has come takes its place.

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -127,6 +128,38 @@ TEST_F(PseudoTerminalTest, replaces_a_stale_symlink_but_no_file) {
   EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
   EXPECT_EQ(fs::file_size(link), 8U);
   fs::remove(link);
+}
+
+TEST_F(PseudoTerminalTest, leaves_the_symlink_of_another_that_is_still_served) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  devices::SerialLine other_line{rate, 250'000, chip.inputs()};
+  try {
+    devices::PseudoTerminal other(link, other_line, rate, 250'000);
+    ADD_FAILURE() << "two serve one port";
+  } catch (const std::runtime_error& refusal) {
+    EXPECT_EQ(refusal.what(), link.string() + " is in use by process " + std::to_string(getpid()));
+  }
+  EXPECT_EQ(fs::read_symlink(link), terminal.slave_path());
+  EXPECT_EQ(ask("M105\n"), "ok M105\n");
+}
+
+TEST_F(PseudoTerminalTest, takes_the_path_of_one_that_has_died) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
+    _exit(0);  // without destructors
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(fs::is_symlink(link));
+  ASSERT_TRUE(fs::exists(link.string() + ".lock"));
+  {
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
+    EXPECT_EQ(fs::read_symlink(link), terminal.slave_path());
+  }
+  EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+  EXPECT_FALSE(fs::exists(link.string() + ".lock"));
 }
 
 }  // namespace
