@@ -56,6 +56,34 @@ TEST(list, refuses_what_it_does_not_know_or_misses) {
   expect_refused("not toml", a_mutation);
 }
 
+TEST(list, is_that_of_all_folders_together) {
+  const TemporaryFolder folder;
+  folder.write("proofs.toml", a_proof);
+  folder.write("mutations.toml", a_mutation);
+  std::string other = a_mutation;
+  other.replace(other.find("\"m\""), 3, "\"other\"");
+  folder.write("part/mutations.toml", other);
+  EXPECT_EQ(proof::read_list(folder.path()).mutations.size(), 2u);
+  folder.write("part/mutations.toml", a_mutation);
+  EXPECT_THROW(proof::read_list(folder.path()), std::runtime_error) << "the same name twice";
+}
+
+TEST(list, knows_benches_which_break_as_a_whole) {
+  const std::string bench =
+      "[[proof]]\nname = \"latch\"\nsays = \"it latches\"\n"
+      "entity = \"latch_tb\"\nby = \"bench\"\n";
+  std::string mutation = a_mutation;
+  expect_refused(bench, mutation);
+  mutation.erase(mutation.find("property"));
+  expect_refused(a_proof, mutation);
+  const TemporaryFolder folder;
+  folder.write("proofs.toml", bench);
+  folder.write("mutations.toml", mutation);
+  const proof::List list = proof::read_list(folder.path());
+  EXPECT_EQ(list.proofs.at(0).method, proof::Method::bench);
+  EXPECT_EQ(list.proofs.at(0).entity, "latch_tb");
+}
+
 TEST(list, refuses_a_mutation_of_a_proof_that_is_not_there) {
   std::string mutation = a_mutation;
   mutation.replace(mutation.find("\"latch\""), 7, "\"other\"");

@@ -49,6 +49,30 @@ const std::string properties = R"(vunit counter_properties (counter(rtl)) {
 }
 )";
 
+const std::string counter_bench = R"(library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity counter_tb is
+end entity;
+
+architecture tb of counter_tb is
+  signal clk : std_ulogic := '0';
+  signal count : unsigned(3 downto 0);
+begin
+  clk <= not clk after 5 ns;
+  uut : entity work.counter port map (clk => clk, advance => '1', count => count);
+  check : process
+  begin
+    for clock in 1 to 12 loop
+      wait until rising_edge(clk);
+      assert count = (clock - 1) mod 6 severity failure;
+    end loop;
+    std.env.finish;
+  end process;
+end architecture;
+)";
+
 class Trial : public testing::Test {
  protected:
   Trial() {
@@ -152,6 +176,32 @@ TEST_F(Trial, a_mutation_too_deep_for_its_clocks_survives) {
   const auto outcome = try_mutation(folders_, mutation("count_stays_below_six", 4), proof, limit);
   EXPECT_EQ(outcome.verdict, Verdict::fails);
   EXPECT_THAT(outcome.explanation, HasSubstr("survives"));
+}
+
+TEST_F(Trial, a_bench_catches_a_mutation_that_it_can_see) {
+  folder_.write("testbench/proofs/counter.psl",
+                "vunit counter_properties (counter(rtl)) {\n  default clock is rising_edge(clk);\n"
+                "  count_stays_below_six : assert always (count < 6);\n}\n");
+  folder_.write("testbench/counter_tb.vhd", counter_bench);
+  auto bench = proof_of("counter_bench", proof::Method::bench, 0);
+  bench.entity = "counter_tb";
+  const auto outcome = outcome_of(bench);
+  EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.explanation;
+  EXPECT_EQ(try_mutation(folders_, mutation("", 0), bench, limit).verdict, Verdict::holds);
+  std::filesystem::remove_all(folders_.work / "mutations");
+  auto unseen = mutation("", 0);
+  unseen.from = "unsigned(3 downto 0) :=";
+  unseen.to = "unsigned(3 downto 0)  :=";
+  EXPECT_THAT(try_mutation(folders_, unseen, bench, limit).explanation, HasSubstr("survives"));
+}
+
+TEST_F(Trial, a_mutation_that_does_not_compile_is_not_caught_by_a_bench) {
+  folder_.write("testbench/counter_tb.vhd", counter_bench);
+  auto bench = proof_of("counter_bench", proof::Method::bench, 0);
+  bench.entity = "counter_tb";
+  auto nonsense = mutation("", 0);
+  nonsense.to = "count = ";
+  EXPECT_EQ(try_mutation(folders_, nonsense, bench, limit).verdict, Verdict::broken);
 }
 
 TEST_F(Trial, sources_that_do_not_compile_are_told) {

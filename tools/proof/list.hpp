@@ -15,6 +15,7 @@ enum class Method {
               // over `depth`
   bounded,  // the first `depth` clocks after the start, whatever the inputs
   arithmetic,  // a statement about numbers, without clocks
+  bench,  // no proof: a test bench, for mutations of what no solver can follow
 };
 
 // One entity with one choice of generics.
@@ -22,8 +23,8 @@ struct Proof {
   std::string name;
   std::string says;
   Method method{};
-  int depth{};  // clocks; without meaning for arithmetic
-  std::string entity;
+  int depth{};  // clocks; without meaning for arithmetic and benches
+  std::string entity;  // or the bench
   std::map<std::string, std::string> generics;
   std::vector<std::string> only;  // properties; all of the netlist where empty
   std::vector<std::string> except;  // properties that another proof is for
@@ -37,14 +38,14 @@ struct Proof {
   bool quick{};
 };
 
-// A fault put into a copy of the sources, which must break one property.
+// A fault put into a copy of the sources, which must break one property, or make a bench fail.
 struct Mutation {
   std::string name;
   std::filesystem::path file;  // relative to the project
   std::string from;  // occurs exactly once in the file
   std::string to;
   std::string proof;
-  std::string property;
+  std::string property;  // empty where `proof` is a bench
   int depth{};  // clocks within which it must show
 };
 
@@ -53,8 +54,9 @@ struct List {
   std::vector<Mutation> mutations;
 };
 
-// Reads `proofs.toml` and `mutations.toml` of a folder. Throws std::runtime_error naming the entry
-// at fault: unknown keys, names given twice, a mutation of an unknown proof.
+// Reads `proofs.toml` and `mutations.toml` of a folder and of those within it. Throws
+// std::runtime_error naming the entry at fault: unknown keys, names given twice, a mutation of an
+// unknown proof.
 List read_list(const std::filesystem::path& folder);
 
 const char* name_of(Method method);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// proofs.toml and mutations.toml, read completely: an entry that nobody reads is an error.
+// The lists of proofs and mutations, read completely: an entry that nobody reads is an error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,12 +118,13 @@ class Entry {
 
 Method method_of(Entry& entry) {
   const std::string text = entry.text("by");
-  for (const Method method : {Method::induction, Method::bounded, Method::arithmetic}) {
+  for (const Method method :
+       {Method::induction, Method::bounded, Method::arithmetic, Method::bench}) {
     if (text == name_of(method)) {
       return method;
     }
   }
-  entry.fail("by must be induction, bounded or arithmetic");
+  entry.fail("by must be induction, bounded, arithmetic or bench");
 }
 
 Proof proof_of(Entry& entry) {
@@ -134,6 +135,8 @@ Proof proof_of(Entry& entry) {
   proof.quick = entry.flag("quick");
   if (proof.method == Method::arithmetic) {
     proof.lemma = entry.text("lemma");
+  } else if (proof.method == Method::bench) {
+    proof.entity = entry.text("entity");
   } else {
     proof.entity = entry.text("entity");
     proof.generics = entry.generics();
@@ -160,13 +163,17 @@ Mutation mutation_of(Entry& entry) {
   mutation.from = entry.text("from");
   mutation.to = entry.text("to");
   mutation.proof = entry.text("proof");
-  mutation.property = entry.text("property");
+  if (entry.has("property")) {
+    mutation.property = entry.text("property");
+  }
   mutation.depth = entry.whole("depth", usual_depth);
   return mutation;
 }
 
+// Appends the entries of one file.
 template <typename Item>
-std::vector<Item> read(const std::filesystem::path& file, const char* key, Item (*make)(Entry&)) {
+void read(const std::filesystem::path& file, const char* key, Item (*make)(Entry&),
+          std::vector<Item>& items) {
   toml::table table;
   try {
     table = toml::parse_file(file.string());
@@ -179,7 +186,6 @@ std::vector<Item> read(const std::filesystem::path& file, const char* key, Item 
     throw std::runtime_error(
         fmt::format("{}: must hold [[{}]] and nothing else", file.string(), key));
   }
-  std::vector<Item> items;
   for (const toml::node& node : *entries) {
     Entry entry(file, node);
     items.push_back(make(entry));
@@ -189,7 +195,20 @@ std::vector<Item> read(const std::filesystem::path& file, const char* key, Item 
       entry.fail("stands there twice");
     }
   }
-  return items;
+}
+
+// The file of this name in the folder, then those in the folders within it.
+std::vector<std::filesystem::path> files_named(const std::string& name,
+                                               const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_directory() && exists(entry.path() / name)) {
+      files.push_back(entry.path() / name);
+    }
+  }
+  std::ranges::sort(files);
+  files.insert(files.begin(), folder / name);
+  return files;
 }
 
 }  // namespace
@@ -202,22 +221,30 @@ const char* name_of(Method method) {
       return "bounded";
     case Method::arithmetic:
       return "arithmetic";
+    case Method::bench:
+      return "bench";
   }
   return "";
 }
 
 List read_list(const std::filesystem::path& folder) {
   List list;
-  list.proofs = read<Proof>(folder / "proofs.toml", "proof", proof_of);
-  list.mutations = read<Mutation>(folder / "mutations.toml", "mutation", mutation_of);
+  for (const std::filesystem::path& file : files_named("proofs.toml", folder)) {
+    read(file, "proof", proof_of, list.proofs);
+  }
+  for (const std::filesystem::path& file : files_named("mutations.toml", folder)) {
+    read(file, "mutation", mutation_of, list.mutations);
+  }
   for (const Mutation& mutation : list.mutations) {
     const auto is_its_proof = [&mutation](const Proof& proof) {
-      return proof.name == mutation.proof && proof.method != Method::arithmetic;
+      return proof.name == mutation.proof && proof.method != Method::arithmetic &&
+             mutation.property.empty() == (proof.method == Method::bench);
     };
     if (std::ranges::none_of(list.proofs, is_its_proof)) {
-      throw std::runtime_error(fmt::format("{}: {}: there is no proof {} of an entity",
-                                           (folder / "mutations.toml").string(), mutation.name,
-                                           mutation.proof));
+      throw std::runtime_error(
+          fmt::format("{}: {}: there is no proof {} of an entity with a property to "
+                      "break, and no bench of this name without one",
+                      folder.string(), mutation.name, mutation.proof));
     }
   }
   return list;

@@ -32,6 +32,8 @@ std::string how(const Proof& proof) {
       return fmt::format("bounded, {} clocks", proof.depth);
     case Method::arithmetic:
       return "arithmetic";
+    case Method::bench:
+      return "bench";
   }
   return "";
 }
@@ -48,7 +50,7 @@ Json json_of(const Trial& trial) {
     json["entity"] = trial.proof.entity;
     json["generics"] = trial.proof.generics;
     json["method"] = name_of(trial.proof.method);
-    if (trial.proof.method != Method::arithmetic) {
+    if (trial.proof.depth != 0) {
       json["depth_clocks"] = trial.proof.depth;
     }
     json["result"] = name_of(trial.outcome.verdict);
@@ -67,7 +69,9 @@ void print_line(const Trial& trial) {
   const bool good = trial.outcome.verdict == Verdict::holds;
   if (trial.mutation) {
     fmt::print("{:9} mutation {:52} breaks {:42} {:6.1f} s\n", good ? "caught" : "NOT CAUGHT",
-               trial.name(), trial.mutation->property, trial.outcome.seconds);
+               trial.name(),
+               trial.mutation->property.empty() ? trial.proof.entity : trial.mutation->property,
+               trial.outcome.seconds);
   } else {
     fmt::print("{:9} {:32} {:28} {:22} {:3} properties {:6.1f} s\n",
                good ? "holds" : name_of(trial.outcome.verdict), trial.name(),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/proof/bench.hpp"
 #include "tools/proof/process.hpp"
 #include "tools/proof/solver_log.hpp"
 
@@ -91,16 +92,13 @@ Answer ask_sat(const SolverInput& input, const char* half, int depth, const fs::
 
 Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::path& folder,
                       std::chrono::seconds limit) {
-  if (proof.method == Method::bounded) {
-    if (ask_sat(input, "-tempinduct-baseonly", proof.depth, folder, limit) == Answer::yes) {
-      Outcome outcome;
-      outcome.verdict = Verdict::holds;
-      return outcome;
-    }
-    return solve(input, from_start(proof.depth), folder, limit);
+  const int clocks = proof.method == Method::bounded ? proof.depth : proof.depth + 1;
+  Outcome base;
+  base.verdict = Verdict::holds;
+  if (ask_sat(input, "-tempinduct-baseonly", clocks, folder, limit) != Answer::yes) {
+    base = solve(input, from_start(clocks), folder, limit);
   }
-  Outcome base = solve(input, from_start(proof.depth + 1), folder, limit);
-  if (base.verdict != Verdict::holds) {
+  if (proof.method == Method::bounded || base.verdict != Verdict::holds) {
     return base;
   }
   if (ask_sat(input, "-tempinduct-inductonly", proof.depth, folder, limit) == Answer::yes) {
@@ -132,6 +130,21 @@ Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::
   return outcome;
 }
 
+// A bench must fail on the fault.
+Outcome try_on_bench(const Folders& folders, const Mutation& mutation, const std::string& bench,
+                     const fs::path& folder, std::chrono::seconds limit) {
+  prepare_sources(folders, folder / "sources", &mutation, Purpose::simulator);
+  Outcome outcome = run_bench(folders, folder / "sources", bench, folder, limit);
+  if (outcome.verdict == Verdict::holds) {
+    outcome.verdict = Verdict::fails;
+    outcome.explanation = fmt::format("survives: {} passes all the same", bench);
+  } else if (outcome.verdict == Verdict::fails) {
+    outcome.verdict = Verdict::holds;
+    outcome.failed = {bench};
+  }
+  return outcome;
+}
+
 template <typename Trial>
 Outcome timed(const Trial& trial) {
   const Time::time_point start = Time::now();
@@ -156,6 +169,10 @@ Outcome try_proof(const Folders& folders, const Proof& proof, const fs::path& so
     if (proof.method == Method::arithmetic) {
       return solve_lemma(folders.list() / proof.lemma, folder, limit);
     }
+    if (proof.method == Method::bench) {
+      prepare_sources(folders, folder / "sources", nullptr, Purpose::simulator);
+      return run_bench(folders, folder / "sources", proof.entity, folder, limit);
+    }
     const SolverInput input = make_solver_input(folders, sources, proof, nullptr, folder);
     Outcome outcome = solve_clocked(input, proof, folder, limit);
     outcome.asserted = input.netlist.asserted;
@@ -171,6 +188,9 @@ Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Pro
                      std::chrono::seconds limit) {
   return timed([&] {
     const fs::path folder = folders.work / "mutations" / mutation.name;
+    if (proof.method == Method::bench) {
+      return try_on_bench(folders, mutation, proof.entity, folder, limit);
+    }
     prepare_sources(folders, folder / "sources", &mutation);
     const SolverInput input =
         make_solver_input(folders, folder / "sources", proof, &mutation.property, folder);

@@ -62,7 +62,8 @@ void put_in_place(const fs::path& stand_in, std::vector<std::string>& files) {
 
 }  // namespace
 
-void prepare_sources(const Folders& folders, const fs::path& sources, const Mutation* mutation) {
+void prepare_sources(const Folders& folders, const fs::path& sources, const Mutation* mutation,
+                     Purpose purpose) {
   fs::create_directories(sources);
   fs::path rtl = folders.project / "rtl";
   if (mutation != nullptr) {
@@ -71,37 +72,53 @@ void prepare_sources(const Folders& folders, const fs::path& sources, const Muta
     const fs::path inside = fs::relative(mutation->file, "rtl");
     write(rtl / inside, mutated(text_of(folders.project / mutation->file), *mutation));
   }
-  run_tool({(folders.project / "tools" / "hardware" / "weave_properties.sh").string(), rtl.string(),
-            folders.list().string(), sources.string()},
-           sources.parent_path(), sources.parent_path() / "weave.log");
+  std::vector<std::string> weaver{
+      (folders.project / "tools" / "hardware" / "weave_properties.sh").string(), rtl.string(),
+      folders.list().string(), sources.string()};
+  if (purpose == Purpose::simulator) {
+    weaver.emplace_back("simulation");
+  }
+  run_tool(weaver, sources.parent_path(), sources.parent_path() / "weave.log");
 }
 
-SolverInput make_solver_input(const Folders& folders, const fs::path& sources, const Proof& proof,
-                              const std::string* property, const fs::path& folder) {
+fs::path analyse(const Folders& folders, const fs::path& sources,
+                 const std::vector<fs::path>& stand_ins, const std::string& unit,
+                 const fs::path& folder) {
   const fs::path library = folder / "library";
   fs::create_directories(library);
-  const std::vector<std::string> options{"--std=08", "-fpsl", "--workdir=" + library.string()};
   const auto ghdl = [&](const char* command, const std::vector<std::string>& rest,
                         const char* log) {
-    std::vector<std::string> arguments{"ghdl", command};
-    arguments.insert(arguments.end(), options.begin(), options.end());
+    std::vector<std::string> arguments{"ghdl", command, "--std=08", "-fpsl",
+                                       "--workdir=" + library.string()};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     run_tool(arguments, folder, folder / log);
   };
   std::vector<std::string> files;
   add_sources(sources, files);
-  for (const fs::path& stand_in : proof.stand_ins) {
+  for (const fs::path& stand_in : stand_ins) {
     put_in_place(folders.list() / stand_in, files);
   }
   add_sources(folders.project / "testbench", files);
   ghdl("import", files, "import.log");
-  ghdl("make", {proof.entity}, "make.log");
-  std::vector<std::string> synthesis{"--no-assert-cover", "--out=verilog"};
+  ghdl("make", {unit}, "make.log");
+  return library;
+}
+
+SolverInput make_solver_input(const Folders& folders, const fs::path& sources, const Proof& proof,
+                              const std::string* property, const fs::path& folder) {
+  const fs::path library = analyse(folders, sources, proof.stand_ins, proof.entity, folder);
+  std::vector<std::string> synthesis{"ghdl",
+                                     "synth",
+                                     "--std=08",
+                                     "-fpsl",
+                                     "--workdir=" + library.string(),
+                                     "--no-assert-cover",
+                                     "--out=verilog"};
   for (const auto& [name, value] : proof.generics) {
     synthesis.push_back(fmt::format("-g{}={}", name, value));
   }
   synthesis.push_back(proof.entity);
-  ghdl("synth", synthesis, "netlist.v");
+  run_tool(synthesis, folder, folder / "netlist.v");
 
   SolverInput input;
   const std::string verilog = text_of(folder / "netlist.v");

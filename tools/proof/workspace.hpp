@@ -16,10 +16,18 @@ struct Folders {
   std::filesystem::path list() const { return project / "testbench" / "proofs"; }
 };
 
+// What the sources are for: not all properties can be simulated.
+enum class Purpose { solver, simulator };
+
 // Copies the chip's sources to `sources`, with the properties woven into them; with a mutation
 // first.
 void prepare_sources(const Folders& folders, const std::filesystem::path& sources,
-                     const Mutation* mutation);
+                     const Mutation* mutation, Purpose purpose = Purpose::solver);
+
+// Analyses what `unit`, an entity, needs, and returns GHDL's library. Stand-ins as in `Proof`.
+std::filesystem::path analyse(const Folders& folders, const std::filesystem::path& sources,
+                              const std::vector<std::filesystem::path>& stand_ins,
+                              const std::string& unit, const std::filesystem::path& folder);
 
 struct SolverInput {
   std::filesystem::path file;
