@@ -7,6 +7,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.instruction_set_pkg.all;
+use work.machine_mode_pkg.all;
 
 entity csr_model is
   port (
@@ -36,7 +37,8 @@ entity csr_model is
     permitted : out std_ulogic;
     trap_target : out unsigned(31 downto 0);
     return_address : out unsigned(31 downto 0);
-    return_known : out std_ulogic
+    return_known : out std_ulogic;
+    state : out machine_state_t
   );
 end entity;
 
@@ -50,28 +52,10 @@ architecture model of csr_model is
   signal exists, writes : boolean;
   signal old, changed : value_t;
 
-  function first_of(set : value_t) return natural is
-  begin
-    if set(11) = '1' then
-      return 11;
-    elsif set(7) = '1' then
-      return 7;
-    end if;
-    for index in 16 to 31 loop
-      if set(index) = '1' then
-        return index;
-      end if;
-    end loop;
-    return 0;
-  end function;
-
 begin
 
   read_register : process (all)
-    variable index : natural range 0 to 31;
   begin
-    index := to_integer(unsigned(word(24 downto 20)));
-    exists <= true;
     old <= x"00000000";
     known <= '1';
     case word(31 downto 20) is
@@ -99,14 +83,11 @@ begin
       when x"b00" | x"b80" | x"c00" | x"c80" => known <= '0';
       when x"b02" | x"c02" => old <= std_ulogic_vector(instructions(31 downto 0));
       when x"b82" | x"c82" => old <= std_ulogic_vector(instructions(63 downto 32));
-      when others =>
-        case word(31 downto 25) is
-          when x"b" & "000" | x"b" & "100" | x"3" & "001" => exists <= index >= 3;
-          when others => exists <= false;
-        end case;
+      when others => null;
     end case;
   end process;
 
+  exists <= csr_exists(word(31 downto 20));
   writes <= word(13 downto 12) = "01" or word(19 downto 15) /= "00000";
   legal <= '1' when exists and not (writes and word(31 downto 30) = "11") else '0';
   value <= old;
@@ -122,6 +103,20 @@ begin
                  unsigned(mtvec(31 downto 2) & "00");
   return_address <= unsigned(mepc);
   return_known <= trap_known;
+  state <= (
+    mie => mie,
+    mtvec => mtvec,
+    mscratch => mscratch,
+    mepc => mepc,
+    mcause => mcause,
+    mtval => mtval,
+    enable => enable,
+    previous_enable => previous_enable,
+    stops_cycle => stops_cycle,
+    stops_instructions => stops_instructions,
+    scratch_known => scratch_known,
+    trap_known => trap_known,
+    mtval_known => mtval_known);
 
   follow : process
     variable is_written : boolean;

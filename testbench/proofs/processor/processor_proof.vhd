@@ -13,6 +13,11 @@ use work.processor_pkg.all;
 use work.short_instructions_pkg.all;
 
 entity processor_proof is
+  generic (
+    -- 1: the program begins with the instructions that let any interrupts through, to any place; what comes
+    -- behind them is anything. So a proof of few clocks reaches interrupts.
+    prologue : natural range 0 to 1 := 0
+  );
   port (
     clk : in std_ulogic;
     -- Anything, in each clock anew.
@@ -52,6 +57,14 @@ architecture proof of processor_proof is
   -- Any interrupts, which begin at any time and stay.
   signal any_requests : value_t := (others => '0');
   attribute anyconst of any_requests : signal is true;
+
+  -- lui and addi of any value to x8, then csrw mie, csrw mtvec, csrsi mstatus.
+  signal mask_high : std_ulogic_vector(31 downto 12) := (others => '0');
+  signal mask_low : std_ulogic_vector(11 downto 0) := (others => '0');
+  attribute anyconst of mask_high : signal is true;
+  attribute anyconst of mask_low : signal is true;
+  type words_t is array (0 to 4) of value_t;
+  signal prologue_words : words_t;
 
   signal running : std_ulogic := '0';
   signal reset : std_ulogic;
@@ -124,6 +137,12 @@ begin
       sleeping => sleeping,
       retirement => retirement);
 
+  prologue_words(0) <= mask_high & x"437";
+  prologue_words(1) <= mask_low & x"40413";
+  prologue_words(2) <= x"30441073";
+  prologue_words(3) <= x"30541073";
+  prologue_words(4) <= x"30046073";
+
   -- The memory: of the program two half words are known and stay, of the data one word. What else it gives
   -- is anything, but stays as long as nothing is asked.
   memory : process
@@ -142,6 +161,14 @@ begin
       elsif instruction_request.lower_address & '0' = code_place + 1 then
         instruction_data(15 downto 0) <= code_high;
       end if;
+      for index in words_t'range loop
+        if prologue = 1 and instruction_request.upper_address = unsigned'(30x"20000000") + index then
+          instruction_data(31 downto 16) <= prologue_words(index)(31 downto 16);
+        end if;
+        if prologue = 1 and instruction_request.lower_address = unsigned'(30x"20000000") + index then
+          instruction_data(15 downto 0) <= prologue_words(index)(15 downto 0);
+        end if;
+      end loop;
     end if;
     if memory_request.enable then
       memory_data <= any_data;
@@ -252,7 +279,8 @@ begin
       permitted => permitted,
       trap_target => trap_target,
       return_address => return_address,
-      return_known => return_known);
+      return_known => return_known,
+      state => open);
 
   choose_next_address : process (all)
   begin

@@ -1,0 +1,73 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The arithmetic unit gives what the instruction set says, for all operands.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.instruction_set_pkg.all;
+
+entity alu_proof is
+  port (
+    clk : in std_ulogic;
+    first : in value_t;
+    second : in value_t;
+    second_register : in value_t;
+    operation : in std_ulogic_vector(2 downto 0);
+    shifts : in std_ulogic;
+    subtract : in std_ulogic;
+    arithmetic_shift : in std_ulogic;
+    compare_unsigned : in std_ulogic
+  );
+end entity;
+
+architecture proof of alu_proof is
+
+  -- The instruction on two registers that asks for this; a shift does not subtract.
+  signal word : value_t;
+  signal alternate : std_ulogic;
+  signal result : value_t;
+  signal equal, less : std_ulogic;
+
+  default clock is rising_edge(clk);
+
+begin
+
+  alternate <= arithmetic_shift when shifts else subtract;
+  word <= '0' & alternate & 15x"0" & operation & "00000" & "0110011";
+
+  arithmetic : entity work.alu
+    port map (
+      first => first,
+      second => second,
+      second_register => second_register,
+      operation => operation,
+      shift => shifts,
+      subtract => subtract,
+      arithmetic_shift => arithmetic_shift,
+      compare_unsigned => compare_unsigned,
+      result => result,
+      equal => equal,
+      less => less);
+
+  only_shifts_shift : assume always (shifts -> operation(1 downto 0) = "01");
+  comparisons_say_of_what_sort : assume always
+    (operation(2 downto 1) = "01" -> compare_unsigned = operation(0));
+
+  sums_and_differences_are_right : assert always
+    ((shifts = '0' and operation = "000") -> result = sum(word, first, second));
+  shifts_by_any_distance_are_right : assert always
+    (shifts -> result = shift(word, first, second));
+  comparisons_give_one_or_zero : assert always
+    (operation(2 downto 1) = "01" -> result = comparison(word, first, second));
+  bits_are_combined_right : assert always
+    ((operation(2) = '1' and operation(1 downto 0) /= "01") -> result = logic(word, first, second));
+  the_second_operand_passes_as_it_is : assert always
+    ((shifts = '0' and operation = "101") -> result = second);
+  equal_registers_are_equal : assert always ((equal = '1') = (first = second_register));
+  less_is_less_with_the_sign : assert always
+    (not compare_unsigned -> (less = '1') = (signed(first) < signed(second_register)));
+  less_is_less_without_a_sign : assert always
+    (compare_unsigned -> (less = '1') = (unsigned(first) < unsigned(second_register)));
+
+end architecture;
