@@ -21,6 +21,31 @@ nlohmann::json quick_figures() {
   return nlohmann::json::parse(stream);
 }
 
+// Besides what the clean rates are: each tick within a microsecond, by the pins.
+void expect_punctual_rates(const nlohmann::json& figures) {
+  EXPECT_EQ(figures["tolerance_us"], 1);
+  const double tolerance_clocks = figures["clock_hz"].get<double>() / 1e6;
+  const auto& clean = figures["highest_clean_rate"];
+  const auto& punctual = figures["highest_punctual_rate"];
+  ASSERT_EQ(punctual.size(), clean.size());
+  for (const auto& [what, rates] : punctual.items()) {
+    for (const std::string stepping : {"hardware", "software"}) {
+      const std::string clocks = stepping + "_clocks_per_step";
+      EXPECT_GE(rates[clocks], clean[what][clocks]) << what;
+      EXPECT_LE(rates[stepping + "_largest_lateness_clocks"], tolerance_clocks) << what;
+    }
+    // Its ticks come in the first clock at or after their instant.
+    EXPECT_LE(rates["hardware_largest_lateness_clocks"], 1.01) << what;
+    const double ratio = rates["software_clocks_per_step"].get<double>() /
+                         rates["hardware_clocks_per_step"].get<double>();
+    EXPECT_NEAR(figures["punctual_ratio"][what].get<double>(), ratio, 1e-5) << what;
+  }
+  const std::string lines = "bare_loop_1_axis_guard_1_lines_of_500_ticks";
+  EXPECT_EQ(punctual[lines]["hardware_clocks_per_step"], 2);
+  // Where software hands over a line, it is late before it misses a turn.
+  EXPECT_GT(clean[lines]["software_largest_lateness_clocks"], tolerance_clocks);
+}
+
 TEST(bench, stepping_measures_hardware_and_software) {
   const auto figures = quick_figures();
   for (const auto& row : figures["hardware"]["jitter"]) {
@@ -62,6 +87,7 @@ TEST(bench, stepping_measures_hardware_and_software) {
   EXPECT_LT(lines["hardware_clocks_per_step"], 200);
   EXPECT_EQ(lines["hardware_limited_by"], "rate not reached");
   EXPECT_GE(figures["published"].size(), 5u);
+  expect_punctual_rates(figures);
 }
 
 // What the processor is asked to be: clocks per instruction on the firmware's own code.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The highest step rates at which the whole firmware prints cleanly.
+// The highest step rates at which the whole firmware prints cleanly, and punctually.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,15 @@
 #include <vector>
 
 #include "tools/benchmark/printing_run.hpp"
+#include "tools/benchmark/rate_search.hpp"
 #include "tools/benchmark/stepping_figures.hpp"
 
 namespace benchmarks {
 
-// The shortest interval between ticks at which a print is clean, and what happens at a shorter one.
-struct PrintingLimit {
-  std::uint32_t interval_clocks{};
-  std::string limited_by;  // empty at the shortest interval that there is
-};
-
 struct PrintingRates {
   std::size_t axes{};
-  PrintingLimit lines;  // of 500 ticks one after the other
-  PrintingLimit one_line;
+  Limits lines;  // of 500 ticks one after the other
+  Limits one_line;
 };
 
 struct PrintingFirmware {

@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/lateness.hpp"
 #include "tools/benchmark/window_host.hpp"
 
 namespace benchmarks {
@@ -101,11 +103,16 @@ class Counters {
   std::optional<std::uint32_t> stepper_;  // address, where software makes the steps
 };
 
-double middle_interval(const std::vector<sim::Clock>& rises) {
-  if (rises.size() < 8) return 0;
+// Of what is there, the half around the middle.
+std::span<const sim::Clock> middle_half(std::span<const sim::Clock> rises) {
   const std::size_t first = rises.size() / 4;
   const std::size_t last = rises.size() * 3 / 4;
-  return static_cast<double>(rises[last] - rises[first]) / static_cast<double>(last - first);
+  return rises.size() < 8 ? std::span<const sim::Clock>() : rises.subspan(first, last - first + 1);
+}
+
+double mean_interval(std::span<const sim::Clock> rises) {
+  if (rises.size() < 2) return 0;
+  return static_cast<double>(rises.back() - rises.front()) / static_cast<double>(rises.size() - 1);
 }
 
 }  // namespace
@@ -139,17 +146,17 @@ std::string_view PrintingRun::fault(const Printing& printing) const {
 }
 
 PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Description& description,
-                         const Printing& printing, std::uint32_t clock_hz, bool until_unclean) {
-  sim::VerilatedChip chip(clock_hz);
+                         const Printing& printing, const Scope& scope, bool until_unclean) {
+  sim::VerilatedChip chip(scope.clock_hz);
   sim::load(firmware, chip);
-  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
+  sim::Simulation simulation(chip, sim::ClockRate(scope.clock_hz));
   machine::Printer printer(
       description,
       {.baud = description.baud, .hotend_start_c = hotend_c, .bed_start_c = bed_c, .faults = {}},
       simulation);
   PinWatch watch;
   simulation.attach(watch, PinWatch::watched());
-  WindowHost host(lines_of(printing, clock_hz), printer.serial_line());
+  WindowHost host(lines_of(printing, scope.clock_hz), printer.serial_line());
   const Counters counters(firmware, chip);
 
   PrintingRun run;
@@ -158,6 +165,7 @@ PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Descripti
       4 * printing.interval_clocks * printing.ticks_per_line * printing.lines;
   const auto limit = static_cast<sim::Clock>(motion_clocks) + start_clocks;
   while (!host.done() && simulation.now() < limit) {
+    scope.look();
     simulation.run_until(simulation.now() + looks_clocks);
     counters.read(run);
     if (!host.complaint().empty()) break;
@@ -172,7 +180,9 @@ PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Descripti
     run.pins[i] = watch.axis(i);
     run.asked[i] = std::uint64_t{steps[i]} * printing.lines;
   }
-  run.middle_interval_clocks = middle_interval(run.pins[0].rises);
+  run.middle_interval_clocks = mean_interval(middle_half(run.pins[0].rises));
+  const std::vector<sim::Clock> ticks = ticks_of(run.pins);
+  run.largest_lateness_clocks = largest_lateness_in_even_series(middle_half(ticks));
   return run;
 }
 

@@ -12,6 +12,7 @@
 #include "sim/machine/description.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "tools/benchmark/pin_watch.hpp"
+#include "tools/benchmark/scope.hpp"
 
 namespace benchmarks {
 
@@ -36,6 +37,8 @@ struct PrintingRun {
   bool ended{};
   std::string complaint;  // of the chip, about a line
   double middle_interval_clocks{};  // mean, of X, in the middle half of the motion
+  // Of a tick there, where the rate is constant, by the pins.
+  double largest_lateness_clocks{};
 
   // Every pulse, the guard kept, no tick late or delayed, the queue never empty at speed, and in
   // the middle half of the motion the rate that was asked for.
@@ -47,7 +50,6 @@ struct PrintingRun {
 // Prints to the end, or until it is no longer clean where only that is asked. `description` is the
 // machine that the firmware is built for.
 PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Description& description,
-                         const Printing& printing, std::uint32_t clock_hz,
-                         bool until_unclean = false);
+                         const Printing& printing, const Scope& scope, bool until_unclean = false);
 
 }  // namespace benchmarks

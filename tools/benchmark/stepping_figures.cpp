@@ -16,46 +16,27 @@ constexpr std::uint32_t train_baud = 1'000'000;
 // An A4988's 1 us at 50 MHz.
 constexpr std::uint32_t slow_guard_clocks = 50;
 constexpr std::uint32_t fewest_clocks = 2;
+constexpr double to_the_clock = 0;
 
 class Measurement {
  public:
   Measurement(const sim::ElfImage& program, const Scope& scope)
       : program_(program), scope_(scope) {}
 
-  Run run(const Motion& motion, bool until_unclean = false) const {
-    return run_motion(program_, motion, scope_.clock_hz, until_unclean);
+  Run run(const Motion& motion, const Demand& demand = {}) const {
+    return run_motion(program_, motion, scope_, demand);
   }
 
-  // The shortest interval at which it is clean; longer ones are taken to be so too.
-  std::uint32_t shortest_clean(Motion motion) const {
-    const auto clean = [&](std::uint32_t clocks) {
-      motion.interval_clocks = clocks;
-      return run(motion, true).clean(motion);
-    };
-    std::uint32_t dirty = fewest_clocks - 1;
-    std::uint32_t good = std::max(fewest_clocks, 2 * motion.guard_clocks);
-    while (!clean(good)) {
-      dirty = good;
-      good *= 2;
-    }
-    while (good - dirty > 1 && good > 2 * motion.guard_clocks) {
-      const std::uint32_t middle = dirty + (good - dirty) / 2;
-      (clean(middle) ? good : dirty) = middle;
-    }
-    return good;
-  }
-
-  CleanRate clean_rate(std::size_t count, std::uint32_t guard_clocks) const {
-    const std::uint32_t lines = scope_.quick ? 10 : 40;
+  LoopRates rates(std::size_t count, std::uint32_t guard_clocks) const {
     const Motion in_lines{.ticks_per_line = scope_.quick ? 200u : 500u,
-                          .lines = lines,
+                          .lines = scope_.quick ? 10u : 40u,
                           .axes = count,
                           .guard_clocks = guard_clocks};
     const Motion in_one{.ticks_per_line = scope_.quick ? 2'000u : 20'000u,
                         .lines = 1,
                         .axes = count,
                         .guard_clocks = guard_clocks};
-    return {count, guard_clocks, shortest_clean(in_lines), shortest_clean(in_one)};
+    return {count, guard_clocks, limits(in_lines), limits(in_one)};
   }
 
   JitterFigure jitter(double interval_clocks) const {
@@ -86,6 +67,19 @@ class Measurement {
   }
 
  private:
+  Limits limits(Motion motion) const {
+    const auto trial = [&](std::uint32_t clocks, double late_enough_clocks) -> Trial {
+      motion.interval_clocks = clocks;
+      const Run result = run(motion, {.clean = true, .latest_clocks = late_enough_clocks});
+      // Such a run has not been to its end.
+      if (result.largest_lateness_clocks > late_enough_clocks)
+        return {.fault = {}, .largest_lateness_clocks = result.largest_lateness_clocks};
+      return {std::string(result.fault(motion)), result.largest_lateness_clocks};
+    };
+    return RateSearch(trial, scope_.tolerance_clocks(), to_the_clock)
+        .limits(std::max(fewest_clocks, 2 * motion.guard_clocks));
+  }
+
   const sim::ElfImage& program_;
   const Scope& scope_;
 };
@@ -100,9 +94,10 @@ Figures measure(Stepping stepping, const sim::ElfImage& program, const Scope& sc
   for (const std::size_t count : {std::size_t{1}, axes}) {
     for (const std::uint32_t guard : {1u, slow_guard_clocks}) {
       if (scope.quick && guard != 1) continue;
-      say(fmt::format("{}: highest clean rate, {} {}, guard of {}", name_of(stepping), count,
+      say(fmt::format("{}: highest rates, {} {}, guard of {}", name_of(stepping), count,
                       count == 1 ? "axis" : "axes", guard));
-      figures.clean.push_back(measurement.clean_rate(count, guard));
+      const LoopRates& rates = figures.loops.emplace_back(measurement.rates(count, guard));
+      say(fmt::format("  lines: {}; one line: {}", rates.lines.text(), rates.one_line.text()));
     }
   }
   say(fmt::format("{}: jitter", name_of(stepping)));

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "tools/benchmark/rate_search.hpp"
+#include "tools/benchmark/scope.hpp"
 #include "tools/benchmark/stepping_run.hpp"
 
 namespace benchmarks {
 
-// The shortest interval between ticks at which a motion is clean.
-struct CleanRate {
+// The shortest intervals between ticks.
+struct LoopRates {
   std::size_t axes{};
   std::uint32_t guard_clocks{};
-  // Lines of 500 ticks one after the other.
-  std::uint32_t lines_clocks{};
-  // Within one line, where software has no line to hand over.
-  std::uint32_t one_line_clocks{};
+  Limits lines;  // of 500 ticks one after the other
+  Limits one_line;  // where software has no line to hand over
 };
 
 struct JitterFigure {
@@ -40,15 +40,10 @@ struct Share {
 
 struct Figures {
   Stepping stepping{};
-  std::vector<CleanRate> clean;
+  std::vector<LoopRates> loops;
   std::vector<JitterFigure> jitter;
   std::vector<Train> trains;
   std::vector<Share> shares;  // four axes
-};
-
-struct Scope {
-  std::uint32_t clock_hz = 50'000'000;
-  bool quick = false;  // fewer and shorter runs, to see that all works
 };
 
 // `say` is told what is measured now.

@@ -24,11 +24,16 @@ std::vector<Bar> bars_of(const Comparison& comparison) {
   for (const PublishedFigure& figure : published_figures) {
     bars.push_back({figure.system, figure.steps_per_second / figure.clock_mhz, 0x8a929c});
   }
-  const CleanRate& hardware = comparison.figures[0].clean.front();
-  const CleanRate& software = comparison.figures[1].clean.front();
-  bars.push_back({"StepFabric in software", 1e6 / software.lines_clocks, 0xc8374b});
-  bars.push_back({"the same, within one line", 1e6 / software.one_line_clocks, 0xe08a96});
-  bars.push_back({"StepFabric in hardware", 1e6 / hardware.lines_clocks, 0x2f62b8});
+  const LoopRates& hardware = comparison.figures[0].loops.front();
+  const LoopRates& software = comparison.figures[1].loops.front();
+  const auto add = [&](std::string name, const Limit& limit, int colour) {
+    bars.push_back({std::move(name), 1e6 / limit.interval_clocks, colour});
+  };
+  add("StepFabric in software", software.lines.clean, 0xc8374b);
+  add("the same, within one line", software.one_line.clean, 0xe08a96);
+  add(fmt::format("the same, lines, within {:.3g} us", comparison.tolerance_us),
+      software.lines.punctual, 0xe08a96);
+  add("StepFabric in hardware", hardware.lines.punctual, 0x2f62b8);
   std::ranges::stable_sort(bars, {}, &Bar::steps_per_million_clocks);
   return bars;
 }

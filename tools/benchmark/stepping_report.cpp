@@ -8,8 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "tools/benchmark/clean_rates.hpp"
 #include "tools/benchmark/published_figures.hpp"
+#include "tools/benchmark/rate_pairs.hpp"
 
 namespace benchmarks {
 
@@ -27,14 +27,20 @@ Json jitter_json(const Jitter& jitter) {
           {"standard_deviation_clocks", rounded(jitter.standard_deviation)}};
 }
 
-Json pair_json(const CleanPair& pair, double clock_hz) {
-  Json json{{"hardware_steps_per_second_per_axis", rounded(clock_hz / pair.hardware_clocks)},
-            {"software_steps_per_second_per_axis", rounded(clock_hz / pair.software_clocks)},
-            {"hardware_clocks_per_step", pair.hardware_clocks},
-            {"software_clocks_per_step", pair.software_clocks}};
-  // Only known of the whole firmware.
-  if (!pair.hardware_limited_by.empty()) json["hardware_limited_by"] = pair.hardware_limited_by;
-  if (!pair.software_limited_by.empty()) json["software_limited_by"] = pair.software_limited_by;
+Json pair_json(const Limit& hardware, const Limit& software, double clock_hz) {
+  Json json{{"hardware_steps_per_second_per_axis", rounded(clock_hz / hardware.interval_clocks)},
+            {"software_steps_per_second_per_axis", rounded(clock_hz / software.interval_clocks)},
+            {"hardware_clocks_per_step", hardware.interval_clocks},
+            {"software_clocks_per_step", software.interval_clocks},
+            {"hardware_largest_lateness_clocks", rounded(hardware.largest_lateness_clocks)},
+            {"software_largest_lateness_clocks", rounded(software.largest_lateness_clocks)}};
+  const auto tell_of = [&](const char* stepping, const Limit& limit) {
+    const std::string name(stepping);
+    if (!limit.limited_by.empty()) json[name + "_limited_by"] = limit.limited_by;
+    if (limit.also_clocks != 0) json[name + "_also_clocks_per_step"] = limit.also_clocks;
+  };
+  tell_of("hardware", hardware);
+  tell_of("software", software);
   return json;
 }
 
@@ -72,14 +78,40 @@ Json print_json(const PrintFigure& print) {
           {"same_steps_as_hardware", print.same_steps}};
 }
 
+void add_rates(fmt::memory_buffer& out, const Comparison& comparison, Rule rule) {
+  const double clock = comparison.clock_hz;
+  const std::string title =
+      rule == Rule::clean
+          ? fmt::format("Highest clean rates at {:.3g} MHz", clock * 1e-6)
+          : fmt::format("The same, each tick within {:.3g} us", comparison.tolerance_us);
+  fmt::format_to(std::back_inserter(out), "{:<50} {:>19} {:>17}  ratio  latest tick, clocks\n",
+                 title, "hardware", "software");
+  for (const RatePair& pair : rate_pairs(comparison)) {
+    const Limit& hardware = pair.hardware.of(rule);
+    const Limit& software = pair.software.of(rule);
+    fmt::format_to(std::back_inserter(out),
+                   "{:<50} {:>11.0f} steps/s {:>9.0f} steps/s {:>6.1f} {:>9.0f} {:>9.0f}\n",
+                   pair.text, clock / hardware.interval_clocks, clock / software.interval_clocks,
+                   pair.ratio(rule), hardware.largest_lateness_clocks,
+                   software.largest_lateness_clocks);
+  }
+}
+
 }  // namespace
 
 std::string to_json(const Comparison& comparison) {
-  Json json{{"benchmark", "stepping"}, {"clock_hz", comparison.clock_hz}};
-  for (const CleanPair& pair : clean_pairs(comparison)) {
-    json["highest_clean_rate"][pair.name] = pair_json(pair, comparison.clock_hz);
-    json["ratio"][pair.name] = rounded(pair.ratio());
-  }
+  Json json{{"benchmark", "stepping"},
+            {"clock_hz", comparison.clock_hz},
+            {"tolerance_us", comparison.tolerance_us}};
+  const auto tell = [&](Rule rule, const char* rate, const char* ratio) {
+    for (const RatePair& pair : rate_pairs(comparison)) {
+      json[rate][pair.name] =
+          pair_json(pair.hardware.of(rule), pair.software.of(rule), comparison.clock_hz);
+      json[ratio][pair.name] = rounded(pair.ratio(rule));
+    }
+  };
+  tell(Rule::clean, "highest_clean_rate", "ratio");
+  tell(Rule::punctual, "highest_punctual_rate", "punctual_ratio");
   for (const Figures& figures : comparison.figures) {
     json[name_of(figures.stepping)] = figures_json(figures, comparison.clock_hz);
   }
@@ -109,12 +141,8 @@ std::string to_table(const Comparison& comparison) {
   const Figures& hardware = comparison.figures[0];
   const Figures& software = comparison.figures[1];
   const double clock = comparison.clock_hz;
-  add("{:<50} {:>19} {:>17}  ratio\n", fmt::format("At {:.3g} MHz", clock * 1e-6), "hardware",
-      "software");
-  for (const CleanPair& pair : clean_pairs(comparison)) {
-    add("{:<50} {:>11.0f} steps/s {:>9.0f} steps/s {:>6.1f}\n", pair.text,
-        clock / pair.hardware_clocks, clock / pair.software_clocks, pair.ratio());
-  }
+  add_rates(out, comparison, Rule::clean);
+  add_rates(out, comparison, Rule::punctual);
   for (const Figures& figures : comparison.figures) {
     for (const JitterFigure& figure : figures.jitter) {
       add("jitter, {}: every {} clocks asked: {} to {}, standard deviation {:.3f}\n",

@@ -23,6 +23,7 @@ struct PrintFigure {
 
 struct Comparison {
   std::uint32_t clock_hz{};
+  double tolerance_us{};  // of the punctual rates
   std::array<Figures, 2> figures;  // hardware, software
   std::array<std::vector<PrintingRates>, 2> printing;  // the same, of the whole firmware
   std::uint32_t print_clock_hz{};

@@ -12,6 +12,7 @@
 #include "sim/devices/serial_line.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/lateness.hpp"
 
 namespace benchmarks {
 
@@ -81,26 +82,32 @@ bool enough(sim::Clock shortest, std::uint32_t least) {
 
 }  // namespace
 
-bool Run::clean(const Motion& motion) const {
+std::string_view Run::fault(const Motion& motion) const {
+  if (late_ticks != 0) return "ticks late";
+  if (result.underruns != 0) return "queue empty at speed";
+  if (result.stall_clocks != 0) return "ticks delayed";
+  if (result.refused != 0) return "a segment was refused";
+  if (result.bytes_lost != 0) return "bytes lost";
+  if (!ended) return "not finished";
   for (std::size_t i = 0; i < axes; ++i) {
-    if (pins[i].rises.size() != asked[i] || !enough(pins[i].shortest_high, motion.guard_clocks) ||
+    if (pins[i].rises.size() != asked[i]) return "pulses missing";
+    if (!enough(pins[i].shortest_high, motion.guard_clocks) ||
         !enough(pins[i].shortest_low, motion.guard_clocks)) {
-      return false;
+      return "guard not kept";
     }
   }
-  return ended && late_ticks == 0 && result.refused == 0 && result.underruns == 0 &&
-         result.stall_clocks == 0 && result.bytes_lost == 0;
+  return {};
 }
 
-Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t clock_hz,
-               bool until_unclean) {
-  sim::VerilatedChip chip(clock_hz);
+Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
+               const Demand& demand) {
+  sim::VerilatedChip chip(scope.clock_hz);
   sim::load(program, chip);
   const auto words = std::bit_cast<OrderWords>(order_of(motion));
   const std::uint32_t address = address_of(program, "benchmark_order");
   for (std::uint32_t i = 0; i < words.size(); ++i) chip.write_memory(address + 4 * i, words[i]);
 
-  const sim::ClockRate rate(clock_hz);
+  const sim::ClockRate rate(scope.clock_hz);
   sim::Simulation simulation(chip, rate);
   PinWatch watch;
   simulation.attach(watch, PinWatch::watched());
@@ -117,7 +124,9 @@ Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t
   const auto limit = static_cast<sim::Clock>(4 * duration) + start_clocks;
   sim::ProcessorStatistics before;
   sim::Clock first = 0;
+  RunningLateness lateness(motion.interval_clocks);
   while (!run.ended && simulation.now() < limit) {
+    scope.look();
     simulation.run_until(simulation.now() + looks_clocks);
     const bool moves = !watch.axis(0).rises.empty();
     if (moves && first == 0) {
@@ -125,7 +134,8 @@ Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t
       before = chip.processor_statistics();
     }
     run.late_ticks = late_ticks(program, chip);
-    if (until_unclean && run.late_ticks != 0) break;
+    lateness.add(watch.axis(0).rises);
+    if ((demand.clean && run.late_ticks != 0) || lateness.clocks() > demand.latest_clocks) break;
     run.ended = read_result(program, chip).done != 0;
     if (!run.ended && simulation.now() > first && first != 0) {
       const auto slept = chip.processor_statistics().sleeping_clocks - before.sleeping_clocks;
@@ -139,6 +149,7 @@ Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t
     run.pins[i] = watch.axis(i);
     run.asked[i] = std::uint64_t{steps[i]} * motion.lines;
   }
+  run.largest_lateness_clocks = largest_lateness(ticks_of(run.pins), motion.interval_clocks);
   return run;
 }
 

@@ -4,11 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <string_view>
 #include <vector>
 
 #include "firmware/benchmark/stepping.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "tools/benchmark/pin_watch.hpp"
+#include "tools/benchmark/scope.hpp"
 
 namespace benchmarks {
 
@@ -32,16 +35,25 @@ struct Run {
   std::array<std::uint64_t, axes> asked{};  // pulses
   benchmark::SteppingResult result{};
   std::uint32_t late_ticks{};
+  // Of a tick, by the pins. It tells nothing where not all pulses were made.
+  double largest_lateness_clocks{};
   double busy_share{};  // of the processor's clocks while steps were made
   bool ended{};
 
   // Every pulse, the guard kept, no tick late or delayed, the queue never empty.
-  bool clean(const Motion& motion) const;
+  bool clean(const Motion& motion) const { return fault(motion).empty(); }
+  // The first of these that does not hold, in words.
+  std::string_view fault(const Motion& motion) const;
 };
 
-// Runs the motion to its end, or until it is no longer clean where only that is asked.
-Run run_motion(const sim::ElfImage& program, const Motion& motion, std::uint32_t clock_hz,
-               bool until_unclean = false);
+// What a run must show; when it is known that it does not, the run ends.
+struct Demand {
+  bool clean = false;
+  double latest_clocks = std::numeric_limits<double>::infinity();  // after its exact instant
+};
+
+Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
+               const Demand& demand = {});
 
 // Intervals between the steps of an axis.
 struct Jitter {

@@ -15,6 +15,7 @@
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/print_job.hpp"
+#include "tools/command/signals.hpp"
 
 namespace command {
 
@@ -37,7 +38,9 @@ PrintOfBench print_with(Stepping stepping, const BenchOptions& options) {
   choices.printer.clock_hz = print_clock_hz;
   choices.printer.stepping = name_of(stepping);
   choices.printer.warm = true;
-  if (print(choices) != success) {
+  const int status = print(choices);
+  if (status == interrupted) throw Interrupted();
+  if (status != success) {
     throw std::runtime_error(fmt::format("the print with {} stepping failed", name_of(stepping)));
   }
   std::ifstream file(choices.report / "report.json");
@@ -87,9 +90,11 @@ std::filesystem::path benchmark_machine() {
 
 int bench_stepping(const BenchOptions& options) {
   build({"stepping_benchmark_programs"});
-  const benchmarks::Scope scope{.quick = options.quick};
+  const benchmarks::Scope scope{
+      .quick = options.quick, .tolerance_us = options.tolerance_us, .look = end_if_interrupted};
   benchmarks::Comparison comparison;
   comparison.clock_hz = scope.clock_hz;
+  comparison.tolerance_us = scope.tolerance_us;
   const auto say = [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); };
   const auto machine = machine::read_description(benchmark_machine());
   for (const Stepping stepping : {Stepping::hardware, Stepping::software}) {

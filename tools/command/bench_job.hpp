@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/benchmark/lateness.hpp"
+
 namespace command {
 
 struct BenchOptions {
@@ -13,6 +15,7 @@ struct BenchOptions {
   std::filesystem::path json;
   std::filesystem::path report = "report";
   std::filesystem::path print_file;
+  double tolerance_us = benchmarks::default_tolerance_us;  // of punctual ticks
   bool quick = false;
 };
 

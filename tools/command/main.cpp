@@ -182,6 +182,10 @@ void add_bench(CLI::App& app, BenchOptions& options) {
                  "the whole print to make with both; default: a short one")
       ->type_name("FILE.gcode")
       ->check(CLI::ExistingFile);
+  job.add_option("--tolerance-us", options.tolerance_us,
+                 "stepping: a tick is punctual up to so long after its exact instant")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   job.add_flag("--quick", options.quick, "few and short runs, to see that everything works");
 }
 
@@ -298,6 +302,9 @@ int run_command(int count, char** arguments) {
 int main(int count, char** arguments) {
   try {
     return command::run_command(count, arguments);
+  } catch (const command::Interrupted& wish) {
+    fmt::print(stderr, "stepfabric: {}\n", wish.what());
+    return command::interrupted;
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr, "stepfabric: {}\n", error.what());

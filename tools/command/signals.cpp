@@ -41,4 +41,10 @@ void catch_interrupts() {
 
 bool interrupt_requested() { return requested != 0; }
 
+void end_if_interrupted() {
+  if (interrupt_requested()) {
+    throw Interrupted();
+  }
+}
+
 }  // namespace command
