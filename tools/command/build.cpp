@@ -4,19 +4,27 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/file.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
+
+#include "tools/command/signals.hpp"
 
 namespace command {
 
 namespace {
+
+constexpr std::chrono::milliseconds look_interval{20};
 
 // The lock that tools/command/build_and_run.sh takes too.
 class BuildLock {
@@ -60,7 +68,8 @@ std::vector<char*> pointers_to(const std::vector<std::string>& arguments) {
   return pointers;
 }
 
-// `log` empty: the program writes to this one's terminal.
+// `log` empty: the program writes to this one's terminal. It heads a process group: what it has
+// started ends with it on a signal to this process.
 int run_with_output(const std::vector<std::string>& arguments, const std::filesystem::path& log) {
   const std::vector<char*> pointers = pointers_to(arguments);
   const pid_t child = fork();
@@ -68,6 +77,8 @@ int run_with_output(const std::vector<std::string>& arguments, const std::filesy
     throw std::runtime_error("cannot start " + arguments.front());
   }
   if (child == 0) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (!log.empty()) {
       const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
       dup2(file, STDOUT_FILENO);
@@ -76,9 +87,17 @@ int run_with_output(const std::vector<std::string>& arguments, const std::filesy
     execvp(pointers.front(), pointers.data());
     _exit(127);
   }
+  setpgid(child, child);  // whoever comes first
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
+  bool told = false;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (interrupt_requested() && !told) {
+      kill(-child, SIGTERM);
+      told = true;
+    }
+    std::this_thread::sleep_for(look_interval);
   }
+  end_if_interrupted();
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 

@@ -13,7 +13,8 @@ std::filesystem::path project_folder();
 std::filesystem::path build_folder();
 
 // Builds targets, with the output in <build>/build.log. Throws std::runtime_error with the end of
-// the log.
+// the log. As run_program(), ends what it has started and throws Interrupted on a signal
+// (signals.hpp).
 void build(const std::vector<std::string>& targets);
 
 // Runs a program with this one's terminal and waits for it; returns its exit status (128 + signal).

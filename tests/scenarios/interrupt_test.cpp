@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Long jobs end when they are asked to, by Ctrl-C or `kill`, and say so.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "tests/scenarios/job.hpp"
+
+namespace {
+
+using namespace std::chrono_literals;
+// Of the wall, for what takes a second on a machine with nothing else to do. The benchmarks in full
+// take many minutes.
+constexpr auto patience = 300s;
+
+class StartedJob {
+ public:
+  explicit StartedJob(std::vector<std::string> arguments)
+      : output_(scenarios::scratch_folder() / "output") {
+    arguments.insert(arguments.begin(), BUILD_DIRECTORY "/bin/stepfabric");
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+    process_ = fork();
+    if (process_ == 0) {
+      const int file = open(output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      dup2(file, STDOUT_FILENO);
+      dup2(file, STDERR_FILENO);
+      execv(words[0], words.data());
+      _exit(127);
+    }
+  }
+  ~StartedJob() {
+    if (process_ <= 0) return;
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  StartedJob(const StartedJob&) = delete;
+  StartedJob& operator=(const StartedJob&) = delete;
+
+  std::string output() const {
+    std::ifstream stream(output_);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  bool says(const std::string& text) const {
+    return comes_true([&] { return output().find(text) != std::string::npos; });
+  }
+  // The exit status after the signal; -1 where it does not end.
+  int status_after(int signal) {
+    kill(process_, signal);
+    int status = 0;
+    if (!comes_true([&] { return waitpid(process_, &status, WNOHANG) == process_; })) return -1;
+    process_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  template <class Condition>
+  static bool comes_true(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < end) {
+      if (condition()) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+
+  std::filesystem::path output_;
+  pid_t process_ = 0;
+};
+
+TEST(interrupt, ends_the_stepping_benchmark_in_its_search) {
+  StartedJob job({"bench", "stepping", "--report", scenarios::scratch_folder().string()});
+  ASSERT_TRUE(job.says("highest rates, 1 axis, guard of 1")) << job.output();
+  EXPECT_EQ(job.status_after(SIGTERM), 130);
+  EXPECT_NE(job.output().find("stepfabric: interrupted"), std::string::npos) << job.output();
+}
+
+TEST(interrupt, ends_the_processor_benchmark_with_the_program_that_does_it) {
+  StartedJob job({"bench", "processor", "--report", scenarios::scratch_folder().string()});
+  ASSERT_TRUE(job.says("core")) << job.output();
+  EXPECT_EQ(job.status_after(SIGINT), 130);
+  EXPECT_NE(job.output().find("stepfabric: interrupted"), std::string::npos) << job.output();
+}
+
+}  // namespace
