@@ -45,7 +45,7 @@ class SynthesisReport : public testing::Test {
 
 TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
   write(cells, layout);
-  const Report report = read_report(folder_);
+  const Report report = read_report(folder_, folder_);
   EXPECT_EQ(report.lut4, 7000);
   EXPECT_EQ(report.logic_cells.used, 14000);
   EXPECT_EQ(report.block_rams.available, 200);
@@ -60,18 +60,31 @@ TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
   EXPECT_NE(as_table(report).find("60.0 MHz; 50 MHz are wanted: +20 %"), std::string::npos);
 }
 
+TEST_F(SynthesisReport, tells_the_clock_of_each_placement) {
+  write(cells, layout);
+  Report report = read_report(folder_, folder_);
+  report.placements = {{.seed = 4, .fastest_mhz = 60.04}};
+  EXPECT_EQ(as_table(report).find("of the placements"), std::string::npos);
+  report.placements.push_back({.seed = 5, .fastest_mhz = 58.5});
+  EXPECT_NE(as_table(report).find("60.0 (seed 4) 58.5 (seed 5) MHz"), std::string::npos);
+  const auto object = nlohmann::json::parse(as_json(report));
+  EXPECT_EQ(object.at("placements").at(1).at("seed"), 5);
+  EXPECT_EQ(object.at("placements").at(1).at("fastest_mhz"), 58.5);
+  EXPECT_EQ(object.at("has_debug"), false);
+}
+
 TEST_F(SynthesisReport, is_too_slow_below_the_wanted_clock) {
   std::string slow = layout;
   slow.replace(slow.find("60.0"), 4, "49.9");
   write(cells, slow);
-  EXPECT_FALSE(read_report(folder_).fast_enough());
+  EXPECT_FALSE(read_report(folder_, folder_).fast_enough());
 }
 
 TEST_F(SynthesisReport, refuses_a_report_that_lacks_something) {
   write("{}", layout);
-  EXPECT_THROW(read_report(folder_), std::runtime_error);
+  EXPECT_THROW(read_report(folder_, folder_), std::runtime_error);
   write(cells, R"({"fmax": {}, "utilization": {}, "critical_paths": []})");
-  EXPECT_THROW(read_report(folder_), std::runtime_error);
+  EXPECT_THROW(read_report(folder_, folder_), std::runtime_error);
 }
 
 // The first columns of a table with a header row.

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The whole chip for an ECP5 board, or a part of it alone: VHDL -> (GHDL) -> Verilog -> (Yosys) -> netlist
-# -> (nextpnr) -> layout -> (ecppack) -> bitstream.
-# Usage: synthesize_board.sh PROJECT BOARD FIRMWARE.elf DEVICE SEED DIRECTORY
+# The whole chip for an ECP5 board, or a part of it alone: VHDL -> (GHDL) -> Verilog -> (Yosys) -> netlist of
+# cells, netlist.json and cells.json (how many) in the directory. place_board.sh makes the bitstream of it.
+# Usage: synthesize_board.sh PROJECT BOARD FIRMWARE.elf DIRECTORY [-gGENERIC=VALUE...]
 set -euo pipefail
-project=$1 board=$2 firmware=$3 device=$4 seed=$5 directory=$6
+project=$1 board=$2 firmware=$3 directory=$4
+shift 4
 
 step() {
   local log=$1
@@ -14,12 +15,12 @@ step() {
 
 mkdir -p "$directory/work"
 cd "$directory"
-rm -f work/* report.json "$board.bit"
+rm -f work/* netlist.json cells.json
 
 mapfile -t files < <(find "$project/rtl" "$project/boards/$board" -name '*.vhd' | sort)
 step ghdl.log ghdl -i --std=08 --workdir=work "${files[@]}"
 step ghdl.log ghdl -m --std=08 --workdir=work "$board"
-ghdl synth --std=08 --workdir=work --out=verilog "$board" > work/chip.v 2> ghdl.log ||
+ghdl synth --std=08 --workdir=work --out=verilog "$@" "$board" > work/chip.v 2> ghdl.log ||
   { tail -n 20 ghdl.log >&2; exit 1; }
 
 # The firmware becomes the initial contents of the memory, one file per lane of bytes.
@@ -85,27 +86,5 @@ step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   abc9 -W 700 -D 11000;
   techmap -map work/no_ways.v;
   clean;
-  synth_ecp5 -no-rw-check -top $board -run map_cells: -json work/netlist.json;
+  synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;
   tee -q -o cells.json stat -json -top $board"
-
-# A board that is none has no pins.
-if [ ! -f "$project/boards/$board/connections.csv" ]; then
-  step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json work/netlist.json \
-    --lpf "$project/constraints/$board.lpf" --lpf-allow-unconstrained --report report.json \
-    --seed "$seed" --timing-allow-fail
-  exit
-fi
-
-# Pins: what the top entity's ports are connected to, and where these signals lie on the board.
-awk -F, -v OFS= '
-  FNR == 1 { next }
-  FILENAME ~ /pins.csv$/ { pin[$1] = $2; standard[$1] = $3; next }
-  !($2 in pin) { print "no pin for " $2 > "/dev/stderr"; exit 1 }
-  { print "LOCATE COMP \"", $1, "\" SITE \"", pin[$2], "\";"
-    print "IOBUF PORT \"", $1, "\" ", standard[$2], ";" }
-' "$project/boards/$board/pins.csv" "$project/boards/$board/connections.csv" > work/pins.lpf
-cat work/pins.lpf "$project/constraints/$board.lpf" > board.lpf
-
-step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json work/netlist.json \
-  --lpf board.lpf --textcfg work/layout.config --report report.json --seed "$seed" --timing-allow-fail
-step ecppack.log ecppack --compress work/layout.config "$board.bit"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls tools/hardware/synthesize_board.sh and tells what came out.
+// Calls tools/hardware/synthesize_board.sh and place_board.sh and tells what came out.
 #include "tools/synthesis/job.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "tools/synthesis/report.hpp"
 
@@ -26,6 +28,10 @@ std::string quoted(const std::filesystem::path& path) {
   return text + "'";
 }
 
+void call(const std::string& command) {
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("the synthesis failed");
+}
+
 }  // namespace
 
 void add_options(CLI::App& job, Options& options) {
@@ -34,12 +40,20 @@ void add_options(CLI::App& job, Options& options) {
       ->required()
       ->check(CLI::IsMember({"ulx3s", "core"}))
       ->type_name("BOARD");
-  job.add_option("--device", options.device, "which ECP5 it bears")
+  job.add_option("--device", options.device, "which ECP5 it bears: 25k, 45k or 85k (or 25f, ...)")
+      ->transform(CLI::Transformer(
+          std::map<std::string, std::string>{{"25f", "25k"}, {"45f", "45k"}, {"85f", "85k"}},
+          CLI::ignore_case))
       ->check(CLI::IsMember({"25k", "45k", "85k"}))
       ->capture_default_str();
   job.add_option("--seed", options.seed,
                  "where the placement starts from; the clock varies with it")
       ->capture_default_str();
+  job.add_option("--seeds", options.seeds,
+                 "so many placements, from --seed on; the fastest becomes the bitstream")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (ulx3s)");
   job.add_option("--directory", options.directory,
                  "folder for the bitstream, synthesis.json and the tools' logs")
       ->type_name("DIR")
@@ -50,18 +64,35 @@ void add_options(CLI::App& job, Options& options) {
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware) {
+  if (options.debug && options.board == "core") {
+    throw std::runtime_error("the processor alone has no debug port");
+  }
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::absolute(options.directory);
-  const std::string command =
-      fmt::format("{} {} {} {} {} {} {}", quoted(project / "tools/hardware/synthesize_board.sh"),
-                  quoted(project), options.board, quoted(firmware), options.device, options.seed,
-                  quoted(directory));
-  if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error("the synthesis failed");
+  const std::filesystem::path scripts = project / "tools/hardware";
+  call(fmt::format("{} {} {} {} {} {}", quoted(scripts / "synthesize_board.sh"), quoted(project),
+                   options.board, quoted(firmware), quoted(directory),
+                   options.debug ? "-ghas_debug=true" : ""));
+  Report report;
+  std::vector<Placement> placements;
+  for (std::uint32_t seed = options.seed; seed < options.seed + options.seeds; ++seed) {
+    const std::filesystem::path folder = directory / fmt::format("seed_{}", seed);
+    call(fmt::format("{} {} {} {} {} {} {}", quoted(scripts / "place_board.sh"), quoted(project),
+                     options.board, quoted(directory), options.device, seed, quoted(folder)));
+    const Report placed = read_report(directory, folder);
+    placements.push_back({.seed = seed, .fastest_mhz = placed.fastest_mhz});
+    if (placed.fastest_mhz <= report.fastest_mhz) continue;
+    report = placed;
+    const std::filesystem::path bitstream = folder / (options.board + ".bit");
+    if (std::filesystem::exists(bitstream)) {
+      std::filesystem::copy_file(bitstream, directory / bitstream.filename(),
+                                 std::filesystem::copy_options::overwrite_existing);
+    }
   }
-  Report report = read_report(directory);
   report.board = options.board;
   report.device = options.device;
+  report.has_debug = options.debug;
+  report.placements = placements;
   std::ofstream(directory / "synthesis.json") << as_json(report);
   fmt::print("{}", as_table(report));
   fmt::print("  report, logs and, for a board, the bitstream in {}\n", directory.string());

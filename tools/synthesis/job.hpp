@@ -16,14 +16,16 @@ struct Options {
   std::string board;
   std::string device = "85k";
   std::uint32_t seed = 1;
+  std::uint32_t seeds = 1;
+  bool debug = false;
   std::filesystem::path directory = "synthesis";
 };
 
 void add_options(CLI::App& job, Options& options);
 
-// `firmware` is the ELF file that becomes the memory's contents. Writes BOARD.bit, synthesis.json
-// and the tools' logs into the directory. False where the clock is too slow for the board's. Throws
-// std::runtime_error where a tool fails.
+// `firmware` is the ELF file that becomes the memory's contents. Writes the netlist, BOARD.bit and
+// synthesis.json of the fastest placement, and a folder for each placement, into the directory.
+// False where the clock is too slow for the board's. Throws std::runtime_error where a tool fails.
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware);
 

@@ -49,8 +49,8 @@ json as_object(const Usage& usage) {
 
 }  // namespace
 
-Report read_report(const std::filesystem::path& folder) {
-  const json cells = read(folder / "cells.json"), layout = read(folder / "report.json");
+Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& folder) {
+  const json cells = read(netlist / "cells.json"), layout = read(folder / "report.json");
   Report report;
   try {
     report.lut4 = cells.at("design").at("num_cells_by_type").at("LUT4");
@@ -78,8 +78,14 @@ std::string as_json(const Report& report) {
   for (const Hop& hop : report.critical_path) {
     path.push_back({{"from", hop.from}, {"to", hop.to}, {"delay_ns", hop.delay_ns}});
   }
+  json placements = json::array();
+  for (const Placement& placement : report.placements) {
+    placements.push_back({{"seed", placement.seed}, {"fastest_mhz", placement.fastest_mhz}});
+  }
   const json object = {{"board", report.board},
                        {"device", report.device},
+                       {"has_debug", report.has_debug},
+                       {"placements", placements},
                        {"lut4", report.lut4},
                        {"logic_cells", as_object(report.logic_cells)},
                        {"registers", as_object(report.registers)},
@@ -93,7 +99,8 @@ std::string as_json(const Report& report) {
 }
 
 std::string as_table(const Report& report) {
-  std::string text = fmt::format("{} with an ECP5 {}\n", report.board, report.device);
+  std::string text = fmt::format("{} with an ECP5 {}{}\n", report.board, report.device,
+                                 report.has_debug ? ", with its debug port" : "");
   const auto row = [&text](const char* name, const Usage& usage) {
     text += fmt::format("  {:<24}{:>7} of {:>6}{:>5} %\n", name, usage.used, usage.available,
                         100 * usage.used / usage.available);
@@ -105,6 +112,13 @@ std::string as_table(const Report& report) {
   row("multipliers 18 x 18", report.multipliers);
   text += fmt::format("  {:<24}{:>7.1f} MHz; {:.0f} MHz are wanted: {:+.0f} %\n", "fastest clock",
                       report.fastest_mhz, report.wanted_mhz, report.margin_percent());
+  if (report.placements.size() > 1) {
+    text += "  of the placements        ";
+    for (const Placement& placement : report.placements) {
+      text += fmt::format(" {:.1f} (seed {})", placement.fastest_mhz, placement.seed);
+    }
+    text += " MHz\n";
+  }
   if (!report.critical_path.empty()) {
     text += fmt::format("  slowest path from {}\n                 to {}\n",
                         report.critical_path.front().from, report.critical_path.back().to);

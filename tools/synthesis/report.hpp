@@ -2,6 +2,7 @@
 // What a synthesis costs and how fast the result is, out of what Yosys and nextpnr have written.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,9 +22,18 @@ struct Hop {
   double delay_ns = 0;
 };
 
+// How fast the chip became when placed from one seed.
+struct Placement {
+  std::uint32_t seed = 0;
+  double fastest_mhz = 0;
+};
+
 struct Report {
   std::string board;
   std::string device;
+  bool has_debug = false;
+  // All that were tried; the figures below are those of the fastest.
+  std::vector<Placement> placements;
   // Look-up tables of four inputs before packing, without those in carry chains.
   int lut4 = 0;
   Usage logic_cells;
@@ -39,9 +49,9 @@ struct Report {
   double margin_percent() const { return (fastest_mhz / wanted_mhz - 1) * 100; }
 };
 
-// Reads `cells.json` (yosys stat -json) and `report.json` (nextpnr --report) in the folder.
-// Throws std::runtime_error where something is missing.
-Report read_report(const std::filesystem::path& folder);
+// Reads `cells.json` (yosys stat -json) in the netlist's folder and `report.json` (nextpnr
+// --report) in the layout's. Throws std::runtime_error where something is missing.
+Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& layout);
 std::string as_json(const Report& report);
 // A few lines for people.
 std::string as_table(const Report& report);

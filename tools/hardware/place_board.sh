@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What synthesize_board.sh has left in NETLIST_DIRECTORY on an ECP5: netlist -> (nextpnr) -> layout -> (ecppack) ->
+# bitstream, with report.json in the directory.
+# Usage: place_board.sh PROJECT BOARD NETLIST_DIRECTORY DEVICE SEED DIRECTORY
+set -euo pipefail
+project=$1 board=$2 netlist=$3/netlist.json device=$4 seed=$5 directory=$6
+
+step() {
+  local log=$1
+  shift
+  "$@" > "$log" 2>&1 || { tail -n 20 "$log" >&2; echo "failed: $1; log in $directory/$log" >&2; exit 1; }
+}
+
+mkdir -p "$directory"
+cd "$directory"
+rm -f report.json "$board.bit"
+
+# A board that is none has no pins.
+if [ ! -f "$project/boards/$board/connections.csv" ]; then
+  step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
+    --lpf "$project/constraints/$board.lpf" --lpf-allow-unconstrained --report report.json \
+    --seed "$seed" --timing-allow-fail
+  exit
+fi
+
+# Pins: what the top entity's ports are connected to, and where these signals lie on the board.
+awk -F, -v OFS= '
+  FNR == 1 { next }
+  FILENAME ~ /pins.csv$/ { pin[$1] = $2; standard[$1] = $3; next }
+  !($2 in pin) { print "no pin for " $2 > "/dev/stderr"; exit 1 }
+  { print "LOCATE COMP \"", $1, "\" SITE \"", pin[$2], "\";"
+    print "IOBUF PORT \"", $1, "\" ", standard[$2], ";" }
+' "$project/boards/$board/pins.csv" "$project/boards/$board/connections.csv" > pins.lpf
+cat pins.lpf "$project/constraints/$board.lpf" > board.lpf
+
+step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
+  --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" --timing-allow-fail
+step ecppack.log ecppack --compress layout.config "$board.bit"
