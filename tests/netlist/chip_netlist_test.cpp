@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ULX3S's netlist boots its firmware out of its block RAM, answers, heats and moves, pin for
+// pin and clock for clock as the model of the chip that was never synthesised.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "tests/netlist/netlist_twin.hpp"
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// boards/ulx3s: the netlist was made for this clock.
+constexpr std::uint32_t clock_hz = 50'000'000;
+constexpr sim::Clock millisecond = clock_hz / 1000;
+
+// Sends the next line when the last one is acknowledged, and stops the simulation when all are.
+class Dialogue : public sim::Device, public devices::ByteListener {
+ public:
+  Dialogue(sim::Simulation& simulation, devices::SerialLine& line, std::vector<std::string> lines)
+      : simulation_(simulation), line_(line), lines_(std::move(lines)) {}
+
+  void byte_received(sim::Clock now, std::uint8_t byte) override {
+    heard += static_cast<char>(byte);
+    if (byte != '\n') return;
+    const std::string_view reply = std::string_view(heard).substr(line_start_);
+    if (reply.starts_with("start") || reply.starts_with("ok")) {
+      if (next_ == lines_.size()) {
+        completed = true;
+        simulation_.stop();
+      } else {
+        line_.send(now, lines_[next_++] + "\n");
+      }
+    }
+    line_start_ = heard.size();
+  }
+
+  std::string heard;
+  bool completed = false;
+
+ private:
+  sim::Simulation& simulation_;
+  devices::SerialLine& line_;
+  std::vector<std::string> lines_;
+  std::size_t next_ = 0, line_start_ = 0;
+};
+
+class StepCounter : public devices::StepListener {
+ public:
+  void stepped(const devices::StepEdge& edge) override { ++steps.at(edge.axis); }
+  std::array<std::size_t, sim::axis_count> steps{};
+};
+
+TEST(ChipNetlist, boots_answers_heats_and_moves_as_the_model_does_in_every_clock) {
+  tests::NetlistTwin chip(clock_hz);
+  sim::load(sim::read_elf(FIRMWARE), chip);
+  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
+  const machine::Description description =
+      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
+  machine::Printer printer(
+      description,
+      {.baud = description.baud, .hotend_start_c = 40.0, .bed_start_c = 30.0, .faults = {}},
+      simulation);
+  StepCounter counter;
+  printer.add_step_listener(counter);
+  Dialogue dialogue(simulation, printer.serial_line(),
+                    {"M115", "M105", "M106 S100", "M104 S60", "G91", "G1 X0.4 Y-0.2 F6000", "M400",
+                     "M114", "M105"});
+  printer.serial_line().set_listener(dialogue);
+
+  ASSERT_NO_THROW(simulation.run_until(200 * millisecond)) << dialogue.heard;
+  EXPECT_TRUE(dialogue.completed) << dialogue.heard;
+  EXPECT_THAT(dialogue.heard, HasSubstr("FIRMWARE_NAME:StepFabric"));
+  EXPECT_THAT(dialogue.heard, Not(HasSubstr("Error")));
+  EXPECT_GT(chip.now(), 1'000'000u);
+  EXPECT_THAT(dialogue.heard, HasSubstr("Count X:32 Y:-16"));
+  EXPECT_EQ(counter.steps[0], 32u);
+  EXPECT_EQ(counter.steps[1], 16u);
+  // The processor did rest, and in the same clocks.
+  EXPECT_GT(chip.processor_statistics().sleeping_clocks, 0u);
+  EXPECT_EQ(chip.netlist_sleeping_clocks(), chip.processor_statistics().sleeping_clocks);
+}
+
+}  // namespace
