@@ -24,7 +24,7 @@ architecture simulation of timer_tb is
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
   signal response : bus_response_t;
-  signal timer_interrupt : std_ulogic;
+  signal timer_interrupt, alarm : std_ulogic;
 
   -- Clocks since reset, counted by the bench.
   signal clocks : natural := 0;
@@ -38,7 +38,7 @@ begin
     port map (
       clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
-      timer_interrupt => timer_interrupt);
+      timer_interrupt => timer_interrupt, alarm => alarm);
 
   count : process
   begin
@@ -50,6 +50,18 @@ begin
   begin
     wait until rising_edge(timer_interrupt);
     clocks_at_interrupt <= clocks;
+  end process;
+
+  -- What leaves out edges of the clock relies on it.
+  watch_alarm : process
+    variable interrupt_before, alarm_before : std_ulogic := '0';
+  begin
+    wait until rising_edge(clk);
+    no_interrupt_begins_without_alarm : assert
+      timer_interrupt = '0' or interrupt_before = '1' or alarm_before = '1'
+      report "the clock before was taken for one that changes nothing" severity error;
+    interrupt_before := timer_interrupt;
+    alarm_before := alarm;
   end process;
 
   check : process
