@@ -11,8 +11,6 @@ entity alu is
   port (
     first : in word_t;
     second : in word_t;
-    -- The same where it is no constant: `equal` and `less` are wanted early in the clock.
-    second_register : in word_t;
     -- In the coding of funct3; 5 gives `second` as it is where `shift` is low.
     operation : in std_ulogic_vector(2 downto 0);
     shift : in std_ulogic;
@@ -30,9 +28,9 @@ end entity;
 architecture rtl of alu is
 
   signal addend, shifted, without_sum, without_shift, logical : word_t;
-  signal first_sign, second_sign, register_sign, is_left, fill : std_ulogic;
+  signal first_sign, second_sign, is_left, fill : std_ulogic;
   signal sum : unsigned(32 downto 0);
-  signal less_than_second : std_ulogic;
+  signal behind_pairs : unsigned(16 downto 0);
   signal equal_pairs : std_ulogic_vector(15 downto 0);
   signal to_shift : unsigned(62 downto 0);
   signal distance : natural range 0 to 31;
@@ -46,15 +44,14 @@ begin
   -- Comparisons have an adder of their own: branches depend on them, and so does the length of a clock.
   first_sign <= first(31) and not compare_unsigned;
   second_sign <= second(31) and not compare_unsigned;
-  less_than_second <= '1' when signed(first_sign & first) < signed(second_sign & second) else '0';
-  register_sign <= second_register(31) and not compare_unsigned;
-  less <= '1' when signed(first_sign & first) < signed(register_sign & second_register) else '0';
+  less <= '1' when signed(first_sign & first) < signed(second_sign & second) else '0';
   compare_pairs : for pair in equal_pairs'range generate
     equal_pairs(pair) <= first(2 * pair + 1 downto 2 * pair) ?=
-                         second_register(2 * pair + 1 downto 2 * pair);
+                         second(2 * pair + 1 downto 2 * pair);
   end generate;
-  equal <= (and equal_pairs(3 downto 0)) and (and equal_pairs(7 downto 4)) and
-           (and equal_pairs(11 downto 8)) and (and equal_pairs(15 downto 12));
+  -- By a chain of carries.
+  behind_pairs <= ('0' & unsigned(equal_pairs)) + 1;
+  equal <= behind_pairs(16);
 
   -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
   is_left <= not operation(2);
@@ -67,7 +64,7 @@ begin
   -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right or `second`, 6 or,
   -- 7 and.
   -- Shifts take longest, then sums.
-  without_sum <= logical when operation(2) else (31 downto 1 => '0') & less_than_second;
+  without_sum <= logical when operation(2) else (31 downto 1 => '0') & less;
   without_shift <= without_sum when operation(2) or operation(1) else
                    std_ulogic_vector(sum(32 downto 1));
   logical <= first and second when operation(1) and operation(0) else

@@ -134,8 +134,10 @@ begin
                  is_upper_or_sp and not is_sp else
                (31 downto 12 => extension) & low;
 
-  decoded.second_is_constant <= not (is_short_operation or is_branch or is_store or
-                                     is_move_or_jump);
+  -- Told by few bits: jumps have no second operand.
+  decoded.second_is_constant <= not instruction(15) or
+                                (quadrant_1 and not instruction(14) and
+                                 (instruction(11) nand instruction(10)));
   decoded.operation <= (is_constant or (is_arithmetic and
                         (not is_short_operation or instruction(6) or instruction(5)))) &
                        (is_short_and or (is_short_operation and instruction(6))) &
@@ -153,6 +155,7 @@ begin
   decoded.branch <= is_branch;
   decoded.jump <= is_jump;
   decoded.jump_register <= is_jump_register;
+  decoded.refetch <= '0';
   decoded.address_result <= '0';
   decoded.multiply <= '0';
   decoded.divide <= '0';

@@ -20,9 +20,8 @@ entity control_status_registers is
     trap : in trap_t;
     -- mret is executed in this clock.
     trap_return : in std_ulogic;
-    -- An instruction is completed in this clock; the last one turns out to have not been.
+    -- An instruction is completed in this clock.
     retire : in std_ulogic;
-    take_back : in std_ulogic;
     timer_interrupt : in std_ulogic;
     external_interrupt : in std_ulogic;
     interrupts : in std_ulogic_vector(15 downto 0);
@@ -46,7 +45,7 @@ architecture rtl of control_status_registers is
   constant writable_interrupts : word_t := x"ffff0880";
 
   signal interrupt_enable, previous_interrupt_enable : std_ulogic;
-  signal enabled_interrupts, next_enabled_interrupts, requested_interrupts : word_t;
+  signal enabled_interrupts, enabled_if_written, requested_interrupts : word_t;
   signal trap_base : unsigned(31 downto 2);
   signal trap_vectored : std_ulogic;
   signal scratch, last_trap_value : word_t;
@@ -61,7 +60,18 @@ architecture rtl of control_status_registers is
   signal trap_state, setup : word_t;
   signal is_counter, is_trap_state, is_setup : std_ulogic;
   signal write, writes_counter : std_ulogic;
-  signal cycle_event, instruction_event, instruction_taken_back : std_ulogic;
+  signal cycle_event, instruction_event : std_ulogic;
+
+  -- What a CSR instruction makes of a register that holds `old`.
+  function written(old, operand : word_t; operation : std_ulogic_vector(1 downto 0)) return word_t is
+  begin
+    if operation = "10" then
+      return old or operand;
+    elsif operation = "11" then
+      return old and not operand;
+    end if;
+    return operand;
+  end function;
 
 begin
 
@@ -108,21 +118,24 @@ begin
                setup when is_setup else
                x"00000000";
 
-  write <= request.enable and request.writes;
-  write_data <= read_data or request.operand when request.operation = "10" else
-                read_data and not request.operand when request.operation = "11" else
-                request.operand;
+  write <= request.enable and request.writes and not request.in_vain;
+  write_data <= written(read_data, request.operand, request.operation);
   writes_counter <= write and (request.address(11 downto 8) ?= x"b");
 
-  -- Interrupts must follow a write of mie at once, so they are chosen by its new value.
-  next_enabled_interrupts <= write_data and writable_interrupts when
-                               write and (request.address ?= x"304") else
-                             enabled_interrupts;
+  -- Interrupts must follow a write of mie at once, so they are chosen by its new value: found without
+  -- the choice of what is read, and whether an interrupt takes its place, since there is no other in
+  -- the clock behind that.
+  enabled_if_written <= written(enabled_interrupts, request.operand, request.operation) and
+                          writable_interrupts when
+                          request.enable and request.writes and (request.address ?= x"304") else
+                        enabled_interrupts;
 
   change : process
   begin
     wait until rising_edge(clk);
-    enabled_interrupts <= next_enabled_interrupts;
+    if not request.in_vain then
+      enabled_interrupts <= enabled_if_written;
+    end if;
     if write then
       case request.address is
         when x"300" =>
@@ -180,29 +193,41 @@ begin
       clk => always_clk,
       reset => reset,
       happens => cycle_event,
-      take_back => '0',
       write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"80"),
       write_data => write_data,
       count => open,
       next_count => next_cycle);
 
-  -- What instructions read: the same in all clocks before which no edge of `clk` was left out. Read from the
-  -- counter itself, all that a CSR instruction does would be evaluated in a model in every clock.
+  -- What instructions read: the same in all clocks before which no edge of `clk` was left out. Read
+  -- from the counter itself, all that a CSR instruction does would be evaluated in a model in every
+  -- clock.
   see_cycle : process
   begin
     wait until rising_edge(clk);
     cycle <= next_cycle;
+    if reset then
+      cycle <= (others => '0');
+    end if;
   end process;
 
-  instruction_event <= retire and not instructions_stopped;
-  instruction_taken_back <= take_back and not instructions_stopped;
+  -- Whether an instruction is completed comes late in the clock: it is counted with the next, and what
+  -- reads the counter then finds it counted.
+  note_instruction : process
+  begin
+    wait until rising_edge(clk);
+    instruction_event <= retire and not instructions_stopped and
+                         not (writes_counter and (request.address(6 downto 0) ?= "0000010"));
+    if reset then
+      instruction_event <= '0';
+    end if;
+  end process;
+
   instruction_counter : entity work.event_counter
     port map (
       clk => clk,
       reset => reset,
       happens => instruction_event,
-      take_back => instruction_taken_back,
       write_low => writes_counter and (request.address(7 downto 0) ?= x"02"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"82"),
       write_data => write_data,
@@ -213,7 +238,7 @@ begin
     port map (
       clk => clk,
       requested => requested_interrupts,
-      enabled => next_enabled_interrupts,
+      enabled => enabled_if_written,
       pending => awake,
       cause => interrupt_cause);
   interrupt_pending <= awake and interrupt_enable;

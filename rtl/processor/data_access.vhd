@@ -22,9 +22,6 @@ entity data_access is
     -- A load or store is executed in this clock.
     enable : in std_ulogic;
     store : in std_ulogic;
-    -- A register, a constant of 12 bits with its sign before it, and the sum of both.
-    base : in unsigned(31 downto 0);
-    offset : in unsigned(31 downto 0);
     address : in unsigned(31 downto 0);
     -- In the coding of funct3.
     size : in std_ulogic_vector(1 downto 0);
@@ -48,22 +45,11 @@ architecture rtl of data_access is
   signal lane_data : word_t;
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
-  signal lower_sum : unsigned(memory_address_bits downto 0);
-  signal carry, lies_at, lies_below, lies_above, in_memory, aligned : std_ulogic;
+  signal in_memory, aligned : std_ulogic;
 
 begin
 
-  -- Whether the sum lies in the memory is known before the sum: the constant and the carry change the
-  -- upper bits of the register by one at most.
-  lower_sum <= ('0' & base(memory_address_bits - 1 downto 0)) +
-               ('0' & offset(memory_address_bits - 1 downto 0));
-  carry <= lower_sum(memory_address_bits);
-  lies_at <= base(31 downto memory_address_bits) ?= memory_number;
-  lies_below <= base(31 downto memory_address_bits) ?= memory_number - 1;
-  lies_above <= base(31 downto memory_address_bits) ?= memory_number + 1;
-  in_memory <= lies_below when carry and not offset(31) else
-               lies_above when offset(31) and not carry else
-               lies_at;
+  in_memory <= address(31 downto memory_address_bits) ?= memory_number;
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;
   to_memory <= in_memory;
@@ -77,8 +63,9 @@ begin
                store_data(7 downto 0) & store_data(7 downto 0) & store_data(7 downto 0) &
                store_data(7 downto 0);
 
-  memory_request.enable <= enable and in_memory and aligned;
-  memory_request.write_bytes <= lanes when store else "0000";
+  -- Whether an access is one of the memory comes late in the clock; reading it in vain does no harm.
+  memory_request.enable <= enable;
+  memory_request.write_bytes <= lanes and (3 downto 0 => store and in_memory and aligned);
   memory_request.address <= address(31 downto 2);
   memory_request.data <= lane_data;
 

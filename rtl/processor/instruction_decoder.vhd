@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Reads an instruction of 16 or 32 bits, as both; its length stands in its lowest two bits.
+-- Reads an instruction of 16 or 32 bits.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,38 +10,53 @@ entity instruction_decoder is
   port (
     -- The bits behind a shorter instruction are of no meaning.
     instruction : in word_t;
-    -- What it is if it is short and if it is long: the choice is left to the next stage, which has the
-    -- time for it.
-    decoded_of_compressed : out decoded_t;
-    decoded_of_word : out decoded_t;
-    immediate_of_compressed : out word_t;
-    immediate_of_word : out word_t;
+    -- It has 32 bits.
+    is_word : in std_ulogic;
+    -- With the register in which jal and jalr of 16 bits put their link, and without writes to x0.
+    decoded : out decoded_t;
+    immediate : out word_t;
     -- The registers that it reads.
-    first : out register_choice_t;
-    second : out register_choice_t
+    first : out register_index_t;
+    second : out register_index_t
   );
 end entity;
 
 architecture rtl of instruction_decoder is
+
+  signal of_word, of_compressed, chosen : decoded_t;
+  signal immediate_of_word, immediate_of_compressed : word_t;
 
 begin
 
   word_decoder : entity work.word_decoder
     port map (
       instruction => instruction,
-      decoded => decoded_of_word,
+      decoded => of_word,
       immediate => immediate_of_word);
 
   compressed_decoder : entity work.compressed_decoder
     port map (
       instruction => instruction(15 downto 0),
-      decoded => decoded_of_compressed,
+      decoded => of_compressed,
       immediate => immediate_of_compressed);
 
   register_selector : entity work.register_selector
     port map (
       instruction => instruction,
+      is_word => is_word,
       first => first,
       second => second);
+
+  chosen <= of_word when is_word else of_compressed;
+  immediate <= immediate_of_word when is_word else immediate_of_compressed;
+
+  link_and_x0 : process (all)
+  begin
+    decoded <= chosen;
+    if chosen.writes_link then
+      decoded.destination <= "00001";
+    end if;
+    decoded.writes <= chosen.writes and (chosen.writes_link or (or chosen.destination));
+  end process;
 
 end architecture;

@@ -10,31 +10,37 @@ use work.processor_pkg.all;
 
 entity instruction_fetch is
   generic (
-    reset_address : unsigned(31 downto 0);
+    -- A multiple of the memory's size.
+    memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
     memory_address_bits : positive
   );
   port (
     clk : in std_ulogic;
-    reset : in std_ulogic;
-    -- A trap or a return from one. It takes one clock more than a jump, which goes to the memory in
-    -- the clock in which it is executed; a redirection wins over a jump in the same clock.
-    redirect : in std_ulogic;
-    -- In the next clock; its address and, where this is not a whole word's, this plus 2.
-    redirect_address : in unsigned(31 downto 0);
-    redirect_address_plus_2 : in unsigned(31 downto 0);
-    -- Comes with `advance`. Its address, of which bit 0 is ignored, and this plus 2.
-    jump : in std_ulogic;
-    jump_address : in unsigned(31 downto 0);
-    jump_address_plus_2 : in unsigned(31 downto 0);
-    -- The instruction shown is taken in this clock.
+    -- Nothing is shown in the next clock.
+    cancel : in std_ulogic;
+    -- Jumps go to the memory in their own clock, which is one with `advance`. First that of execute; its
+    -- address, of which bit 0 is ignored, and this plus 2. The first comes behind a reset.
+    late_jump : in std_ulogic;
+    late_address : in unsigned(31 downto 0);
+    late_address_plus_2 : in unsigned(31 downto 0);
+    -- That of the instruction shown, if there is none in execute.
+    early_jump : in std_ulogic;
+    early_address : in unsigned(31 downto 0);
+    early_address_plus_2 : in unsigned(31 downto 0);
+    -- Where it goes on behind the instruction shown: with `early_jump` where this goes. The address
+    -- shown where no instruction is.
+    following_address : in unsigned(31 downto 0);
+    -- The instruction shown is taken in this clock, or there is none to take.
     advance : in std_ulogic;
     instruction_request : out instruction_request_t;
     instruction_data : in word_t;
-    -- The instruction shown and its address; above a short one there is what follows it.
+    -- An instruction is shown; above a short one there is what follows it.
     valid : out std_ulogic;
-    address : out unsigned(31 downto 0);
     instruction : out word_t;
+    is_word : out std_ulogic;
+    -- Its address; with no instruction shown that of the next to be shown.
+    address : out unsigned(31 downto 0);
     -- It comes from outside the memory; only its second half does.
     fault : out std_ulogic;
     leaves_memory : out std_ulogic
@@ -43,103 +49,85 @@ end entity;
 
 architecture rtl of instruction_fetch is
 
-  signal redirecting, resetting : std_ulogic;
-  signal redirect_target, redirect_target_plus_2 : unsigned(31 downto 0);
-  signal enable, is_word, outside, straddles : std_ulogic;
+  subtype half_word_t is std_ulogic_vector(15 downto 0);
+  -- Of a word in the memory: there is nothing to fetch elsewhere.
+  subtype word_place_t is unsigned(memory_address_bits - 1 downto 2);
+  constant memory_number : unsigned(31 downto memory_address_bits) :=
+    memory_address(31 downto memory_address_bits);
 
-  -- The memory is asked for pairs of half words, each 4 bytes behind the one before, from where the last
-  -- jump went. How long the instruction shown is comes too late in the clock to tell the memory where
-  -- to read on; it only decides which half words begin the next. `kept` is the pair before the one that
-  -- the memory shows.
-  type place_t is (memory_first, kept_second, kept_first);
-  signal place : place_t;
-  signal pair, kept : word_t;
-  signal kept_half : std_ulogic_vector(15 downto 0);
-  signal first_is_kept, first_is_upper, second_is_kept, second_is_upper : std_ulogic;
-  -- Where the pair begins that the memory shows; the next words.
-  signal pair_address : unsigned(31 downto 1);
-  signal word_after, second_word_after : unsigned(31 downto 2);
-  signal other_upper, other_lower : unsigned(31 downto 2);
-  signal upper_address, lower_address : unsigned(31 downto 2);
-  signal other_in_upper_half : std_ulogic;
+  function is_long(half_word : half_word_t) return std_ulogic is
+  begin
+    return half_word(1) and half_word(0);
+  end function;
+
+  signal jumps, keeps_next : std_ulogic;
+
+  -- The memory shows pairs of half words, each 4 bytes behind the one before, from where the last jump
+  -- went: this one's words and half.
+  signal upper, lower : word_place_t;
+  signal is_odd, was_late_jump, late_is_odd, early_is_odd : std_ulogic;
+  signal pair_low, pair_high : half_word_t;
+  -- Of the pair before it, one half word may be kept. Where this is a short instruction, the pair rests.
+  signal keeps, rests : std_ulogic;
+  signal kept : half_word_t;
+  signal next_upper, next_lower, early_upper, early_lower : word_place_t;
+  signal upper_place, lower_place : word_place_t;
+  signal straddles, outside : std_ulogic;
 
 begin
 
-  pair <= instruction_data(15 downto 0) & instruction_data(31 downto 16) when pair_address(1) else
-          instruction_data;
-  -- What the memory brings comes late in the clock: one choice, made early, is all between it and the
-  -- instruction.
-  kept_half <= kept(31 downto 16) when place = kept_second else kept(15 downto 0);
-  first_is_kept <= '0' when place = memory_first else '1';
-  first_is_upper <= pair_address(1);
-  second_is_kept <= '1' when place = kept_first else '0';
-  second_is_upper <= pair_address(1) when place = kept_second else not pair_address(1);
-  instruction(15 downto 0) <= kept_half when first_is_kept else
-                              instruction_data(31 downto 16) when first_is_upper else
-                              instruction_data(15 downto 0);
-  instruction(31 downto 16) <= kept(31 downto 16) when second_is_kept else
-                               instruction_data(31 downto 16) when second_is_upper else
-                               instruction_data(15 downto 0);
-  is_word <= and instruction(1 downto 0);
+  -- What the memory brings comes late in the clock: one choice is all between it and the instruction.
+  is_odd <= late_is_odd when was_late_jump else early_is_odd;
+  pair_low <= instruction_data(31 downto 16) when is_odd else instruction_data(15 downto 0);
+  pair_high <= instruction_data(15 downto 0) when is_odd else instruction_data(31 downto 16);
 
-  -- While a whole pair is kept, the one that the memory shows is read again, so as not to lose it. Of a
-  -- pair that begins in the upper half of a word, the lower half words come from the word after.
-  word_after <= pair_address(31 downto 2) + 1;
-  second_word_after <= pair_address(31 downto 2) + 2;
-  other_upper <= redirect_target(31 downto 2) when redirecting else
-                 pair_address(31 downto 2) when place = kept_first else
-                 word_after;
-  other_lower <= redirect_target_plus_2(31 downto 2) when redirecting else
-                 pair_address(31 downto 2) when place = kept_first and pair_address(1) = '0' else
-                 word_after when place = kept_first or pair_address(1) = '0' else
-                 second_word_after;
-  other_in_upper_half <= redirect_target(1) when redirecting else pair_address(1);
+  rests <= keeps and not is_long(kept);
+  keeps_next <= is_long(kept) when keeps else not is_long(pair_low);
+  next_upper <= upper + unsigned'(0 => not rests);
+  next_lower <= lower + unsigned'(0 => not rests);
 
-  -- A jump comes late in the clock.
-  upper_address <= jump_address(31 downto 2) when jump else other_upper;
-  lower_address <= jump_address_plus_2(31 downto 2) when jump else other_lower;
-  enable <= redirecting or advance;
+  -- A late jump comes late in the clock.
+  early_upper <= early_address(word_place_t'range) when early_jump else next_upper;
+  early_lower <= early_address_plus_2(word_place_t'range) when early_jump else next_lower;
+  upper_place <= late_address(word_place_t'range) when late_jump else early_upper;
+  lower_place <= late_address_plus_2(word_place_t'range) when late_jump else early_lower;
+  jumps <= late_jump or early_jump;
   instruction_request <= (
-    enable => enable,
-    upper_address => upper_address,
-    lower_address => lower_address);
-
-  redirect_target <= reset_address when resetting else redirect_address;
-  redirect_target_plus_2 <= reset_address when resetting else redirect_address_plus_2;
+    enable => advance,
+    upper_address => memory_number & upper_place,
+    lower_address => memory_number & lower_place);
 
   follow : process
   begin
     wait until rising_edge(clk);
-    redirecting <= redirect or reset;
-    resetting <= reset;
-    if enable then
-      pair_address <= jump_address(31 downto 1) when jump else other_upper & other_in_upper_half;
-      if place /= kept_first then
-        kept <= pair;
-      end if;
+    if advance then
+      upper <= upper_place;
+      lower <= lower_place;
+      kept <= pair_high;
+      instruction <= pair_low & kept when keeps else pair_high & pair_low;
+      is_word <= is_long(kept) when keeps else is_long(pair_low);
 
-      if redirecting or jump then
-        address <= other_upper & other_in_upper_half & '0';
-        if jump then
-          address <= jump_address(31 downto 1) & '0';
-        end if;
-        place <= memory_first;
-      elsif is_word then
-        address <= address + 4;
-        if place = kept_first then
-          place <= memory_first;
-        end if;
+      if late_jump then
+        address <= late_address(31 downto 1) & '0';
       else
-        address <= address + 2;
-        place <= kept_first when place = kept_second else kept_second;
+        address <= following_address;
       end if;
+      was_late_jump <= late_jump;
+      late_is_odd <= late_address(1);
+      early_is_odd <= early_address(1) when early_jump else is_odd;
+
+      valid <= not jumps;
+      keeps <= keeps_next and not jumps;
+    end if;
+
+    if cancel then
+      valid <= '0';
     end if;
   end process;
 
-  valid <= not redirecting;
-  outside <= address(31 downto memory_address_bits) ?/=
-             reset_address(31 downto memory_address_bits);
-  straddles <= is_word and (and address(memory_address_bits - 1 downto 1));
+  outside <= address(31 downto memory_address_bits) ?/= memory_number;
+  straddles <= is_word and
+               (and address(memory_address_bits - 1 downto 1));
   fault <= outside or straddles;
   leaves_memory <= straddles and not outside;
 

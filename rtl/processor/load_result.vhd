@@ -9,39 +9,34 @@ use work.processor_pkg.all;
 entity load_result is
   port (
     loaded : in word_t;
-    -- In the coding of funct3: bit 2 unsigned, "00" byte, "01" half word, "10" word.
-    size : in std_ulogic_vector(2 downto 0);
-    -- The lower two bits of the address.
-    byte_index : in std_ulogic_vector(1 downto 0);
+    lanes : in load_lanes_t;
+    -- Zero without lanes.
     result : out word_t
   );
 end entity;
 
 architecture rtl of load_result is
 
-  signal fill_index : std_ulogic_vector(1 downto 0);
-  signal low_byte : std_ulogic_vector(7 downto 0);
-  signal second_byte : std_ulogic_vector(7 downto 0);
-  signal sign, fill : std_ulogic;
+  subtype byte_t is std_ulogic_vector(7 downto 0);
+  signal signs : std_ulogic_vector(3 downto 0);
+
+  function gated(byte : byte_t; gate : std_ulogic) return byte_t is
+  begin
+    return byte and (7 downto 0 => gate);
+  end function;
 
 begin
 
-  low_byte <= loaded(31 downto 24) when byte_index(1) and byte_index(0) else
-              loaded(23 downto 16) when byte_index(1) else
-              loaded(15 downto 8) when byte_index(0) else
-              loaded(7 downto 0);
-  second_byte <= loaded(31 downto 24) when byte_index(1) else loaded(15 downto 8);
-
-  -- Straight from what was loaded, which comes late in the clock: the last bit of the last byte taken.
-  fill_index <= byte_index(1) & (byte_index(0) or size(0));
-  sign <= loaded(31) when fill_index(1) and fill_index(0) else
-          loaded(23) when fill_index(1) else
-          loaded(15) when fill_index(0) else
-          loaded(7);
-  fill <= sign and not size(2);
-
-  result(7 downto 0) <= low_byte;
-  result(15 downto 8) <= second_byte when size(1) or size(0) else (others => fill);
-  result(31 downto 16) <= loaded(31 downto 16) when size(1) else (others => fill);
+  -- Two gates behind each other: the word comes late in the clock.
+  signs <= loaded(31) & loaded(23) & loaded(15) & loaded(7);
+  result(7 downto 0) <= gated(loaded(31 downto 24), lanes.low(3)) or
+                        gated(loaded(23 downto 16), lanes.low(2)) or
+                        gated(loaded(15 downto 8), lanes.low(1)) or
+                        gated(loaded(7 downto 0), lanes.low(0));
+  result(15 downto 8) <= gated(loaded(31 downto 24), lanes.second(1)) or
+                         gated(loaded(15 downto 8), lanes.second(0)) or
+                         (7 downto 0 => (or (signs and lanes.second_sign)));
+  result(31 downto 16) <= (loaded(31 downto 16) and (15 downto 0 => lanes.upper)) or
+                          (15 downto 0 => (or (signs and lanes.upper_sign)));
 
 end architecture;

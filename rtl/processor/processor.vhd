@@ -54,40 +54,35 @@ architecture rtl of processor is
   constant memory_address_bits : positive := integer(ceil(log2(real(memory_size_bytes))));
 
   -- Fetch and decode.
-  signal fetched_valid, fetch_fault, leaves_memory : std_ulogic;
-  signal presented, presented_fault : std_ulogic;
-  signal presented_instruction : word_t;
+  signal fetched_valid, fetch_fault, leaves_memory, redirecting : std_ulogic;
+  signal presented, presented_fault, fetched_is_word, presented_is_word : std_ulogic;
+  signal presented_instruction, fetched_instruction : word_t;
   signal fetched_address : unsigned(31 downto 0);
-  signal fetched_instruction : word_t;
   signal redirect : std_ulogic;
-  signal redirect_address, redirect_address_plus_2 : unsigned(31 downto 0);
-  signal decoded_of_compressed, decoded_of_word : decoded_t;
-  signal first_choice, second_choice : register_choice_t;
-  signal decoded_is_word : std_ulogic;
-  signal decoded_immediate_of_compressed, decoded_immediate_of_word : word_t;
-  signal advance, follow : std_ulogic;
+  signal decoded : decoded_t;
+  signal decoded_immediate : word_t;
+  signal first_index, second_index : register_index_t;
+  signal early_jump : std_ulogic;
+  signal following_address, early_address, early_address_plus_2, decoded_other : unsigned(31 downto 0);
+  signal decoded_turn : late_turn_t;
+  signal advance, follow, next_able : std_ulogic;
 
   -- Execute.
   signal executing : executing_t;
+  signal turn : late_turn_t;
   signal executing_is_word, legal : std_ulogic;
-  signal legal_of_compressed, legal_of_word : std_ulogic_vector(3 downto 0);
-  signal kind, kind_of_compressed, kind_of_word : decoded_t;
-  signal executing_destination : register_index_t;
-  signal takes_constant_of_compressed, takes_constant_of_word : std_ulogic;
-  signal executing_bits, constant_operand : word_t;
-  signal executing_instruction, executing_immediate : word_t;
-  signal executing_immediate_of_compressed, executing_immediate_of_word : word_t;
-  signal executing_address, offset, offset_plus_2 : unsigned(31 downto 0);
-  signal able, waiting, start, stall, complete, take_interrupt : std_ulogic;
+  signal kind : decoded_t;
+  signal executing_bits, executing_instruction, executing_immediate : word_t;
+  signal executing_address, other_address, offset, sum : unsigned(31 downto 0);
+  signal able, waiting, start, complete, take_interrupt : std_ulogic;
   signal interruptible, take_halt, enter_debug : std_ulogic;
-  signal first_value, second_register, second_value, last_written : word_t;
-  signal first_is_result, second_is_result, await_result : std_ulogic;
-  signal alu_result, divider_result, other_result : word_t;
-  signal takes_other_result : std_ulogic;
-  signal equal, less, condition, divider_done : std_ulogic;
+  signal first_value, second_value : word_t;
+  signal awaits, await_result : std_ulogic;
+  signal alu_result, divider_result, early_result, next_result, late_result, executed_result : word_t;
+  signal gives_address : std_ulogic;
+  signal equal, less, divider_done : std_ulogic;
   signal jump : std_ulogic;
   signal jump_target, jump_target_plus_2 : unsigned(31 downto 0);
-  signal target, target_plus_2, register_target, register_target_plus_2 : unsigned(31 downto 0);
   signal data_enable, data_misaligned, data_in_memory : std_ulogic;
   signal bus_active, bus_done, bus_error : std_ulogic;
   signal csr_operand : word_t;
@@ -100,17 +95,15 @@ architecture rtl of processor is
   signal csr_legal : std_ulogic;
   -- Of the instruction executed; that which is taken, and in the clock behind it.
   signal trap, machine_trap, taken_trap : trap_t;
+  signal trapped : std_ulogic;
   signal return_from_trap, returning, resuming, awake, interrupt_pending : std_ulogic;
-  signal writes, retire, take_back : std_ulogic;
+  signal retire : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
   signal trap_target, return_address, return_target : unsigned(31 downto 0);
 
   -- Write back.
-  -- Nothing is written before the first reset, not even to x0.
-  signal writing : writing_t := (
-    destination => "00000", size => "000", byte_index => "00", others => '0');
-  signal writing_instruction, writing_result : word_t;
-  signal product, loaded_word, loaded, written_early, written_value : word_t;
+  signal writing : writing_t;
+  signal writing_instruction, product, written_value, written_late, written_early : word_t;
 
 begin
 
@@ -119,22 +112,24 @@ begin
     to_integer(reset_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
 
   instruction_fetch : entity work.instruction_fetch
-    generic map (reset_address => reset_address, memory_address_bits => memory_address_bits)
+    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits)
     port map (
       clk => clk,
-      reset => reset,
-      redirect => redirect,
-      redirect_address => redirect_address,
-      redirect_address_plus_2 => redirect_address_plus_2,
-      jump => jump,
-      jump_address => jump_target,
-      jump_address_plus_2 => jump_target_plus_2,
+      cancel => redirect or reset,
+      late_jump => jump,
+      late_address => jump_target,
+      late_address_plus_2 => jump_target_plus_2,
+      early_jump => early_jump,
+      early_address => early_address,
+      early_address_plus_2 => early_address_plus_2,
+      following_address => following_address,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
       valid => fetched_valid,
-      address => fetched_address,
       instruction => fetched_instruction,
+      is_word => fetched_is_word,
+      address => fetched_address,
       fault => fetch_fault,
       leaves_memory => leaves_memory);
 
@@ -143,21 +138,34 @@ begin
   presented_fault <= fetch_fault and not debug_request.halted;
   presented_instruction <= debug_request.instruction when debug_request.halted else
                            fetched_instruction;
+  presented_is_word <= fetched_is_word or debug_request.halted;
 
   instruction_decoder : entity work.instruction_decoder
     port map (
       instruction => presented_instruction,
-      decoded_of_compressed => decoded_of_compressed,
-      decoded_of_word => decoded_of_word,
-      immediate_of_compressed => decoded_immediate_of_compressed,
-      immediate_of_word => decoded_immediate_of_word,
-      first => first_choice,
-      second => second_choice);
+      is_word => presented_is_word,
+      decoded => decoded,
+      immediate => decoded_immediate,
+      first => first_index,
+      second => second_index);
 
-  decoded_is_word <= and presented_instruction(1 downto 0);
-  advance <= not stall;
+  early_jumps : entity work.early_jump
+    port map (
+      valid => fetched_valid and not debug_request.halted,
+      address => fetched_address,
+      instruction => presented_instruction,
+      is_word => presented_is_word,
+      decoded => decoded,
+      jump => early_jump,
+      target => early_address,
+      target_plus_2 => early_address_plus_2,
+      following => following_address,
+      other => decoded_other,
+      turn => decoded_turn);
+
   -- What is decoded comes after what is executed.
   follow <= presented and not (jump or trap.enable or return_from_trap);
+  next_able <= follow and not presented_fault and (or decoded.legal);
 
   pass_to_execute : process
   begin
@@ -165,23 +173,33 @@ begin
     if advance then
       executing <= (
         valid => follow,
+        able => next_able,
         fetch_fault => presented_fault,
         leaves_memory => leaves_memory);
-      executing_is_word <= decoded_is_word;
-      kind_of_compressed <= decoded_of_compressed;
-      kind_of_word <= decoded_of_word;
-      legal_of_compressed <= decoded_of_compressed.legal and not (3 downto 0 => decoded_is_word);
-      legal_of_word <= decoded_of_word.legal and (3 downto 0 => decoded_is_word);
-      takes_constant_of_compressed <= not decoded_is_word and decoded_of_compressed.second_is_constant;
-      takes_constant_of_word <= decoded_is_word and decoded_of_word.second_is_constant;
-      executing_immediate_of_compressed <= decoded_immediate_of_compressed;
-      executing_immediate_of_word <= decoded_immediate_of_word;
+      turn <= (
+        always => next_able and decoded_turn.always,
+        if_equal => next_able and decoded_turn.if_equal,
+        if_not_equal => next_able and decoded_turn.if_not_equal,
+        if_less => next_able and decoded_turn.if_less,
+        if_not_less => next_able and decoded_turn.if_not_less);
+      executing_is_word <= presented_is_word;
+      kind <= decoded;
+      legal <= or decoded.legal;
+      gives_address <= decoded.address_result or decoded.jump or decoded.jump_register;
+      executing_immediate <= decoded_immediate;
       executing_address <= fetched_address;
+      other_address <= decoded_other;
       executing_bits <= presented_instruction;
     end if;
 
-    if reset or bus_error then
+    if reset or bus_error or take_interrupt then
       executing.valid <= '0';
+      executing.able <= '0';
+      turn <= no_turn;
+    end if;
+    -- A clock after traps and returns it goes where these lead.
+    if reset or redirect then
+      turn.always <= '1';
     end if;
   end process;
 
@@ -191,61 +209,53 @@ begin
     port map (
       clk => clk,
       read => advance,
-      first_choice => first_choice,
-      second_choice => second_choice,
-      next_writes => executing.valid and writes,
-      next_destination => executing_destination,
-      result => writing_result,
+      is_able => next_able,
+      first_index => first_index,
+      second_index => second_index,
+      reads_first => decoded.reads_first,
+      reads_second => decoded.reads_second,
+      second_is_constant => decoded.second_is_constant,
+      constant_operand => decoded_immediate,
+      next_writes => executing.valid and kind.writes,
+      next_destination => kind.destination,
+      next_is_late => kind.late,
+      next_result => next_result,
       write => writing.writes,
       destination => writing.destination,
       write_data => written_value,
+      write_data_late => written_late,
+      write_data_early => written_early,
       await_result => await_result,
-      last_written => last_written,
+      awaits => awaits,
       first => first_value,
-      first_is_result => first_is_result,
-      second => second_register,
-      second_is_result => second_is_result);
+      second => second_value);
 
-  kind <= kind_of_word when executing_is_word else kind_of_compressed;
-  executing_destination <= "00001" when kind.writes_link else kind.destination;
-  writes <= kind.writes and (kind.writes_link or (or kind.destination));
   executing_instruction(15 downto 0) <= executing_bits(15 downto 0);
   executing_instruction(31 downto 16) <= executing_bits(31 downto 16) and
                                          (31 downto 16 => executing_is_word);
-  executing_immediate <= executing_immediate_of_word when executing_is_word else
-                         executing_immediate_of_compressed;
-  constant_operand <=
-    (executing_immediate_of_word and (31 downto 0 => takes_constant_of_word)) or
-    (executing_immediate_of_compressed and (31 downto 0 => takes_constant_of_compressed));
-  second_value <= constant_operand when takes_constant_of_word or takes_constant_of_compressed else
-                  second_register;
 
   -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
-  legal <= (or legal_of_compressed) or (or legal_of_word);
-  able <= executing.valid and not executing.fetch_fault and legal;
-  await_result <= able and writing.late and not bus_active and
-                  ((kind.reads_first and first_is_result) or
-                   (kind.reads_second and second_is_result));
-  waiting <= bus_active or await_result;
+  able <= executing.able;
+  await_result <= able and awaits and not bus_active;
+  waiting <= bus_active or (able and awaits);
   -- Before which instruction debug mode begins is decided as for an interrupt, but wfi may be it.
-  interruptible <= (executing.valid or fetched_valid) and not bus_active;
+  interruptible <= (executing.valid or not redirecting) and not bus_active;
   take_halt <= debug_request.halt and interruptible;
   take_interrupt <= take_halt or
                     (interrupt_pending and interruptible and
                      not (executing.valid and kind.wait_for_interrupt) and
                      not debug_request.halted and not debug_request.step);
   start <= able and not waiting and not take_interrupt;
-  stall <= bus_active or
-           (able and not take_interrupt and
-            (await_result or (kind.divide and not divider_done) or
-             (kind.wait_for_interrupt and not awake and not debug_request.step)));
-  complete <= executing.valid and not stall and not trap.enable;
+  -- What an interrupt takes the place of leaves execute unfinished.
+  advance <= not (bus_active or
+                  (able and (awaits or (kind.divide and not divider_done) or
+                             (kind.wait_for_interrupt and not awake and not debug_request.step))));
+  complete <= executing.valid and advance and not trap.enable;
 
   arithmetic : entity work.alu
     port map (
       first => first_value,
       second => second_value,
-      second_register => second_register,
       operation => kind.operation,
       shift => kind.shift,
       subtract => kind.subtract,
@@ -256,17 +266,28 @@ begin
       less => less);
 
   offset <= unsigned(executing_immediate);
-  target <= executing_address + offset;
-  -- Both are even: a carry into bit 1 adds 2.
-  target_plus_2 <= ((executing_address(31 downto 1) & '1') + (offset(31 downto 1) & '1')) and
-                   x"fffffffe";
-  register_target <= unsigned(first_value) + offset;
-  offset_plus_2 <= offset + 2;
-  register_target_plus_2 <= unsigned(first_value) + offset_plus_2;
-  condition <= less xor kind.funct3(0) when kind.funct3(2) else equal xor kind.funct3(0);
-  jump <= able and not waiting and (kind.jump or kind.jump_register or (kind.branch and condition));
-  jump_target <= register_target when kind.jump_register else target;
-  jump_target_plus_2 <= register_target_plus_2 when kind.jump_register else target_plus_2;
+  sum <= unsigned(first_value) + offset;
+  late_jumps : entity work.late_jump
+    generic map (reset_address => reset_address)
+    port map (
+      clk => clk,
+      reset => reset,
+      turn => turn,
+      equal => equal,
+      less => less,
+      other => other_address,
+      jump_register => kind.jump_register,
+      base => unsigned(first_value),
+      offset => offset,
+      sum => sum,
+      redirect => redirect,
+      to_handler => not (resuming or returning),
+      handler_address => trap_target,
+      return_address => return_target,
+      jump => jump,
+      target => jump_target,
+      target_plus_2 => jump_target_plus_2,
+      redirecting => redirecting);
 
   multiplication : entity work.multiplier
     port map (
@@ -296,9 +317,7 @@ begin
       reset => reset,
       enable => data_enable,
       store => kind.store,
-      base => unsigned(first_value),
-      offset => offset,
-      address => register_target,
+      address => sum,
       size => kind.funct3(1 downto 0),
       store_data => second_value,
       memory_request => memory_request,
@@ -315,7 +334,8 @@ begin
   -- The upper two bits of an address say that it cannot be written.
   csr_legal <= kind.csr_exists and not (csr_writes and (and executing_bits(31 downto 30)));
   csr_request <= (
-    enable => start and kind.csr and kind.csr_exists,
+    enable => able and not waiting and kind.csr and kind.csr_exists,
+    in_vain => take_interrupt,
     address => executing_bits(31 downto 20),
     operation => kind.funct3(1 downto 0),
     operand => csr_operand,
@@ -330,8 +350,7 @@ begin
       read_data => csr_data,
       trap => taken_trap,
       trap_return => return_from_trap,
-      retire => retire,
-      take_back => take_back,
+      retire => retire and not debug_request.halted,
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
@@ -355,13 +374,10 @@ begin
       interrupt_cause => interrupt_cause,
       next_address => fetched_address,
       csr_legal => csr_legal,
-      data_address => register_target,
+      data_address => sum,
       data_misaligned => data_misaligned,
-      bus_active => bus_active,
       bus_error => bus_error,
       bus_store => bus_request.write,
-      bus_address => bus_request.address,
-      bus_instruction_address => taken_trap.address,
       trap => trap);
 
   -- Into debug mode and within it no trap is taken: what an injected instruction does wrong is only told.
@@ -377,10 +393,8 @@ begin
     value => trap.value);
 
   redirect <= trap.enable or return_from_trap or debug_request.resume;
-  -- In the next clock. Handlers begin with a word.
+  -- In the next clock.
   return_target <= debug_request.resume_address when resuming else return_address;
-  redirect_address <= return_target when resuming or returning else trap_target;
-  redirect_address_plus_2 <= return_target + 2 when resuming or returning else trap_target;
 
   debug_response <= (
     enter => enter_debug,
@@ -396,76 +410,54 @@ begin
     value => written_value);
 
   -- Whether an instruction traps comes late in the clock: nothing more than must hangs on it. The CSRs
-  -- learn of it a clock later, when nothing is executed, and until then it counts as completed.
+  -- learn of it a clock later, when nothing is executed.
   take_trap : process
   begin
     wait until rising_edge(clk);
-    taken_trap <= machine_trap;
+    taken_trap.enable <= machine_trap.enable;
+    taken_trap.interrupt <= machine_trap.interrupt;
+    taken_trap.cause <= machine_trap.cause;
+    if not bus_active then
+      taken_trap.address <= machine_trap.address;
+      taken_trap.value <= machine_trap.value;
+    end if;
     returning <= return_from_trap;
     resuming <= debug_request.resume;
-    take_back <= trap.enable and not take_interrupt and not debug_request.halted;
     if reset then
       taken_trap.enable <= '0';
-      take_back <= '0';
-    end if;
-  end process;
-  retire <= executing.valid and not stall and not take_interrupt and not debug_request.halted;
-
-  -- What the arithmetic unit gives comes last in the clock.
-  other_result <= bus_response.data when bus_active else
-                  last_written when await_result else
-                  divider_result when kind.divide else
-                  csr_data when kind.csr else
-                  std_ulogic_vector(target) when kind.address_result else
-                  std_ulogic_vector(fetched_address);
-  takes_other_result <= bus_active or await_result or kind.divide or kind.csr or
-                        kind.address_result or kind.jump or kind.jump_register;
-
-  pass_to_write_back : process
-    variable on_bus : std_ulogic;
-  begin
-    wait until rising_edge(clk);
-    writing.trapped <= trap.enable and not enter_debug;
-    writing.interrupted <= trap.interrupt;
-    if bus_active then
-      writing.valid <= bus_done;
-      writing.writes <= bus_done and writing.wanted;
-    else
-      on_bus := (kind.load or kind.store) and not data_in_memory;
-      writing.valid <= complete and not on_bus;
-      writing.writes <= complete and writes and not on_bus;
-      writing.wanted <= writes;
-      writing.late <= complete and kind.late;
-      writing.destination <= executing_destination;
-      writing.multiply <= kind.multiply;
-      writing.load <= kind.load;
-      writing.from_memory <= data_in_memory;
-      writing.size <= kind.funct3;
-      writing.byte_index <= std_ulogic_vector(register_target(1 downto 0));
-      writing_instruction <= executing_instruction;
-    end if;
-    writing_result <= other_result when takes_other_result else alu_result;
-
-    if reset then
-      writing.valid <= '0';
-      writing.trapped <= '0';
-      writing.interrupted <= '0';
-      writing.writes <= '0';
     end if;
   end process;
 
-  -- Write back.
-  loaded_word <= memory_data when writing.from_memory else writing_result;
-  load_result : entity work.load_result
+  -- What the next instruction may read: the arithmetic unit's result comes last in the clock. What
+  -- comes late, it reads from write back.
+  early_result <= divider_result when kind.divide else std_ulogic_vector(other_address);
+  next_result <= early_result when kind.divide or gives_address else alu_result;
+  late_result <= bus_response.data when bus_active else csr_data;
+  executed_result <= late_result when bus_active or kind.csr else next_result;
+
+  trapped <= trap.enable and not enter_debug;
+  write_back : entity work.write_back
     port map (
-      loaded => loaded_word,
-      size => writing.size,
-      byte_index => writing.byte_index,
-      result => loaded);
-
-  -- What is loaded comes last.
-  written_early <= product when writing.multiply else writing_result;
-  written_value <= loaded when writing.load else written_early;
+      clk => clk,
+      reset => reset,
+      complete => complete,
+      kind => kind,
+      instruction => executing_instruction,
+      result => executed_result,
+      trapped => trapped,
+      interrupted => trap.interrupt,
+      to_memory => data_in_memory,
+      byte_index => std_ulogic_vector(sum(1 downto 0)),
+      bus_active => bus_active,
+      bus_done => bus_done,
+      product => product,
+      memory_data => memory_data,
+      retire => retire,
+      writing => writing,
+      writing_instruction => writing_instruction,
+      value => written_value,
+      value_late => written_late,
+      value_early => written_early);
 
   asleep <= able and not bus_active and kind.wait_for_interrupt and not awake;
   sleeping <= asleep;

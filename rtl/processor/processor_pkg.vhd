@@ -40,9 +40,11 @@ package processor_pkg is
     load : std_ulogic;
     store : std_ulogic;
     branch : std_ulogic;
-    -- To its own address plus the constant, to a register plus the constant.
+    -- To its own address plus the constant, to a register plus the constant; to the next instruction, which
+    -- is fetched again.
     jump : std_ulogic;
     jump_register : std_ulogic;
+    refetch : std_ulogic;
     -- auipc: its own address plus the constant is the result.
     address_result : std_ulogic;
     multiply : std_ulogic;
@@ -56,28 +58,45 @@ package processor_pkg is
     wait_for_interrupt : std_ulogic;
   end record;
 
-  -- Where a register's number stands: which number it is comes late in the clock, so whatever depends
-  -- on it is found for each place and chosen at the end.
-  type register_choice_t is record
-    -- "00" short, "01" long, "10" implied, "11" of a word.
-    place : std_ulogic_vector(1 downto 0);
-    short : register_index_t;
-    long : register_index_t;
-    implied : register_index_t;
-    of_word : register_index_t;
-  end record;
-
-  function chosen(choice : register_choice_t) return register_index_t;
-  -- `index` is the register chosen.
-  function is_chosen(choice : register_choice_t; index : register_index_t) return std_ulogic;
-
   -- Of the instruction in the execute stage, beside what was decoded.
   type executing_t is record
     valid : std_ulogic;
+    -- It is fetched from within the memory and legal.
+    able : std_ulogic;
     -- Fetched from outside the memory; begun in its last two bytes.
     fetch_fault : std_ulogic;
     leaves_memory : std_ulogic;
   end record;
+
+  -- What has the processor go another way than it went while the instruction in the execute stage was
+  -- decoded. Nothing comes of it before the pipeline advances.
+  type late_turn_t is record
+    always : std_ulogic;
+    -- By its two operands.
+    if_equal : std_ulogic;
+    if_not_equal : std_ulogic;
+    if_less : std_ulogic;
+    if_not_less : std_ulogic;
+  end record;
+
+  constant no_turn : late_turn_t := (others => '0');
+
+  -- Which bits of a loaded word a load takes, one signal for each choice: they wait where the word is
+  -- the last to come. Without any of them the result is zero.
+  type load_lanes_t is record
+    -- The byte that becomes bits 7 to 0; byte 1 or 3 as bits 15 to 8.
+    low : std_ulogic_vector(3 downto 0);
+    second : std_ulogic_vector(1 downto 0);
+    -- The byte whose sign becomes bits 15 to 8, bits 31 to 16.
+    second_sign : std_ulogic_vector(3 downto 0);
+    upper_sign : std_ulogic_vector(3 downto 0);
+    -- The upper half word as it is.
+    upper : std_ulogic;
+  end record;
+
+  -- Of a load with this funct3 from this byte of a word, if it is one.
+  function lanes_of(is_load : std_ulogic; funct3 : std_ulogic_vector(2 downto 0);
+                    byte_index : std_ulogic_vector(1 downto 0)) return load_lanes_t;
 
   -- The completed instruction whose result is written to its register.
   type writing_t is record
@@ -87,22 +106,19 @@ package processor_pkg is
     writes : std_ulogic;
     -- It will write, if the bus does not refuse its access.
     wanted : std_ulogic;
-    -- The result is not in `writing_result` yet.
-    late : std_ulogic;
     destination : register_index_t;
     -- The result, or the data that came over the bus.
     multiply : std_ulogic;
     load : std_ulogic;
-    from_memory : std_ulogic;
-    -- Of a load: funct3 and the place in the word.
-    size : std_ulogic_vector(2 downto 0);
-    byte_index : std_ulogic_vector(1 downto 0);
+    from_memory : load_lanes_t;
+    from_bus : load_lanes_t;
   end record;
 
   -- A CSR instruction in the execute stage.
   type csr_request_t is record
-    -- The instruction is executed in this clock.
+    -- The instruction is executed in this clock; but it is not if an interrupt takes its place.
     enable : std_ulogic;
+    in_vain : std_ulogic;
     address : std_ulogic_vector(11 downto 0);
     -- funct3(1 downto 0): "01" write, "10" set bits, "11" clear bits.
     operation : std_ulogic_vector(1 downto 0);
@@ -134,7 +150,8 @@ package processor_pkg is
     value : word_t;
   end record;
 
-  -- From what debugs the processor (rtl/debug). Idle, as it is where the port is left open, it costs nothing.
+  -- From what debugs the processor (rtl/debug). Idle, as it is where the port is left open, it costs
+  -- nothing.
   type debug_request_t is record
     -- The processor is in debug mode: it executes what is injected, and nothing else.
     halted : std_ulogic;
@@ -193,25 +210,25 @@ end package;
 
 package body processor_pkg is
 
-  function chosen(choice : register_choice_t) return register_index_t is
+  function lanes_of(is_load : std_ulogic; funct3 : std_ulogic_vector(2 downto 0);
+                    byte_index : std_ulogic_vector(1 downto 0)) return load_lanes_t is
+    variable is_byte, is_half, has_sign : std_ulogic;
+    variable of_index, of_half : std_ulogic_vector(3 downto 0);
+    variable lanes : load_lanes_t;
   begin
-    -- One of four: written so, no tool makes of the constants among them a late reset of a register.
-    return (choice.of_word and (4 downto 0 => choice.place(1) and choice.place(0))) or
-           (choice.implied and (4 downto 0 => choice.place(1) and not choice.place(0))) or
-           (choice.long and (4 downto 0 => not choice.place(1) and choice.place(0))) or
-           (choice.short and (4 downto 0 => choice.place(1) nor choice.place(0)));
-  end function;
-
-  function is_chosen(choice : register_choice_t; index : register_index_t) return std_ulogic is
-  begin
-    if choice.place(1) and choice.place(0) then
-      return choice.of_word ?= index;
-    elsif choice.place(1) then
-      return choice.implied ?= index;
-    elsif choice.place(0) then
-      return choice.long ?= index;
-    end if;
-    return choice.short ?= index;
+    is_byte := is_load and not funct3(1) and not funct3(0);
+    is_half := is_load and funct3(0);
+    has_sign := not funct3(2);
+    of_index := (byte_index(1) and byte_index(0)) & (byte_index(1) and not byte_index(0)) &
+                (not byte_index(1) and byte_index(0)) & (byte_index(1) nor byte_index(0));
+    of_half := (3 => byte_index(1), 1 => not byte_index(1), others => '0');
+    lanes.upper := is_load and funct3(1);
+    -- What lies at its size has the lowest byte that its address tells, as a byte has.
+    lanes.low := of_index and (3 downto 0 => is_load);
+    lanes.second := (1 => (is_half and byte_index(1)), 0 => ((is_half and not byte_index(1)) or lanes.upper));
+    lanes.second_sign := of_index and (3 downto 0 => is_byte and has_sign);
+    lanes.upper_sign := lanes.second_sign or (of_half and (3 downto 0 => is_half and has_sign));
+    return lanes;
   end function;
 
 end package body;

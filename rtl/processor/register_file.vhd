@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The 32 registers: in each clock two are asked for and one is written. x0 is never written.
+-- The 32 registers: two are read at any time and one is written with a clock. x0 is never written.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,9 +10,7 @@ use work.processor_pkg.all;
 entity register_file is
   port (
     clk : in std_ulogic;
-    -- Asks for two registers, which show from the next clock on until others are asked for. Who asks in
-    -- the clock of a write gets the old value.
-    read : in std_ulogic;
+    -- In the clock of a write the old value.
     first_index : in register_index_t;
     first : out word_t;
     second_index : in register_index_t;
@@ -25,28 +23,18 @@ end entity;
 
 architecture rtl of register_file is
 
-  -- Two halves, each as deep as an FPGA's distributed memory: which of them is meant is chosen in the
-  -- next clock, since the index comes late in its own.
+  -- Two halves, each as deep as an FPGA's distributed memory.
   type half_t is array (15 downto 0) of word_t;
   -- Initial contents, for x0's sake: with them it needs no gates of its own.
   signal lower, upper : half_t := (others => (others => '0'));
   signal first_lower, first_upper, second_lower, second_upper : word_t;
-  signal first_in_upper, second_in_upper : std_ulogic;
 
 begin
 
-  access_registers : process
+  write_register : process
   begin
     wait until rising_edge(clk);
     x0_is_never_written : assert not (write = '1' and write_index = "00000") severity failure;
-    if read then
-      first_lower <= lower(to_integer(unsigned(first_index(3 downto 0))));
-      first_upper <= upper(to_integer(unsigned(first_index(3 downto 0))));
-      second_lower <= lower(to_integer(unsigned(second_index(3 downto 0))));
-      second_upper <= upper(to_integer(unsigned(second_index(3 downto 0))));
-      first_in_upper <= first_index(4);
-      second_in_upper <= second_index(4);
-    end if;
     if write and not write_index(4) then
       lower(to_integer(unsigned(write_index(3 downto 0)))) <= write_data;
     end if;
@@ -55,7 +43,11 @@ begin
     end if;
   end process;
 
-  first <= first_upper when first_in_upper else first_lower;
-  second <= second_upper when second_in_upper else second_lower;
+  first_lower <= lower(to_integer(unsigned(first_index(3 downto 0))));
+  first_upper <= upper(to_integer(unsigned(first_index(3 downto 0))));
+  second_lower <= lower(to_integer(unsigned(second_index(3 downto 0))));
+  second_upper <= upper(to_integer(unsigned(second_index(3 downto 0))));
+  first <= first_upper when first_index(4) else first_lower;
+  second <= second_upper when second_index(4) else second_lower;
 
 end architecture;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Decides whether the instruction in the execute stage traps, or an access on the bus, and with which cause.
+-- Decides whether the instruction in the execute stage traps, or an
+-- access on the bus, and with which cause.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -30,13 +31,11 @@ entity trap_control is
     -- Of the load or the store.
     data_address : in unsigned(31 downto 0);
     data_misaligned : in std_ulogic;
-    -- The bus is at work for the instruction before, with this address; nothing is ready meanwhile. It
-    -- refuses the access.
-    bus_active : in std_ulogic;
+    -- The bus, at work for the instruction before, refuses its access; nothing is ready meanwhile.
     bus_error : in std_ulogic;
     bus_store : in std_ulogic;
-    bus_address : in unsigned(31 downto 0);
-    bus_instruction_address : in unsigned(31 downto 0);
+    -- For an access that the bus refuses, address and value are those of the clock in which it was
+    -- executed.
     trap : out trap_t
   );
 end entity;
@@ -44,6 +43,7 @@ end entity;
 architecture rtl of trap_control is
 
   signal illegal, misaligned, exception : std_ulogic;
+  signal value_is_address, value_is_instruction, value_is_data_address : std_ulogic;
   signal fetch_address : unsigned(31 downto 0);
 
 begin
@@ -55,9 +55,7 @@ begin
 
   trap.enable <= take_interrupt or bus_error or (executing.valid and ready and exception);
   trap.interrupt <= take_interrupt;
-  trap.address <= bus_instruction_address when bus_active else
-                  address when executing.valid else
-                  next_address;
+  trap.address <= address when executing.valid else next_address;
   trap.cause <= interrupt_cause when take_interrupt else
                 "001" & bus_store & '1' when bus_error else
                 cause_instruction_access when executing.fetch_fault else
@@ -67,12 +65,13 @@ begin
                 "001" & kind.store & '0';
   -- Where an instruction begins within the memory and ends outside, only its end is at fault.
   fetch_address <= memory_end when executing.leaves_memory else address;
-  trap.value <= x"00000000" when take_interrupt else
-                std_ulogic_vector(bus_address) when bus_error else
-                std_ulogic_vector(fetch_address) when executing.fetch_fault else
-                instruction when illegal else
-                x"00000000" when kind.environment_call else
-                std_ulogic_vector(address) when kind.breakpoint else
-                std_ulogic_vector(data_address);
+  -- Zero for interrupts and ecall.
+  value_is_address <= not take_interrupt and (executing.fetch_fault or (kind.breakpoint and not illegal));
+  value_is_instruction <= not take_interrupt and not executing.fetch_fault and illegal;
+  value_is_data_address <= not take_interrupt and not executing.fetch_fault and not illegal and
+                           not kind.environment_call and not kind.breakpoint;
+  trap.value <= (std_ulogic_vector(fetch_address) and (31 downto 0 => value_is_address)) or
+                (instruction and (31 downto 0 => value_is_instruction)) or
+                (std_ulogic_vector(data_address) and (31 downto 0 => value_is_data_address));
 
 end architecture;

@@ -124,9 +124,10 @@ begin
   decoded.writes <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
                     is_upper or is_jump_register or is_jump or is_csr;
   decoded.writes_link <= '0';
-  decoded.late <= is_load or (is_multiply_or_divide and not funct3(2));
+  decoded.late <= is_load or (is_multiply_or_divide and not funct3(2)) or is_csr;
 
-  decoded.second_is_constant <= not (is_operation or is_branch or is_store);
+  -- Of an operation, a branch, a store; and CSR instructions have no second operand.
+  decoded.second_is_constant <= not opcode(3) or opcode(0);
   -- lui has its constant as the result, as it is.
   decoded.operation <= "101" when is_upper else
                        funct3 when is_immediate_operation or is_operation else
@@ -140,7 +141,8 @@ begin
   decoded.load <= is_load;
   decoded.store <= is_store;
   decoded.branch <= is_branch;
-  decoded.jump <= is_jump or (is_fence and funct3(0));
+  decoded.jump <= is_jump;
+  decoded.refetch <= is_fence and funct3(0);
   decoded.jump_register <= is_jump_register;
   decoded.address_result <= is_upper_to_pc;
   decoded.multiply <= is_multiply_or_divide and not funct3(2);

@@ -27,7 +27,6 @@ begin
     port map (
       first => first,
       second => second,
-      second_register => second,
       operation => operation,
       shift => shift,
       subtract => subtract,

@@ -101,7 +101,7 @@ architecture tb of compressed_decoder_tb is
   signal compressed : std_ulogic_vector(15 downto 0) := x"0001";
   signal word : word_t := x"00000013";
   signal decoded, reference : decoded_t;
-  signal first, second, reference_first, reference_second : register_choice_t;
+  signal first, second, reference_first, reference_second : register_index_t;
   signal immediate, reference_immediate : word_t;
 
 begin
@@ -115,9 +115,9 @@ begin
 
   -- And so do the registers that it reads.
   selector : entity work.register_selector
-    port map (instruction => x"ffff" & compressed, first => first, second => second);
+    port map (instruction => x"ffff" & compressed, is_word => '0', first => first, second => second);
   word_selector : entity work.register_selector
-    port map (instruction => word, first => reference_first, second => reference_second);
+    port map (instruction => word, is_word => '1', first => reference_first, second => reference_second);
 
   check : process
     variable legal : natural;
@@ -169,13 +169,13 @@ begin
         if is_constant then
           compare(decoded.reads_first = '0' and decoded.second_is_constant = reference.second_is_constant
                   and (reference.operation = "101" or
-                       (reference.operation = "000" and chosen(reference_first) = "00000")), "constant");
+                       (reference.operation = "000" and reference_first = "00000")), "constant");
         end if;
-        compare(decoded.jump = '1' or is_constant or chosen(first) = chosen(reference_first), "rs1");
+        compare(decoded.jump = '1' or is_constant or first = reference_first, "rs1");
         if decoded.second_is_constant = '0' and not (decoded.jump or decoded.jump_register or
                                                      decoded.load) = '1' then
           compare(decoded.reads_second = '1' and
-                  chosen(second) = chosen(reference_second), "rs2");
+                  second = reference_second, "rs2");
         end if;
         if (decoded.load or decoded.store or decoded.branch or decoded.jump or
             decoded.jump_register or decoded.second_is_constant) = '1' then

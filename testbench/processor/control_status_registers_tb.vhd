@@ -15,12 +15,13 @@ architecture tb of control_status_registers_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : csr_request_t := (
-    enable => '0', address => x"000", operation => "01", operand => (others => '0'), writes => '0');
+    enable => '0', in_vain => '0', address => x"000", operation => "01", operand => (others => '0'),
+    writes => '0');
   signal read_data : word_t;
   signal trap : trap_t := (
     enable => '0', interrupt => '0', cause => "00000", address => (others => '0'),
     value => (others => '0'));
-  signal trap_return, retire, take_back, timer_interrupt, external_interrupt : std_ulogic := '0';
+  signal trap_return, retire, timer_interrupt, external_interrupt : std_ulogic := '0';
   signal interrupts : std_ulogic_vector(15 downto 0) := (others => '0');
   signal awake, interrupt_pending : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
@@ -40,7 +41,6 @@ begin
       trap => trap,
       trap_return => trap_return,
       retire => retire,
-      take_back => take_back,
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
@@ -61,8 +61,8 @@ begin
                          operation : std_ulogic_vector(1 downto 0);
                          operand : word_t; writes : std_ulogic) is
     begin
-      request <= (enable => '1', address => address, operation => operation, operand => operand,
-                  writes => writes);
+      request <= (enable => '1', in_vain => '0', address => address, operation => operation,
+                  operand => operand, writes => writes);
       wait for 1 ns;
     end procedure;
 
@@ -149,17 +149,24 @@ begin
     clock;
     retire <= '0';
     expect(x"b00", x"00000007");
-    take_back <= '1';
-    clock;
-    take_back <= '0';
     expect(x"b02", x"00000002");
     write(x"320", x"00000000");
-    take_back <= '1';
+    retire <= '1';
     clock;
-    take_back <= '0';
-    expect(x"b02", x"00000001");
+    expect(x"b02", x"00000003");
+    expect(x"b02", x"00000004");
+    write(x"b02", x"00000040");
+    expect(x"b02", x"00000040");
     write(x"b82", x"00000009");
+    retire <= '0';
+    expect(x"b02", x"00000041");
     expect(x"c82", x"00000009");
+    -- Not that of an instruction whose place an interrupt takes.
+    request <= (enable => '1', in_vain => '1', address => x"304", operation => "01", operand => x"00000080",
+                writes => '1');
+    clock;
+    request.enable <= '0';
+    expect(x"304", x"00100000");
     std.env.finish;
   end process;
 

@@ -14,9 +14,9 @@ architecture tb of event_counter_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal happens, take_back, write_low, write_high : std_ulogic := '0';
+  signal happens, write_low, write_high : std_ulogic := '0';
   signal write_data : word_t := (others => '0');
-  signal count : unsigned(63 downto 0);
+  signal count, next_count : unsigned(63 downto 0);
 
 begin
 
@@ -27,11 +27,11 @@ begin
       clk => clk,
       reset => reset,
       happens => happens,
-      take_back => take_back,
       write_low => write_low,
       write_high => write_high,
       write_data => write_data,
-      count => count);
+      count => count,
+      next_count => next_count);
 
   check : process
     procedure clock is
@@ -45,30 +45,36 @@ begin
     assert count = 0 severity failure;
     happens <= '1';
     for index in 1 to 5 loop
+      wait for 1 ns;
+      assert count = index and next_count = index report "with the event of this clock" severity failure;
       clock;
     end loop;
+    happens <= '0';
+    wait for 1 ns;
     assert count = 5 severity failure;
+    happens <= '1';
     write_low <= '1';
-    write_data <= x"ffffffff";
+    write_data <= x"fffffffe";
+    wait for 1 ns;
+    assert count = 6 and next_count = x"00000000fffffffe" severity failure;
     clock;
     write_low <= '0';
-    assert count = x"00000000ffffffff" severity failure;
     clock;
-    assert count = x"0000000100000000" severity failure;
+    wait for 1 ns;
+    assert count = x"0000000100000000" report "over the edge of the halves" severity failure;
+    clock;
     write_high <= '1';
     write_data <= x"00000007";
     clock;
     write_high <= '0';
-    assert count = x"0000000700000000" severity failure;
     happens <= '0';
+    wait for 1 ns;
+    assert count = x"0000000700000001" report "the half that is not written counts" severity failure;
     clock;
-    assert count = x"0000000700000000" severity failure;
-    take_back <= '1';
+    assert count = x"0000000700000001" severity failure;
+    reset <= '1';
     clock;
-    take_back <= '0';
-    assert count = x"00000006ffffffff" severity failure;
-    clock;
-    assert count = x"00000006ffffffff" severity failure;
+    assert count = 0 severity failure;
     std.env.finish;
   end process;
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Instructions of both lengths are fetched one after the other at any half word, from jumps at once,
--- from redirections a clock later.
+-- Instructions of both lengths are shown one after the other, from any half word on, a clock after what the
+-- memory brings; jumps of the instruction shown and of the one before go where they should.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,11 +15,8 @@ end entity;
 architecture tb of instruction_fetch_tb is
 
   signal clk : std_ulogic := '0';
-  signal reset : std_ulogic := '1';
-  signal redirect, jump, advance, valid, fault, leaves_memory : std_ulogic := '0';
-  signal redirect_address, target, address : unsigned(31 downto 0) :=
-    (others => '0');
-  signal target_plus_2 : unsigned(31 downto 0);
+  signal cancel, late_jump, early_jump, advance, valid, is_word, fault, leaves_memory : std_ulogic := '0';
+  signal target, target_plus_2, following_address, address : unsigned(31 downto 0) := (others => '0');
   signal instruction_request : instruction_request_t;
   signal instruction_data : word_t := (others => '0');
   signal instruction : word_t;
@@ -39,23 +36,30 @@ begin
   clk <= not clk after 5 ns;
   target_plus_2 <= target + 2;
 
+  following_address <= target when early_jump else
+                       address when not valid else
+                       address + 4 when is_word else
+                       address + 2;
+
   uut : entity work.instruction_fetch
-    generic map (reset_address => x"80000000", memory_address_bits => 16)
+    generic map (memory_address => x"80000000", memory_address_bits => 16)
     port map (
       clk => clk,
-      reset => reset,
-      redirect => redirect,
-      redirect_address => redirect_address,
-      redirect_address_plus_2 => redirect_address + 2,
-      jump => jump,
-      jump_address => target,
-      jump_address_plus_2 => target_plus_2,
+      cancel => cancel,
+      late_jump => late_jump,
+      late_address => target,
+      late_address_plus_2 => target_plus_2,
+      early_jump => early_jump,
+      early_address => target,
+      early_address_plus_2 => target_plus_2,
+      following_address => following_address,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
       valid => valid,
-      address => address,
       instruction => instruction,
+      is_word => is_word,
+      address => address,
       fault => fault,
       leaves_memory => leaves_memory);
 
@@ -85,52 +89,60 @@ begin
       wait for 1 ns;
     end procedure;
 
-    impure function is_short return boolean is
-    begin
-      return instruction(1 downto 0) /= "11";
-    end function;
-
     procedure expect(wanted : unsigned(31 downto 0)) is
     begin
       assert valid = '1' and address = wanted
         report "shows " & to_hstring(address) & " and not " & to_hstring(wanted) severity failure;
       assert unsigned(instruction(15 downto 2)) = wanted(14 downto 1)
         report "what lies there" severity failure;
-      assert is_short = begins_short(wanted(31 downto 1)) severity failure;
-      assert is_short or unsigned(instruction(31 downto 18)) = wanted(14 downto 1) + 1
+      assert (is_word = '0') = begins_short(wanted(31 downto 1)) and
+        is_word = (and instruction(1 downto 0))
+        report "the length at " & to_hstring(wanted) & " " & to_hstring(instruction) severity failure;
+      assert is_word = '0' or unsigned(instruction(31 downto 18)) = wanted(14 downto 1) + 1
         report "the second half" severity failure;
+    end procedure;
+
+    -- To a place, with whatever is shown going on; it is shown in the clock after the next.
+    procedure jump_to(wanted : unsigned(31 downto 0); late : boolean) is
+    begin
+      target <= wanted;
+      late_jump <= '1' when late else '0';
+      early_jump <= '0' when late else '1';
+      advance <= '1';
+      clock;
+      late_jump <= '0';
+      early_jump <= '0';
+      -- What comes then is no instruction, but its address is told already.
+      target <= x"80000abc";
+      wait for 1 ns;
+      assert valid = '0' and address = wanted(31 downto 1) & '0' severity failure;
+      clock;
     end procedure;
 
     variable place : unsigned(31 downto 0);
   begin
+    -- A reset is a late jump that cancels what was.
+    cancel <= '1';
+    target <= x"80000000";
+    late_jump <= '1';
+    advance <= '1';
     clock;
-    reset <= '0';
+    cancel <= '0';
+    clock;
+    late_jump <= '0';
     wait for 1 ns;
     assert valid = '0' severity failure;
     clock;
     expect(x"80000000");
     assert fault = '0' severity failure;
+    advance <= '0';
+    wait for 1 ns;
     assert instruction_request.enable = '0' report "nobody has taken it" severity failure;
 
-    advance <= '1';
-    place := x"80000000";
-    for count in 1 to 100 loop
-      place := place + 2 when is_short else place + 4;
-      clock;
-      expect(place);
-    end loop;
-    advance <= '0';
-    clock;
-    expect(place);
-
     -- From each place within a word on, with stops.
-    for half_words in 0 to 5 loop
-      place := x"80001000" + 2 * half_words;
-      target <= place;
-      jump <= '1';
-      advance <= '1';
-      clock;
-      jump <= '0';
+    for half_words in 0 to 11 loop
+      place := x"80001000" + 2 * (half_words / 2);
+      jump_to(place, half_words mod 2 = 0);
       for count in 1 to 300 loop
         expect(place);
         for stops in 1 to (count * count) mod 7 - 4 loop
@@ -139,56 +151,54 @@ begin
           expect(place);
         end loop;
         advance <= '1';
-        place := place + 2 when is_short else place + 4;
+        place := place + 2 when is_word = '0' else place + 4;
         clock;
       end loop;
     end loop;
 
-    -- Jumps, of which bit 0 is ignored, behind what was not taken and what was.
-    for half_words in 0 to 7 loop
-      target <= x"80000101" + 2 * half_words;
-      jump <= '1';
-      advance <= '1';
-      clock;
-      jump <= '0';
-      expect(x"80000100" + 2 * half_words);
-      advance <= '0' when half_words mod 2 = 0 else '1';
-      clock;
+    -- Jumps soon after another, behind 0 to 3 instructions; of the address of a late one bit 0 is
+    -- ignored.
+    for half_words in 0 to 15 loop
+      place := x"80000101" + 2 * half_words when half_words mod 3 /= 0 else x"80000100" + 2 * half_words;
+      jump_to(place, half_words mod 3 /= 0);
+      place(0) := '0';
+      for count in 1 to half_words mod 4 loop
+        expect(place);
+        place := place + 2 when is_word = '0' else place + 4;
+        clock;
+      end loop;
+      expect(place);
     end loop;
 
-    -- Redirections, also while nothing is taken and in the clock of a jump.
-    for half_words in 0 to 7 loop
-      redirect <= '1';
-      jump <= '0' when half_words mod 2 = 0 else '1';
-      advance <= jump'driving_value;
+    -- Nothing is shown once it is cancelled, whether it was taken or not.
+    for taken in 0 to 1 loop
+      jump_to(x"80000300", true);
+      expect(x"80000300");
+      cancel <= '1';
+      advance <= '1' when taken = 1 else '0';
       clock;
-      redirect <= '0';
-      jump <= '0';
-      redirect_address <= x"80000302" + 2 * half_words;
+      cancel <= '0';
       assert valid = '0' severity failure;
-      clock;
-      advance <= '0';
-      redirect_address <= x"80000000";
-      expect(x"80000302" + 2 * half_words);
+      jump_to(x"80000402", true);
+      expect(x"80000402");
     end loop;
-    advance <= '1';
 
     -- The end of the memory: a short instruction fits, a long one does not.
-    jump <= '1';
-    target <= x"80010000";
-    clock;
+    jump_to(x"80010000", false);
     assert fault = '1' and leaves_memory = '0' severity failure;
-    target <= x"7ffffffe";
-    clock;
+    jump_to(x"7ffffffe", true);
     assert fault = '1' and leaves_memory = '0' severity failure;
-    target <= x"8000fffc";
-    clock;
+    jump_to(x"8000fffc", true);
     assert fault = '0' severity failure;
+    assert begins_short(31x"40007ffe") = false and begins_short(31x"40007fff") = true severity failure;
+    jump_to(x"8000fffe", false);
+    assert is_word = '0' and fault = '0' and leaves_memory = '0' severity failure;
     target <= x"8000fffe";
+    late_jump <= '1';
     clock;
-    assert is_short and fault = '0' and leaves_memory = '0' severity failure;
+    late_jump <= '0';
     instruction_data <= force x"00030000";
-    wait for 1 ns;
+    clock;
     assert fault = '1' and leaves_memory = '1' severity failure;
     std.env.finish;
   end process;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Bytes and half words come out of each place, with their sign or with zeros.
+-- Bytes and half words come out of each place, with their sign or with zeros; nothing if it is no load.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,19 +13,20 @@ end entity;
 architecture tb of load_result_tb is
 
   signal loaded, result : word_t := x"8172f304";
-  signal size : std_ulogic_vector(2 downto 0) := "000";
-  signal byte_index : std_ulogic_vector(1 downto 0) := "00";
+  signal lanes : load_lanes_t := lanes_of('0', "000", "00");
 
 begin
 
   uut : entity work.load_result
-    port map (loaded => loaded, size => size, byte_index => byte_index, result => result);
+    port map (loaded => loaded, lanes => lanes, result => result);
 
   check : process
     procedure expect(code : std_ulogic_vector(2 downto 0); place : natural; wanted : word_t) is
     begin
-      size <= code;
-      byte_index <= std_ulogic_vector(to_unsigned(place, 2));
+      lanes <= lanes_of('0', code, std_ulogic_vector(to_unsigned(place, 2)));
+      wait for 1 ns;
+      assert result = x"00000000" severity failure;
+      lanes <= lanes_of('1', code, std_ulogic_vector(to_unsigned(place, 2)));
       wait for 1 ns;
       assert result = wanted report to_string(code) & " at " & integer'image(place) & " gives " &
         to_hstring(result) severity failure;

@@ -39,11 +39,8 @@ begin
       csr_legal => csr_legal,
       data_address => x"80000303",
       data_misaligned => data_misaligned,
-      bus_active => bus_error,
       bus_error => bus_error,
       bus_store => bus_store,
-      bus_address => x"f0000404",
-      bus_instruction_address => x"800000fc",
       trap => trap);
 
   check : process
@@ -56,6 +53,14 @@ begin
         trap.address = address
         report "cause " & integer'image(to_integer(unsigned(trap.cause))) & ", value " &
           to_hstring(trap.value) severity failure;
+    end procedure;
+
+    -- Whose address and value were told before.
+    procedure expect_cause(cause : natural) is
+    begin
+      wait for 1 ns;
+      assert trap.enable = '1' and trap.interrupt = '0' and to_integer(unsigned(trap.cause)) = cause
+        severity failure;
     end procedure;
 
     procedure expect_none is
@@ -74,14 +79,17 @@ begin
     kind.store <= '1';
     expect(6, x"80000303");
     data_misaligned <= '0';
+    -- For the bus, should it refuse the access.
+    wait for 1 ns;
+    assert trap.enable = '0' and trap.value = x"80000303" and trap.address = x"80000100" severity failure;
     kind.store <= '0';
     -- The access of the instruction before is refused, while this one waits.
     ready <= '0';
     bus_error <= '1';
     bus_store <= '1';
-    expect(7, x"f0000404", x"800000fc");
+    expect_cause(7);
     bus_store <= '0';
-    expect(5, x"f0000404", x"800000fc");
+    expect_cause(5);
     bus_error <= '0';
     expect_none;
     ready <= '1';

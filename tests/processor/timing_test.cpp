@@ -68,15 +68,17 @@ const std::vector<Kind> kinds{
     {"store to memory", encode::store(2, 4, data_base, 4)},
     {"load from a peripheral", encode::load(2, late_result, bus_base, 4), true},
     {"store to a peripheral", encode::store(2, 4, bus_base, 8)},
-    {"branch, not taken", encode::branch(1, 0, 0, 4)},
-    {"branch, not taken", encode::branch(4, 4, 4, 4)},
-    {"branch, taken", encode::branch(0, 0, 0, 4)},
-    {"branch, taken", encode::branch(7, 4, 4, 4)},
+    {"branch forward, not taken", encode::branch(1, 0, 0, 4)},
+    {"branch forward, not taken", encode::branch(4, 4, 4, 4)},
+    {"branch backwards, not taken", encode::branch(1, 0, 0, -4)},
+    {"branch backwards, not taken", encode::branch(4, 4, 4, -8)},
+    {"branch forward, taken", encode::branch(0, 0, 0, 4)},
+    {"branch forward, taken", encode::branch(7, 4, 4, 4)},
     {"jump", encode::jump_and_link(1, 4)},
     {"fence.i", encode::fence_i()},
-    {"CSR instruction", encode::csr(1, late_result, 0x340, 4)},
-    {"CSR instruction", encode::csr(6, late_result, 0x300, 0)},
-    {"jump", encode::jump_and_link_register(1, place_address, 0), false, true},
+    {"CSR instruction", encode::csr(1, late_result, 0x340, 4), true},
+    {"CSR instruction", encode::csr(6, late_result, 0x300, 0), true},
+    {"jump to a register", encode::jump_and_link_register(1, place_address, 0), false, true},
     {"mret", encode::trap_return(), false, true},
     {"exception", encode::environment_call(), false, true},
     {"exception", 0x7F, false, true},
@@ -95,12 +97,13 @@ const std::vector<Kind> kinds{
     {"load from memory", compressed::load_from_sp(late_result, 8), true},
     {"store to memory", compressed::store(9, short_data_base, 4)},
     {"store to memory", compressed::store_to_sp(3, 8)},
-    {"branch, not taken", compressed::branch(false, short_data_base, 2)},
-    {"branch, taken", compressed::branch(true, short_data_base, 2)},
+    {"branch forward, not taken", compressed::branch(false, short_data_base, 2)},
+    {"branch backwards, not taken", compressed::branch(false, short_data_base, -2)},
+    {"branch forward, taken", compressed::branch(true, short_data_base, 2)},
     {"jump", compressed::jump(2)},
     {"jump", compressed::jump_and_link(2)},
-    {"jump", compressed::jump_register(place_address), false, true},
-    {"jump", compressed::jump_and_link_register(place_address), false, true},
+    {"jump to a register", compressed::jump_register(place_address), false, true},
+    {"jump to a register", compressed::jump_and_link_register(place_address), false, true},
     {"exception", compressed::breakpoint(), false, true},
     {"exception", 0x8002, false, true},
 };
@@ -193,6 +196,21 @@ TEST(Timing, an_instruction_behind_another_takes_its_own_clocks) {
           << first.row << ", " << second.row << std::hex << " " << first.word << " " << second.word;
     }
   }
+}
+
+TEST(Timing, a_branch_backwards_takes_its_clocks_where_it_is_taken) {
+  const auto table = read_table();
+  const unsigned wanted = 2 * table.at("jump") + table.at("branch backwards, taken");
+  // Over a jump to the end, then back to it.
+  EXPECT_EQ(measure({encode::jump_and_link(0, 8), encode::jump_and_link(0, 8),
+                     encode::branch(0, 0, 0, -4)}),
+            wanted);
+  EXPECT_EQ(measure({encode::jump_and_link(0, 8), encode::jump_and_link(0, 8),
+                     encode::branch(5, 3, 4, -4)}),
+            wanted);
+  EXPECT_EQ(measure({encode::jump_and_link(0, 8), encode::jump_and_link(0, 6),
+                     compressed::branch(true, short_data_base, -4)}),
+            wanted);
 }
 
 TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {

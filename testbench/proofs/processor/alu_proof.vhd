@@ -12,7 +12,6 @@ entity alu_proof is
     clk : in std_ulogic;
     first : in value_t;
     second : in value_t;
-    second_register : in value_t;
     operation : in std_ulogic_vector(2 downto 0);
     shifts : in std_ulogic;
     subtract : in std_ulogic;
@@ -40,7 +39,6 @@ begin
     port map (
       first => first,
       second => second,
-      second_register => second_register,
       operation => operation,
       shift => shifts,
       subtract => subtract,
@@ -64,10 +62,10 @@ begin
     ((operation(2) = '1' and operation(1 downto 0) /= "01") -> result = logic(word, first, second));
   the_second_operand_passes_as_it_is : assert always
     ((shifts = '0' and operation = "101") -> result = second);
-  equal_registers_are_equal : assert always ((equal = '1') = (first = second_register));
+  equal_registers_are_equal : assert always ((equal = '1') = (first = second));
   less_is_less_with_the_sign : assert always
-    (not compare_unsigned -> (less = '1') = (signed(first) < signed(second_register)));
+    (not compare_unsigned -> (less = '1') = (signed(first) < signed(second)));
   less_is_less_without_a_sign : assert always
-    (compare_unsigned -> (less = '1') = (unsigned(first) < unsigned(second_register)));
+    (compare_unsigned -> (less = '1') = (unsigned(first) < unsigned(second)));
 
 end architecture;

@@ -16,8 +16,7 @@ entity data_access_proof is
     reset : in std_ulogic;
     enable : in std_ulogic;
     store : in std_ulogic;
-    base : in unsigned(31 downto 0);
-    constant_bits : in std_ulogic_vector(11 downto 0);
+    address : in unsigned(31 downto 0);
     size : in std_ulogic_vector(1 downto 0);
     store_data : in value_t;
     -- What stood in memory before.
@@ -29,7 +28,6 @@ end entity;
 architecture proof of data_access_proof is
 
   signal word : value_t;
-  signal offset, address : unsigned(31 downto 0);
   signal memory_request : memory_request_t;
   signal bus_request : bus_request_t;
   signal misaligned, to_memory, bus_active, done, error : std_ulogic;
@@ -47,8 +45,6 @@ architecture proof of data_access_proof is
 begin
 
   word <= 17x"0" & '0' & size & "00000" & "0100011";
-  offset <= unsigned(resize(signed(constant_bits), 32));
-  address <= base + offset;
   is_in_memory <= '1' when address(31 downto 16) = x"8000" else '0';
   is_aligned <= '0' when is_misaligned(word, address) else '1';
   new_data <= stored(word, old_data, store_data, address);
@@ -62,8 +58,6 @@ begin
       reset => reset,
       enable => enable,
       store => store,
-      base => base,
-      offset => offset,
       address => address,
       size => size,
       store_data => store_data,
@@ -115,12 +109,15 @@ begin
 
   misaligned_is_what_the_instruction_set_says : assert always (misaligned = not is_aligned);
   the_memory_is_where_it_is : assert always (to_memory = is_in_memory);
-  only_what_is_aligned_and_its_own_reaches_the_memory : assert always
-    (memory_request.enable = (enable and is_aligned and is_in_memory));
+  what_is_its_own_reaches_the_memory : assert always
+    ((enable and is_aligned and is_in_memory) -> memory_request.enable);
+  only_what_is_aligned_and_its_own_is_written : assert always
+    ((memory_request.enable = '1' and memory_request.write_bytes /= "0000") ->
+     (enable and is_aligned and is_in_memory));
   the_memory_is_asked_at_the_address : assert always (memory_request.address = address(31 downto 2));
   loads_write_nothing : assert always (not store -> memory_request.write_bytes = "0000");
   stores_write_their_bytes_only : assert always
-    ((memory_request.enable and store) -> memory_data = new_data);
+    ((enable and is_aligned and is_in_memory and store) -> memory_data = new_data);
 
   the_bus_is_asked_until_it_answers : assert always
     (started -> (bus_request.strobe = busy and bus_active = busy));

@@ -23,9 +23,8 @@ end entity;
 
 architecture proof of instruction_decoder_proof is
 
-  signal decoded_of_compressed, decoded_of_word, decoded : decoded_t;
-  signal immediate_of_compressed, immediate_of_word, immediate : value_t;
-  signal first_choice, second_choice : register_choice_t;
+  signal decoded : decoded_t;
+  signal immediate : value_t;
   signal is_long, legal : std_ulogic;
   -- Of the specification.
   signal word : value_t;
@@ -45,26 +44,19 @@ begin
   instruction_decoder : entity work.instruction_decoder
     port map (
       instruction => instruction,
-      decoded_of_compressed => decoded_of_compressed,
-      decoded_of_word => decoded_of_word,
-      immediate_of_compressed => immediate_of_compressed,
-      immediate_of_word => immediate_of_word,
-      first => first_choice,
-      second => second_choice);
+      is_word => is_long,
+      decoded => decoded,
+      immediate => immediate,
+      first => is_first,
+      second => is_second);
 
   is_long <= and instruction(1 downto 0);
-  decoded <= decoded_of_word when is_long else decoded_of_compressed;
-  immediate <= immediate_of_word when is_long else immediate_of_compressed;
   legal <= or decoded.legal;
-  destination <= "00000" when not decoded.writes else
-                 "00001" when decoded.writes_link else
-                 decoded.destination;
+  destination <= decoded.destination when decoded.writes else "00000";
 
   word <= instruction when is_long = '1' else expanded(instruction(15 downto 0));
   kind <= kind_of(word);
   meant <= kind /= illegal;
-  is_first <= chosen(first_choice);
-  is_second <= chosen(second_choice);
   written <= destination_of(word);
 
   choose_constant : process (all)
@@ -90,7 +82,6 @@ begin
     port map (
       first => first,
       second => second,
-      second_register => second_register,
       operation => decoded.operation,
       shift => decoded.shift,
       subtract => decoded.subtract,
@@ -110,7 +101,9 @@ begin
   stores_are_stores : assert always (legal -> (decoded.store = '1') = (kind = store));
   branches_are_branches : assert always (legal -> (decoded.branch = '1') = (kind = branch));
   jumps_are_jumps : assert always
-    (legal -> (decoded.jump = '1') = (kind = jump or kind = fence_instruction));
+    (legal -> (decoded.jump = '1') = (kind = jump));
+  fence_i_fetches_again : assert always
+    (legal -> (decoded.refetch = '1') = (kind = fence_instruction));
   jumps_to_registers_are_such : assert always
     (legal -> (decoded.jump_register = '1') = (kind = jump_register));
   sums_with_the_address_are_such : assert always
@@ -144,7 +137,8 @@ begin
     ((reads_second(word) and meant and word(24 downto 20) /= "00000") -> decoded.reads_second);
   the_destination_is_found : assert always (legal -> destination = written);
   late_results_are_late : assert always
-    ((legal and decoded.writes) -> (decoded.late = '1') = (kind = load or kind = multiplication));
+    ((legal and decoded.writes) ->
+     (decoded.late = '1') = (kind = load or kind = multiplication or kind = csr));
   constants_are_right : assert always (has_constant -> immediate = expected_constant);
 
   upper_constants_pass : assert always

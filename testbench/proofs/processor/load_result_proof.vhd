@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.instruction_set_pkg.all;
+use work.processor_pkg.all;
 
 entity load_result_proof is
   port (
@@ -20,7 +21,7 @@ architecture proof of load_result_proof is
 
   signal word : value_t;
   signal address : unsigned(31 downto 0);
-  signal result : value_t;
+  signal result, nothing : value_t;
 
   default clock is rising_edge(clk);
 
@@ -30,7 +31,10 @@ begin
   address <= 30x"0" & unsigned(byte_index);
 
   load_result : entity work.load_result
-    port map (loaded => memory, size => size, byte_index => byte_index, result => result);
+    port map (loaded => memory, lanes => lanes_of('1', size, byte_index), result => result);
+
+  no_load : entity work.load_result
+    port map (loaded => memory, lanes => lanes_of('0', size, byte_index), result => nothing);
 
   it_is_a_load : assume always (kind_of(word) = load);
   it_is_aligned : assume always (not is_misaligned(word, address));
@@ -41,5 +45,6 @@ begin
     (size(1 downto 0) = "01" -> result = loaded(word, memory, address));
   words_are_taken_as_they_are : assert always
     (size(1 downto 0) = "10" -> result = loaded(word, memory, address));
+  what_is_no_load_takes_nothing : assert always (nothing = x"00000000");
 
 end architecture;

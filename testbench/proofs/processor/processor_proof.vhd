@@ -33,7 +33,7 @@ architecture proof of processor_proof is
   constant memory_end : unsigned(31 downto 0) := x"80010000";
   -- Clocks in which something must be completed or refused while the processor does not sleep: most needs a
   -- bus access behind a load, or a trap out of it.
-  constant most_clocks_between_events : positive := 9;
+  constant most_clocks_between_events : positive := 10;
   constant most_clocks_of_bus : positive := 2;
   -- Clocks after which a request must have been seen.
   constant clocks_to_settle : positive := 5;

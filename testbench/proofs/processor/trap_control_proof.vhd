@@ -24,11 +24,8 @@ entity trap_control_proof is
     csr_legal : in std_ulogic;
     data_address : in unsigned(31 downto 0);
     data_misaligned : in std_ulogic;
-    bus_active : in std_ulogic;
     bus_error : in std_ulogic;
-    bus_store : in std_ulogic;
-    bus_address : in unsigned(31 downto 0);
-    bus_instruction_address : in unsigned(31 downto 0)
+    bus_store : in std_ulogic
   );
 end entity;
 
@@ -60,11 +57,8 @@ begin
       csr_legal => csr_legal,
       data_address => data_address,
       data_misaligned => data_misaligned,
-      bus_active => bus_active,
       bus_error => bus_error,
       bus_store => bus_store,
-      bus_address => bus_address,
-      bus_instruction_address => bus_instruction_address,
       trap => trap);
 
   specify : process (all)
@@ -80,11 +74,8 @@ begin
       if not executing.valid then
         exception_address <= next_address;
       end if;
-    elsif bus_active then
-      traps <= bus_error;
-      exception_address <= bus_instruction_address;
+    elsif bus_error then
       cause <= 7 when bus_store = '1' else 5;
-      value <= std_ulogic_vector(bus_address);
     elsif not executing.valid or not ready then
       traps <= '0';
     elsif executing.fetch_fault then
@@ -109,6 +100,8 @@ begin
     end if;
   end process;
 
+  what_leaves_the_memory_cannot_be_fetched : assume always
+    (executing.leaves_memory -> executing.fetch_fault);
   an_instruction_is_of_one_kind : assume always
     ((kind.csr = '1' and kind.breakpoint = '0' and kind.environment_call = '0' and kind.load = '0' and
       kind.store = '0') or
@@ -118,15 +111,17 @@ begin
       kind.store = '0') or
      (kind.csr = '0' and kind.breakpoint = '0' and kind.environment_call = '0' and
       (kind.load = '0' or kind.store = '0')));
-  nothing_is_ready_while_the_bus_is_at_work : assume always
-    (bus_active -> (not ready and not take_interrupt));
-  only_the_bus_at_work_refuses : assume always (bus_error -> bus_active);
+  nothing_is_ready_while_the_bus_is_at_work : assume always (bus_error -> (not ready and not take_interrupt));
 
   a_trap_is_taken_where_there_is_a_reason : assert always (trap.enable = traps);
   interrupts_are_told_from_exceptions : assert always (trap.enable -> trap.interrupt = interrupts);
   the_cause_is_that_of_the_first_reason : assert always
     (trap.enable -> to_integer(unsigned(trap.cause)) = cause);
-  the_trap_is_that_of_its_instruction : assert always (trap.enable -> trap.address = exception_address);
-  the_value_is_that_of_the_cause : assert always (trap.enable -> trap.value = value);
+  the_trap_is_that_of_its_instruction : assert always
+    ((trap.enable and not bus_error) -> trap.address = exception_address);
+  the_value_is_that_of_the_cause : assert always ((trap.enable and not bus_error) -> trap.value = value);
+  an_access_is_told_with_what_it_needs_if_the_bus_refuses_it : assert always
+    ((executing.valid and ready and not trap.enable and (kind.load or kind.store)) ->
+     (trap.address = address and trap.value = std_ulogic_vector(data_address)));
 
 end architecture;
