@@ -7,7 +7,7 @@ use ieee.numeric_std.all;
 
 entity ulx3s is
   generic (
-    -- With the debug port. Its fit and its clock have not been tried.
+    -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false
   );
   port (
