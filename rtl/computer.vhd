@@ -12,7 +12,9 @@ entity computer is
   generic (
     memory_size_bytes : positive;
     -- A debugger can halt the processor and reach the memory and the bus over JTAG.
-    has_debug : boolean
+    has_debug : boolean;
+    -- The processor has extension Zbb.
+    has_zbb : boolean := false
   );
   port (
     -- Edges of `clk` may be left out while `at_rest` is high, not those of `always_clk`.
@@ -54,7 +56,8 @@ begin
 
   cpu : entity work.processor
     generic map (
-      memory_size_bytes => memory_size_bytes
+      memory_size_bytes => memory_size_bytes,
+      has_zbb => has_zbb
     )
     port map (
       clk => clk,

@@ -28,7 +28,9 @@ entity printer_controller is
     -- Temperature sensors, each with its heater: hotend, bed.
     heaters : positive range 1 to 4 := 2;
     -- A debugger can halt the processor and reach the memory over JTAG; the processor's clock never rests.
-    has_debug : boolean := false
+    has_debug : boolean := false;
+    -- The processor has extension Zbb.
+    has_zbb : boolean := false
   );
   port (
     -- The one clock, 4 to 100 MHz.
@@ -176,7 +178,8 @@ begin
   computing : entity work.computer
     generic map (
       memory_size_bytes => memory_size_bytes,
-      has_debug => has_debug
+      has_debug => has_debug,
+      has_zbb => has_zbb
     )
     port map (
       clk => processor_clk,

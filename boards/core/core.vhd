@@ -10,6 +10,10 @@ use work.memory_pkg.all;
 use work.processor_pkg.all;
 
 entity core is
+  generic (
+    -- The processor has extension Zbb.
+    has_zbb : boolean := false
+  );
   port (
     clk : in std_ulogic;
     button : in std_ulogic_vector(1 downto 0);
@@ -43,6 +47,7 @@ begin
     acknowledge => inputs(32), error => inputs(33), data => inputs(31 downto 0));
 
   processor : entity work.processor
+    generic map (has_zbb => has_zbb)
     port map (
       clk => clk,
       always_clk => clk,

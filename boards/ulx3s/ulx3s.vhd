@@ -8,7 +8,9 @@ use ieee.numeric_std.all;
 entity ulx3s is
   generic (
     -- With the debug port. Its clock has not been tried.
-    has_debug : boolean := false
+    has_debug : boolean := false;
+    -- The processor has extension Zbb.
+    has_zbb : boolean := false
   );
   port (
     clk_25mhz : in std_ulogic;
@@ -72,7 +74,7 @@ begin
   end process;
 
   chip : entity work.printer_controller
-    generic map (axes => 5, heaters => 2, has_debug => has_debug)
+    generic map (axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb)
     port map (
       clk => clk,
       processor_clk => clk,

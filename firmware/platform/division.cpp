@@ -3,23 +3,14 @@
 // algorithm D; for long divisors Warren, Hacker's Delight, 9-5).
 #include "platform/division.hpp"
 
+#include <bit>
+
 namespace platform {
 namespace {
 
 constexpr unsigned word_bits = 32;
 constexpr unsigned half_bits = 16;
 constexpr std::uint32_t half_mask = 0xFFFF;
-
-// Of a value that is not 0.
-unsigned leading_zeros(std::uint32_t value) {
-  unsigned zeros = 0;
-  for (unsigned step = half_bits; step != 0; step /= 2) {
-    if (value >> (word_bits - step) != 0) continue;
-    value <<= step;
-    zeros += step;
-  }
-  return zeros;
-}
 
 // One digit of 16 bits: of rest * 2^16 + next over a divisor whose highest bit is 1; rest <
 // divisor.
@@ -38,7 +29,7 @@ std::uint32_t half_digit(std::uint32_t& rest, std::uint32_t next, std::uint32_t 
 
 // high < divisor
 std::uint32_t divide_word(std::uint32_t high, std::uint32_t low, std::uint32_t divisor) {
-  const unsigned shift = leading_zeros(divisor);
+  const auto shift = static_cast<unsigned>(std::countl_zero(divisor));
   std::uint32_t rest = high;
   if (shift != 0) {
     rest = high << shift | low >> (word_bits - shift);
@@ -64,7 +55,7 @@ std::uint64_t divide(std::uint64_t dividend, std::uint64_t divisor) {
   }
   // The quotient fits a word. It is estimated with the divisor's upper 32 bits, at most 1 too
   // large.
-  const unsigned shift = leading_zeros(divisor_high);
+  const auto shift = static_cast<unsigned>(std::countl_zero(divisor_high));
   const std::uint64_t half = dividend >> 1;
   const auto upper = static_cast<std::uint32_t>(divisor << shift >> word_bits);
   std::uint32_t quotient = divide_word(static_cast<std::uint32_t>(half >> word_bits),

@@ -15,6 +15,7 @@ ExternalProject_Add(firmware_image
     -DCMAKE_TOOLCHAIN_FILE=${CMAKE_CURRENT_LIST_DIR}/toolchain.cmake
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DFIRMWARE_SOURCES=${sources}
+    -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
@@ -36,6 +37,6 @@ add_custom_target(stepping_benchmark_programs
 add_dependencies(stepping_benchmark_programs firmware_software_stepping)
 add_custom_target(processor_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
-    --target processor_benchmarks processor_benchmarks_without_c
+    --target processor_benchmarks processor_benchmarks_without_c processor_benchmarks_with_zbb
   DEPENDS firmware_image VERBATIM)
 add_dependencies(processor_benchmark_programs stepping_benchmark_programs)

@@ -49,3 +49,4 @@ endfunction()
 
 add_processor_benchmarks("")
 add_processor_benchmarks(_without_c -march=rv32im_zicsr)
+add_processor_benchmarks(_with_zbb -march=rv32imc_zicsr_zbb)

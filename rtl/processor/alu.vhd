@@ -8,16 +8,22 @@ use ieee.numeric_std.all;
 use work.processor_pkg.all;
 
 entity alu is
+  generic (
+    -- Of Zbb: logic with the second operand inverted, rotation.
+    has_zbb : boolean := false
+  );
   port (
     first : in word_t;
     second : in word_t;
     -- In the coding of funct3; 5 gives `second` as it is where `shift` is low.
     operation : in std_ulogic_vector(2 downto 0);
     shift : in std_ulogic;
-    -- Subtract instead of add.
+    -- Subtract instead of add; with Zbb, take the second operand of logic inverted.
     subtract : in std_ulogic;
     -- Arithmetic instead of logical shift to the right.
     arithmetic_shift : in std_ulogic;
+    -- With Zbb: what a shift moves out at one end comes in at the other.
+    rotate : in std_ulogic := '0';
     compare_unsigned : in std_ulogic;
     result : out word_t;
     equal : out std_ulogic;
@@ -27,11 +33,12 @@ end entity;
 
 architecture rtl of alu is
 
-  signal addend, shifted, without_sum, without_shift, logical : word_t;
+  signal addend, logic_operand, shifted, without_sum, without_shift, logical : word_t;
   signal first_sign, second_sign, is_left, fill : std_ulogic;
   signal sum : unsigned(32 downto 0);
   signal behind_pairs : unsigned(16 downto 0);
   signal equal_pairs : std_ulogic_vector(15 downto 0);
+  signal above, below : std_ulogic_vector(30 downto 0);
   signal to_shift : unsigned(62 downto 0);
   signal distance : natural range 0 to 31;
 
@@ -56,8 +63,9 @@ begin
   -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
   is_left <= not operation(2);
   fill <= first(31) and arithmetic_shift;
-  to_shift <= unsigned(first) & (30 downto 0 => '0') when is_left else
-              (30 downto 0 => fill) & unsigned(first);
+  above <= first(30 downto 0) when has_zbb and rotate = '1' else (others => fill);
+  below <= first(31 downto 1) when has_zbb and rotate = '1' else (others => '0');
+  to_shift <= unsigned(first & below) when is_left else unsigned(above & first);
   distance <= to_integer(unsigned(second(4 downto 0) xor (4 downto 0 => is_left)));
   shifted <= std_ulogic_vector(resize(shift_right(to_shift, distance), 32));
 
@@ -67,10 +75,11 @@ begin
   without_sum <= logical when operation(2) else (31 downto 1 => '0') & less;
   without_shift <= without_sum when operation(2) or operation(1) else
                    std_ulogic_vector(sum(32 downto 1));
-  logical <= first and second when operation(1) and operation(0) else
-             first or second when operation(1) else
+  logic_operand <= addend when has_zbb else second;
+  logical <= first and logic_operand when operation(1) and operation(0) else
+             first or logic_operand when operation(1) else
              second when operation(0) else
-             first xor second;
+             first xor logic_operand;
   result <= shifted when shift else without_shift;
 
 end architecture;

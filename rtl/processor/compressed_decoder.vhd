@@ -146,6 +146,7 @@ begin
   decoded.shift <= is_shift_left or is_short_shift;
   decoded.subtract <= is_short_operation and not instruction(6) and not instruction(5);
   decoded.arithmetic_shift <= instruction(10);
+  decoded.rotate <= '0';
   decoded.compare_unsigned <= '0';
 
   -- A load or store of a word; branch where equal or not.
@@ -159,6 +160,7 @@ begin
   decoded.address_result <= '0';
   decoded.multiply <= '0';
   decoded.divide <= '0';
+  decoded.manipulate <= '0';
   decoded.csr <= '0';
   decoded.csr_exists <= '0';
   decoded.environment_call <= '0';

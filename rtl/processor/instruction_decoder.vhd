@@ -7,6 +7,9 @@ use ieee.std_logic_1164.all;
 use work.processor_pkg.all;
 
 entity instruction_decoder is
+  generic (
+    has_zbb : boolean := false
+  );
   port (
     -- The bits behind a shorter instruction are of no meaning.
     instruction : in word_t;
@@ -29,6 +32,7 @@ architecture rtl of instruction_decoder is
 begin
 
   word_decoder : entity work.word_decoder
+    generic map (has_zbb => has_zbb)
     port map (
       instruction => instruction,
       decoded => of_word,

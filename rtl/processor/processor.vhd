@@ -15,7 +15,9 @@ entity processor is
     -- First address of the memory, and where the program starts; a multiple of the memory's size.
     reset_address : unsigned(31 downto 0) := x"80000000";
     -- A power of two. Data outside of the memory is asked from the bus; there are no instructions.
-    memory_size_bytes : positive := 65536
+    memory_size_bytes : positive := 65536;
+    -- Extension Zbb: bit manipulation.
+    has_zbb : boolean := false
   );
   port (
     clk : in std_ulogic;
@@ -103,6 +105,7 @@ architecture rtl of processor is
 
   -- Write back.
   signal writing : writing_t;
+  signal manipulated : word_t := (others => '0');
   signal writing_instruction, product, written_value, written_late, written_early : word_t;
 
 begin
@@ -141,6 +144,7 @@ begin
   presented_is_word <= fetched_is_word or debug_request.halted;
 
   instruction_decoder : entity work.instruction_decoder
+    generic map (has_zbb => has_zbb)
     port map (
       instruction => presented_instruction,
       is_word => presented_is_word,
@@ -253,6 +257,7 @@ begin
   complete <= executing.valid and advance and not trap.enable;
 
   arithmetic : entity work.alu
+    generic map (has_zbb => has_zbb)
     port map (
       first => first_value,
       second => second_value,
@@ -260,6 +265,7 @@ begin
       shift => kind.shift,
       subtract => kind.subtract,
       arithmetic_shift => kind.arithmetic_shift,
+      rotate => kind.rotate,
       compare_unsigned => kind.compare_unsigned,
       result => alu_result,
       equal => equal,
@@ -308,6 +314,18 @@ begin
       second => second_value,
       done => divider_done,
       result => divider_result);
+
+  with_zbb : if has_zbb generate
+    bits : entity work.bit_manipulation
+      port map (
+        clk => clk,
+        enable => kind.manipulate,
+        instruction => executing_bits,
+        first => first_value,
+        second => second_value,
+        less => less,
+        result => manipulated);
+  end generate;
 
   data_enable <= start and (kind.load or kind.store);
   data_access : entity work.data_access
@@ -451,6 +469,7 @@ begin
       bus_active => bus_active,
       bus_done => bus_done,
       product => product,
+      manipulated => manipulated,
       memory_data => memory_data,
       retire => retire,
       writing => writing,

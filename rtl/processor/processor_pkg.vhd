@@ -33,6 +33,7 @@ package processor_pkg is
     shift : std_ulogic;
     subtract : std_ulogic;
     arithmetic_shift : std_ulogic;
+    rotate : std_ulogic;
     compare_unsigned : std_ulogic;
     -- Which load, store, branch, multiplication, division or CSR instruction.
     funct3 : std_ulogic_vector(2 downto 0);
@@ -49,6 +50,8 @@ package processor_pkg is
     address_result : std_ulogic;
     multiply : std_ulogic;
     divide : std_ulogic;
+    -- Zbb: what is left to bit_manipulation.
+    manipulate : std_ulogic;
     csr : std_ulogic;
     -- There is a CSR of this address.
     csr_exists : std_ulogic;
@@ -109,6 +112,7 @@ package processor_pkg is
     destination : register_index_t;
     -- The result, or the data that came over the bus.
     multiply : std_ulogic;
+    manipulate : std_ulogic;
     load : std_ulogic;
     from_memory : load_lanes_t;
     from_bus : load_lanes_t;

@@ -7,6 +7,10 @@ use ieee.std_logic_1164.all;
 use work.processor_pkg.all;
 
 entity word_decoder is
+  generic (
+    -- The instructions of Zbb are legal.
+    has_zbb : boolean := false
+  );
   port (
     instruction : in word_t;
     decoded : out decoded_t;
@@ -31,9 +35,18 @@ architecture rtl of word_decoder is
   signal is_shift, is_multiply_or_divide, is_csr, is_privileged : std_ulogic;
   signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
   signal funct7_zero, funct7_alternate : std_ulogic;
+  signal is_zbb, manipulates : std_ulogic := '0';
   signal immediate_low : std_ulogic_vector(11 downto 0);
 
 begin
+
+  with_zbb : if has_zbb generate
+    bit_manipulation_decoder : entity work.bit_manipulation_decoder
+      port map (
+        instruction => instruction,
+        legal => is_zbb,
+        manipulates => manipulates);
+  end generate;
 
   is_load <= opcode ?= "00000";
   is_fence <= opcode ?= "00011";
@@ -71,7 +84,7 @@ begin
                        (funct7_zero or
                         (funct7_alternate and (funct3 ?= "000" or funct3 ?= "101")))) or
                       is_multiply_or_divide;
-  decoded.legal(3) <= is_ecall or is_ebreak or is_mret or is_wfi;
+  decoded.legal(3) <= is_ecall or is_ebreak or is_mret or is_wfi or is_zbb;
 
   -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero.
   is_hardware_performance <= (or csr_address(4 downto 2)) or (and csr_address(1 downto 0));
@@ -124,7 +137,7 @@ begin
   decoded.writes <= is_load or is_immediate_operation or is_upper_to_pc or is_operation or
                     is_upper or is_jump_register or is_jump or is_csr;
   decoded.writes_link <= '0';
-  decoded.late <= is_load or (is_multiply_or_divide and not funct3(2)) or is_csr;
+  decoded.late <= is_load or (is_multiply_or_divide and not funct3(2)) or is_csr or manipulates;
 
   -- Of an operation, a branch, a store; and CSR instructions have no second operand.
   decoded.second_is_constant <= not opcode(3) or opcode(0);
@@ -135,6 +148,8 @@ begin
   decoded.shift <= is_shift and (is_immediate_operation or is_operation);
   decoded.subtract <= is_operation and instruction(30);
   decoded.arithmetic_shift <= instruction(30);
+  -- Of shifts only those of Zbb have this bit.
+  decoded.rotate <= instruction(29) and is_zbb;
   decoded.compare_unsigned <= funct3(1) when is_branch else funct3(0);
 
   decoded.funct3 <= funct3;
@@ -147,6 +162,7 @@ begin
   decoded.address_result <= is_upper_to_pc;
   decoded.multiply <= is_multiply_or_divide and not funct3(2);
   decoded.divide <= is_multiply_or_divide and funct3(2);
+  decoded.manipulate <= manipulates;
   decoded.csr <= is_csr;
   decoded.csr_exists <= csr_exists;
   decoded.environment_call <= is_ecall;

@@ -27,6 +27,7 @@ entity write_back is
     bus_done : in std_ulogic;
     -- Come one clock after execution.
     product : in word_t;
+    manipulated : in word_t := (others => '0');
     memory_data : in word_t;
     -- An instruction is completed with this clock, on the bus or in execute.
     retire : out std_ulogic;
@@ -67,6 +68,7 @@ begin
       held.wanted <= kind.writes;
       held.destination <= kind.destination;
       held.multiply <= kind.multiply;
+      held.manipulate <= kind.manipulate;
       held.load <= kind.load;
       held.from_memory <= lanes_of(kind.load and to_memory, kind.funct3, byte_index);
       held.from_bus <= lanes_of(kind.load and not to_memory, kind.funct3, byte_index);
@@ -98,6 +100,7 @@ begin
   -- What the memory brings comes last, then products.
   value_late <= from_memory or (product and (31 downto 0 => held.multiply));
   value_early <= from_bus when held.load else
+                 manipulated when held.manipulate else
                  writing_result and (31 downto 0 => not held.multiply);
   value <= value_late or value_early;
   writing <= held;

@@ -14,7 +14,7 @@ architecture tb of alu_tb is
 
   signal first, second, result : word_t := (others => '0');
   signal operation : std_ulogic_vector(2 downto 0) := "000";
-  signal shift, subtract, arithmetic_shift, compare_unsigned, equal, less : std_ulogic := '0';
+  signal shift, subtract, arithmetic_shift, rotate, compare_unsigned, equal, less : std_ulogic := '0';
 
   type words_t is array (natural range <>) of word_t;
   constant values : words_t := (
@@ -24,6 +24,7 @@ architecture tb of alu_tb is
 begin
 
   uut : entity work.alu
+    generic map (has_zbb => true)
     port map (
       first => first,
       second => second,
@@ -31,6 +32,7 @@ begin
       shift => shift,
       subtract => subtract,
       arithmetic_shift => arithmetic_shift,
+      rotate => rotate,
       compare_unsigned => compare_unsigned,
       result => result,
       equal => equal,
@@ -78,6 +80,9 @@ begin
         expect("110", '0', '0', first or second, "or");
         expect("111", '0', '0', first and second, "and");
         expect("101", '0', '0', second, "second");
+        expect("100", '1', '0', first xnor second, "xnor");
+        expect("110", '1', '0', first or not second, "or not");
+        expect("111", '1', '0', first and not second, "and not");
         -- Shifts bit by bit.
         shifted := first;
         for count in 1 to distance loop
@@ -94,6 +99,18 @@ begin
           shifted := first(31) & shifted(31 downto 1);
         end loop;
         expect("101", '1', '0', shifted, "arithmetic shift right");
+        rotate <= '1';
+        shifted := first;
+        for count in 1 to distance loop
+          shifted := shifted(30 downto 0) & shifted(31);
+        end loop;
+        expect("001", '1', '0', shifted, "rotation left");
+        shifted := first;
+        for count in 1 to distance loop
+          shifted := shifted(0) & shifted(31 downto 1);
+        end loop;
+        expect("101", '1', '0', shifted, "rotation right");
+        rotate <= '0';
       end loop;
     end loop;
     std.env.finish;

@@ -18,7 +18,8 @@ entity processor_trace is
     program_file : string := "program.bin";
     trace_file : string := "trace.txt";
     -- Distance of the program's `tohost` from the begin of the memory, in bytes.
-    tohost_offset : natural := 0
+    tohost_offset : natural := 0;
+    has_zbb : boolean := false
   );
 end entity;
 
@@ -58,6 +59,7 @@ begin
   memory_request <= load_request when loading else processor_request;
 
   processor : entity work.processor
+    generic map (has_zbb => has_zbb)
     port map (
       clk => clk,
       always_clk => clk,

@@ -11,7 +11,8 @@ use work.processor_pkg.all;
 
 entity processor_with_memory is
   generic (
-    memory_size_bytes : positive := 65536
+    memory_size_bytes : positive := 65536;
+    has_zbb : boolean := false
   );
   port (
     clk : in std_ulogic;
@@ -36,7 +37,7 @@ architecture rtl of processor_with_memory is
 begin
 
   processor : entity work.processor
-    generic map (memory_size_bytes => memory_size_bytes)
+    generic map (memory_size_bytes => memory_size_bytes, has_zbb => has_zbb)
     port map (
       clk => clk,
       always_clk => clk,

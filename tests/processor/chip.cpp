@@ -36,6 +36,8 @@ std::vector<std::uint8_t> read_image(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+const bool Chip::has_zbb = PROCESSOR_HAS_ZBB;
+
 Chip::Chip(const std::vector<std::uint8_t>& image)
     : context_(std::make_unique<VerilatedContext>()),
       model_(std::make_unique<Vprocessor_with_memory>(context_.get())) {

@@ -32,6 +32,8 @@ class Chip {
  public:
   static constexpr std::uint32_t memory_base = 0x80000000;
   static constexpr std::size_t memory_size = 65536;
+  // Whether this processor was made with the instructions of Zbb.
+  static const bool has_zbb;
 
   // Starts after reset with the image at the begin of the memory and zeros behind it.
   explicit Chip(const std::vector<std::uint8_t>& image);

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Each program does the same in the same clocks in GHDL, which runs the sources, and in the Verilated netlist.
-# Usage: compare_with_ghdl.sh PROJECT WORK_DIRECTORY TRACE_PROGRAM PROGRAMS_DIRECTORY NAME...
+# Usage: compare_with_ghdl.sh PROJECT WORK_DIRECTORY TRACE_PROGRAM PROGRAMS_DIRECTORY HAS_ZBB NAME...
 set -euo pipefail
-project=$1 work=$2 trace_program=$3 programs=$4
-shift 4
+project=$1 work=$2 trace_program=$3 programs=$4 has_zbb=$5
+shift 5
 failures=0
 # Fewer lines than this means that the comparison did not take place.
 least_lines=100
@@ -22,7 +22,7 @@ cd "$work"
 for name in "$@"; do
   tohost=$(sed -n 's/^\([0-9a-f]*\) . tohost$/\1/p' "$programs/$name.symbols")
   generics=("-gprogram_file=$programs/$name.bin" "-gtrace_file=$name.ghdl"
-    "-gtohost_offset=$((16#$tohost - 16#80000000))")
+    "-gtohost_offset=$((16#$tohost - 16#80000000))" "-ghas_zbb=$has_zbb")
   ghdl -r "${options[@]}" processor_trace "${generics[@]}" --assert-level=error > "$name.log" 2>&1 ||
     { cat "$name.log"; failures=$((failures + 1)); continue; }
   "$trace_program" "$name" "$name.netlist"

@@ -20,6 +20,21 @@ constexpr Word operation(Word funct3, Word funct7, Word rd, Word rs1, Word rs2) 
 constexpr Word operation_immediate(Word funct3, Word rd, Word rs1, std::int32_t immediate) {
   return immediate_type(0x13, funct3, rd, rs1, immediate);
 }
+// Zbb's with one register: the upper 12 bits tell which.
+constexpr Word of_one_register(Word code, Word funct3, Word rd, Word rs1) {
+  return 0x13 | rd << 7 | funct3 << 12 | rs1 << 15 | code << 20;
+}
+constexpr Word leading_zeros(Word rd, Word rs1) { return of_one_register(0x600, 1, rd, rs1); }
+constexpr Word trailing_zeros(Word rd, Word rs1) { return of_one_register(0x601, 1, rd, rs1); }
+constexpr Word population(Word rd, Word rs1) { return of_one_register(0x602, 1, rd, rs1); }
+constexpr Word extend_byte(Word rd, Word rs1) { return of_one_register(0x604, 1, rd, rs1); }
+constexpr Word extend_half_word(Word rd, Word rs1) { return of_one_register(0x605, 1, rd, rs1); }
+constexpr Word combine_bytes(Word rd, Word rs1) { return of_one_register(0x287, 5, rd, rs1); }
+constexpr Word reverse_bytes(Word rd, Word rs1) { return of_one_register(0x698, 5, rd, rs1); }
+constexpr Word rotate_right(Word rd, Word rs1, Word distance) {
+  return of_one_register(0x600 | distance, 5, rd, rs1);
+}
+constexpr Word zero_extend_half_word(Word rd, Word rs1) { return operation(4, 4, rd, rs1, 0); }
 constexpr Word add_immediate(Word rd, Word rs1, std::int32_t immediate) {
   return operation_immediate(0, rd, rs1, immediate);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fetch, and the instructions of RV32IM but those of SYSTEM, for which see
-// instruction_set_model_system.cpp; instruction_set_model_compressed.cpp for C.
+// instruction_set_model_system.cpp; instruction_set_model_compressed.cpp for C, and
+// instruction_set_model_bits.cpp for Zbb.
 #include "tests/processor/instruction_set_model.hpp"
 
 #include <limits>
@@ -84,8 +85,9 @@ std::uint32_t multiply_or_divide(unsigned funct3, std::uint32_t a, std::uint32_t
 
 }  // namespace
 
-InstructionSetModel::InstructionSetModel(std::vector<std::uint8_t> image, std::size_t memory_size)
-    : memory_(std::move(image)) {
+InstructionSetModel::InstructionSetModel(std::vector<std::uint8_t> image, std::size_t memory_size,
+                                         bool has_zbb)
+    : memory_(std::move(image)), has_zbb_(has_zbb) {
   memory_.resize(memory_size);
 }
 
@@ -155,6 +157,12 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::execute(std::
   const std::uint32_t a = registers_[field(word, 19, 15)], b = registers_[field(word, 24, 20)];
   const std::uint32_t immediate = sign_extend(field(word, 31, 20), 12);
   const Exception illegal{illegal_instruction, word};
+  if (has_zbb_) {
+    if (const auto value = bit_manipulation(word, a, b)) {
+      write_register(rd, *value, step);
+      return std::nullopt;
+    }
+  }
   switch (word & 0x7F) {
     case 0x37:
       write_register(rd, word & 0xFFFFF000, step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RV32IMC with machine mode as the specification tells it, one instruction at a time, without any
-// clock.
+// RV32IMC, with Zbb where it is wanted, and machine mode as the specification tells it, one
+// instruction at a time, without any clock.
 #pragma once
 
 #include <array>
@@ -14,6 +14,10 @@ namespace processor {
 
 // The instruction of 32 bits for which a compressed one stands; nothing where it is reserved.
 std::optional<std::uint32_t> expand_compressed(std::uint16_t instruction);
+
+// What the instruction of Zbb gives of its two registers; nothing where it is none of these.
+std::optional<std::uint32_t> bit_manipulation(std::uint32_t instruction, std::uint32_t first,
+                                              std::uint32_t second);
 
 // What one step did.
 struct Step {
@@ -29,7 +33,8 @@ struct Step {
 // from the VHDL. Bus accesses go to a TestDevice of its own.
 class InstructionSetModel {
  public:
-  InstructionSetModel(std::vector<std::uint8_t> image, std::size_t memory_size);
+  InstructionSetModel(std::vector<std::uint8_t> image, std::size_t memory_size,
+                      bool has_zbb = false);
 
   // Executes the instruction at the program counter, or takes the exception that it raises.
   Step step();
@@ -66,6 +71,7 @@ class InstructionSetModel {
   void write_register(unsigned index, std::uint32_t value, Step& step);
 
   std::vector<std::uint8_t> memory_;
+  bool has_zbb_;
   TestDevice device_;
   std::array<std::uint32_t, 32> registers_{};
   std::uint32_t program_counter_ = 0x80000000;

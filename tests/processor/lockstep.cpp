@@ -48,7 +48,7 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
                             const LockstepSettings& settings) {
   Chip chip(image);
   chip.set_bus_wait(settings.bus_wait);
-  InstructionSetModel model(image, Chip::memory_size);
+  InstructionSetModel model(image, Chip::memory_size, Chip::has_zbb);
   LockstepResult result;
   std::mt19937 random(settings.interrupt_seed);
   InterruptWatch watch;

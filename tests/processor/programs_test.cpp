@@ -2,6 +2,7 @@
 // The directed programs run to their end, doing at each instruction what the model does.
 #include <gtest/gtest.h>
 
+#include "tests/processor/chip.hpp"
 #include "tests/processor/lockstep.hpp"
 #include "tests/processor/program.hpp"
 
@@ -24,6 +25,15 @@ INSTANTIATE_TEST_SUITE_P(all, Programs,
                          testing::Values("arithmetic", "compressed", "memory", "traps", "registers",
                                          "interrupts", "machine_mode", "pass"),
                          [](const auto& parameter) { return parameter.param; });
+
+TEST(Programs, find_bit_manipulation_only_where_it_is) {
+  const Program program = read_program("bit_manipulation");
+  const auto result = run_lockstep(program.image, {.tohost_address = program.symbols.at("tohost")});
+  EXPECT_EQ(result.difference, "");
+  constexpr std::uint32_t unexpected_trap = 0x7FF;
+  EXPECT_EQ(result.tohost, Chip::has_zbb ? 1u : unexpected_trap)
+      << "check " << (result.tohost >> 1);
+}
 
 TEST(Programs, fail_with_their_status) {
   const Program program = read_program("fail");

@@ -25,7 +25,7 @@ std::uint32_t number_at(const char* text) {
 
 }  // namespace
 
-QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image) {
+QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb) {
   std::string name = (std::filesystem::temp_directory_path() / "stepfabric_qemu_XXXXXX").string();
   const int file = mkstemp(name.data());
   if (file < 0) throw std::runtime_error("cannot make " + name);
@@ -43,10 +43,11 @@ QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image) {
     dup2(ends[1], STDERR_FILENO);
     const std::string loader =
         "loader,file=" + image_file_.string() + ",addr=0x80000000,force-raw=on";
-    execlp("qemu-system-riscv32", "qemu-system-riscv32", "-machine", "virt", "-cpu",
-           "rv32i,m=on,c=on,zicsr=on,zifencei=on", "-m", "1M", "-bios", "none", "-display", "none",
-           "-monitor", "none", "-serial", "none", "-accel", "tcg,one-insn-per-tb=on", "-device",
-           loader.c_str(), "-d", "cpu,nochain",
+    const char* const processor = has_zbb ? "rv32i,m=on,c=on,zicsr=on,zifencei=on,zbb=on"
+                                          : "rv32i,m=on,c=on,zicsr=on,zifencei=on";
+    execlp("qemu-system-riscv32", "qemu-system-riscv32", "-machine", "virt", "-cpu", processor,
+           "-m", "1M", "-bios", "none", "-display", "none", "-monitor", "none", "-serial", "none",
+           "-accel", "tcg,one-insn-per-tb=on", "-device", loader.c_str(), "-d", "cpu,nochain",
            // As a file it is written line by line, otherwise number by number.
            "-D", "/dev/stderr", static_cast<char*>(nullptr));
     _exit(127);

@@ -28,8 +28,9 @@ struct QemuState {
 // place there is nothing.
 class QemuMachine {
  public:
-  // Starts it with the image at the begin of the memory. Throws std::runtime_error where it cannot.
-  explicit QemuMachine(const std::vector<std::uint8_t>& image);
+  // Starts it with the image at the begin of the memory, for RV32IMC with or without Zbb. Throws
+  // std::runtime_error where it cannot.
+  QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb);
   ~QemuMachine();
   QemuMachine(const QemuMachine&) = delete;
   QemuMachine& operator=(const QemuMachine&) = delete;

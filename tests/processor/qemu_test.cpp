@@ -44,7 +44,7 @@ class Registers {
 void run_beside_qemu(std::uint32_t seed, const RandomProgramSettings& settings, Count& count) {
   const auto image = random_program(seed, settings);
   Chip chip(image);
-  QemuMachine qemu(image);
+  QemuMachine qemu(image, Chip::has_zbb);
   Registers registers;
   auto state = qemu.next();
   ASSERT_TRUE(state.has_value()) << "QEMU does not run";
@@ -82,6 +82,7 @@ TEST(Qemu, does_the_same_as_the_chip) {
                                          .wild_per_mille = seed % 4 == 0 ? 300u : 30u,
                                          .interrupts = false,
                                          .portable = true,
+                                         .zbb = Chip::has_zbb,
                                          .passes = 25};
     run_beside_qemu(seed, settings, count);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;

@@ -170,7 +170,39 @@ class Generator {
     }
   }
 
+  void add_bit_manipulation() {
+    const Word rd = destination(), first = source(), second = source();
+    switch (below(11)) {
+      case 0:
+        return emit(encode::leading_zeros(rd, first));
+      case 1:
+        return emit(encode::trailing_zeros(rd, first));
+      case 2:
+        return emit(encode::population(rd, first));
+      case 3:
+        return emit(encode::extend_byte(rd, first));
+      case 4:
+        return emit(one_in(2) ? encode::extend_half_word(rd, first)
+                              : encode::zero_extend_half_word(rd, first));
+      case 5:
+        return emit(encode::combine_bytes(rd, first));
+      case 6:
+        return emit(encode::reverse_bytes(rd, first));
+      case 7:
+        return emit(encode::rotate_right(rd, first, below(32)));
+      case 8:
+        return emit(encode::operation(one_in(2) ? 1 : 5, 0x30, rd, first, second));
+      case 9:
+        return emit(encode::operation(4 + below(4), 5, rd, first, second));
+      default: {
+        constexpr std::array<Word, 3> inverting{4, 6, 7};
+        return emit(encode::operation(inverting[below(3)], 0x20, rd, first, second));
+      }
+    }
+  }
+
   void add_operation() {
+    if (settings_.zbb && one_in(2)) return add_bit_manipulation();
     const Word funct3 = below(8);
     const bool alternate = (funct3 == 0 || funct3 == 5) && one_in(2);
     emit(encode::operation(funct3, alternate ? 0x20 : 0, destination(), source(), source()));

@@ -15,6 +15,8 @@ struct RandomProgramSettings {
   // Only what every processor of this architecture does alike: no misaligned data, no peripherals,
   // no registers whose contents are free.
   bool portable = false;
+  // With the instructions of Zbb.
+  bool zbb = false;
   // How often the random part is run, each time with the values that the time before has left.
   unsigned passes = 1;
 };

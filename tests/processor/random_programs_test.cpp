@@ -2,13 +2,15 @@
 // Random programs do on the chip what they do on the instruction-set model.
 #include <gtest/gtest.h>
 
+#include "tests/processor/chip.hpp"
 #include "tests/processor/lockstep.hpp"
 #include "tests/processor/random_program.hpp"
 
 namespace processor {
 namespace {
 
-void run_all(unsigned seeds, unsigned first_seed, const RandomProgramSettings& settings) {
+void run_all(unsigned seeds, unsigned first_seed, RandomProgramSettings settings) {
+  settings.zbb = Chip::has_zbb;
   LockstepResult sum;
   for (unsigned seed = first_seed; seed < first_seed + seeds; ++seed) {
     const auto result = run_lockstep(random_program(seed, settings),

@@ -46,7 +46,7 @@ struct Kind {
   bool placed = false;
 };
 
-const std::vector<Kind> kinds{
+const std::vector<Kind> kinds_of_all{
     {"arithmetic and logic", encode::add_immediate(1, 4, 3)},
     {"arithmetic and logic", encode::operation(5, 0x20, 1, 4, 3)},
     {"arithmetic and logic", encode::load_upper(1, 0x12345000)},
@@ -107,6 +107,41 @@ const std::vector<Kind> kinds{
     {"exception", compressed::breakpoint(), false, true},
     {"exception", 0x8002, false, true},
 };
+
+const std::vector<Kind> kinds_of_zbb{
+    {"arithmetic and logic", encode::operation(4, 0x20, 1, 4, 3)},
+    {"arithmetic and logic", encode::operation(6, 0x20, 1, 4, 3)},
+    {"arithmetic and logic", encode::operation(7, 0x20, 1, 4, 3)},
+    {"arithmetic and logic", encode::operation(1, 0x30, 1, 4, 3)},
+    {"arithmetic and logic", encode::operation(5, 0x30, 1, 4, 3)},
+    {"arithmetic and logic", encode::rotate_right(1, 4, 13)},
+    {"bit manipulation", encode::leading_zeros(late_result, 4), true},
+    {"bit manipulation", encode::trailing_zeros(late_result, 4), true},
+    {"bit manipulation", encode::population(late_result, 4), true},
+    {"bit manipulation", encode::extend_byte(late_result, 4), true},
+    {"bit manipulation", encode::extend_half_word(late_result, 4), true},
+    {"bit manipulation", encode::zero_extend_half_word(late_result, 4), true},
+    {"bit manipulation", encode::combine_bytes(late_result, 4), true},
+    {"bit manipulation", encode::reverse_bytes(late_result, 4), true},
+    {"bit manipulation", encode::operation(4, 5, late_result, 4, 3), true},
+    {"bit manipulation", encode::operation(5, 5, late_result, 4, 3), true},
+    {"bit manipulation", encode::operation(6, 5, late_result, 4, 3), true},
+    {"bit manipulation", encode::operation(7, 5, late_result, 4, 3), true},
+};
+
+std::vector<Kind> kinds_of_this_processor() {
+  auto kinds = kinds_of_all;
+  if (Chip::has_zbb) {
+    kinds.insert(kinds.end(), kinds_of_zbb.begin(), kinds_of_zbb.end());
+  } else {
+    for (const auto& kind : kinds_of_zbb) {
+      kinds.push_back({.row = "exception", .word = kind.word, .placed = true});
+    }
+  }
+  return kinds;
+}
+
+const std::vector<Kind> kinds = kinds_of_this_processor();
 
 // Where the instructions under test lie, and what is behind them.
 struct Placed {
@@ -222,6 +257,7 @@ TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {
                                   encode::add_immediate(late_result, late_result, 1),
                                   encode::store(2, late_result, data_base, 0),
                                   encode::branch(1, late_result, late_result, 4),
+                                  encode::operation(1, 1, 1, late_result, 3),
                                   compressed::add(1, late_result),
                                   compressed::add_immediate(late_result, 1),
                                   compressed::short_operation(2, 9, late_result),

@@ -34,6 +34,17 @@ bool multiplies_or_divides(std::uint32_t word) {
 bool divides(std::uint32_t word) { return multiplies_or_divides(word) && funct3_of(word) >= 4; }
 bool multiplies(std::uint32_t word) { return multiplies_or_divides(word) && funct3_of(word) < 4; }
 
+// Of Zbb what has a late result: neither a rotation nor logic.
+bool manipulates_bits(std::uint32_t word) {
+  const std::uint32_t code = word >> 25;
+  const bool rotates = code == 0x30 && (funct3_of(word) == 5 || opcode_of(word) == operation);
+  return processor::bit_manipulation(word, 0, 0).has_value() && !rotates && code != 0x20;
+}
+// Who reads its result next waits a clock.
+bool is_late(std::uint32_t word) {
+  return opcode_of(word) == load || multiplies(word) || manipulates_bits(word);
+}
+
 bool has_destination(std::uint32_t word) {
   const auto opcode = opcode_of(word);
   return opcode != store && opcode != branch && opcode != miscellaneous;
@@ -71,7 +82,7 @@ void ClockUse::add(std::uint32_t address, std::uint32_t instruction, std::uint64
                    .destination = has_destination(word) ? word >> 7 & 31 : 0,
                    .bytes = bytes,
                    .clock = clock,
-                   .late = opcode_of(word) == load || multiplies(word)};
+                   .late = is_late(word)};
 }
 
 bool ClockUse::reads(std::uint32_t word, const std::optional<Executed>& writer) {

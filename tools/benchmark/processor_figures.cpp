@@ -48,6 +48,7 @@ constexpr std::array works{
     Work{"planner, cube", "planner", "move", cube, 2, on_this_machine<benchmark::PlannerWork>}};
 
 constexpr const char* uncompressed_suffix = "_without_c";
+constexpr const char* zbb_suffix = "_with_zbb";
 
 CompiledWork run_compiled(const Work& work, const char* suffix, std::uint32_t iterations,
                           const std::string& text, const ProcessorScope& scope) {
@@ -100,7 +101,8 @@ ProcessorFigures measure_processor(const ProcessorScope& scope,
          .file = file,
          .iterations = iterations,
          .compressed = run_compiled(work, "", iterations, text, scope),
-         .uncompressed = run_compiled(work, uncompressed_suffix, iterations, text, scope)});
+         .uncompressed = run_compiled(work, uncompressed_suffix, iterations, text, scope),
+         .with_zbb = run_compiled(work, zbb_suffix, iterations, text, scope)});
   }
   const auto size_of = [&](const char* suffix) {
     return sim::read_elf(scope.programs / fmt::format("firmware_alone{}.elf", suffix))
@@ -108,6 +110,7 @@ ProcessorFigures measure_processor(const ProcessorScope& scope,
   };
   figures.firmware_bytes = size_of("");
   figures.firmware_bytes_uncompressed = size_of(uncompressed_suffix);
+  figures.firmware_bytes_with_zbb = size_of(zbb_suffix);
   return figures;
 }
 

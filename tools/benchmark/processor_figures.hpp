@@ -24,13 +24,17 @@ struct WorkFigure {
   std::string unit;  // what result.units counts
   std::string file;  // the G-code that it worked on
   std::uint32_t iterations{};
-  CompiledWork compressed, uncompressed;  // RV32IMC and RV32IM
+  CompiledWork compressed, uncompressed, with_zbb;  // RV32IMC, RV32IM, RV32IMC with Zbb
 
   double clocks_per_instruction() const {
     return double(compressed.run.use.clocks()) / double(compressed.run.use.instructions());
   }
-  double clocks_per_unit() const {
-    return double(compressed.run.use.clocks()) / compressed.run.result.units;
+  double clocks_per_unit() const { return clocks_per_unit(compressed); }
+  double clocks_per_unit_with_zbb() const { return clocks_per_unit(with_zbb); }
+
+ private:
+  static double clocks_per_unit(const CompiledWork& work) {
+    return double(work.run.use.clocks()) / work.run.result.units;
   }
 };
 
@@ -38,6 +42,7 @@ struct ProcessorFigures {
   std::vector<WorkFigure> works;
   std::uint32_t firmware_bytes{};  // code and constants, without the boot loader
   std::uint32_t firmware_bytes_uncompressed{};
+  std::uint32_t firmware_bytes_with_zbb{};
 };
 
 struct ProcessorScope {

@@ -40,6 +40,7 @@ Json work_json(const WorkFigure& work) {
   json["units_per_second_per_mhz"] = rounded(1e6 / work.clocks_per_unit());
   json["rv32imc"] = compiled_json(work.compressed);
   json["rv32im"] = compiled_json(work.uncompressed);
+  json["rv32imc_zbb"] = compiled_json(work.with_zbb);
   for (std::size_t i = 0; i < waiting_kinds; ++i)
     json["waiting_clocks"][waiting_names[i]] = use.waited(static_cast<Waiting>(i));
   for (std::size_t i = 0; i < event_kinds; ++i)
@@ -53,7 +54,8 @@ std::string to_json(const ProcessorFigures& figures) {
   Json json{{"benchmark", "processor"}};
   for (const WorkFigure& work : figures.works) json["works"].push_back(work_json(work));
   json["firmware"] = {{"rv32imc_code_bytes", figures.firmware_bytes},
-                      {"rv32im_code_bytes", figures.firmware_bytes_uncompressed}};
+                      {"rv32im_code_bytes", figures.firmware_bytes_uncompressed},
+                      {"rv32imc_zbb_code_bytes", figures.firmware_bytes_with_zbb}};
   return json.dump(2) + "\n";
 }
 
@@ -63,20 +65,25 @@ std::string to_table(const ProcessorFigures& figures) {
                                            Arguments&&... arguments) {
     fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
   };
-  add("{:<16} {:>10} {:>12} {:>7} {:>12} {:>10}  {:>8} {:>8} {:>7}\n", "", "clocks", "instructions",
-      "clocks", "clocks", "units/s", "code", "without", "clocks");
-  add("{:<16} {:>10} {:>12} {:>7} {:>12} {:>10}  {:>8} {:>8} {:>7}\n", "", "", "", "each",
-      "per unit", "per MHz", "bytes", "C", "each");
+  add("{:<16} {:>10} {:>12} {:>7} {:>12} {:>10}  {:>8} {:>8} {:>7} {:>9} {:>12} {:>7}\n", "",
+      "clocks", "instructions", "clocks", "clocks", "units/s", "code", "without", "clocks",
+      "with Zbb:", "clocks", "clocks");
+  add("{:<16} {:>10} {:>12} {:>7} {:>12} {:>10}  {:>8} {:>8} {:>7} {:>9} {:>12} {:>7}\n", "", "",
+      "", "each", "per unit", "per MHz", "bytes", "C", "each", "bytes", "per unit", "each");
   for (const WorkFigure& work : figures.works) {
     const ClockUse& use = work.compressed.run.use;
-    const ClockUse& long_use = work.uncompressed.run.use;
-    add("{:<16} {:>10} {:>12} {:>7.3f} {:>12.1f} {:>10.2f}  {:>8} {:>8} {:>7.3f}\n", work.name,
-        use.clocks(), use.instructions(), work.clocks_per_instruction(), work.clocks_per_unit(),
-        1e6 / work.clocks_per_unit(), work.compressed.code_bytes, work.uncompressed.code_bytes,
-        double(long_use.clocks()) / double(long_use.instructions()));
+    const auto clocks_each = [](const CompiledWork& compiled) {
+      return double(compiled.run.use.clocks()) / double(compiled.run.use.instructions());
+    };
+    add("{:<16} {:>10} {:>12} {:>7.3f} {:>12.1f} {:>10.2f}  {:>8} {:>8} {:>7.3f} {:>9} {:>12.1f} "
+        "{:>7.3f}\n",
+        work.name, use.clocks(), use.instructions(), work.clocks_per_instruction(),
+        work.clocks_per_unit(), 1e6 / work.clocks_per_unit(), work.compressed.code_bytes,
+        work.uncompressed.code_bytes, clocks_each(work.uncompressed), work.with_zbb.code_bytes,
+        work.clocks_per_unit_with_zbb(), clocks_each(work.with_zbb));
   }
-  add("{:<16} {:>64} {:>8}\n", "firmware", figures.firmware_bytes,
-      figures.firmware_bytes_uncompressed);
+  add("{:<16} {:>64} {:>8} {:>17}\n", "firmware", figures.firmware_bytes,
+      figures.firmware_bytes_uncompressed, figures.firmware_bytes_with_zbb);
   add("\nclocks of 100 instructions beyond 100:\n{:<16}", "");
   for (const char* name : waiting_names) add(" {:>12}", name);
   add("\n");

@@ -54,6 +54,8 @@ void add_options(CLI::App& job, Options& options) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (ulx3s)");
+  job.add_flag("--zbb,!--no-zbb", options.zbb,
+               "the processor with extension Zbb, for firmware that is compiled for it");
   job.add_option("--directory", options.directory,
                  "folder for the bitstream, synthesis.json and the tools' logs")
       ->type_name("DIR")
@@ -70,9 +72,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::absolute(options.directory);
   const std::filesystem::path scripts = project / "tools/hardware";
-  call(fmt::format("{} {} {} {} {} {}", quoted(scripts / "synthesize_board.sh"), quoted(project),
+  call(fmt::format("{} {} {} {} {} {} {}", quoted(scripts / "synthesize_board.sh"), quoted(project),
                    options.board, quoted(firmware), quoted(directory),
-                   options.debug ? "-ghas_debug=true" : ""));
+                   options.debug ? "-ghas_debug=true" : "", options.zbb ? "-ghas_zbb=true" : ""));
   Report report;
   std::vector<Placement> placements;
   for (std::uint32_t seed = options.seed; seed < options.seed + options.seeds; ++seed) {

@@ -18,6 +18,7 @@ struct Options {
   std::uint32_t seed = 1;
   std::uint32_t seeds = 1;
   bool debug = false;
+  bool zbb = STEPFABRIC_ZBB;
   std::filesystem::path directory = "synthesis";
 };
 

@@ -6,12 +6,17 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
+use work.bit_manipulation_pkg.all;
 use work.instruction_set_pkg.all;
 use work.machine_mode_pkg.all;
 use work.processor_pkg.all;
 use work.short_instructions_pkg.all;
 
 entity instruction_decoder_proof is
+  generic (
+    -- 1: the decoder of a processor with Zbb, whose own words are left to bit_manipulation_proof.
+    with_zbb : natural range 0 to 1 := 0
+  );
   port (
     clk : in std_ulogic;
     instruction : in value_t;
@@ -25,7 +30,7 @@ architecture proof of instruction_decoder_proof is
 
   signal decoded : decoded_t;
   signal immediate : value_t;
-  signal is_long, legal : std_ulogic;
+  signal is_long, is_of_zbb, legal : std_ulogic;
   -- Of the specification.
   signal word : value_t;
   signal kind : kind_t;
@@ -42,6 +47,7 @@ architecture proof of instruction_decoder_proof is
 begin
 
   instruction_decoder : entity work.instruction_decoder
+    generic map (has_zbb => with_zbb = 1)
     port map (
       instruction => instruction,
       is_word => is_long,
@@ -51,7 +57,8 @@ begin
       second => is_second);
 
   is_long <= and instruction(1 downto 0);
-  legal <= or decoded.legal;
+  is_of_zbb <= '1' when with_zbb = 1 and is_bit_manipulation(instruction) else '0';
+  legal <= (or decoded.legal) and not is_of_zbb;
   destination <= decoded.destination when decoded.writes else "00000";
 
   word <= instruction when is_long = '1' else expanded(instruction(15 downto 0));
@@ -79,6 +86,7 @@ begin
   second_register <= x"00000000" when is_second = "00000" else second_content;
   second <= immediate when decoded.second_is_constant else second_register;
   arithmetic : entity work.alu
+    generic map (has_zbb => with_zbb = 1)
     port map (
       first => first,
       second => second,
@@ -86,6 +94,7 @@ begin
       shift => decoded.shift,
       subtract => decoded.subtract,
       arithmetic_shift => decoded.arithmetic_shift,
+      rotate => decoded.rotate,
       compare_unsigned => decoded.compare_unsigned,
       result => result,
       equal => equal,
