@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Finds where jumps and branches go while they are decoded, and takes those that can be taken so early:
--- jal, and branches backwards, which are taken to be taken.
+-- Finds where jumps and branches go while they are decoded, and takes those that can be taken so early: jal,
+-- and bne, bge and bgeu backwards, which are taken to be taken, as they end loops. beq, blt and bltu rarely
+-- do.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -61,10 +62,10 @@ begin
 
   -- Told by few bits, too: what these take for a jump and is none is illegal.
   long_jumps <= instruction(6) and instruction(5) and
-                (instruction(3) or ((instruction(4) nor instruction(2)) and instruction(31)));
+                (instruction(3) or
+                 ((instruction(4) nor instruction(2)) and instruction(31) and instruction(12)));
   short_jumps <= not instruction(1) and instruction(0) and
-                 ((instruction(13) and not instruction(14)) or
-                  (instruction(15) and instruction(14) and instruction(12)));
+                 instruction(13) and (not instruction(14) or (instruction(15) and instruction(12)));
   jump <= valid and ((is_word and long_jumps) or (not is_word and short_jumps));
   following <= target when jump else link;
   other <= link when jump or decoded.jump_register or decoded.refetch else target;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- jal and branches backwards go to their target while they are
--- decoded, all others on; what execute is told then.
+-- jal, and bne, bge, bgeu backwards, go to their target while they are decoded, all others on; what execute
+-- is told then.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -97,8 +97,15 @@ begin
     expect(x"0080006f", 8, '1');
     expect(x"800000ef", -1_048_576, '1');  -- jal
     expect(x"7ffff0ef", 1_048_574, '1');
-    expect(x"fe000ee3", -4, '1');          -- beq
-    expect(x"80000063", -4096, '1');
+    expect(x"fe001ee3", -4, '1');          -- bne
+    expect(x"80001063", -4096, '1');
+    expect(x"fe005ee3", -4, '1');          -- bge
+    expect(x"fe007ee3", -4, '1');          -- bgeu
+    expect(x"00007463", 8, '0');
+    expect(x"fe000ee3", -4, '0');          -- beq
+    expect(x"80000063", -4096, '0');
+    expect(x"fe004ee3", -4, '0');          -- blt
+    expect(x"fe006ee3", -4, '0');          -- bltu
     expect(x"00000463", 8, '0');
     expect(x"7e000fe3", 4094, '0');
     expect(x"ffffbffd", -2, '1');          -- c.j
@@ -110,7 +117,8 @@ begin
     expect(x"0000a201", 256, '1');
     expect(x"0000a005", 32, '1');
     expect(x"fffffc7d", -2, '1');          -- c.bnez
-    expect(x"ffffd081", -256, '1');        -- c.beqz
+    expect(x"fffff081", -256, '1');
+    expect(x"ffffd081", -256, '0');        -- c.beqz
     expect(x"0000cd7d", 254, '0');
     expect(x"ffffc2a1", 64, '0');
     expect(x"0000e385", 32, '0');
@@ -143,7 +151,7 @@ begin
     assert jump = '0' and following = address severity failure;
     valid <= '1';
 
-    -- always, if equal, if not, if less, if not: forwards as it is named, backwards the other way round.
+    -- always, if equal, if not, if less, if not: as it is named, or where it was taken the other way round.
     expect_turn(x"00850567", "10000");  -- jalr
     expect_turn(x"ffff9582", "10000");
     expect_turn(x"0000100f", "10000");  -- fence.i
@@ -155,12 +163,14 @@ begin
     expect_turn(x"00005463", "00001");  -- bge
     expect_turn(x"00006463", "00010");  -- bltu
     expect_turn(x"00007463", "00001");  -- bgeu
-    expect_turn(x"fe000ee3", "00100");
+    expect_turn(x"fe000ee3", "01000");
     expect_turn(x"fe001ee3", "01000");
-    expect_turn(x"fe004ee3", "00001");
+    expect_turn(x"fe004ee3", "00010");
     expect_turn(x"fe005ee3", "00010");
+    expect_turn(x"fe006ee3", "00010");
+    expect_turn(x"fe007ee3", "00010");
     expect_turn(x"0000cd7d", "01000");  -- c.beqz
-    expect_turn(x"ffffd081", "00100");
+    expect_turn(x"ffffd081", "01000");
     expect_turn(x"0000e401", "00100");  -- c.bnez
     expect_turn(x"fffffc7d", "01000");
     std.env.finish;
