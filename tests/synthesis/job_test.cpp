@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// `synth` makes the netlist once, places it from each seed and keeps the fastest, with scripts that
+// stand in for the tools.
+#include "tools/synthesis/job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace synthesis {
+namespace {
+
+// Writes the arguments down, one call a line.
+constexpr const char* synthesize_script = R"(#!/bin/sh
+echo "$*" >> "$1/calls"
+echo '{"design": {"num_cells_by_type": {"LUT4": 7000}}}' > "$4/cells.json"
+)";
+
+// Seed 2 gives the fastest clock.
+constexpr const char* place_script = R"(#!/bin/sh
+case $5 in 2) mhz=63.5 ;; *) mhz=5$5.0 ;; esac
+mkdir -p "$6"
+echo "seed $5 on $4" > "$6/$2.bit"
+cat > "$6/report.json" <<END
+{"fmax": {"clk": {"achieved": $mhz, "constraint": 60.0}},
+ "utilization": {
+   "TRELLIS_COMB": {"available": 80000, "used": 14000},
+   "TRELLIS_FF": {"available": 80000, "used": 6000},
+   "DP16KD": {"available": 200, "used": 34},
+   "MULT18X18D": {"available": 150, "used": 5}},
+ "critical_paths": []}
+END
+)";
+
+class SynthesisJob : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "tools/hardware");
+    write_script("synthesize_board.sh", synthesize_script);
+    write_script("place_board.sh", place_script);
+    options_.board = "ulx3s";
+    options_.directory = folder_ / "out";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write_script(const char* name, const char* text) const {
+    const std::filesystem::path file = folder_ / "tools/hardware" / name;
+    std::ofstream(file) << text;
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+  bool run() const { return synthesize(options_, folder_, "firmware.elf"); }
+  std::string text_of(const char* file) const {
+    std::ifstream stream(folder_ / file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / "stepfabric synthesis job test";
+  Options options_;
+};
+
+TEST_F(SynthesisJob, keeps_the_fastest_of_the_placements_of_one_netlist) {
+  options_.seeds = 3;
+  options_.device = "25k";
+  EXPECT_TRUE(run());
+  EXPECT_EQ(text_of("out/ulx3s.bit"), "seed 2 on 25k\n");
+  const auto object = nlohmann::json::parse(text_of("out/synthesis.json"));
+  EXPECT_EQ(object.at("fastest_mhz"), 63.5);
+  EXPECT_EQ(object.at("device"), "25k");
+  EXPECT_EQ(object.at("has_debug"), false);
+  ASSERT_EQ(object.at("placements").size(), 3u);
+  EXPECT_EQ(object.at("placements").at(2).at("seed"), 3);
+  EXPECT_EQ(object.at("placements").at(2).at("fastest_mhz"), 53.0);
+  const std::string calls = text_of("calls");
+  EXPECT_EQ(std::ranges::count(calls, '\n'), 1);
+  EXPECT_EQ(calls.find("has_debug"), std::string::npos);
+}
+
+TEST_F(SynthesisJob, places_from_the_seed_that_is_asked_for_and_says_where_that_is_too_slow) {
+  options_.seed = 7;
+  EXPECT_FALSE(run());
+  EXPECT_EQ(text_of("out/ulx3s.bit"), "seed 7 on 85k\n");
+  const auto object = nlohmann::json::parse(text_of("out/synthesis.json"));
+  EXPECT_EQ(object.at("fastest_mhz"), 57.0);
+}
+
+TEST_F(SynthesisJob, takes_the_debug_port_where_the_board_has_one) {
+  options_.debug = true;
+  options_.seed = 2;
+  EXPECT_TRUE(run());
+  EXPECT_NE(text_of("calls").find("-ghas_debug=true"), std::string::npos);
+  options_.board = "core";
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+TEST_F(SynthesisJob, fails_where_a_tool_fails) {
+  write_script("place_board.sh", "#!/bin/sh\nexit 3\n");
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace synthesis
