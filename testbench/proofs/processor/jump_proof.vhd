@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Every instruction goes on where the instruction set says, for all operands and at all addresses: what decode
--- takes for the next, or what execute makes of it.
+-- Every instruction goes on where the instruction set says, for all operands and at all addresses: what
+-- decode takes for the next, or what execute makes of it.
 
 library ieee;
 use ieee.std_logic_1164.all;
