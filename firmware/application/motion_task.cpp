@@ -122,6 +122,8 @@ void MotionTask::settle_stop() {
 
 void MotionTask::lead_homing() {
   if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
+  // It may rest because of a stop that came after settle_stop() had looked.
+  if (step_generator_.stop_state().stopped) return;
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }

@@ -97,6 +97,7 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return end_stops::Status{.triggered = end_stops()}.encode();
   if (address == steps::Build::address) return steps::Build{.axes = 5, .queue_depth = 32}.encode();
   if (address == steps::Status::address) {
+    advance_motion(clocks_per_status_read);
     const auto level = static_cast<std::uint32_t>(queue_.size());
     return steps::Status{.moving = moving_,
                          .idle = !moving_ && queue_.empty(),

@@ -42,6 +42,7 @@ class FakeChip {
   // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
   std::array<std::int64_t, 4> mechanical{1000, 1000, 30'000, 0};
   bool end_stops_work{true};
+  std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
   std::array<std::int32_t, 4> position{};  // the hardware's counters
   std::uint32_t motors{};
   std::uint32_t fan_duty{};

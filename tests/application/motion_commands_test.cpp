@@ -43,6 +43,17 @@ TEST(motion_commands, homes_only_the_axes_that_are_named) {
   EXPECT_LE(std::abs(printer.chip.mechanical[y]), 1);
 }
 
+// Between any two looks of a pass: the start decides between which.
+TEST(motion_commands, sees_an_end_stop_whenever_it_is_reached) {
+  for (std::int64_t start = 400; start < 440; ++start) {
+    Printer printer;
+    printer.chip.mechanical[x] = start;
+    printer.chip.clocks_per_status_read = clock_hz / 1000;
+    printer.talk("-> G28 X\n<- ok");
+    EXPECT_LE(std::abs(printer.chip.mechanical[x]), 1) << "from " << start;
+  }
+}
+
 TEST(motion_commands, halts_when_an_end_stop_is_never_found) {
   Printer printer;
   printer.chip.end_stops_work = false;
