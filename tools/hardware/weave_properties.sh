@@ -11,7 +11,7 @@ cp -r "$rtl/." "$output"
 
 mapfile -t units < <(find "$properties" -name '*.psl' | sort)
 for unit in "${units[@]}"; do
-  if [ "${4-}" = simulation ] && grep -q '^-- Not for simulation' "$unit"; then continue; fi
+  if [ "${4-}" = simulation ] && grep -q '^--.*Not for simulation' "$unit"; then continue; fi
   entity=$(sed -n 's/^vunit \w* (\(\w*\)(rtl)) {$/\1/p' "$unit")
   file=$(find "$output" -name "$entity.vhd")
   if [ -z "$entity" ] || [ ! -f "$file" ]; then
