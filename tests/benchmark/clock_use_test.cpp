@@ -70,10 +70,12 @@ TEST(clock_use, branches_count_by_where_they_went) {
   executed.then(encode::branch(1, 4, 5, 16), 1).then(encode::nop(), 1);
   executed.then(encode::branch(1, 4, 5, 64), 1).at(start + 0x100, encode::nop(), 2);
   executed.then(encode::branch(1, 4, 5, -64), 1).at(start, encode::nop(), 2);
-  EXPECT_EQ(executed.use().count(Event::branch_not_taken), 1u);
+  executed.then(encode::branch(1, 4, 5, -64), 1).then(encode::nop(), 3);
+  EXPECT_EQ(executed.use().count(Event::branch_not_taken), 2u);
   EXPECT_EQ(executed.use().count(Event::branch_taken_forward), 1u);
   EXPECT_EQ(executed.use().count(Event::branch_taken_backward), 1u);
-  EXPECT_EQ(executed.use().waited(Waiting::taken_branch), 2u);
+  EXPECT_EQ(executed.use().waited(Waiting::branch), 4u);
+  EXPECT_EQ(executed.use().waited(Waiting::other), 0u);
   EXPECT_EQ(executed.use().waited(Waiting::jump), 0u);
 }
 

@@ -32,7 +32,8 @@ class HungProcessor : public testing::Test {
   HungProcessor() {
     sim::load(sim::read_elf(FIRMWARE), chip_);
     printer_.add_step_listener(last_step_);
-    simulation_.run_until(20 * millisecond);
+    // Behind the boot loader's ear for a host, and the start of the firmware.
+    simulation_.run_until(100 * millisecond);
     // 15 s at 10 mm/s, in one segment that would go on without a processor.
     printer_.serial_line().send(simulation_.now(), "G91\nG1 X150 F600\n");
   }

@@ -32,7 +32,16 @@ class Registers {
   void note(const Retirement& event) {
     if (!event.trap && event.destination != 0) values_.at(event.destination) = event.value;
   }
-  bool equal(const QemuState& state) const { return values_ == state.registers; }
+  // Which differ; empty where none does.
+  std::string difference(const QemuState& state) const {
+    std::ostringstream text;
+    for (std::size_t index = 0; index < values_.size(); ++index) {
+      if (values_.at(index) == state.registers.at(index)) continue;
+      text << "x" << index << std::hex << " is " << values_.at(index) << ", QEMU's is "
+           << state.registers.at(index) << std::dec << "; ";
+    }
+    return text.str();
+  }
   // After the chip's reset they hold anything: those of QEMU's loader are taken over.
   void start_from(const QemuState& state) { values_ = state.registers; }
 
@@ -56,7 +65,7 @@ void run_beside_qemu(std::uint32_t seed, const RandomProgramSettings& settings, 
     state = qemu.next();
     ASSERT_TRUE(state.has_value()) << "QEMU has ended";
     registers.note(*event);
-    ASSERT_TRUE(registers.equal(*state)) << describe(*event, count.instructions);
+    ASSERT_EQ(registers.difference(*state), "") << describe(*event, count.instructions);
     if (event->trap) {
       // Cause and value come into registers, where the handler reads them.
       ASSERT_EQ(state->program_counter, state->mtvec) << describe(*event, count.instructions);

@@ -400,7 +400,20 @@ class Generator {
     const Word kind = address == 0x301 ? 2 : 1 + below(3);
     const bool from_constant = one_in(3);
     const Word operand = address == 0x301 ? 0 : source();
+    if (address == mepc) return add_even_write_of_mepc(kind, from_constant, operand);
     emit(encode::csr(from_constant ? kind + 4 : kind, destination(), address, operand));
+  }
+
+  // QEMU 10.0 keeps bit 0 of what is written to mepc, and reads it back: there it is 0.
+  void add_even_write_of_mepc(Word kind, bool from_constant, Word operand) {
+    constexpr Word clear = 3;
+    if (from_constant) {
+      emit(encode::csr(kind + 4, destination(), mepc, operand & ~Word{1}));
+    } else if (one_in(2)) {
+      emit(encode::csr(clear, destination(), mepc, operand));
+    } else {
+      emit(encode::csr(kind, destination(), mepc, data_base));
+    }
   }
 
   Word wild_word() {

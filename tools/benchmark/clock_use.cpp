@@ -42,7 +42,8 @@ bool manipulates_bits(std::uint32_t word) {
 }
 // Who reads its result next waits a clock.
 bool is_late(std::uint32_t word) {
-  return opcode_of(word) == load || multiplies(word) || manipulates_bits(word);
+  const bool reads_csr = opcode_of(word) == system && funct3_of(word) != 0;
+  return opcode_of(word) == load || multiplies(word) || manipulates_bits(word) || reads_csr;
 }
 
 bool has_destination(std::uint32_t word) {
@@ -90,8 +91,8 @@ bool ClockUse::reads(std::uint32_t word, const std::optional<Executed>& writer) 
          (writer->destination == first_source(word) || writer->destination == second_source(word));
 }
 
-// What is more than one clock, to the first cause that there is; a division has many, so it comes
-// last.
+// What is more than one clock, to the first cause that there is; a division comes last, and has its
+// own (rtl/processor/README.md).
 void ClockUse::divide_clocks(std::uint32_t word, std::uint32_t address, std::uint64_t clock) {
   if (!last_) {
     clocks_ = 1;
@@ -105,12 +106,13 @@ void ClockUse::divide_clocks(std::uint32_t word, std::uint32_t address, std::uin
     rest -= part;
   };
   const bool division = divides(word);
-  const std::uint64_t most = division ? 1 : rest;
+  constexpr std::uint64_t waits_of_division = 17;
+  const std::uint64_t most = division ? rest - std::min(rest, waits_of_division) : rest;
   if (last_->late && reads(word, last_)) put(Waiting::late_result, most);
   if (last_->opcode == jump || last_->opcode == jump_register)
     put(Waiting::jump, most);
-  else if (address != last_->address + last_->bytes)
-    put(Waiting::taken_branch, most);
+  else if (last_->opcode == branch || address != last_->address + last_->bytes)
+    put(Waiting::branch, most);
   put(division ? Waiting::division : Waiting::other, rest);
 }
 

@@ -10,14 +10,14 @@ namespace benchmarks {
 
 // Beside the one clock that every instruction takes.
 enum class Waiting : std::uint8_t {
-  late_result,  // of a load or a multiplication that the next instruction reads
-  taken_branch,
+  late_result,  // of a load, a multiplication or a CSR that the next instruction reads
+  branch,  // that is taken, or was taken early in vain
   jump,
   division,
   other
 };
 inline constexpr std::size_t waiting_kinds = 5;
-inline constexpr std::array<const char*, waiting_kinds> waiting_names{"late_result", "taken_branch",
+inline constexpr std::array<const char*, waiting_kinds> waiting_names{"late_result", "branch",
                                                                       "jump", "division", "other"};
 
 // How often something is there that a change of the pipeline would cost or save.
