@@ -65,6 +65,23 @@ expect 124 run "$work/program.elf" --max-cycles 1000
 field_body '.data\n.space 65536\n.text'
 expect 2 run "$work/program.elf"
 expect_text 'does not fit'
+
+# The signature: words that the program has written, and those that it found; none of a program without one.
+field_body 'la a0, begin_signature\nli a1, 0x89abcdef\nsw a1, 4(a0)
+.data\n.align 4\n.globl begin_signature, end_signature
+begin_signature: .word 0x1234, 0, -1\nend_signature: .text'
+expect 0 run "$work/program.elf" --signature "$work/signature"
+printf '%s\n' 00001234 89abcdef ffffffff | diff - "$work/signature" || failures=$((failures + 1))
+expect 2 run "$work/program.elf" --signature "$work/missing/signature"
+expect_text 'cannot write the signature to .*missing/signature'
+riscv64-unknown-elf-objcopy --redefine-sym end_signature=other \
+  --add-symbol end_signature=0x90000000,global "$work/program.elf"
+expect 2 run "$work/program.elf" --signature "$work/signature"
+expect_text 'end_signature. at 0x90000000.*no whole words'
+field_body 'nop'
+expect 2 run "$work/program.elf" --signature "$work/signature"
+expect_text 'no symbol .begin_signature'
+
 field_body 'nop' -Wl,--defsym=other=0
 riscv64-unknown-elf-objcopy --globalize-symbol=tohost --redefine-sym tohost=elsewhere \
   --add-symbol tohost=0x90000000,global "$work/program.elf"

@@ -139,6 +139,10 @@ void add_run(CLI::App& app, RunOptions& options) {
   job.add_option("--baud", options.baud,
                  "show what the program sends on the serial line at this rate")
       ->check(CLI::Range(1'200, 3'000'000));
+  job.add_option("--signature", options.signature,
+                 "write the words from `begin_signature` to `end_signature` at the program's end, "
+                 "for the architecture tests")
+      ->type_name("FILE");
   job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
   job.footer(
       "Exit status: 0 where 1 was stored to `tohost`, otherwise the value >> 1 (1 to 255); 2 for a "

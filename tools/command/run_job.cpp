@@ -15,6 +15,7 @@
 #include "sim/simulation/verilated_chip.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/command/signature.hpp"
 
 namespace command {
 
@@ -101,6 +102,10 @@ int run(const RunOptions& options) {
   load(image, chip);
   make_start(image, chip);
   check_place(*tohost, chip);
+  std::optional<Signature> signature;
+  if (!options.signature.empty()) {
+    signature = find_signature(image, chip);
+  }
   if (!options.trace.empty()) {
     chip.trace_to(options.trace);
   }
@@ -122,6 +127,9 @@ int run(const RunOptions& options) {
   fmt::print(stderr, "{:.2f} million clocks per second\n",
              static_cast<double>(chip.now()) / std::max(wall.count(), 1e-9) * 1e-6);
   if (value != 0) {
+    if (signature) {
+      write_signature(*signature, chip, options.signature);
+    }
     const int status = exit_status_of(value);
     fmt::print("{}: tohost = {}\n", status == success ? "passed" : "failed", value);
     return status;

@@ -18,6 +18,7 @@ struct RunOptions {
   std::uint64_t max_cycles = 100'000'000;
   std::uint32_t clock_hz = 50'000'000;
   std::optional<std::uint32_t> baud;  // shows what the program writes to the serial line
+  std::filesystem::path signature;  // written when the program has ended
   std::filesystem::path trace;
 };
 
