@@ -100,8 +100,8 @@ begin
       when "0011010" =>  -- mscratch, mepc, mcause, mtval, mip.
         csr_exists <= not csr_address(4) and not csr_address(3) and
                       (not csr_address(2) or not (or csr_address(1 downto 0)));
-      when "0111101" =>  -- tselect, tdata1: "there is no trigger".
-        csr_exists <= nor csr_address(4 downto 1);
+      when "0111101" =>  -- tselect, tdata1..3: "there is no trigger".
+        csr_exists <= nor csr_address(4 downto 2);
       when "1011000" | "1011100" =>  -- mcycle, minstret, mhpmcounter.
         csr_exists <= not csr_address(0) or is_hardware_performance;
       when "1100000" | "1100100" =>  -- cycle, instret.

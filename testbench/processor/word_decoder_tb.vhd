@@ -26,8 +26,8 @@ begin
     -- Of traps, counters, triggers, shadows, identity; and the 87 counters and events that are zero.
     constant csrs : addresses_t := (
       x"300", x"301", x"304", x"305", x"310", x"340", x"341", x"342", x"343", x"344", x"320", x"7a0",
-      x"7a1", x"b00", x"b02", x"b80", x"b82", x"c00", x"c02", x"c80", x"c82", x"f11", x"f12", x"f13",
-      x"f14", x"f15");
+      x"7a1", x"7a2", x"7a3", x"b00", x"b02", x"b80", x"b82", x"c00", x"c02", x"c80", x"c82", x"f11",
+      x"f12", x"f13", x"f14", x"f15");
     variable legal_words, existing : natural;
 
     procedure decode(word : word_t) is

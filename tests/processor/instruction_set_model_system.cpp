@@ -71,6 +71,8 @@ std::optional<std::uint32_t> InstructionSetModel::read_csr(std::uint32_t address
     case 0x310:
     case 0x7A0:
     case 0x7A1:
+    case 0x7A2:
+    case 0x7A3:
     case 0xF11:
     case 0xF12:
     case 0xF13:

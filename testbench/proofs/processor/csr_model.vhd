@@ -63,7 +63,8 @@ begin
       when x"301" => old <= x"40001104";
       when x"304" => old <= mie;
       when x"305" => old <= mtvec;
-      when x"310" | x"7a0" | x"7a1" | x"f11" | x"f12" | x"f13" | x"f14" | x"f15" => null;
+      when x"310" | x"7a0" | x"7a1" | x"7a2" | x"7a3" | x"f11" | x"f12" | x"f13" | x"f14" | x"f15" =>
+        null;
       when x"320" => old <= (2 => stops_instructions, 0 => stops_cycle, others => '0');
       when x"340" =>
         old <= mscratch;

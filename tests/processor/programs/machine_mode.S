@@ -126,11 +126,18 @@ zero_word:
   csrs mtvec, zero
   csrs mepc, zero
 
-  # No trigger: the selection does not take, and there is nothing of a kind that could be set.
+  # No trigger: the selection does not take, and there is nothing of a kind that could be set. A program
+  # may write the address before it looks at the kind: that is no trap.
   li a0, 1 << 31
   csrw tselect, a0
   csrr a1, tselect
   check a1, 0
+  la a0, place
+  csrw tdata2, a0
+  csrr a1, tdata2
+  check a1, 0
+  li a0, 0x20000044
+  csrw tdata1, a0
   csrr a1, tdata1
   srli a1, a1, 28
   check a1, 0

@@ -53,8 +53,10 @@
   check a1, 0
   keeps mhpmevent31, 0
   check a1, 0
-  keeps tselect, 0
+  .irp name, tselect, tdata1, tdata2, tdata3
+  keeps \name, 0
   check a1, 0
+  .endr
   csrr s0, mtvec
   li a0, -1
   csrw mtvec, a0

@@ -73,7 +73,7 @@
   illegal 0x30202573
   illegal 0x30302573
   illegal 0x30602573
-  illegal 0x7a202573
+  illegal 0x7a402573
   illegal 0x7b002573
   illegal 0xc0102573
   illegal 0xc0302573
