@@ -26,13 +26,16 @@ class ElfFile {
     if (descriptor_ < 0) {
       fail(std::strerror(errno));
     }
+    if (std::filesystem::is_directory(path)) {
+      fail("is a directory");
+    }
     elf_ = elf_begin(descriptor_, ELF_C_READ, nullptr);
     if (elf_ == nullptr || elf_kind(elf_) != ELF_K_ELF) {
       fail("is not an ELF file");
     }
     if (gelf_getehdr(elf_, &header_) == nullptr || gelf_getclass(elf_) != ELFCLASS32 ||
         header_.e_machine != EM_RISCV) {
-      fail("is not a program for 32-bit RISC-V");
+      fail("is not a program for 32-bit RISC-V: compile it for -march=rv32imc_zicsr -mabi=ilp32");
     }
     if (header_.e_type != ET_EXEC) {
       fail("is not an executable: link it to fixed addresses");
@@ -67,6 +70,22 @@ class ElfFile {
   GElf_Ehdr header_{};
 };
 
+// A linker without a script puts the file's own header before the first section of the first
+// segment, on a page that may lie before the memory. The program does not need it.
+std::size_t header_bytes(ElfFile& file, const GElf_Phdr& segment) {
+  const GElf_Addr end = segment.p_vaddr + segment.p_memsz;
+  GElf_Addr first = end;
+  Elf_Scn* section = nullptr;
+  while ((section = elf_nextscn(file.elf(), section)) != nullptr) {
+    GElf_Shdr header;
+    if (gelf_getshdr(section, &header) != nullptr && (header.sh_flags & SHF_ALLOC) != 0 &&
+        header.sh_addr >= segment.p_vaddr) {
+      first = std::min(first, header.sh_addr);
+    }
+  }
+  return segment.p_offset == 0 && first != end ? first - segment.p_vaddr : 0;
+}
+
 std::vector<ElfSegment> segments_of(ElfFile& file) {
   std::vector<ElfSegment> segments;
   std::size_t count = 0;
@@ -85,9 +104,11 @@ std::vector<ElfSegment> segments_of(ElfFile& file) {
         header.p_filesz > header.p_memsz || header.p_memsz > 0x1000'0000) {
       file.fail("is damaged: a segment lies beyond its end");
     }
-    ElfSegment segment{static_cast<std::uint32_t>(header.p_paddr),
-                       std::vector<std::uint8_t>(header.p_memsz)};
-    std::memcpy(segment.bytes.data(), content + header.p_offset, header.p_filesz);
+    const std::size_t skipped = std::min<std::size_t>(header_bytes(file, header), header.p_filesz);
+    ElfSegment segment{static_cast<std::uint32_t>(header.p_paddr + skipped),
+                       std::vector<std::uint8_t>(header.p_memsz - skipped)};
+    std::memcpy(segment.bytes.data(), content + header.p_offset + skipped,
+                header.p_filesz - skipped);
     segments.push_back(std::move(segment));
   }
   if (segments.empty()) {
@@ -138,6 +159,21 @@ void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
   }
 }
 
+constexpr std::uint32_t memory_start = 0x8000'0000;
+
+// The first address behind the chip's memory, the size of which is a power of 2.
+std::uint32_t memory_end(const Chip& chip) {
+  std::uint32_t size = 1;
+  try {
+    while (size != 0) {
+      size *= 2;
+      chip.read_memory(memory_start + size);
+    }
+  } catch (const std::out_of_range&) {
+  }
+  return memory_start + size;
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> ElfImage::symbol(const std::string& name) const {
@@ -174,10 +210,10 @@ void load(const ElfImage& image, Chip& chip) {
         chip.write_memory(word, value);
       }
     } catch (const std::out_of_range&) {
-      throw std::runtime_error(
-          fmt::format("the program does not fit: it loads {} bytes at {:#010x}, which the chip's "
-                      "memory does not hold",
-                      segment.bytes.size(), segment.address));
+      throw std::runtime_error(fmt::format(
+          "the program does not fit: it loads {} bytes at {:#010x}, but the chip's "
+          "memory is {:#010x} to {:#010x}: link it there, as with -Ttext={:#010x}",
+          segment.bytes.size(), segment.address, memory_start, memory_end(chip) - 1, memory_start));
     }
   }
 }

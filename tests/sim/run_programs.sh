@@ -38,7 +38,7 @@ program 7
 expect 3 run "$work/program.elf"
 program 0
 expect 124 run "$work/program.elf" --max-cycles 20000
-expect_text 'within 20000 cycles'
+expect_text 'within 20000 cycles: it still runs'
 
 # Programs as the field's tests are: their start-up tries registers that need not be there, `tohost` has 64 bits
 # and a page of its own, and it is stored to again and again.
@@ -62,6 +62,12 @@ field_body '.word 0'
 expect 255 run "$work/program.elf"
 field_body '1: j 1b'
 expect 124 run "$work/program.elf" --max-cycles 1000
+field_body 'wfi'
+expect 124 run "$work/program.elf" --max-cycles 1000
+expect_text 'it sleeps'
+field_body 'csrw mtvec, zero\n.word 0'
+expect 124 run "$work/program.elf" --max-cycles 1000
+expect_text 'completes no instruction any more'
 field_body '.data\n.space 65536\n.text'
 expect 2 run "$work/program.elf"
 expect_text 'does not fit'
@@ -100,6 +106,44 @@ compile -Wl,--defsym=stack_top=0x80010000 -x assembler - <<< '.globl _start
 _start: j _start'
 expect 2 run "$work/program.elf"
 expect_text 'no symbol `tohost`'
+
+# A program linked without a script: the file's header lies before the memory, and is not loaded.
+plain_link() {
+  riscv64-unknown-elf-gcc -march=rv32imc_zicsr -mabi=ilp32 -nostdlib -nostartfiles -x assembler "$@" \
+    -o "$work/program.elf" - <<< '.globl _start, tohost
+_start: la t0, tohost
+  li t1, 1
+  sw t1, 0(t0)
+1: j 1b
+  .data
+tohost: .word 0
+  .section .far, "aw"
+  .word 1'
+}
+plain_link -Wl,-Ttext=0x80000000
+expect 0 run "$work/program.elf"
+riscv64-unknown-elf-strip "$work/program.elf"
+expect 2 run "$work/program.elf"
+expect_text 'no symbol `tohost`, as it has no symbols at all'
+plain_link -Wl,-Ttext=0x80000100
+expect 0 run "$work/program.elf"
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x8000fffe
+expect 2 run "$work/program.elf"
+expect_text 'loads 4 bytes at 0x8000fffe.*memory is 0x80000000 to 0x8000ffff: link it there'
+plain_link -Wl,-Ttext=0x80000000 -Wl,-Tdata=0x80001002
+expect 2 run "$work/program.elf"
+expect_text 'lies at 0x80001002: align it'
+plain_link
+expect 2 run "$work/program.elf"
+expect_text 'does not fit.*-Ttext=0x80000000'
+plain_link -march=rv64imac -mabi=lp64 -mcmodel=medany -Wl,-Ttext=0x80000000
+expect 2 run "$work/program.elf"
+expect_text 'compile it for -march=rv32imc_zicsr -mabi=ilp32'
+expect 2 run "$work"
+expect_text 'is a directory'
+: > "$work/program.elf"
+expect 2 run "$work/program.elf"
+expect_text 'is not an ELF file'
 
 # What cannot be printed is told before anything moves, and the report says it too.
 printf 'G28\n\0\n' > "$work/binary.gcode"

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 #include "sim/devices/serial_line.hpp"
 #include "sim/simulation/elf_image.hpp"
@@ -32,15 +33,15 @@ class PrintedBytes : public devices::ByteListener {
 
 // The chip's memory is looked at by words.
 void check_place(std::uint32_t tohost, const sim::Chip& chip) {
-  bool readable = tohost % 4 == 0;
+  if (tohost % 4 != 0) {
+    throw std::runtime_error(
+        fmt::format("`tohost` lies at {:#010x}: align it to a multiple of 4 bytes", tohost));
+  }
   try {
     chip.read_memory(tohost);
   } catch (const std::out_of_range&) {
-    readable = false;
-  }
-  if (!readable) {
     throw std::runtime_error(
-        fmt::format("`tohost` lies at {:#010x}, where the chip has no memory word", tohost));
+        fmt::format("`tohost` lies at {:#010x}, where the chip has no memory", tohost));
   }
 }
 
@@ -66,6 +67,21 @@ std::uint32_t wait_for_store(sim::Simulation& simulation, std::uint32_t tohost,
     }
   }
   return 0;
+}
+
+// Why a program may not have ended, seen from what the processor does now.
+std::string_view what_goes_on(sim::Simulation& simulation) {
+  constexpr sim::Clock clocks_to_watch = 1'000;
+  const sim::ProcessorStatistics before = simulation.chip().processor_statistics();
+  simulation.run_until(simulation.now() + clocks_to_watch);
+  const sim::ProcessorStatistics after = simulation.chip().processor_statistics();
+  if (after.instructions != before.instructions) {
+    return "it still runs, and --max-cycles grants it more";
+  }
+  if (after.sleeping_clocks == before.sleeping_clocks + clocks_to_watch) {
+    return "it sleeps, and no interrupt comes that would wake it";
+  }
+  return "it completes no instruction any more; does mtvec point to a trap handler?";
 }
 
 }  // namespace
@@ -94,8 +110,12 @@ int run(const RunOptions& options) {
   const sim::ElfImage image = sim::read_elf(options.program);
   const std::optional<std::uint32_t> tohost = image.symbol("tohost");
   if (!tohost) {
-    fmt::print(stderr, "{} has no symbol `tohost`, by which a program tells that it has ended\n",
-               options.program.string());
+    fmt::print(
+        stderr,
+        "{} has no symbol `tohost`{}: a program must define this word, and end by a store of 1 "
+        "(passed) or 2 * status + 1 to it\n",
+        options.program.string(),
+        image.symbols.empty() ? ", as it has no symbols at all (is it stripped?)" : "");
     return bad_input;
   }
   sim::VerilatedChip chip(options.clock_hz);
@@ -137,8 +157,8 @@ int run(const RunOptions& options) {
   if (interrupt_requested()) {
     return interrupted;
   }
-  fmt::print(stderr, "{} did not store to tohost within {} cycles\n", options.program.string(),
-             options.max_cycles);
+  fmt::print(stderr, "{} did not store to tohost within {} cycles: {}\n", options.program.string(),
+             options.max_cycles, what_goes_on(simulation));
   return time_out;
 }
 
