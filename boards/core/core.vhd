@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor and its memory alone, behind six pins of any ECP5: to measure their size and clock rate.
+-- The processor and its memory alone, behind six pins of any FPGA: to measure their size and clock rate.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,6 +11,8 @@ use work.processor_pkg.all;
 
 entity core is
   generic (
+    -- A power of two.
+    memory_size_bytes : positive := 65536;
     -- The processor has extension Zbb.
     has_zbb : boolean := false
   );
@@ -47,7 +49,7 @@ begin
     acknowledge => inputs(32), error => inputs(33), data => inputs(31 downto 0));
 
   processor : entity work.processor
-    generic map (has_zbb => has_zbb)
+    generic map (memory_size_bytes => memory_size_bytes, has_zbb => has_zbb)
     port map (
       clk => clk,
       always_clk => clk,
@@ -67,6 +69,7 @@ begin
       retirement => open);
 
   memory : entity work.memory
+    generic map (size_bytes => memory_size_bytes)
     port map (
       clk => clk,
       instruction_request => instruction_request,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,22 @@ cat > "$6/report.json" <<END
 END
 )";
 
+constexpr const char* synthesize_ice40_script = R"(#!/bin/sh
+echo "ice40 $*" >> "$1/calls"
+echo '{"design": {"num_cells_by_type": {"SB_LUT4": 6300, "SB_DFFE": 900}}}' > "$4/cells.json"
+)";
+
+constexpr const char* place_ice40_script = R"(#!/bin/sh
+mkdir -p "$6"
+cat > "$6/report.json" <<END
+{"fmax": {"clk": {"achieved": 52.5, "constraint": 50.0}},
+ "utilization": {
+   "ICESTORM_LC": {"available": 7680, "used": 6800},
+   "ICESTORM_RAM": {"available": 32, "used": 20}},
+ "critical_paths": []}
+END
+)";
+
 class SynthesisJob : public testing::Test {
  protected:
   void SetUp() override {
@@ -43,6 +60,8 @@ class SynthesisJob : public testing::Test {
     std::filesystem::create_directories(folder_ / "tools/hardware");
     write_script("synthesize_board.sh", synthesize_script);
     write_script("place_board.sh", place_script);
+    write_script("synthesize_ice40.sh", synthesize_ice40_script);
+    write_script("place_ice40.sh", place_ice40_script);
     options_.board = "ulx3s";
     options_.directory = folder_ / "out";
   }
@@ -98,9 +117,47 @@ TEST_F(SynthesisJob, takes_the_debug_port_where_the_board_has_one) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
+TEST_F(SynthesisJob, measures_the_core_on_an_ice40_and_nothing_else_there) {
+  options_.board = "core";
+  options_.device = "hx8k";
+  EXPECT_TRUE(run());
+  const std::string calls = text_of("calls");
+  EXPECT_TRUE(calls.starts_with("ice40 ")) << calls;
+  EXPECT_NE(calls.find(" core hx8k "), std::string::npos) << calls;
+  EXPECT_NE(calls.find("-gmemory_size_bytes=4096"), std::string::npos) << calls;
+  const auto object = nlohmann::json::parse(text_of("out/synthesis.json"));
+  EXPECT_EQ(object.at("family"), "iCE40");
+  EXPECT_EQ(object.at("memory_bytes"), 4096);
+  EXPECT_EQ(object.at("lut4"), 6300);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/core.bit"));
+  options_.board = "ulx3s";
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
 TEST_F(SynthesisJob, fails_where_a_tool_fails) {
   write_script("place_board.sh", "#!/bin/sh\nexit 3\n");
   EXPECT_THROW(run(), std::runtime_error);
+}
+
+// The scripts of the project itself, with a tool that says what nextpnr says.
+TEST_F(SynthesisJob, says_of_what_a_device_has_too_little) {
+  const std::filesystem::path tool = folder_ / "nextpnr";
+  std::ofstream(tool) << R"(#!/bin/sh
+echo "Info: Device utilisation:"
+echo "Info: 	         ICESTORM_LC:  9679/ 7680   126%"
+echo "Info: 	        ICESTORM_RAM:    32/   32   100%"
+echo "ERROR: Unable to place cell 'x', no BELs remaining to implement cell type 'ICESTORM_LC'"
+exit 1
+)";
+  std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
+  const std::string command = "cd '" + folder_.string() +
+                              "' && directory=. && . '" PROJECT_DIRECTORY
+                              "/tools/hardware/steps.sh' && place ./nextpnr 2> words";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  const std::string words = text_of("words");
+  EXPECT_NE(words.find("does not fit into this device"), std::string::npos) << words;
+  EXPECT_NE(words.find("ICESTORM_LC:  9679/ 7680   126%"), std::string::npos) << words;
+  EXPECT_EQ(words.find("ICESTORM_RAM"), std::string::npos) << words;
 }
 
 }  // namespace

@@ -30,6 +30,18 @@ constexpr const char* layout = R"({
       {"delay": 2.5, "from": {"cell": "ram", "port": "DOA"}, "to": {"cell": "ff", "port": "DI"}}]}]
 })";
 
+constexpr const char* ice40_cells = R"({"design": {"num_cells_by_type": {
+  "SB_LUT4": 6300, "SB_CARRY": 600, "SB_DFF": 200, "SB_DFFE": 700, "SB_DFFESR": 100}}})";
+constexpr const char* ice40_layout = R"({
+  "fmax": {"clk$SB_IO_IN_$glb_clk": {"achieved": 52.5, "constraint": 50.0}},
+  "utilization": {
+    "ICESTORM_LC": {"available": 7680, "used": 6800},
+    "ICESTORM_RAM": {"available": 32, "used": 20}},
+  "critical_paths": [
+    {"from": "negedge clk$SB_IO_IN_$glb_clk", "to": "posedge clk$SB_IO_IN_$glb_clk", "path": [
+      {"delay": 9.5, "from": {"cell": "ram", "port": "RCLKN"}, "to": {"cell": "lc", "port": "I0"}}]}]
+})";
+
 class SynthesisReport : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::create_directories(folder_); }
@@ -45,7 +57,7 @@ class SynthesisReport : public testing::Test {
 
 TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
   write(cells, layout);
-  const Report report = read_report(folder_, folder_);
+  const Report report = read_report(folder_, folder_, Family::ecp5);
   EXPECT_EQ(report.lut4, 7000);
   EXPECT_EQ(report.logic_cells.used, 14000);
   EXPECT_EQ(report.block_rams.available, 200);
@@ -60,9 +72,31 @@ TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
   EXPECT_NE(as_table(report).find("60.0 MHz; 50 MHz are wanted: +20 %"), std::string::npos);
 }
 
+TEST_F(SynthesisReport, knows_the_parts_of_an_ice40) {
+  write(ice40_cells, ice40_layout);
+  Report report = read_report(folder_, folder_, Family::ice40);
+  EXPECT_EQ(report.lut4, 6300);
+  EXPECT_EQ(report.registers.used, 1000);
+  EXPECT_EQ(report.registers.available, 7680);
+  EXPECT_EQ(report.block_rams.used, 20);
+  EXPECT_EQ(report.multipliers.available, 0);
+  EXPECT_EQ(report.critical_path.front().from, "ram.RCLKN");
+  report.board = "core";
+  report.device = "hx8k";
+  report.memory_bytes = 4096;
+  const std::string table = as_table(report);
+  EXPECT_TRUE(table.starts_with("core with an iCE40 hx8k, 4 KiB of memory\n")) << table;
+  EXPECT_NE(table.find("block RAM of 4 kbit"), std::string::npos) << table;
+  EXPECT_EQ(table.find("multipliers"), std::string::npos) << table;
+  const auto object = nlohmann::json::parse(as_json(report));
+  EXPECT_EQ(object.at("family"), "iCE40");
+  EXPECT_EQ(object.at("memory_bytes"), 4096);
+  EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
+}
+
 TEST_F(SynthesisReport, tells_the_clock_of_each_placement) {
   write(cells, layout);
-  Report report = read_report(folder_, folder_);
+  Report report = read_report(folder_, folder_, Family::ecp5);
   report.placements = {{.seed = 4, .fastest_mhz = 60.04}};
   EXPECT_EQ(as_table(report).find("of the placements"), std::string::npos);
   report.placements.push_back({.seed = 5, .fastest_mhz = 58.5});
@@ -77,14 +111,14 @@ TEST_F(SynthesisReport, is_too_slow_below_the_wanted_clock) {
   std::string slow = layout;
   slow.replace(slow.find("60.0"), 4, "49.9");
   write(cells, slow);
-  EXPECT_FALSE(read_report(folder_, folder_).fast_enough());
+  EXPECT_FALSE(read_report(folder_, folder_, Family::ecp5).fast_enough());
 }
 
 TEST_F(SynthesisReport, refuses_a_report_that_lacks_something) {
   write("{}", layout);
-  EXPECT_THROW(read_report(folder_, folder_), std::runtime_error);
+  EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
   write(cells, R"({"fmax": {}, "utilization": {}, "critical_paths": []})");
-  EXPECT_THROW(read_report(folder_, folder_), std::runtime_error);
+  EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
 }
 
 // The first columns of a table with a header row.

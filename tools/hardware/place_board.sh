@@ -6,11 +6,7 @@
 set -euo pipefail
 project=$1 board=$2 netlist=$3/netlist.json device=$4 seed=$5 directory=$6
 
-step() {
-  local log=$1
-  shift
-  "$@" > "$log" 2>&1 || { tail -n 20 "$log" >&2; echo "failed: $1; log in $directory/$log" >&2; exit 1; }
-}
+. "$project/tools/hardware/steps.sh"
 
 mkdir -p "$directory"
 cd "$directory"
@@ -18,7 +14,7 @@ rm -f report.json "$board.bit"
 
 # A board that is none has no pins.
 if [ ! -f "$project/boards/$board/connections.csv" ]; then
-  step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
+  place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
     --lpf "$project/constraints/$board.lpf" --lpf-allow-unconstrained --report report.json \
     --seed "$seed" --timing-allow-fail
   exit
@@ -34,6 +30,6 @@ awk -F, -v OFS= '
 ' "$project/boards/$board/pins.csv" "$project/boards/$board/connections.csv" > pins.lpf
 cat pins.lpf "$project/constraints/$board.lpf" > board.lpf
 
-step nextpnr.log nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
+place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
   --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" --timing-allow-fail
 step ecppack.log ecppack --compress layout.config "$board.bit"

@@ -6,30 +6,18 @@
 set -euo pipefail
 project=$1 board=$2 firmware=$3 directory=$4
 shift 4
+. "$project/tools/hardware/steps.sh"
 
-step() {
-  local log=$1
-  shift
-  "$@" > "$log" 2>&1 || { tail -n 20 "$log" >&2; echo "failed: $1; log in $directory/$log" >&2; exit 1; }
-}
-
-mkdir -p "$directory/work"
+mkdir -p "$directory"
 cd "$directory"
-rm -f work/* netlist.json cells.json
-
-mapfile -t files < <(find "$project/rtl" "$project/boards/$board" -name '*.vhd' | sort)
-step ghdl.log ghdl -i --std=08 --workdir=work "${files[@]}"
-step ghdl.log ghdl -m --std=08 --workdir=work "$board"
-ghdl synth --std=08 --workdir=work --out=verilog "$@" "$board" > work/chip.v 2> ghdl.log ||
-  { tail -n 20 ghdl.log >&2; exit 1; }
+rm -f netlist.json cells.json
+"$project/tools/hardware/write_verilog.sh" "$project" "$board" "$directory" "$@"
 
 # The firmware becomes the initial contents of the memory, one file per lane of bytes.
 riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
 od -An -v -tx1 -w4 work/firmware.bin |
   awk '{ for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/lane" lane ".hex" }'
-# Assertions are for simulation: Yosys has no $fatal. (GHDL's --no-formal fails on this design.)
-sed -E -e 's/^( *)\$fatal\(.*\);/\1;/' \
-  -e 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
+sed -E 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
   work/chip.v > work/synthesis.v
 [ "$(grep -c readmemh work/synthesis.v)" = 4 ] ||
   { echo "failed: the memory has other names than rtl/memory/README.md says" >&2; exit 1; }
@@ -81,7 +69,7 @@ awk '
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
-  read_verilog -sv work/with_ways.v $(find "$project/boards/$board" -name '*.v');
+  read_verilog -sv work/with_ways.v $(find "$project/boards" -path "*/$board/*.v");
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   abc9 -maxlut 4 -W 900 -D 9500;

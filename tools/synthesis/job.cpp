@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls tools/hardware/synthesize_board.sh and place_board.sh and tells what came out.
+// Calls the scripts of tools/hardware that synthesise and place, and tells what came out.
 #include "tools/synthesis/job.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tools/synthesis/device.hpp"
 #include "tools/synthesis/report.hpp"
 
 namespace synthesis {
@@ -32,6 +33,53 @@ void call(const std::string& command) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("the synthesis failed");
 }
 
+// The calls of tools/hardware for a board and a device.
+class Scripts {
+ public:
+  Scripts(const Options& options, const std::filesystem::path& project,
+          const std::filesystem::path& firmware, const std::filesystem::path& directory)
+      : options_(options),
+        device_(device_named(options.device)),
+        project_(project),
+        firmware_(firmware),
+        directory_(directory) {}
+
+  std::string synthesize() const {
+    return fmt::format("{} {} {} {} {}{}", script("synthesize_board.sh", "synthesize_ice40.sh"),
+                       quoted(project_), options_.board,
+                       device_.family == Family::ecp5 ? quoted(firmware_) : options_.device,
+                       quoted(directory_), generics());
+  }
+
+  std::string place(std::uint32_t seed, const std::filesystem::path& folder) const {
+    return fmt::format("{} {} {} {} {} {} {}", script("place_board.sh", "place_ice40.sh"),
+                       quoted(project_), options_.board, quoted(directory_), options_.device, seed,
+                       quoted(folder));
+  }
+
+ private:
+  std::string script(const char* of_ecp5, const char* of_ice40) const {
+    return quoted(project_ / "tools/hardware" /
+                  (device_.family == Family::ecp5 ? of_ecp5 : of_ice40));
+  }
+
+  std::string generics() const {
+    std::string text;
+    if (options_.board == "core") {
+      text += fmt::format(" -gmemory_size_bytes={}", device_.memory_bytes);
+    }
+    if (options_.debug) text += " -ghas_debug=true";
+    if (options_.zbb) text += " -ghas_zbb=true";
+    return text;
+  }
+
+  const Options& options_;
+  const Device& device_;
+  const std::filesystem::path& project_;
+  const std::filesystem::path& firmware_;
+  const std::filesystem::path& directory_;
+};
+
 }  // namespace
 
 void add_options(CLI::App& job, Options& options) {
@@ -40,11 +88,13 @@ void add_options(CLI::App& job, Options& options) {
       ->required()
       ->check(CLI::IsMember({"ulx3s", "core"}))
       ->type_name("BOARD");
-  job.add_option("--device", options.device, "which ECP5 it bears: 25k, 45k or 85k (or 25f, ...)")
+  job.add_option("--device", options.device,
+                 "which ECP5 it bears: 25k, 45k or 85k (or 25f, ...); for core also an iCE40, "
+                 "hx8k or up5k, with 4 KiB of memory")
       ->transform(CLI::Transformer(
           std::map<std::string, std::string>{{"25f", "25k"}, {"45f", "45k"}, {"85f", "85k"}},
           CLI::ignore_case))
-      ->check(CLI::IsMember({"25k", "45k", "85k"}))
+      ->check(CLI::IsMember({"25k", "45k", "85k", "hx8k", "up5k"}))
       ->capture_default_str();
   job.add_option("--seed", options.seed,
                  "where the placement starts from; the clock varies with it")
@@ -66,22 +116,23 @@ void add_options(CLI::App& job, Options& options) {
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware) {
-  if (options.debug && options.board == "core") {
-    throw std::runtime_error("the processor alone has no debug port");
+  const Device& device = device_named(options.device);
+  const bool alone = options.board == "core";
+  if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");
+  if (device.family != Family::ecp5 && !alone) {
+    throw std::runtime_error(fmt::format("{} bears an ECP5; an {} is there for core alone",
+                                         options.board, name_of(device.family)));
   }
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::absolute(options.directory);
-  const std::filesystem::path scripts = project / "tools/hardware";
-  call(fmt::format("{} {} {} {} {} {} {}", quoted(scripts / "synthesize_board.sh"), quoted(project),
-                   options.board, quoted(firmware), quoted(directory),
-                   options.debug ? "-ghas_debug=true" : "", options.zbb ? "-ghas_zbb=true" : ""));
+  const Scripts scripts(options, project, firmware, directory);
+  call(scripts.synthesize());
   Report report;
   std::vector<Placement> placements;
   for (std::uint32_t seed = options.seed; seed < options.seed + options.seeds; ++seed) {
     const std::filesystem::path folder = directory / fmt::format("seed_{}", seed);
-    call(fmt::format("{} {} {} {} {} {} {}", quoted(scripts / "place_board.sh"), quoted(project),
-                     options.board, quoted(directory), options.device, seed, quoted(folder)));
-    const Report placed = read_report(directory, folder);
+    call(scripts.place(seed, folder));
+    const Report placed = read_report(directory, folder, device.family);
     placements.push_back({.seed = seed, .fastest_mhz = placed.fastest_mhz});
     if (placed.fastest_mhz <= report.fastest_mhz) continue;
     report = placed;
@@ -94,6 +145,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   report.board = options.board;
   report.device = options.device;
   report.has_debug = options.debug;
+  if (alone) report.memory_bytes = device.memory_bytes;
   report.placements = placements;
   std::ofstream(directory / "synthesis.json") << as_json(report);
   fmt::print("{}", as_table(report));

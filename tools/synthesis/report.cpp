@@ -19,20 +19,64 @@ json read(const std::filesystem::path& file) {
   return json::parse(stream);
 }
 
+// What a family calls its parts, and how large they are.
+struct Names {
+  // Yosys' cell, and how the names of its registers begin.
+  const char* lut4;
+  const char* registers;
+  // nextpnr's.
+  const char* logic_cells;
+  const char* block_rams;
+  const char* multipliers;
+  // For people.
+  const char* block_ram;
+  const char* multiplier;
+};
+
+constexpr Names names_of(Family family) {
+  switch (family) {
+    case Family::ecp5:
+      return {"LUT4",       "TRELLIS_FF",           "TRELLIS_COMB",       "DP16KD",
+              "MULT18X18D", "block RAM of 18 kbit", "multipliers 18 x 18"};
+    case Family::ice40:
+      return {"SB_LUT4",
+              "SB_DFF",
+              "ICESTORM_LC",
+              "ICESTORM_RAM",
+              "ICESTORM_DSP",
+              "block RAM of 4 kbit",
+              "multipliers 16 x 16"};
+  }
+  return {};
+}
+
 Usage usage_of(const json& utilization, const char* kind) {
   const json& entry = utilization.at(kind);
   return {.used = entry.at("used"), .available = entry.at("available")};
+}
+
+// The cells whose name begins so: of registers there are many kinds.
+int count_of(const json& cells, const char* begin) {
+  int count = 0;
+  for (const auto& [name, number] : cells.items()) {
+    if (name.starts_with(begin)) count += number.get<int>();
+  }
+  return count;
 }
 
 std::string name_of(const json& end) {
   return fmt::format("{}.{}", end.at("cell").get<std::string>(), end.at("port").get<std::string>());
 }
 
-// Of the paths from register to register the one that the design's clock owns.
+// Of the paths from register to register the one that the design's clock owns, from and to either
+// of its edges.
 std::vector<Hop> slowest_path(const json& report, const std::string& clock) {
   std::vector<Hop> hops;
+  const auto ends_at_clock = [&clock](const json& end) {
+    return end == "posedge " + clock || end == "negedge " + clock;
+  };
   for (const json& path : report.at("critical_paths")) {
-    if (path.at("from") != "posedge " + clock || path.at("to") != "posedge " + clock) continue;
+    if (!ends_at_clock(path.at("from")) || !ends_at_clock(path.at("to"))) continue;
     for (const json& hop : path.at("path")) {
       hops.push_back({.from = name_of(hop.at("from")),
                       .to = name_of(hop.at("to")),
@@ -49,16 +93,26 @@ json as_object(const Usage& usage) {
 
 }  // namespace
 
-Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& folder) {
+Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& folder,
+                   Family family) {
   const json cells = read(netlist / "cells.json"), layout = read(folder / "report.json");
+  const Names names = names_of(family);
   Report report;
+  report.family = family;
   try {
-    report.lut4 = cells.at("design").at("num_cells_by_type").at("LUT4");
+    const json& kinds = cells.at("design").at("num_cells_by_type");
+    report.lut4 = kinds.at(names.lut4);
     const json& utilization = layout.at("utilization");
-    report.logic_cells = usage_of(utilization, "TRELLIS_COMB");
-    report.registers = usage_of(utilization, "TRELLIS_FF");
-    report.block_rams = usage_of(utilization, "DP16KD");
-    report.multipliers = usage_of(utilization, "MULT18X18D");
+    report.logic_cells = usage_of(utilization, names.logic_cells);
+    // An iCE40 has one in each logic cell, and some devices no multiplier.
+    report.registers = utilization.contains(names.registers)
+                           ? usage_of(utilization, names.registers)
+                           : Usage{.used = count_of(kinds, names.registers),
+                                   .available = report.logic_cells.available};
+    report.block_rams = usage_of(utilization, names.block_rams);
+    if (utilization.contains(names.multipliers)) {
+      report.multipliers = usage_of(utilization, names.multipliers);
+    }
     if (layout.at("fmax").size() != 1) {
       throw std::runtime_error(
           fmt::format("there are {} clocks and not one", layout.at("fmax").size()));
@@ -82,34 +136,40 @@ std::string as_json(const Report& report) {
   for (const Placement& placement : report.placements) {
     placements.push_back({{"seed", placement.seed}, {"fastest_mhz", placement.fastest_mhz}});
   }
-  const json object = {{"board", report.board},
-                       {"device", report.device},
-                       {"has_debug", report.has_debug},
-                       {"placements", placements},
-                       {"lut4", report.lut4},
-                       {"logic_cells", as_object(report.logic_cells)},
-                       {"registers", as_object(report.registers)},
-                       {"block_rams", as_object(report.block_rams)},
-                       {"multipliers", as_object(report.multipliers)},
-                       {"wanted_mhz", report.wanted_mhz},
-                       {"fastest_mhz", report.fastest_mhz},
-                       {"margin_percent", report.margin_percent()},
-                       {"critical_path", path}};
+  json object = {{"board", report.board},
+                 {"device", report.device},
+                 {"family", name_of(report.family)},
+                 {"has_debug", report.has_debug},
+                 {"placements", placements},
+                 {"lut4", report.lut4},
+                 {"logic_cells", as_object(report.logic_cells)},
+                 {"registers", as_object(report.registers)},
+                 {"block_rams", as_object(report.block_rams)},
+                 {"multipliers", as_object(report.multipliers)},
+                 {"wanted_mhz", report.wanted_mhz},
+                 {"fastest_mhz", report.fastest_mhz},
+                 {"margin_percent", report.margin_percent()},
+                 {"critical_path", path}};
+  if (report.memory_bytes) object["memory_bytes"] = *report.memory_bytes;
   return object.dump(2) + "\n";
 }
 
 std::string as_table(const Report& report) {
-  std::string text = fmt::format("{} with an ECP5 {}{}\n", report.board, report.device,
-                                 report.has_debug ? ", with its debug port" : "");
+  const Names names = names_of(report.family);
+  std::string text = fmt::format("{} with an {} {}{}", report.board, name_of(report.family),
+                                 report.device, report.has_debug ? ", with its debug port" : "");
+  if (report.memory_bytes) text += fmt::format(", {} KiB of memory", *report.memory_bytes / 1024);
+  text += "\n";
   const auto row = [&text](const char* name, const Usage& usage) {
+    if (usage.available == 0) return;
     text += fmt::format("  {:<24}{:>7} of {:>6}{:>5} %\n", name, usage.used, usage.available,
                         100 * usage.used / usage.available);
   };
   text += fmt::format("  {:<24}{:>7}\n", "LUT4", report.lut4);
   row("logic cells", report.logic_cells);
   row("registers", report.registers);
-  row("block RAM of 18 kbit", report.block_rams);
-  row("multipliers 18 x 18", report.multipliers);
+  row(names.block_ram, report.block_rams);
+  row(names.multiplier, report.multipliers);
   text += fmt::format("  {:<24}{:>7.1f} MHz; {:.0f} MHz are wanted: {:+.0f} %\n", "fastest clock",
                       report.fastest_mhz, report.wanted_mhz, report.margin_percent());
   if (report.placements.size() > 1) {

@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tools/synthesis/device.hpp"
 
 namespace synthesis {
 
@@ -31,13 +34,18 @@ struct Placement {
 struct Report {
   std::string board;
   std::string device;
+  Family family = Family::ecp5;
   bool has_debug = false;
+  // Of the processor alone.
+  std::optional<std::uint32_t> memory_bytes;
   // All that were tried; the figures below are those of the fastest.
   std::vector<Placement> placements;
-  // Look-up tables of four inputs before packing, without those in carry chains.
+  // Look-up tables of four inputs before packing, without those in an ECP5's carry chains. An
+  // iCE40's chains have none of their own: those of its sums are counted.
   int lut4 = 0;
   Usage logic_cells;
   Usage registers;
+  // Of 18 kbit on an ECP5, of 4 on an iCE40.
   Usage block_rams;
   Usage multipliers;
   double wanted_mhz = 0;
@@ -51,7 +59,8 @@ struct Report {
 
 // Reads `cells.json` (yosys stat -json) in the netlist's folder and `report.json` (nextpnr
 // --report) in the layout's. Throws std::runtime_error where something is missing.
-Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& layout);
+Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& layout,
+                   Family family);
 std::string as_json(const Report& report);
 // A few lines for people.
 std::string as_table(const Report& report);
