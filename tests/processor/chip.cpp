@@ -3,32 +3,14 @@
 #include "tests/processor/chip.hpp"
 
 #include <Vprocessor_with_memory.h>
-#include <Vprocessor_with_memory___024root.h>
 
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
+#include "tests/processor/chip_memory.hpp"
+
 namespace processor {
-namespace {
-
-// The memory's four lanes of bytes under the names that GHDL and Verilator give them (rtl/memory).
-template <class Model>
-auto& byte_at(Model& model, std::size_t place) {
-  auto& root = *model.rootp;
-  switch (place % 4) {
-    case 0:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n1_bytes[place / 4];
-    case 1:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n2_bytes[place / 4];
-    case 2:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n3_bytes[place / 4];
-    default:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n4_bytes[place / 4];
-  }
-}
-
-}  // namespace
 
 std::vector<std::uint8_t> read_image(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -41,8 +23,9 @@ const bool Chip::has_zbb = PROCESSOR_HAS_ZBB;
 Chip::Chip(const std::vector<std::uint8_t>& image)
     : context_(std::make_unique<VerilatedContext>()),
       model_(std::make_unique<Vprocessor_with_memory>(context_.get())) {
+  model_->eval();  // Initial contents are written over.
   for (std::size_t place = 0; place < memory_size; ++place) {
-    byte_at(*model_, place) = place < image.size() ? image[place] : std::uint8_t{0};
+    write_byte(*model_, place, place < image.size() ? image[place] : std::uint8_t{0});
   }
   model_->reset = 1;
   clock();
@@ -105,14 +88,15 @@ bool Chip::sleeping() const { return model_->sleeping != 0; }
 std::uint32_t Chip::word(std::uint32_t address) const {
   std::uint32_t value = 0;
   for (unsigned index = 0; index < 4; ++index) {
-    value |= std::uint32_t{byte_at(*model_, address - memory_base + index)} << (8 * index);
+    value |= std::uint32_t{read_byte(*model_, address - memory_base + index)} << (8 * index);
   }
   return value;
 }
 
 std::vector<std::uint8_t> Chip::memory() const {
   std::vector<std::uint8_t> bytes(memory_size);
-  for (std::size_t place = 0; place < memory_size; ++place) bytes[place] = byte_at(*model_, place);
+  for (std::size_t place = 0; place < memory_size; ++place)
+    bytes[place] = read_byte(*model_, place);
   return bytes;
 }
 
