@@ -116,4 +116,23 @@ TEST(bench, processor_measures_works_and_finds_where_the_clocks_go) {
             0.85 * figures["firmware"]["rv32im_code_bytes"].get<double>());
 }
 
+TEST(bench, model_tells_how_fast_it_runs_and_what_resting_blocks_bring) {
+  const auto folder = scenarios::scratch_folder();
+  const auto file = folder / "model.json";
+  std::filesystem::remove(file);
+  const auto job = scenarios::run_job({"bench", "model", "--quick", "--json", file.string()});
+  ASSERT_EQ(job.status, 0) << job.output;
+  std::ifstream stream(file);
+  const auto works = nlohmann::json::parse(stream)["works"];
+  ASSERT_EQ(works.size(), 3u);
+  for (const auto& work : works) {
+    EXPECT_GT(work["clocks_per_second"], 0) << work;
+    EXPECT_GT(work["clocks_per_second_all_edges"], 0) << work;
+  }
+  EXPECT_LT(works[0]["awake"], 0.5);
+  EXPECT_GT(works[1]["awake"].get<double>(), works[0]["awake"].get<double>());
+  EXPECT_EQ(works[2]["awake"], 1);
+  EXPECT_GT(works[2]["instructions_per_clock"], 0.7);
+}
+
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the stepping benchmark on hardware and on software, and prints a file with both; or the
-// processor's, which is a program of its own.
+// Runs the stepping benchmark on hardware and on software, and prints a file with both; times the
+// model of the chip; or runs the processor's benchmark, which is a program of its own.
 #include "tools/command/bench_job.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "sim/report/json_report.hpp"
+#include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
@@ -79,13 +80,20 @@ void tell(const BenchOptions& options, const benchmarks::Comparison& comparison)
   report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
 }
 
+void say(const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); }
+
+std::filesystem::path programs_folder() { return build_folder() / "firmware"; }
+
 sim::ElfImage image(const char* program, Stepping stepping) {
-  return sim::read_elf(build_folder() / "firmware" /
-                       fmt::format("{}_{}.elf", program, name_of(stepping)));
+  return sim::read_elf(programs_folder() / fmt::format("{}_{}.elf", program, name_of(stepping)));
 }
 
-std::filesystem::path benchmark_machine() {
-  return project_folder() / "firmware" / "machines" / "benchmark.toml";
+machine::Description description_of(const char* name) {
+  return machine::read_description(project_folder() / "firmware" / "machines" / name);
+}
+
+std::filesystem::path short_print() {
+  return project_folder() / "tools" / "benchmark" / "short_print.gcode";
 }
 
 int bench_stepping(const BenchOptions& options) {
@@ -95,14 +103,14 @@ int bench_stepping(const BenchOptions& options) {
   benchmarks::Comparison comparison;
   comparison.clock_hz = scope.clock_hz;
   comparison.tolerance_us = scope.tolerance_us;
-  const auto say = [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); };
-  const auto machine = machine::read_description(benchmark_machine());
+  const auto description = description_of("benchmark.toml");
   for (const Stepping stepping : {Stepping::hardware, Stepping::software}) {
     const auto index = static_cast<std::size_t>(stepping);
     comparison.figures[index] =
         benchmarks::measure(stepping, image("stepping_benchmark", stepping), scope, say);
     comparison.printing[index] = benchmarks::measure_printing(
-        comparison.figures[index], {image("printing_benchmark", stepping), machine}, scope, say);
+        comparison.figures[index], {image("printing_benchmark", stepping), description}, scope,
+        say);
   }
   // The print takes longest: what is known is told before it, too.
   tell(options, comparison);
@@ -119,7 +127,7 @@ int bench_processor(const BenchOptions& options) {
   build({"processor_benchmark", "processor_benchmark_programs"});
   std::vector<std::string> words{(build_folder() / "bin" / "processor_benchmark").string(),
                                  "--programs",
-                                 (build_folder() / "firmware").string(),
+                                 programs_folder().string(),
                                  "--examples",
                                  (project_folder() / "examples").string(),
                                  "--report",
@@ -129,18 +137,39 @@ int bench_processor(const BenchOptions& options) {
   return run_program(words);
 }
 
+int bench_model(const BenchOptions& options) {
+  build({"firmware", "processor_benchmark_programs"});
+  const auto works = benchmarks::measure_model(
+      {.firmware = sim::read_elf(programs_folder() / "firmware.elf"),
+       .machine = description_of("prusa_mendel.toml"),
+       .print_file = short_print(),
+       .computing = sim::read_elf(programs_folder() / "core_benchmark.elf"),
+       .quick = options.quick,
+       .look = end_if_interrupted},
+      say);
+  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(works));
+  fmt::print("{}", benchmarks::to_table(works));
+  return success;
+}
+
+int bench_one(const std::string& name, const BenchOptions& options) {
+  if (name == "stepping") return bench_stepping(options);
+  if (name == "model") return bench_model(options);
+  return bench_processor(options);
+}
+
 }  // namespace
 
 int bench(const BenchOptions& options) {
   BenchOptions chosen = options;
-  if (chosen.names.empty()) chosen.names = {"processor", "stepping"};
+  if (chosen.names.empty()) chosen.names = {"model", "processor", "stepping"};
   if (chosen.names.size() > 1 && !chosen.json.empty())
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   if (chosen.print_file.empty() && !chosen.quick) {
-    chosen.print_file = project_folder() / "tools" / "benchmark" / "short_print.gcode";
+    chosen.print_file = short_print();
   }
   for (const std::string& name : chosen.names) {
-    const int status = name == "stepping" ? bench_stepping(chosen) : bench_processor(chosen);
+    const int status = bench_one(name, chosen);
     if (status != success) return status;
   }
   return success;

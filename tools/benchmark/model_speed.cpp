@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times runs of the chip's model, by the time that this process has had of its machine.
+#include "tools/benchmark/model_speed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "firmware/benchmark/processor.hpp"
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/simulation.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/window_host.hpp"
+
+namespace benchmarks {
+
+namespace {
+
+constexpr std::uint32_t clock_hz = 4'000'000;  // the default of `print`
+constexpr sim::Clock start_clocks = 1'000'000;  // until the firmware has started
+constexpr sim::Clock measured_clocks = 20'000'000, quick_clocks = 200'000;
+constexpr sim::Clock looks_clocks = 100'000;
+constexpr int runs = 3;
+constexpr std::uint32_t computing_without_end = 1'000'000'000;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.empty() && line.front() != ';') lines.push_back(line);
+  }
+  if (lines.empty()) throw std::runtime_error(fmt::format("{} has no lines", file.string()));
+  return lines;
+}
+
+struct Measured {
+  double seconds{};
+  sim::Clock clocks{};
+  sim::ProcessorStatistics processor;
+};
+
+Measured measure(sim::Simulation& simulation, const ModelScope& scope) {
+  const auto run = [&](sim::Clock clocks) {
+    const sim::Clock end = simulation.now() + clocks;
+    while (simulation.now() < end) {
+      scope.look();
+      simulation.run_until(std::min(end, simulation.now() + looks_clocks));
+    }
+  };
+  run(start_clocks);
+  const sim::Clock begin = simulation.now();
+  const sim::ProcessorStatistics before = simulation.chip().processor_statistics();
+  const double started = processor_seconds();
+  run(scope.quick ? quick_clocks : measured_clocks);
+  const double seconds = processor_seconds() - started;
+  const sim::ProcessorStatistics after = simulation.chip().processor_statistics();
+  return {.seconds = seconds,
+          .clocks = simulation.now() - begin,
+          .processor = {.sleeping_clocks = after.sleeping_clocks - before.sleeping_clocks,
+                        .instructions = after.instructions - before.instructions}};
+}
+
+Measured run_firmware(const ModelScope& scope, sim::Edges edges, bool prints) {
+  sim::VerilatedChip chip(clock_hz, edges);
+  sim::load(scope.firmware, chip);
+  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
+  machine::Printer printer(
+      scope.machine,
+      {.baud = scope.machine.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
+      simulation);
+  std::optional<WindowHost> host;
+  if (prints) host.emplace(lines_of(scope.print_file), printer.serial_line());
+  const Measured measured = measure(simulation, scope);
+  if (host && !host->complaint().empty()) {
+    throw std::runtime_error(fmt::format("a line was refused: {}", host->complaint()));
+  }
+  return measured;
+}
+
+Measured run_computing(const ModelScope& scope, sim::Edges edges) {
+  sim::VerilatedChip chip(clock_hz, edges);
+  sim::load(scope.computing, chip);
+  const auto order = scope.computing.symbol("benchmark_order");
+  if (!order) throw std::runtime_error("the program has no symbol benchmark_order");
+  chip.write_memory(*order, computing_without_end);
+  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
+  return measure(simulation, scope);
+}
+
+using Run = std::function<Measured(sim::Edges)>;
+
+ModelWork measure_work(const std::string& name, const ModelScope& scope, const Run& run) {
+  ModelWork work{.name = name};
+  for (int i = 0; i < (scope.quick ? 1 : runs); ++i) {
+    for (const sim::Edges edges : {sim::Edges::needed, sim::Edges::all}) {
+      const Measured measured = run(edges);
+      const auto clocks = static_cast<double>(measured.clocks);
+      double& best = work.clocks_per_second[static_cast<std::size_t>(edges)];
+      best = std::max(best, clocks / std::max(measured.seconds, 1e-6));
+      work.clocks = measured.clocks;
+      work.awake = 1 - static_cast<double>(measured.processor.sleeping_clocks) / clocks;
+      work.instructions_per_clock = static_cast<double>(measured.processor.instructions) / clocks;
+    }
+  }
+  return work;
+}
+
+}  // namespace
+
+std::vector<ModelWork> measure_model(const ModelScope& scope,
+                                     const std::function<void(const std::string&)>& say) {
+  std::vector<ModelWork> works;
+  const auto add = [&](const std::string& name, const Run& run) {
+    say(fmt::format("the model, {}", name));
+    works.push_back(measure_work(name, scope, run));
+  };
+  add("asleep", [&](sim::Edges edges) { return run_firmware(scope, edges, false); });
+  add("printing", [&](sim::Edges edges) { return run_firmware(scope, edges, true); });
+  add("computing", [&](sim::Edges edges) { return run_computing(scope, edges); });
+  return works;
+}
+
+std::string to_json(const std::vector<ModelWork>& works) {
+  nlohmann::ordered_json json{{"benchmark", "model"}, {"clock_hz", clock_hz}};
+  for (const ModelWork& work : works) {
+    json["works"].push_back({{"name", work.name},
+                             {"clocks", work.clocks},
+                             {"awake", work.awake},
+                             {"instructions_per_clock", work.instructions_per_clock},
+                             {"clocks_per_second", work.speed(sim::Edges::needed)},
+                             {"clocks_per_second_all_edges", work.speed(sim::Edges::all)}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string to_table(const std::vector<ModelWork>& works) {
+  std::string table = fmt::format("{:<12} {:>8} {:>14} {:>18} {:>18} {:>7}\n", "", "awake",
+                                  "instructions", "million clocks/s", "all edges", "ratio");
+  table += fmt::format("{:<12} {:>8} {:>14}\n", "", "", "per clock");
+  for (const ModelWork& work : works) {
+    const double needed = work.speed(sim::Edges::needed), all = work.speed(sim::Edges::all);
+    table += fmt::format("{:<12} {:>7.1f}% {:>14.3f} {:>18.2f} {:>18.2f} {:>7.2f}\n", work.name,
+                         100 * work.awake, work.instructions_per_clock, needed * 1e-6, all * 1e-6,
+                         needed / all);
+  }
+  return table;
+}
+
+}  // namespace benchmarks

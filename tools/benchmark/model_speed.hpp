@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// How fast the Verilated model of the chip runs on this machine: asleep, printing and computing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/machine/description.hpp"
+#include "sim/simulation/edges.hpp"
+#include "sim/simulation/elf_image.hpp"
+
+namespace benchmarks {
+
+struct ModelScope {
+  sim::ElfImage firmware;
+  machine::Description machine;  // that the firmware is built for
+  std::filesystem::path print_file;  // lines that the firmware prints
+  sim::ElfImage computing;  // `core` of `bench processor`, which never sleeps
+  bool quick = false;  // few clocks, once
+  std::function<void()> look = [] {};  // called many times a second; what it throws ends all
+};
+
+struct ModelWork {
+  std::string name;
+  std::uint64_t clocks{};  // measured ones
+  double awake{};  // share of these in which the processor does not sleep
+  double instructions_per_clock{};
+  // Clocks per second of processor time, the best of some runs, by which edges are evaluated.
+  std::array<double, 2> clocks_per_second{};
+
+  double speed(sim::Edges edges) const {
+    return clocks_per_second[static_cast<std::size_t>(edges)];
+  }
+};
+
+// Runs of both kinds alternate, so that a busy machine is unfair to neither. Throws
+// std::runtime_error where a program does not do what it should.
+std::vector<ModelWork> measure_model(const ModelScope& scope,
+                                     const std::function<void(const std::string&)>& say);
+
+std::string to_json(const std::vector<ModelWork>& works);
+std::string to_table(const std::vector<ModelWork>& works);
+
+}  // namespace benchmarks
