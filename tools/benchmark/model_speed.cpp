@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t clock_hz = 4'000'000;  // the default of `print`
 constexpr sim::Clock start_clocks = 1'000'000;  // until the firmware has started
-constexpr sim::Clock measured_clocks = 20'000'000, quick_clocks = 200'000;
+constexpr sim::Clock measured_clocks = 10'000'000, quick_clocks = 200'000;
 constexpr sim::Clock looks_clocks = 100'000;
 constexpr int runs = 3;
 constexpr std::uint32_t computing_without_end = 1'000'000'000;

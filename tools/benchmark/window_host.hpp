@@ -42,6 +42,7 @@ class WindowHost : public devices::ByteListener {
   void take(std::string_view reply) {
     if (reply == "start") greeted_ = true;
     if (reply.starts_with("ok")) ++answered_;
+    if (reply.starts_with("echo:busy")) return;  // a long move or homing: it will answer
     if (reply.starts_with("Error") || reply.starts_with("echo:")) complaint_ = reply;
   }
 
