@@ -4,6 +4,7 @@
 // manual's (volume II 20240411, table 2), cut to what a processor with machine mode alone has.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <optional>
 
@@ -96,6 +97,61 @@ TEST(CsrNumbers, exist_or_trap_in_every_form_of_access) { check(0x000, 0xFFF); }
 
 // By itself, as the next trap would go where it points.
 TEST(CsrNumbers, of_the_trap_vector_is_one_that_can_be_written) { check(trap_vector, trap_vector); }
+
+// Each bit alone: written, set, cleared. What cannot be written stays as it is.
+TEST(CsrNumbers, of_what_can_be_written_keep_each_bit_by_itself) {
+  struct Register {
+    Word number;
+    Word writable;
+    Word fixed;
+  };
+  constexpr Word all = 0xFFFFFFFF;
+  // mstatus has two bits of its own and one mode; mtvec two ways; mepc half words; mcause 32 causes
+  // of either kind; mie the interrupts that there are.
+  constexpr std::array<Register, 11> registers{{{0x300, 0x88, 0x1800},
+                                                {0x301, 0, 0x40001104},
+                                                {0x304, 0xFFFF0880, 0},
+                                                {trap_vector, all - 2, 0},
+                                                {0x310, 0, 0},
+                                                {0x320, 5, 0},
+                                                {0x340, all, 0},
+                                                {0x341, all - 1, 0},
+                                                {0x342, 0x8000001F, 0},
+                                                {0x343, all, 0},
+                                                {0x344, 0, 0}}};
+  constexpr Word write = 1, set = 2, clear = 3, bit_register = 7;
+  std::vector<Word> instructions;
+  const auto access = [&](Word funct3, Word number, Word source) {
+    instructions.push_back(encode::csr(funct3, trial::destination, number, source));
+  };
+  for (const Register& reg : registers) {
+    instructions.push_back(encode::add_immediate(bit_register, 0, 1));
+    for (unsigned bit = 0; bit < 32; ++bit) {
+      access(write, reg.number, bit_register);
+      access(clear, reg.number, bit_register);  // finds it set
+      access(set, reg.number, bit_register);  // finds it clear
+      access(write, reg.number, trial::ones);  // finds it set
+      access(clear, reg.number, bit_register);  // finds all set
+      access(write, reg.number, 0);  // finds the others set
+      instructions.push_back(encode::operation_immediate(1, bit_register, bit_register, 1));
+    }
+  }
+  const auto outcomes = try_instructions(instructions, 4);
+  auto outcome = outcomes.begin();
+  for (const Register& reg : registers) {
+    ++outcome;
+    for (unsigned bit = 0; bit < 32; ++bit) {
+      const Word one = Word{1} << bit & reg.writable, others = reg.writable & ~one;
+      ++outcome;
+      for (const Word found : {one, Word{0}, one, reg.writable, others}) {
+        ASSERT_FALSE(outcome->trap) << std::hex << reg.number;
+        ASSERT_EQ((outcome++)->value, found | reg.fixed)
+            << std::hex << reg.number << " bit " << bit;
+      }
+      ++outcome;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace processor
