@@ -10,7 +10,7 @@
 
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
-#include "tests/chip/twin_chip.hpp"
+#include "tests/chip/resting_twins.hpp"
 
 namespace {
 
@@ -71,7 +71,7 @@ class StepCounter : public devices::StepListener {
 };
 
 TEST(rest, the_whole_chip_does_the_same_with_all_clock_edges_and_with_those_that_matter) {
-  tests::TwinChip chip(clock_hz);
+  tests::RestingTwins chip(clock_hz);
   sim::load(sim::read_elf(FIRMWARE), chip);
   sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
   const machine::Description description =
