@@ -34,12 +34,24 @@ begin
     load_program(jtag);
 
     write_dmi(jtag, sbcs_address, x"00140000");
+    -- Instructions are counted that the program executes, none of the debugger's.
+    for instruction in 0 to 3 loop
+      write_register(jtag, x"1007", x"00000000");
+      expect_register(jtag, x"0b02", std_ulogic_vector(to_unsigned(instruction, 32)));
+      write_register(jtag, x"07b0", x"00008004");
+      step_to(jtag, 4 * instruction + 4);
+    end loop;
+    write_register(jtag, x"07b0", x"00008000");
+
     -- Asleep: a request halts before the wfi, a step goes over it, an interrupt waits for the end of both.
     write_register(jtag, x"07b1", x"80000024");
     resume(jtag);
     wait for 1 us;
     halt(jtag);
     expect_register(jtag, x"07b1", x"80000024");
+    write_register(jtag, x"07b0", x"00008004");
+    step_to(jtag, 16#28#);
+    write_register(jtag, x"07b1", x"80000024");
     write_register(jtag, x"0304", x"00000080");
     write_register(jtag, x"0305", x"80000020");
     write_register(jtag, x"0300", x"00000008");
@@ -47,6 +59,10 @@ begin
     write_register(jtag, x"07b0", x"00008004");
     step_to(jtag, 16#28#);
     expect_register(jtag, x"0344", x"00000080");
+    -- None is taken between steps.
+    step_to(jtag, 16#24#);
+    step_to(jtag, 16#28#);
+    expect_register(jtag, x"0342", x"00000000");
     write_register(jtag, x"07b0", x"00008000");
     resume(jtag);
     expect_halt(jtag, base + 16#20#, 1);
@@ -73,7 +89,10 @@ begin
       write_register(jtag, x"07a1", x"00000000");
     end loop;
 
-    -- Without ebreakm an ebreak traps, here to itself.
+    -- Without ebreakm an ebreak traps, here to itself; a step ends there, too.
+    write_register(jtag, x"07b0", x"00000004");
+    step_to(jtag, 16#20#);
+    expect_register(jtag, x"0342", x"00000003");
     write_register(jtag, x"07b0", x"00000000");
     resume(jtag);
     wait for 1 us;

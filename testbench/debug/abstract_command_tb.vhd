@@ -134,6 +134,7 @@ begin
     run(x"01220000", x"00000000", command_error_not_supported, none);
     halted <= '0';
     run(x"0022100d", x"00000000", command_error_not_halted, none);
+    run(x"002307b1", x"00000000", command_error_not_halted, none);
     run(x"0032100d", x"00000000", command_error_not_supported, none);
     report "abstract_command_tb passed";
     std.env.finish;
@@ -142,7 +143,7 @@ begin
   watch_csrs : process
   begin
     wait until rising_edge(clk);
-    a_halted_processor_is_written : assert not (csr_request.write = '1' and halted = '0')
+    only_a_halted_processor_is_written : assert not (csr_request.write = '1' and halted = '0')
       severity failure;
   end process;
 

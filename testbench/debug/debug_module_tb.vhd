@@ -112,6 +112,7 @@ begin
     expect(dmstatus_address, x"000003a2");
     expect(haltsum0_address, x"00000001");
     write(dmcontrol_address, x"c0000001");
+    assert not resume report "a halt that is asked for wins at once" severity failure;
     clock;
     assert not resume report "a halt that is asked for wins" severity failure;
     write(dmcontrol_address, x"40000001");
@@ -131,6 +132,7 @@ begin
     clock;
     write(dmcontrol_address, x"40000001");
     assert not resume report "a command is under way" severity failure;
+    expect(dmstatus_address, x"000003a2");
     write(data0_address, x"00000000");
     expect(abstractcs_address, x"00001101");
     from_processor.trapped <= '1';
@@ -139,6 +141,7 @@ begin
     clock;
     clock;
     expect(abstractcs_address, x"00000101");
+    expect(dmstatus_address, x"000303a2");
     expect(data0_address, x"12345678");
     write(command_address, x"00220000");
     expect(abstractcs_address, x"00000101");

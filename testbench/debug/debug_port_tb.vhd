@@ -79,6 +79,11 @@ begin
       read_dmi(jtag, sbdata0_address, before);
     end loop;
     assert unsigned(before) > 10 report "it does not run" severity failure;
+    -- Accesses of both on the bus meet in every way.
+    for round in 1 to 40 loop
+      wait for 10 ns * (round mod 17);
+      write_dmi(jtag, sbaddress0_address, x"f0000000");
+    end loop;
     wait for 1 us;
     memory_only <= true;
     for round in 1 to 8 loop

@@ -60,7 +60,34 @@ begin
       assert captured = wanted report what & ": " & to_hstring(captured) severity failure;
     end procedure;
 
+    -- From run-test/idle through a register and back, with a pause behind each bit.
+    procedure scan_slowly(of_instruction : boolean; sent : std_ulogic_vector;
+                          captured : out std_ulogic_vector) is
+      alias bits : std_ulogic_vector(sent'length - 1 downto 0) is sent;
+      variable word : std_ulogic_vector(sent'length - 1 downto 0);
+      variable seen : std_ulogic;
+    begin
+      clock_tap(jtag, '1', '0', seen);
+      if of_instruction then
+        clock_tap(jtag, '1', '0', seen);
+      end if;
+      clock_tap(jtag, '0', '0', seen);
+      for index in 0 to sent'length - 1 loop
+        clock_tap(jtag, '0', '0', seen);
+        clock_tap(jtag, '1', bits(index), word(index));
+        if index < sent'length - 1 then
+          clock_tap(jtag, '0', '0', seen);
+          clock_tap(jtag, '0', '0', seen);
+          clock_tap(jtag, '1', '0', seen);
+        end if;
+      end loop;
+      clock_tap(jtag, '1', '0', seen);
+      clock_tap(jtag, '0', '0', seen);
+      captured := word;
+    end procedure;
+
     variable word : word_t;
+    variable captured_instruction : std_ulogic_vector(4 downto 0);
     variable access_word : std_ulogic_vector(40 downto 0);
     variable seed_1, seed_2 : positive := 11;
     variable chance : real;
@@ -81,6 +108,12 @@ begin
     expect_data(x"9b", x"36", "bypass by any other instruction");
     scan_instruction(jtag, 5x"10");
     expect_data(x"00030000", x"00000071", "dtmcs: version, width of addresses, no error");
+
+    -- Pauses change nothing.
+    scan_slowly(true, 5x"01", captured_instruction);
+    assert captured_instruction = "00001" report "instruction register" severity failure;
+    scan_slowly(false, x"00000000", word);
+    assert word = identity_code report "with pauses " & to_hstring(word) severity failure;
 
     scan_instruction(jtag, 5x"11");
     write_dmi(jtag, 7x"12", x"89abcdef");

@@ -79,6 +79,21 @@ begin
     answered := bus_request.strobe and (bus_response.acknowledge or bus_response.error);
   end process;
 
+  -- What the processor is answered is the answer to its own access.
+  watch_answers : process
+    alias request is << signal uut.processor_bus_request : bus_request_t >>;
+    alias response is << signal uut.processor_bus_response : bus_response_t >>;
+  begin
+    wait until rising_edge(clk);
+    if (response.acknowledge or response.error) and request.strobe then
+      the_answered_access_is_the_processor_s : assert
+        bus_request.strobe = '1' and bus_request.write = request.write and
+        bus_request.address = request.address and
+        (request.write = '0' or bus_request.data = request.data)
+        severity failure;
+    end if;
+  end process;
+
   -- Memory accesses cost the program no clock.
   watch_times : process
     alias request is << signal uut.processor_bus_request : bus_request_t >>;

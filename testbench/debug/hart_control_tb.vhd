@@ -114,6 +114,11 @@ begin
     write_csr(x"7b1", x"80001235");
     expect_csr(x"7b1", x"80001234");
     assert to_processor.resume_address = x"80001234" severity failure;
+    -- Halted, it cannot halt once more.
+    from_processor.enter <= '1';
+    clock;
+    from_processor.enter <= '0';
+    expect_csr(x"7b1", x"80001234");
     go_on;
     clock;
     assert not to_processor.halt report "nothing asks for a halt" severity failure;
@@ -150,7 +155,9 @@ begin
     expect_csr(x"7a4", x"00000004");
     fetch(x"00001000");
     assert not to_processor.halt report "halted already" severity failure;
+    from_processor.advance <= '0';
     go_on;
+    assert not to_processor.halt report "what was injected is no reason to halt" severity failure;
     fetch(x"00001004");
     fetch(x"00001000", follows => '0');
     fetch(x"00001010", advance => '0');
@@ -162,14 +169,25 @@ begin
     -- A trigger stays with its instruction while that waits.
     fetch(x"00001004", advance => '0');
     enter(x"00001000", 2);
-    write_csr(x"7a1", x"20000000");
+    -- It needs to be the debugger's, in machine mode, at execution.
+    write_csr(x"7a1", x"20000044");
     go_on;
     fetch(x"00001010");
-    assert not to_processor.halt report "the trigger is off" severity failure;
+    assert not to_processor.halt report "the trigger is a program's" severity failure;
+    write_csr(x"7a1", x"28000004");
+    fetch(x"00001010");
+    assert not to_processor.halt report "the trigger is for another mode" severity failure;
+    write_csr(x"7a1", x"28000040");
+    fetch(x"00001010");
+    assert not to_processor.halt report "the trigger is for no execution" severity failure;
 
+    write_csr(x"7a0", x"00000000");
+    write_csr(x"7b0", x"00008004");
     reset <= '1';
     clock;
     reset <= '0';
+    expect_csr(x"7a1", x"20001000");
+    expect_csr(x"7b0", x"40000003");
     fetch(x"00001000");
     assert not to_processor.halt report "a reset leaves a trigger on" severity failure;
     report "hart_control_tb passed";

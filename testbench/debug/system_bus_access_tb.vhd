@@ -166,8 +166,9 @@ begin
     assert not bus_request.strobe severity failure;
     expect_control(x"00002000", x"00607000", "nothing there");
     pulse(write_address, x"80000000");
-    clock;
     assert not memory_request.enable report "an error stops all" severity failure;
+    clock;
+    assert not memory_request.enable report "an error stops all that comes later" severity failure;
     reset <= '1';
     clock;
     expect_control(x"20040407", x"ffffffff", "after reset");
