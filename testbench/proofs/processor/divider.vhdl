@@ -23,7 +23,9 @@ end entity;
 
 architecture rtl of divider is
 
-  signal clocks : natural range 0 to 2;
+  signal clocks : natural range 0 to 2 := 0;
+
+  default clock is rising_edge(clk);
 
 begin
 
@@ -41,5 +43,9 @@ begin
   end process;
 
   done <= '1' when clocks = 2 else '0';
+
+  it_ends_in_its_time : assert always (clocks <= 2);
+  it_divides_what_is_asked_for : assert always
+    (clocks > 0 -> result = stand_in('1' & operation, first, second));
 
 end architecture;
