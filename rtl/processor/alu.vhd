@@ -26,18 +26,16 @@ entity alu is
     rotate : in std_ulogic := '0';
     compare_unsigned : in std_ulogic;
     result : out word_t;
-    equal : out std_ulogic;
-    less : out std_ulogic
+    less : out std_ulogic;
+    comparison : out comparison_t
   );
 end entity;
 
 architecture rtl of alu is
 
   signal addend, logic_operand, shifted, without_sum, without_shift, logical : word_t;
-  signal first_sign, second_sign, is_left, fill : std_ulogic;
-  signal sum : unsigned(32 downto 0);
-  signal behind_pairs : unsigned(16 downto 0);
-  signal equal_pairs : std_ulogic_vector(15 downto 0);
+  signal signs_differ, is_left, fill : std_ulogic;
+  signal sum, difference, reverse_difference : unsigned(32 downto 0);
   signal above, below : std_ulogic_vector(30 downto 0);
   signal to_shift : unsigned(62 downto 0);
   signal distance : natural range 0 to 31;
@@ -49,16 +47,13 @@ begin
   sum <= unsigned(first & '1') + unsigned(addend & subtract);
 
   -- Comparisons have an adder of their own: branches depend on them, and so does the length of a clock.
-  first_sign <= first(31) and not compare_unsigned;
-  second_sign <= second(31) and not compare_unsigned;
-  less <= '1' when signed(first_sign & first) < signed(second_sign & second) else '0';
-  compare_pairs : for pair in equal_pairs'range generate
-    equal_pairs(pair) <= first(2 * pair + 1 downto 2 * pair) ?=
-                         second(2 * pair + 1 downto 2 * pair);
-  end generate;
-  -- By a chain of carries.
-  behind_pairs <= ('0' & unsigned(equal_pairs)) + 1;
-  equal <= behind_pairs(16);
+  -- Two of them, in which nothing comes before the carries.
+  difference <= unsigned('0' & first) - unsigned('0' & second);
+  reverse_difference <= unsigned('0' & second) - unsigned('0' & first);
+  signs_differ <= (first(31) xor second(31)) and not compare_unsigned;
+  less <= difference(32) xor signs_differ;
+  comparison <= (
+    below => difference(32), above => reverse_difference(32), signs_differ => signs_differ);
 
   -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
   is_left <= not operation(2);

@@ -11,6 +11,7 @@ entity compressed_decoder is
     -- The lowest two bits are not "11": words with them do not come here.
     instruction : in std_ulogic_vector(15 downto 0);
     decoded : out decoded_t;
+    -- Of what adds it, or has it as an operand or result; otherwise of no meaning.
     immediate : out word_t
   );
 end entity;
@@ -34,7 +35,7 @@ architecture rtl of compressed_decoder is
   signal upper_zero, lower_zero, constant_zero : std_ulogic;
   signal sign, extension, without_link : std_ulogic;
   signal from_quadrant_0, from_quadrant_1, from_quadrant_2 : std_ulogic_vector(11 downto 0);
-  signal jump_offset, branch_offset, sp_amount, small_constant : std_ulogic_vector(11 downto 0);
+  signal sp_amount, small_constant : std_ulogic_vector(11 downto 0);
   signal low : std_ulogic_vector(11 downto 0);
 
 begin
@@ -107,17 +108,12 @@ begin
                        instruction(14) else
                      "00" & instruction(10 downto 7) & instruction(12 downto 11) & instruction(5) &
                        instruction(6) & "00";
-  jump_offset <= sign & instruction(8) & instruction(10 downto 9) & instruction(6) & instruction(7) &
-                 instruction(2) & instruction(11) & instruction(5 downto 3) & '0';
-  branch_offset <= (11 downto 8 => sign) & instruction(6 downto 5) & instruction(2) &
-                   instruction(11 downto 10) & instruction(4 downto 3) & '0';
   sp_amount <= (11 downto 9 => sign) & instruction(4 downto 3) & instruction(5) & instruction(2) &
                instruction(6) & "0000";
   small_constant <= (11 downto 5 => sign) & instruction(6 downto 2);
-  -- funct3: 0, 2, 4 a small constant; 1, 5 a jump; 3 sp or the upper bits; 6, 7 a branch.
-  from_quadrant_1 <= branch_offset when instruction(15) and instruction(14) else
-                     jump_offset when instruction(13) and not instruction(14) else
-                     sp_amount when instruction(13) and upper_is_sp else
+  -- funct3: 0, 2, 4 a small constant; 3 sp or the upper bits. Jumps and branches have none here:
+  -- early_jump finds it.
+  from_quadrant_1 <= sp_amount when instruction(13) and upper_is_sp else
                      x"000" when instruction(13) else
                      small_constant;
   from_quadrant_2 <= "0000" & instruction(8 downto 7) & instruction(12 downto 9) & "00" when
@@ -163,6 +159,7 @@ begin
   decoded.manipulate <= '0';
   decoded.csr <= '0';
   decoded.csr_exists <= '0';
+  decoded.csr_written <= '0';
   decoded.environment_call <= '0';
   decoded.breakpoint <= is_breakpoint;
   decoded.trap_return <= '0';

@@ -182,8 +182,9 @@ begin
     end if;
   end process;
 
-  trap_target <= trap_base & "00" when not (trap_vectored and trap.interrupt) else
-                 (trap_base + unsigned(trap.cause)) & "00";
+  -- An adder alone: less than a choice behind it.
+  trap_target <= (trap_base + (unsigned(trap.cause) and (4 downto 0 => trap_vectored and trap.interrupt))) &
+                 "00";
   return_address <= exception_address & '0';
 
   cycle_event <= not cycle_stopped;

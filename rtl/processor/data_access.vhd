@@ -22,6 +22,9 @@ entity data_access is
     -- A load or store is executed in this clock.
     enable : in std_ulogic;
     store : in std_ulogic;
+    -- Its base, its constant, and their sum.
+    base : in unsigned(31 downto 0);
+    offset : in unsigned(31 downto 0);
     address : in unsigned(31 downto 0);
     -- In the coding of funct3.
     size : in std_ulogic_vector(1 downto 0);
@@ -45,11 +48,24 @@ architecture rtl of data_access is
   signal lane_data : word_t;
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
+  signal is_right : std_ulogic_vector(31 downto memory_address_bits + 1);
+  signal behind_right : unsigned(32 downto memory_address_bits + 1);
   signal in_memory, aligned : std_ulogic;
 
 begin
 
-  in_memory <= address(31 downto memory_address_bits) ?= memory_number;
+  -- Told without the sum's upper bits, which come late: where the lowest of them is right, each further one
+  -- is right if the carry into it is the one that a right bit before it leaves behind.
+  follow_carries : for bit_index in memory_address_bits + 1 to 31 generate
+    is_right(bit_index) <=
+      (base(bit_index) xor offset(bit_index) xor memory_number(bit_index)) xnor
+      ((base(bit_index - 1) and offset(bit_index - 1)) or
+       ((base(bit_index - 1) or offset(bit_index - 1)) and not memory_number(bit_index - 1)));
+  end generate;
+  -- By a chain of carries.
+  behind_right <= ('0' & unsigned(is_right)) + 1;
+  in_memory <= behind_right(32) and
+               (address(memory_address_bits) xnor memory_number(memory_address_bits));
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;
   to_memory <= in_memory;

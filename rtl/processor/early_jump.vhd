@@ -32,7 +32,7 @@ end entity;
 
 architecture rtl of early_jump is
 
-  signal sign, is_far, long_jumps, short_jumps, is_compared, is_ordered, turns_if_not : std_ulogic;
+  signal sign, is_far, long_jumps, short_jumps, turns_if_not : std_ulogic;
   signal offset : unsigned(31 downto 0);
   signal low : std_ulogic_vector(11 downto 0);
   signal link : unsigned(31 downto 0);
@@ -70,15 +70,13 @@ begin
   following <= target when jump else link;
   other <= link when jump or decoded.jump_register or decoded.refetch else target;
 
-  is_compared <= decoded.branch and not decoded.funct3(2);
-  is_ordered <= decoded.branch and decoded.funct3(2);
   -- A branch that was taken turns where its condition does not hold.
   turns_if_not <= jump xor decoded.funct3(0);
   turn <= (
-    always => decoded.jump_register or decoded.refetch,
-    if_equal => is_compared and not turns_if_not,
-    if_not_equal => is_compared and turns_if_not,
-    if_less => is_ordered and not turns_if_not,
-    if_not_less => is_ordered and turns_if_not);
+    -- Less, or unequal.
+    if_below => decoded.branch,
+    if_above => decoded.branch and not decoded.funct3(2),
+    inverted => decoded.jump_register or decoded.refetch or
+                (decoded.branch and (turns_if_not xnor decoded.funct3(2))));
 
 end architecture;

@@ -20,10 +20,10 @@ entity instruction_fetch is
     -- Nothing is shown in the next clock.
     cancel : in std_ulogic;
     -- Jumps go to the memory in their own clock, which is one with `advance`. First that of execute; its
-    -- address, of which bit 0 is ignored, and this plus 2. The first comes behind a reset.
+    -- address, of which bit 0 is ignored, and the word of this plus 2. The first comes behind a reset.
     late_jump : in std_ulogic;
     late_address : in unsigned(31 downto 0);
-    late_address_plus_2 : in unsigned(31 downto 0);
+    late_address_plus_2 : in unsigned(31 downto 2);
     -- That of the instruction shown, if there is none in execute.
     early_jump : in std_ulogic;
     early_address : in unsigned(31 downto 0);

@@ -9,34 +9,32 @@ use ieee.numeric_std.all;
 use work.processor_pkg.all;
 
 entity late_jump is
-  generic (
-    reset_address : unsigned(31 downto 0)
-  );
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- With `always` where it is redirecting.
+    -- In any case where it is redirecting.
     turn : in late_turn_t;
     -- Of its operands.
-    equal : in std_ulogic;
-    less : in std_ulogic;
-    -- Where a branch goes that did not go there, and fence.i.
+    comparison : in comparison_t;
+    -- Where a branch goes that did not go there, and fence.i; behind a reset the start. Zero where a
+    -- redirection goes elsewhere.
     other : in unsigned(31 downto 0);
-    -- jalr: it is one; base, constant and their sum.
+    -- jalr: it is one, and nothing is redirected; base, constant and their sum.
     jump_register : in std_ulogic;
     base : in unsigned(31 downto 0);
     offset : in unsigned(31 downto 0);
     sum : in unsigned(31 downto 0);
-    -- A trap or a return from one, which wins over a jump; where it goes, in the next clock. Handlers begin
-    -- with a word, other places may be in the middle of one.
+    -- A trap or a return from one, which wins over a jump; where it goes, in the next clock, nowhere behind a
+    -- reset. Handlers begin with a word, other places may be in the middle of one.
     redirect : in std_ulogic;
     to_handler : in std_ulogic;
+    to_return : in std_ulogic;
     handler_address : in unsigned(31 downto 0);
     return_address : in unsigned(31 downto 0);
-    -- Jump, to this address (of which bit 0 is ignored), with this plus 2.
+    -- Jump, to this address (of which bit 0 is ignored), with the word of this plus 2.
     jump : out std_ulogic;
     target : out unsigned(31 downto 0);
-    target_plus_2 : out unsigned(31 downto 0);
+    target_plus_2 : out unsigned(31 downto 2);
     -- It was not decided before this clock where to go on.
     redirecting : out std_ulogic
   );
@@ -44,40 +42,40 @@ end entity;
 
 architecture rtl of late_jump is
 
-  signal resetting, compared, ordered : std_ulogic;
-  signal redirect_target, redirect_target_plus_2 : unsigned(31 downto 0);
+  signal is_so, inverted : std_ulogic;
+  signal elsewhere, elsewhere_plus_2, jump_address, jump_address_plus_2 : unsigned(31 downto 0);
+  signal return_address_plus_2 : unsigned(31 downto 0);
   signal offset_plus_2, sum_plus_2, other_plus_2 : unsigned(31 downto 0);
 
 begin
 
-  -- `less` is the last to come.
-  compared <= turn.always or (turn.if_equal and equal) or (turn.if_not_equal and not equal);
-  ordered <= turn.if_less when less else turn.if_not_less;
-  jump <= compared or ordered;
+  -- What is below and above comes last: one gate lies behind it, and then, with all that inverts it, the
+  -- choice of an address.
+  is_so <= (turn.if_below and comparison.below) or (turn.if_above and comparison.above);
+  -- An order, but no inequality, is turned around by signs.
+  inverted <= turn.inverted xor (turn.if_below and not turn.if_above and comparison.signs_differ);
+  jump <= is_so xor inverted;
 
-  redirect_target <= reset_address when resetting else
-                     handler_address when to_handler else
-                     return_address;
-  redirect_target_plus_2 <= reset_address when resetting else
-                            handler_address when to_handler else
-                            return_address + 2;
+  -- One of the two parts of each target is zero: three choices would come later.
+  return_address_plus_2 <= return_address + 2;
+  elsewhere <= (handler_address and (31 downto 0 => to_handler)) or
+               (return_address and (31 downto 0 => to_return));
+  elsewhere_plus_2 <= (handler_address and (31 downto 0 => to_handler)) or
+                      (return_address_plus_2 and (31 downto 0 => to_return));
 
   -- The base comes last.
   offset_plus_2 <= offset + 2;
   sum_plus_2 <= base + offset_plus_2;
   other_plus_2 <= other + 2;
-  target <= redirect_target when redirecting else
-            sum when jump_register else
-            other;
-  target_plus_2 <= redirect_target_plus_2 when redirecting else
-                   sum_plus_2 when jump_register else
-                   other_plus_2;
+  jump_address <= sum when jump_register else other;
+  jump_address_plus_2 <= sum_plus_2 when jump_register else other_plus_2;
+  target <= elsewhere or jump_address;
+  target_plus_2 <= elsewhere_plus_2(31 downto 2) or jump_address_plus_2(31 downto 2);
 
   note_redirection : process
   begin
     wait until rising_edge(clk);
     redirecting <= redirect or reset;
-    resetting <= reset;
   end process;
 
 end architecture;

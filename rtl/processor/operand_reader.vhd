@@ -67,8 +67,9 @@ begin
 
   first_matches <= next_writes and (next_destination ?= first_index);
   second_matches <= next_writes and (next_destination ?= second_index) and not second_is_constant;
-  first_comes <= first_matches and not next_is_late and not first_awaits;
-  second_comes <= second_matches and not next_is_late and not second_awaits;
+  -- Of a late result, which is awaited, anything is taken.
+  first_comes <= first_matches and not first_awaits;
+  second_comes <= second_matches and not second_awaits;
   first_is_written <= first_awaits or (write and (destination ?= first_index));
   second_is_written <= second_awaits or (write and (destination ?= second_index) and not second_is_constant);
   first_early <= write_data_early when first_is_written else first_in_register;

@@ -82,13 +82,14 @@ architecture rtl of processor is
   signal awaits, await_result : std_ulogic;
   signal alu_result, divider_result, early_result, next_result, late_result, executed_result : word_t;
   signal gives_address : std_ulogic;
-  signal equal, less, divider_done : std_ulogic;
+  signal less, divider_done : std_ulogic;
+  signal comparison : comparison_t;
   signal jump : std_ulogic;
-  signal jump_target, jump_target_plus_2 : unsigned(31 downto 0);
+  signal jump_target : unsigned(31 downto 0);
+  signal jump_target_plus_2 : unsigned(31 downto 2);
   signal data_enable, data_misaligned, data_in_memory : std_ulogic;
   signal bus_active, bus_done, bus_error : std_ulogic;
   signal csr_operand : word_t;
-  signal csr_writes : std_ulogic;
   signal asleep, interrupt_requested : std_ulogic;
   -- Clocks asleep so far; the stages behind are empty when all are set.
   signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
@@ -98,7 +99,7 @@ architecture rtl of processor is
   -- Of the instruction executed; that which is taken, and in the clock behind it.
   signal trap, machine_trap, taken_trap : trap_t;
   signal trapped : std_ulogic;
-  signal return_from_trap, returning, resuming, awake, interrupt_pending : std_ulogic;
+  signal return_from_trap, handling, returning, resuming, awake, interrupt_pending : std_ulogic;
   signal retire : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
   signal trap_target, return_address, return_target : unsigned(31 downto 0);
@@ -181,11 +182,9 @@ begin
         fetch_fault => presented_fault,
         leaves_memory => leaves_memory);
       turn <= (
-        always => next_able and decoded_turn.always,
-        if_equal => next_able and decoded_turn.if_equal,
-        if_not_equal => next_able and decoded_turn.if_not_equal,
-        if_less => next_able and decoded_turn.if_less,
-        if_not_less => next_able and decoded_turn.if_not_less);
+        if_below => next_able and decoded_turn.if_below,
+        if_above => next_able and decoded_turn.if_above,
+        inverted => next_able and decoded_turn.inverted);
       executing_is_word <= presented_is_word;
       kind <= decoded;
       legal <= or decoded.legal;
@@ -201,9 +200,14 @@ begin
       executing.able <= '0';
       turn <= no_turn;
     end if;
-    -- A clock after traps and returns it goes where these lead.
+    -- A clock after traps and returns it goes where these lead, behind a reset to the start.
     if reset or redirect then
-      turn.always <= '1';
+      turn <= any_turn;
+      kind.jump_register <= '0';
+      other_address <= (others => '0');
+    end if;
+    if reset then
+      other_address <= reset_address;
     end if;
   end process;
 
@@ -268,26 +272,25 @@ begin
       rotate => kind.rotate,
       compare_unsigned => kind.compare_unsigned,
       result => alu_result,
-      equal => equal,
-      less => less);
+      less => less,
+      comparison => comparison);
 
   offset <= unsigned(executing_immediate);
   sum <= unsigned(first_value) + offset;
   late_jumps : entity work.late_jump
-    generic map (reset_address => reset_address)
     port map (
       clk => clk,
       reset => reset,
       turn => turn,
-      equal => equal,
-      less => less,
+      comparison => comparison,
       other => other_address,
       jump_register => kind.jump_register,
       base => unsigned(first_value),
       offset => offset,
       sum => sum,
       redirect => redirect,
-      to_handler => not (resuming or returning),
+      to_handler => handling,
+      to_return => resuming or returning,
       handler_address => trap_target,
       return_address => return_target,
       jump => jump,
@@ -335,6 +338,8 @@ begin
       reset => reset,
       enable => data_enable,
       store => kind.store,
+      base => unsigned(first_value),
+      offset => offset,
       address => sum,
       size => kind.funct3(1 downto 0),
       store_data => second_value,
@@ -348,16 +353,15 @@ begin
       error => bus_error);
 
   csr_operand <= 27x"0" & executing_bits(19 downto 15) when kind.funct3(2) else first_value;
-  csr_writes <= not kind.funct3(1) or (or executing_bits(19 downto 15));
   -- The upper two bits of an address say that it cannot be written.
-  csr_legal <= kind.csr_exists and not (csr_writes and (and executing_bits(31 downto 30)));
+  csr_legal <= kind.csr_exists and not (kind.csr_written and (and executing_bits(31 downto 30)));
   csr_request <= (
     enable => able and not waiting and kind.csr and kind.csr_exists,
     in_vain => take_interrupt,
     address => executing_bits(31 downto 20),
     operation => kind.funct3(1 downto 0),
     operand => csr_operand,
-    writes => csr_writes);
+    writes => kind.csr_written);
   return_from_trap <= start and kind.trap_return;
   control_status_registers : entity work.control_status_registers
     port map (
@@ -439,10 +443,14 @@ begin
       taken_trap.address <= machine_trap.address;
       taken_trap.value <= machine_trap.value;
     end if;
+    handling <= trap.enable;
     returning <= return_from_trap;
     resuming <= debug_request.resume;
     if reset then
       taken_trap.enable <= '0';
+      handling <= '0';
+      returning <= '0';
+      resuming <= '0';
     end if;
   end process;
 

@@ -53,8 +53,9 @@ package processor_pkg is
     -- Zbb: what is left to bit_manipulation.
     manipulate : std_ulogic;
     csr : std_ulogic;
-    -- There is a CSR of this address.
+    -- There is a CSR of this address; it is written, unless it is set or cleared by nothing.
     csr_exists : std_ulogic;
+    csr_written : std_ulogic;
     environment_call : std_ulogic;
     breakpoint : std_ulogic;
     trap_return : std_ulogic;
@@ -71,18 +72,27 @@ package processor_pkg is
     leaves_memory : std_ulogic;
   end record;
 
+  -- How two operands compare.
+  type comparison_t is record
+    -- The first is less, is greater, without regard to signs.
+    below : std_ulogic;
+    above : std_ulogic;
+    -- It has to regard them, and they differ: what is below is the greater then.
+    signs_differ : std_ulogic;
+  end record;
+
   -- What has the processor go another way than it went while the instruction in the execute stage was
   -- decoded. Nothing comes of it before the pipeline advances.
   type late_turn_t is record
-    always : std_ulogic;
-    -- By its two operands.
-    if_equal : std_ulogic;
-    if_not_equal : std_ulogic;
-    if_less : std_ulogic;
-    if_not_less : std_ulogic;
+    -- Where its first operand is below the second; above it.
+    if_below : std_ulogic;
+    if_above : std_ulogic;
+    -- Where it would not turn, and only there. So it may turn with any operands.
+    inverted : std_ulogic;
   end record;
 
   constant no_turn : late_turn_t := (others => '0');
+  constant any_turn : late_turn_t := (inverted => '1', others => '0');
 
   -- Which bits of a loaded word a load takes, one signal for each choice: they wait where the word is
   -- the last to come. Without any of them the result is zero.

@@ -14,6 +14,7 @@ entity word_decoder is
   port (
     instruction : in word_t;
     decoded : out decoded_t;
+    -- Of what adds it, or has it as an operand or result; otherwise of no meaning.
     immediate : out word_t
   );
 end entity;
@@ -36,7 +37,6 @@ architecture rtl of word_decoder is
   signal is_ecall, is_ebreak, is_mret, is_wfi : std_ulogic;
   signal funct7_zero, funct7_alternate : std_ulogic;
   signal is_zbb, manipulates : std_ulogic := '0';
-  signal immediate_low : std_ulogic_vector(11 downto 0);
 
 begin
 
@@ -114,19 +114,14 @@ begin
     end case;
   end process;
 
-  -- fence.i jumps to the next instruction, and so has it fetched again.
-  immediate_low <= instruction(31 downto 25) & instruction(11 downto 7) when is_store else
-                   instruction(7) & instruction(30 downto 25) & instruction(11 downto 8) & '0' when
-                     is_branch else
-                   instruction(20) & instruction(30 downto 21) & '0' when is_jump else
-                   x"004" when is_fence else
-                   x"000" when is_upper or is_upper_to_pc else
-                   instruction(31 downto 20);
-  immediate <= instruction(31 downto 12) & x"000" when is_upper or is_upper_to_pc else
-               (31 downto 20 => instruction(31)) & instruction(19 downto 12) & immediate_low when
-                 is_jump else
-               (31 downto 12 => '0') & immediate_low when is_fence else
-               (31 downto 12 => instruction(31)) & immediate_low;
+  -- Those of branches and jal do not pass here: early_jump finds them, and that of auipc. Told by few
+  -- bits, because it comes late in the clock: stores, then what has the constant of lui.
+  immediate(31 downto 12) <= instruction(31 downto 12) when opcode(2) and opcode(0) else
+                             (31 downto 12 => instruction(31));
+  immediate(11 downto 5) <= instruction(31 downto 25) and (11 downto 5 => opcode(2) nand opcode(0));
+  immediate(4 downto 0) <= "00000" when opcode(2) and opcode(0) else
+                           instruction(11 downto 7) when opcode(3) and not opcode(0) else
+                           instruction(24 downto 20);
 
   decoded.destination <= instruction(11 downto 7);
   -- All but lui, auipc, jal, fence and CSR instructions with a constant; then branch, store and
@@ -165,6 +160,7 @@ begin
   decoded.manipulate <= manipulates;
   decoded.csr <= is_csr;
   decoded.csr_exists <= csr_exists;
+  decoded.csr_written <= not funct3(1) or (or instruction(19 downto 15));
   decoded.environment_call <= is_ecall;
   decoded.breakpoint <= is_ebreak;
   decoded.trap_return <= is_mret;

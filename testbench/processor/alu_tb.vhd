@@ -14,7 +14,8 @@ architecture tb of alu_tb is
 
   signal first, second, result : word_t := (others => '0');
   signal operation : std_ulogic_vector(2 downto 0) := "000";
-  signal shift, subtract, arithmetic_shift, rotate, compare_unsigned, equal, less : std_ulogic := '0';
+  signal shift, subtract, arithmetic_shift, rotate, compare_unsigned, less : std_ulogic := '0';
+  signal comparison : comparison_t;
 
   type words_t is array (natural range <>) of word_t;
   constant values : words_t := (
@@ -35,8 +36,8 @@ begin
       rotate => rotate,
       compare_unsigned => compare_unsigned,
       result => result,
-      equal => equal,
-      less => less);
+      less => less,
+      comparison => comparison);
 
   check : process
     procedure expect(code : std_ulogic_vector(2 downto 0); other, unsigned_order : std_ulogic;
@@ -73,9 +74,12 @@ begin
                "difference");
         expect("010", '1', '0', flag(signed(first) < signed(second)), "less");
         assert (less = '1') = (signed(first) < signed(second)) severity failure;
-        assert (equal = '1') = (first = second) severity failure;
+        assert (comparison.below = '1') = (unsigned(first) < unsigned(second)) severity failure;
+        assert (comparison.above = '1') = (unsigned(first) > unsigned(second)) severity failure;
+        assert comparison.signs_differ = (first(31) xor second(31)) severity failure;
         expect("011", '1', '1', flag(unsigned(first) < unsigned(second)), "less unsigned");
         assert (less = '1') = (unsigned(first) < unsigned(second)) severity failure;
+        assert comparison.signs_differ = '0' severity failure;
         expect("100", '0', '0', first xor second, "xor");
         expect("110", '0', '0', first or second, "or");
         expect("111", '0', '0', first and second, "and");

@@ -177,8 +177,9 @@ begin
           compare(decoded.reads_second = '1' and
                   second = reference_second, "rs2");
         end if;
-        if (decoded.load or decoded.store or decoded.branch or decoded.jump or
-            decoded.jump_register or decoded.second_is_constant) = '1' then
+        -- early_jump finds those of jumps and branches.
+        if (decoded.load or decoded.store or decoded.jump_register or
+            (decoded.second_is_constant and not decoded.jump and not decoded.branch)) = '1' then
           -- Of a shift only the lowest five bits are looked at.
           compare(immediate = reference_immediate or
                   (decoded.shift = '1' and

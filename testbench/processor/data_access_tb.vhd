@@ -17,7 +17,7 @@ architecture tb of data_access_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal enable, store : std_ulogic := '0';
-  signal address : unsigned(31 downto 0) := (others => '0');
+  signal address, offset : unsigned(31 downto 0) := (others => '0');
   signal size : std_ulogic_vector(1 downto 0) := "00";
   signal store_data : word_t := x"a1b2c3d4";
   signal memory_request : memory_request_t;
@@ -36,6 +36,8 @@ begin
       reset => reset,
       enable => enable,
       store => store,
+      base => address - offset,
+      offset => offset,
       address => address,
       size => size,
       store_data => store_data,
@@ -52,6 +54,10 @@ begin
     type uppers_t is array (natural range <>) of unsigned(15 downto 0);
     constant uppers : uppers_t := (
       x"0000", x"0001", x"7fff", x"8000", x"8001", x"8002", x"c000", x"f000", x"ffff");
+
+    type offsets_t is array (natural range <>) of unsigned(31 downto 0);
+    constant offsets : offsets_t := (
+      x"00000000", x"00000001", x"ffffffff", x"000007ff", x"fffff800", x"7fffffff", x"80000000");
 
     procedure clock is
     begin
@@ -132,13 +138,17 @@ begin
     wait for 1 ns;
     assert memory_request.enable = '1' and memory_request.write_bytes = "0000" and to_memory = '1'
       severity failure;
-    -- Within and outside, far and near.
+    -- Within and outside, far and near, with constants in which there are carries and none.
     enable <= '0';
     for index in uppers'range loop
       for lower in -7 to 7 loop
-        address <= (uppers(index) & x"0000") + unsigned(to_signed(lower * 300 + lower mod 2, 32));
-        wait for 1 ns;
-        assert to_memory = (address(31 downto 16) ?= x"8000") report to_hstring(address) severity failure;
+        for part in offsets'range loop
+          address <= (uppers(index) & x"0000") + unsigned(to_signed(lower * 300 + lower mod 2, 32));
+          offset <= offsets(part);
+          wait for 1 ns;
+          assert to_memory = (address(31 downto 16) ?= x"8000")
+            report to_hstring(address) & " with " & to_hstring(offset) severity failure;
+        end loop;
       end loop;
     end loop;
     address <= x"80000000";

@@ -48,7 +48,7 @@ begin
       cancel => cancel,
       late_jump => late_jump,
       late_address => target,
-      late_address_plus_2 => target_plus_2,
+      late_address_plus_2 => target_plus_2(31 downto 2),
       early_jump => early_jump,
       early_address => target,
       early_address_plus_2 => target_plus_2,

@@ -75,17 +75,11 @@ begin
     expect_offset(x"7ff52503", x"000007ff");
     expect_offset(x"fea52fa3", x"ffffffff");  -- sw a0, -1(a0)
     expect_offset(x"00a525a3", x"0000000b");  -- sw a0, 11(a0)
-    expect_offset(x"fe000ee3", x"fffffffc");  -- beq zero, zero, -4
-    expect_offset(x"00000463", x"00000008");
-    expect_offset(x"80000063", x"fffff000");
-    expect_offset(x"ffdff06f", x"fffffffc");  -- j -4
-    expect_offset(x"0080006f", x"00000008");
-    expect_offset(x"0000100f", x"00000004");  -- fence.i
     expect_constant(x"80050513", x"fffff800");  -- addi a0, a0, -2048
     expect_constant(x"12345537", x"12345000");  -- lui
     assert decoded.operation = "101" and decoded.shift = '0' and decoded.reads_first = '0'
       report "lui has its constant as the result" severity failure;
-    expect_offset(x"fffff517", x"fffff000");  -- auipc
+    decode(x"fffff517");  -- auipc
     assert decoded.address_result = '1' severity failure;
     expect_offset(x"00850567", x"00000008");  -- jalr a0, 8(a0)
     assert decoded.jump_register = '1' and decoded.jump = '0' and decoded.writes_link = '0'

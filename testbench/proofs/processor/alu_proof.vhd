@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.instruction_set_pkg.all;
+use work.processor_pkg.all;
 
 entity alu_proof is
   port (
@@ -26,7 +27,8 @@ architecture proof of alu_proof is
   signal word : value_t;
   signal alternate : std_ulogic;
   signal result : value_t;
-  signal equal, less : std_ulogic;
+  signal less : std_ulogic;
+  signal compared : comparison_t;
 
   default clock is rising_edge(clk);
 
@@ -45,8 +47,8 @@ begin
       arithmetic_shift => arithmetic_shift,
       compare_unsigned => compare_unsigned,
       result => result,
-      equal => equal,
-      less => less);
+      less => less,
+      comparison => compared);
 
   only_shifts_shift : assume always (shifts -> operation(1 downto 0) = "01");
   comparisons_say_of_what_sort : assume always
@@ -62,7 +64,12 @@ begin
     ((operation(2) = '1' and operation(1 downto 0) /= "01") -> result = logic(word, first, second));
   the_second_operand_passes_as_it_is : assert always
     ((shifts = '0' and operation = "101") -> result = second);
-  equal_registers_are_equal : assert always ((equal = '1') = (first = second));
+  what_is_below_without_regard_to_signs_is_below : assert always
+    ((compared.below = '1') = (unsigned(first) < unsigned(second)));
+  what_is_above_without_regard_to_signs_is_above : assert always
+    ((compared.above = '1') = (unsigned(first) > unsigned(second)));
+  signs_that_count_and_differ_are_told : assert always
+    ((compared.signs_differ = '1') = (compare_unsigned = '0' and first(31) /= second(31)));
   less_is_less_with_the_sign : assert always
     (not compare_unsigned -> (less = '1') = (signed(first) < signed(second)));
   less_is_less_without_a_sign : assert always

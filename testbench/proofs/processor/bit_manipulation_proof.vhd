@@ -65,7 +65,6 @@ begin
       rotate => decoded.rotate,
       compare_unsigned => decoded.compare_unsigned,
       result => result,
-      equal => open,
       less => less);
 
   bits : entity work.bit_manipulation

@@ -17,6 +17,8 @@ entity data_access_proof is
     enable : in std_ulogic;
     store : in std_ulogic;
     address : in unsigned(31 downto 0);
+    -- The constant in it.
+    offset : in unsigned(31 downto 0);
     size : in std_ulogic_vector(1 downto 0);
     store_data : in value_t;
     -- What stood in memory before.
@@ -58,6 +60,8 @@ begin
       reset => reset,
       enable => enable,
       store => store,
+      base => address - offset,
+      offset => offset,
       address => address,
       size => size,
       store_data => store_data,

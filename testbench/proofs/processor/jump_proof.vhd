@@ -33,13 +33,14 @@ architecture proof of jump_proof is
   signal is_long, legal : std_ulogic;
   signal is_first, is_second : std_ulogic_vector(4 downto 0);
   signal first, second, second_register : value_t;
-  signal equal, less : std_ulogic;
+  signal compared : comparison_t;
   signal offset, sum : unsigned(31 downto 0);
   signal early, late, redirecting : std_ulogic;
-  signal early_target, early_target_plus_2, following, other : unsigned(31 downto 0);
+  signal early_target, early_target_plus_2, following, other, held_other : unsigned(31 downto 0);
   signal turn, decoded_turn : late_turn_t;
-  signal late_target, late_target_plus_2 : unsigned(31 downto 0);
-  signal next_address : unsigned(31 downto 0);
+  signal late_target : unsigned(31 downto 0);
+  signal late_target_plus_2 : unsigned(31 downto 2);
+  signal next_address, pair_behind : unsigned(31 downto 0);
   -- Of the specification.
   signal word : value_t;
   signal kind : kind_t;
@@ -75,8 +76,8 @@ begin
       arithmetic_shift => decoded.arithmetic_shift,
       compare_unsigned => decoded.compare_unsigned,
       result => open,
-      equal => equal,
-      less => less);
+      less => open,
+      comparison => compared);
 
   decode_jump : entity work.early_jump
     port map (
@@ -92,24 +93,25 @@ begin
       other => other,
       turn => decoded_turn);
 
-  turn <= (always => '1', others => '0') when redirecting else decoded_turn;
+  -- As the pipeline holds it between the two.
+  turn <= any_turn when redirecting else decoded_turn;
+  held_other <= x"80000000" when resets else x"00000000" when redirects else other;
   offset <= unsigned(immediate);
   sum <= unsigned(first) + offset;
   execute_jump : entity work.late_jump
-    generic map (reset_address => x"80000000")
     port map (
       clk => clk,
       reset => reset,
       turn => turn,
-      equal => equal,
-      less => less,
-      other => other,
-      jump_register => decoded.jump_register,
+      comparison => compared,
+      other => held_other,
+      jump_register => decoded.jump_register and not redirects,
       base => unsigned(first),
       offset => offset,
       sum => sum,
       redirect => redirect,
-      to_handler => to_handler,
+      to_handler => redirects and not resets and to_handler,
+      to_return => redirects and not resets and not to_handler,
       handler_address => handler_address,
       return_address => return_address,
       jump => late,
@@ -117,6 +119,8 @@ begin
       target_plus_2 => late_target_plus_2,
       redirecting => redirecting);
   next_address <= late_target(31 downto 1) & '0' when late else following;
+
+  pair_behind <= late_target + 2;
 
   word <= instruction when is_long = '1' else expanded(instruction(15 downto 0));
   kind <= kind_of(word);
@@ -164,7 +168,12 @@ begin
     (early -> early_target_plus_2 = early_target + 2);
   the_pair_behind_a_late_jump_is_asked_for : assert always
     ((started and late and not redirects) ->
-     late_target_plus_2(31 downto 1) = late_target(31 downto 1) + 1);
+     late_target_plus_2 = pair_behind(31 downto 2));
+  the_pair_behind_the_start_is_asked_for : assert always
+    ((started and resets) -> late_target_plus_2 = 30x"20000000");
+  the_pair_behind_a_return_is_asked_for : assert always
+    ((started and redirects and not resets and not to_handler) ->
+     late_target_plus_2 = pair_behind(31 downto 2));
   reset_leads_to_the_start : assert always ((started and resets) -> next_address = x"80000000");
   traps_lead_to_their_handler : assert always
     ((started and redirects and not resets and to_handler) -> next_address = handler_address);
