@@ -36,7 +36,7 @@ case $dialogue in
     ;;
   gdb)
     pipe="$(printf '"%s" ' "${connection[@]}" -c "gdb_port pipe; log_output $folder/openocd.log" "${files[@]}")"
-    gdb-multiarch -q -nx -batch "$programs/counter.elf" -ex "set remotetimeout 60" \
+    gdb-multiarch -q -nx -batch -x "$project/tools/debug/chip.gdb" "$programs/counter.elf" \
       -ex "target extended-remote | $pipe" -x "$project/tests/debug/dialogue.gdb" > "$folder/dialogue.log" 2>&1
     ;;
   firmware)

@@ -11,22 +11,34 @@ end
 monitor reset halt
 load
 expect $pc 0x80000000 1
+# Behind a reset gdb knows the registers, and steps from there.
+stepi
+stepi
+monitor reset halt
+expect $pc 0x80000000 2
+stepi
+expect $pc 0x80000002 3
+monitor reset halt
 break counted
 continue
-expect $pc &counted 2
-expect $a0 1 3
+expect $pc &counted 4
+expect $a0 1 5
 delete
 stepi
-expect *(int*)&counter 1 4
+expect *(int*)&counter 1 6
 hbreak loop
 continue
-expect $pc &loop 5
+expect $pc &loop 7
 delete
 set $a0 = 1000
 stepi
-expect $a0 1001 6
+expect $a0 1001 8
 set *(int*)&counter = 7
-expect *(int*)&counter 7 7
+expect *(int*)&counter 7 9
+# Data is watched, though the chip has no trigger for it.
+watch *(int*)&counter
+continue
+expect *(int*)&counter 1001 10
 printf "PASSED\n"
 disconnect
 quit 0
