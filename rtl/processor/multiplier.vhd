@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Multiplies two words, signed or not: partial products in one clock, their sum in the next.
+-- Multiplies two words, signed or not: partial products in one clock, their sum in the next. The two in the middle
+-- are added at once: the sum has further to go.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -39,19 +40,20 @@ begin
   first_high <= signed((first(31) and (operation(0) nand operation(1))) & first(31 downto 16));
   second_high <= signed((second(31) and not operation(1)) & second(31 downto 16));
 
+  high_low <= first_high * second_low;
+  low_high <= first_low * second_high;
+
   multiply_parts : process
   begin
     wait until rising_edge(clk);
     if enable then
       low_low <= first_low * second_low;
-      high_low <= first_high * second_low;
-      low_high <= first_low * second_high;
+      middle <= resize(high_low, 35) + resize(low_high, 35);
       high_high <= first_high * second_high;
       upper_wanted <= operation(0) or operation(1);
     end if;
   end process;
 
-  middle <= resize(high_low, 35) + resize(low_high, 35);
   product <= (high_high(31 downto 0) & low_low(31 downto 0)) + (resize(middle, 48) & x"0000");
   result <= std_ulogic_vector(product(63 downto 32)) when upper_wanted else
             std_ulogic_vector(product(31 downto 0));
