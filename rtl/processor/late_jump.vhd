@@ -58,9 +58,9 @@ begin
 
   -- One of the two parts of each target is zero: three choices would come later.
   return_address_plus_2 <= return_address + 2;
-  elsewhere <= (handler_address and (31 downto 0 => to_handler)) or
+  elsewhere <= handler_address when to_handler else
                (return_address and (31 downto 0 => to_return));
-  elsewhere_plus_2 <= (handler_address and (31 downto 0 => to_handler)) or
+  elsewhere_plus_2 <= handler_address when to_handler else
                       (return_address_plus_2 and (31 downto 0 => to_return));
 
   -- The base comes last.

@@ -72,9 +72,9 @@ architecture rtl of processor is
   -- Execute.
   signal executing : executing_t;
   signal turn : late_turn_t;
-  signal executing_is_word, legal : std_ulogic;
+  signal legal : std_ulogic;
   signal kind : decoded_t;
-  signal executing_bits, executing_instruction, executing_immediate : word_t;
+  signal executing_instruction, executing_immediate : word_t;
   signal executing_address, other_address, offset, sum : unsigned(31 downto 0);
   signal able, waiting, start, complete, take_interrupt : std_ulogic;
   signal interruptible, take_halt, enter_debug : std_ulogic;
@@ -185,14 +185,17 @@ begin
         if_below => next_able and decoded_turn.if_below,
         if_above => next_able and decoded_turn.if_above,
         inverted => next_able and decoded_turn.inverted);
-      executing_is_word <= presented_is_word;
       kind <= decoded;
       legal <= or decoded.legal;
       gives_address <= decoded.address_result or decoded.jump or decoded.jump_register;
       executing_immediate <= decoded_immediate;
       executing_address <= fetched_address;
       other_address <= decoded_other;
-      executing_bits <= presented_instruction;
+      executing_instruction <= presented_instruction;
+      -- What follows a short instruction is no part of it.
+      if not presented_is_word then
+        executing_instruction(31 downto 16) <= (others => '0');
+      end if;
     end if;
 
     if reset or bus_error or take_interrupt then
@@ -237,10 +240,6 @@ begin
       awaits => awaits,
       first => first_value,
       second => second_value);
-
-  executing_instruction(15 downto 0) <= executing_bits(15 downto 0);
-  executing_instruction(31 downto 16) <= executing_bits(31 downto 16) and
-                                         (31 downto 16 => executing_is_word);
 
   -- A fetch fault or an illegal instruction is not executed: nothing of it may happen.
   able <= executing.able;
@@ -323,7 +322,7 @@ begin
       port map (
         clk => clk,
         enable => kind.manipulate,
-        instruction => executing_bits,
+        instruction => executing_instruction,
         first => first_value,
         second => second_value,
         less => less,
@@ -352,13 +351,13 @@ begin
       done => bus_done,
       error => bus_error);
 
-  csr_operand <= 27x"0" & executing_bits(19 downto 15) when kind.funct3(2) else first_value;
+  csr_operand <= 27x"0" & executing_instruction(19 downto 15) when kind.funct3(2) else first_value;
   -- The upper two bits of an address say that it cannot be written.
-  csr_legal <= kind.csr_exists and not (kind.csr_written and (and executing_bits(31 downto 30)));
+  csr_legal <= kind.csr_exists and not (kind.csr_written and (and executing_instruction(31 downto 30)));
   csr_request <= (
     enable => able and not waiting and kind.csr and kind.csr_exists,
     in_vain => take_interrupt,
-    address => executing_bits(31 downto 20),
+    address => executing_instruction(31 downto 20),
     operation => kind.funct3(1 downto 0),
     operand => csr_operand,
     writes => kind.csr_written);
