@@ -39,6 +39,15 @@ expect *(int*)&counter 7 9
 watch *(int*)&counter
 continue
 expect *(int*)&counter 1001 10
+# Where nothing is, nothing is read.
+set $refused = 0
+python
+try:
+  gdb.parse_and_eval("*(int*)0x40000000").fetch_lazy()
+except gdb.MemoryError:
+  gdb.set_convenience_variable("refused", 1)
+end
+expect $refused 1 11
 printf "PASSED\n"
 disconnect
 quit 0
