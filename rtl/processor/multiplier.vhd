@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Multiplies two words, signed or not: partial products in one clock, their sum in the next. The two in the middle
--- are added at once: the sum has further to go.
+-- Multiplies two words, signed or not: partial products in one clock, their sum in the next. The two in the
+-- middle are added at once: the sum has further to go.
 
 library ieee;
 use ieee.std_logic_1164.all;
