@@ -48,7 +48,8 @@ architecture rtl of data_access is
   signal lane_data : word_t;
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
-  signal is_right : std_ulogic_vector(31 downto memory_address_bits + 1);
+  signal is_right : unsigned(31 downto memory_address_bits + 1);
+  subtype before is natural range 30 downto memory_address_bits;
   signal behind_right : unsigned(32 downto memory_address_bits + 1);
   signal in_memory, aligned : std_ulogic;
 
@@ -56,14 +57,12 @@ begin
 
   -- Told without the sum's upper bits, which come late: where the lowest of them is right, each further one
   -- is right if the carry into it is the one that a right bit before it leaves behind.
-  follow_carries : for bit_index in memory_address_bits + 1 to 31 generate
-    is_right(bit_index) <=
-      (base(bit_index) xor offset(bit_index) xor memory_number(bit_index)) xnor
-      ((base(bit_index - 1) and offset(bit_index - 1)) or
-       ((base(bit_index - 1) or offset(bit_index - 1)) and not memory_number(bit_index - 1)));
-  end generate;
+  is_right <=
+    (base(is_right'range) xor offset(is_right'range) xor memory_number(is_right'range)) xnor
+    ((base(before) and offset(before)) or
+     ((base(before) or offset(before)) and not memory_number(before)));
   -- By a chain of carries.
-  behind_right <= ('0' & unsigned(is_right)) + 1;
+  behind_right <= ('0' & is_right) + 1;
   in_memory <= behind_right(32) and
                (address(memory_address_bits) xnor memory_number(memory_address_bits));
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
