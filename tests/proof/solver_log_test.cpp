@@ -28,4 +28,21 @@ TEST(solver_log, holds_only_where_the_solver_says_so) {
             std::nullopt);
 }
 
+TEST(solver_log, tells_the_solutions_by_the_values_in_their_last_clock) {
+  const std::string text =
+      "SAT solving finished - model found:\n\n"
+      "  Time Signal Name   Dec   Hex   Bin\n"
+      "  ---- ------------ ---- ---- ----\n"
+      "  init \\a            1     1     1\n"
+      "     1 \\a            0     0     00\n"
+      "     1 \\b            0     0     0\n"
+      "     2 \\a            2     2     10\n"
+      "     2 \\b            0     0     0\n"
+      "SAT solving finished - model found:\n\n"
+      "     2 \\a            0     0     00\n"
+      "     2 \\b            0     0     0\n"
+      "SAT solving finished - no more models found\n";
+  EXPECT_THAT(proof::read_solutions(text), ElementsAre("10 0 "));
+}
+
 }  // namespace

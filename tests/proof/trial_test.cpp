@@ -137,6 +137,17 @@ TEST_F(Trial, what_is_reached_from_the_start_fails_with_its_name_clock_and_trace
   }
 }
 
+TEST_F(Trial, the_values_that_a_signal_takes_are_counted) {
+  proof::Proof proof = proof_of("count_stays_below_six", proof::Method::sighting, 2);
+  proof.signals = {"count"};
+  proof.values = 1;
+  EXPECT_EQ(outcome_of(proof).verdict, Verdict::holds);
+  proof.values = 2;
+  const auto outcome = outcome_of(proof);
+  EXPECT_EQ(outcome.verdict, Verdict::fails);
+  EXPECT_THAT(outcome.explanation, HasSubstr("1 values instead of 2 are seen within 2 clocks"));
+}
+
 TEST_F(Trial, a_stand_in_takes_the_place_of_a_source) {
   folder_.write("testbench/proofs/parts/counter.vhdl", counter);
   auto proof = proof_of("stand_in", proof::Method::bounded, 2);

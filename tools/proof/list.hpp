@@ -15,6 +15,8 @@ enum class Method {
               // over `depth`
   bounded,  // the first `depth` clocks after the start, whatever the inputs
   arithmetic,  // a statement about numbers, without clocks
+  sighting,  // no proof either: that signals take so many values, so that what is said of these
+             // is said of something
   bench,  // no proof: a test bench, for mutations of what no solver can follow
 };
 
@@ -34,6 +36,10 @@ struct Proof {
   std::vector<std::filesystem::path> stand_ins;
   // Copies of a generate statement, as "LABEL_n2", of which nothing is known and nothing is proved.
   std::vector<std::string> free_copies;
+  // Of a sighting: signals as the flattened netlist names them, zero before they are sighted, and
+  // how many other values they have together within `depth` clocks after the start.
+  std::vector<std::string> signals;
+  int values{};
   std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
   bool quick{};
 };

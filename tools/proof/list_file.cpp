@@ -119,12 +119,12 @@ class Entry {
 Method method_of(Entry& entry) {
   const std::string text = entry.text("by");
   for (const Method method :
-       {Method::induction, Method::bounded, Method::arithmetic, Method::bench}) {
+       {Method::induction, Method::bounded, Method::arithmetic, Method::sighting, Method::bench}) {
     if (text == name_of(method)) {
       return method;
     }
   }
-  entry.fail("by must be induction, bounded, arithmetic or bench");
+  entry.fail("by must be induction, bounded, arithmetic, sighting or bench");
 }
 
 Proof proof_of(Entry& entry) {
@@ -151,6 +151,13 @@ Proof proof_of(Entry& entry) {
       entry.fail("depth is missing");
     }
     proof.depth = entry.whole("depth", 1);
+    if (proof.method == Method::sighting) {
+      proof.signals = entry.texts("signals");
+      if (proof.signals.empty() || !entry.has("values")) {
+        entry.fail("signals and values say what is to be sighted");
+      }
+      proof.values = entry.whole("values", 1);
+    }
   }
   return proof;
 }
@@ -221,6 +228,8 @@ const char* name_of(Method method) {
       return "bounded";
     case Method::arithmetic:
       return "arithmetic";
+    case Method::sighting:
+      return "sighting";
     case Method::bench:
       return "bench";
   }
@@ -238,6 +247,7 @@ List read_list(const std::filesystem::path& folder) {
   for (const Mutation& mutation : list.mutations) {
     const auto is_its_proof = [&mutation](const Proof& proof) {
       return proof.name == mutation.proof && proof.method != Method::arithmetic &&
+             proof.method != Method::sighting &&
              mutation.property.empty() == (proof.method == Method::bench);
     };
     if (std::ranges::none_of(list.proofs, is_its_proof)) {

@@ -32,6 +32,8 @@ std::string how(const Proof& proof) {
       return fmt::format("bounded, {} clocks", proof.depth);
     case Method::arithmetic:
       return "arithmetic";
+    case Method::sighting:
+      return fmt::format("sighted in {} clocks", proof.depth);
     case Method::bench:
       return "bench";
   }
@@ -52,6 +54,9 @@ Json json_of(const Trial& trial) {
     json["method"] = name_of(trial.proof.method);
     if (trial.proof.depth != 0) {
       json["depth_clocks"] = trial.proof.depth;
+    }
+    if (trial.proof.method == Method::sighting) {
+      json["values"] = trial.proof.values;
     }
     json["result"] = name_of(trial.outcome.verdict);
     json["properties"] = trial.outcome.asserted;
@@ -104,6 +109,9 @@ void write_json(const std::filesystem::path& file, const std::vector<Trial>& tri
   for (const Trial& trial : trials) {
     json[trial.mutation ? "mutations" : "proofs"].push_back(json_of(trial));
     if (trial.outcome.verdict != Verdict::holds) {
+      if (trial.proof.method == Method::sighting) {
+        json["values"] = trial.proof.values;
+      }
       json["result"] = "fails";
     }
   }

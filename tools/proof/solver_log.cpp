@@ -31,4 +31,34 @@ SolverLog read_solver_log(std::string_view text) {
   return log;
 }
 
+std::set<std::string> read_solutions(std::string_view text) {
+  // "  CLOCK SIGNAL DECIMAL HEXADECIMAL BINARY", without the last three columns for "init".
+  static const std::regex value_line(R"( +(\d+) (\S+) +\S+ +\S+ +([01]+) *)");
+  std::set<std::string> solutions;
+  std::istringstream stream{std::string(text)};
+  int clock = 0;
+  std::string values;
+  const auto finish = [&] {
+    if (values.find('1') != std::string::npos) {
+      solutions.insert(values);
+    }
+    values.clear();
+  };
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find("model found") != std::string::npos) {
+      finish();
+      clock = 0;
+    } else if (std::regex_match(line, match, value_line)) {
+      if (const int now = std::stoi(match[1]); now != clock) {
+        clock = now;
+        values.clear();
+      }
+      values += match[3].str() + " ";
+    }
+  }
+  finish();
+  return solutions;
+}
+
 }  // namespace proof

@@ -107,6 +107,42 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
   return solve(input, {"induction", "-i", proof.depth}, folder, limit);
 }
 
+// Every value in turn: asked for in each clock as the first that is not zero.
+Outcome sight(const SolverInput& input, const Proof& proof, const fs::path& folder,
+              std::chrono::seconds limit) {
+  std::string script =
+      fmt::format("read_rtlil {};", (input.file.parent_path() / "formal.il").string());
+  for (int clock = 1; clock <= proof.depth; ++clock) {
+    script += fmt::format(" sat -all -set-assumes -set-init-zero -seq {}", clock);
+    for (const std::string& signal : proof.signals) {
+      script += fmt::format(" -show {}", signal);
+      for (int before = 1; before < clock; ++before) {
+        script += fmt::format(" -set-at {} {} 0", before, signal);
+      }
+    }
+    script += ";";
+  }
+  const fs::path log = folder / "sightings.log";
+  const ProcessResult result = run_process({"yosys", "-p", script}, folder, log, limit);
+  Outcome outcome;
+  const auto found = static_cast<int>(read_solutions(text_of(log)).size());
+  if (result.timed_out) {
+    outcome.verdict = Verdict::undecided;
+    outcome.explanation =
+        fmt::format("{} of {} values seen within {} s", found, proof.values, limit.count());
+  } else if (result.exit_status != 0) {
+    outcome.explanation = fmt::format("the solver broke down, see {}", log.string());
+  } else {
+    outcome.verdict = found == proof.values ? Verdict::holds : Verdict::fails;
+    if (found != proof.values) {
+      outcome.explanation = fmt::format("{} values instead of {} are seen within {} clocks, see {}",
+                                        found, proof.values, proof.depth, log.string());
+    }
+    outcome.asserted = proof.signals;
+  }
+  return outcome;
+}
+
 // The lemma's negation must have no solution.
 Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::seconds limit) {
   const fs::path log_file = folder / "z3.log";
@@ -174,6 +210,9 @@ Outcome try_proof(const Folders& folders, const Proof& proof, const fs::path& so
       return run_bench(folders, folder / "sources", proof.entity, folder, limit);
     }
     const SolverInput input = make_solver_input(folders, sources, proof, nullptr, folder);
+    if (proof.method == Method::sighting) {
+      return sight(input, proof, folder, limit);
+    }
     Outcome outcome = solve_clocked(input, proof, folder, limit);
     outcome.asserted = input.netlist.asserted;
     outcome.assumed = input.netlist.assumed;
