@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sim/devices/path_lock.hpp"
+
 namespace synthesis {
 namespace {
 
@@ -158,6 +160,23 @@ exit 1
   EXPECT_NE(words.find("does not fit into this device"), std::string::npos) << words;
   EXPECT_NE(words.find("ICESTORM_LC:  9679/ 7680   126%"), std::string::npos) << words;
   EXPECT_EQ(words.find("ICESTORM_RAM"), std::string::npos) << words;
+}
+
+TEST_F(SynthesisJob, leaves_a_folder_alone_in_which_another_is_at_work) {
+  std::filesystem::create_directories(options_.directory);
+  {
+    const devices::PathLock other(std::filesystem::canonical(options_.directory));
+    try {
+      run();
+      FAIL() << "both wrote into one folder";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("is in use by process"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("--directory"), std::string::npos);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "calls"));
+  }
+  EXPECT_NO_THROW(run());
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "calls"));
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "sim/devices/path_lock.hpp"
 #include "tools/synthesis/device.hpp"
 #include "tools/synthesis/report.hpp"
 
@@ -31,6 +33,16 @@ std::string quoted(const std::filesystem::path& path) {
 
 void call(const std::string& command) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("the synthesis failed");
+}
+
+// All that the tools make there would be mixed with what another synthesis makes.
+void take(const std::filesystem::path& directory, std::optional<devices::PathLock>& lock) {
+  try {
+    lock.emplace(directory);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format(
+        "{}: wait for its end, or choose another folder with --directory", error.what()));
+  }
 }
 
 // The calls of tools/hardware for a board and a device.
@@ -124,7 +136,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
                                          options.board, name_of(device.family)));
   }
   std::filesystem::create_directories(options.directory);
-  const std::filesystem::path directory = std::filesystem::absolute(options.directory);
+  const std::filesystem::path directory = std::filesystem::canonical(options.directory);
+  std::optional<devices::PathLock> lock;
+  take(directory, lock);
   const Scripts scripts(options, project, firmware, directory);
   call(scripts.synthesize());
   Report report;
