@@ -20,10 +20,54 @@ constexpr std::int64_t nanometers_of_inches(std::int64_t millionths) {
   return divided(millionths * 254, 10);
 }
 
+// A billionth of a millimetre is a picometre.
+units::Position from_millimeters(const gcode::Number& number) {
+  constexpr std::uint32_t nanometers_per_millimeter = 1'000'000;
+  constexpr std::uint32_t picometers_per_nanometer = 1'000;
+  const std::uint32_t nanometers = number.billionths / picometers_per_nanometer;
+  const std::uint32_t picometers = number.billionths % picometers_per_nanometer;
+  return {units::Nanometers(static_cast<std::int64_t>(
+              std::uint64_t{number.whole} * nanometers_per_millimeter + nanometers)),
+          picometers * 1'000};
+}
+
+// A billionth of an inch is 25 400 fm.
+units::Position from_inches(const gcode::Number& number) {
+  constexpr std::uint32_t nanometers_per_inch = 25'400'000;
+  constexpr std::uint32_t femtometers_per_nanometer = units::Position::femtometers_per_nanometer;
+  const std::uint64_t femtometers = std::uint64_t{number.billionths} * 25'400;
+  const std::uint64_t nanometers = femtometers / femtometers_per_nanometer;
+  return {units::Nanometers(static_cast<std::int64_t>(
+              std::uint64_t{number.whole} * nanometers_per_inch + nanometers)),
+          static_cast<std::uint32_t>(femtometers - nanometers * femtometers_per_nanometer)};
+}
+
+// percent / 100 of a distance. Exact where the distance is one of G-code's: then it is a multiple
+// of 200 fm. Down to a femtometre after a stop in mid-move.
+units::Position scaled(const units::Position& distance, std::int32_t percent) {
+  constexpr std::int64_t all = 100;
+  constexpr std::uint32_t femtometers_per_part = units::Position::femtometers_per_nanometer / all;
+  const std::int64_t parts = distance.whole().count() * percent;  // of all in a nanometre
+  const std::int64_t rounded_down = parts >= 0 ? parts / all : (parts - (all - 1)) / all;
+  const auto rest = static_cast<std::uint32_t>(parts - rounded_down * all);
+  const std::uint64_t femtometers = static_cast<std::uint64_t>(distance.femtometers()) *
+                                    static_cast<std::uint32_t>(percent) / all;
+  return {units::Nanometers(rounded_down),
+          rest * femtometers_per_part + static_cast<std::uint32_t>(femtometers)};
+}
+
 }  // namespace
 
-std::optional<units::Nanometers> Coordinates::length(const gcode::Command& command,
-                                                     char letter) const {
+std::optional<units::Position> Coordinates::length(const gcode::Command& command,
+                                                   char letter) const {
+  const auto number = command.number(letter);
+  if (!number) return std::nullopt;
+  const units::Position size = inches_ ? from_inches(*number) : from_millimeters(*number);
+  return number->negative ? -size : size;
+}
+
+std::optional<units::Nanometers> Coordinates::rounded_length(const gcode::Command& command,
+                                                             char letter) const {
   const auto value = command.value(letter);
   if (!value) return std::nullopt;
   return units::Nanometers(inches_ ? nanometers_of_inches(*value) : *value);
@@ -44,9 +88,9 @@ Positions Coordinates::target_of(const gcode::Command& command) const {
 Positions Coordinates::machine_target(const Positions& target, const Positions& machine) const {
   Positions result;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    units::Nanometers distance = target[i] - logical_[i];
+    units::Position distance = target[i] - logical_[i];
     if (i == units::index_of(units::Axis::e) && flow_percent_ != 100) {
-      distance = units::Nanometers(divided(distance.count() * flow_percent_, 100));
+      distance = scaled(distance, flow_percent_);
     }
     result[i] = machine[i] + distance;
   }
@@ -54,7 +98,7 @@ Positions Coordinates::machine_target(const Positions& target, const Positions& 
 }
 
 void Coordinates::take_feedrate(const gcode::Command& command) {
-  const auto per_minute = length(command, 'F');
+  const auto per_minute = rounded_length(command, 'F');
   if (!per_minute || per_minute->count() <= 0) return;
   constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
   const std::int64_t speed = divided(per_minute->count(), nanometers_per_minute);

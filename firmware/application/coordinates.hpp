@@ -7,11 +7,12 @@
 
 #include "gcode/command.hpp"
 #include "units/axes.hpp"
+#include "units/position.hpp"
 #include "units/quantity.hpp"
 
 namespace application {
 
-using Positions = units::PerAxis<units::Nanometers>;
+using Positions = units::PerAxis<units::Position>;
 
 class Coordinates {
  public:
@@ -33,17 +34,18 @@ class Coordinates {
 
   // Where the host believes the axes are.
   const Positions& logical() const { return logical_; }
-  void set_logical(units::Axis axis, units::Nanometers position) {
+  void set_logical(units::Axis axis, const units::Position& position) {
     logical_[units::index_of(axis)] = position;
   }
 
-  // A length parameter in the present unit, rounded to nanometres.
-  std::optional<units::Nanometers> length(const gcode::Command& command, char letter) const;
+  // A length parameter in the present unit.
+  std::optional<units::Position> length(const gcode::Command& command, char letter) const;
+  // The same rounded to nanometres, of millionths: for what is no position.
+  std::optional<units::Nanometers> rounded_length(const gcode::Command& command, char letter) const;
 
   // The logical positions that a move asks for.
   Positions target_of(const gcode::Command& command) const;
-  // The machine positions of a logical target, from where the machine is. Exact but for a flow that
-  // is not 100 %, where E is rounded to nanometres.
+  // The machine positions of a logical target, from where the machine is. Exact, flow included.
   Positions machine_target(const Positions& target, const Positions& machine) const;
 
   // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.

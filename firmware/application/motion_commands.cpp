@@ -22,7 +22,7 @@ constexpr std::int64_t millionths_per_millisecond = 1'000'000 / 1000;  // of a s
 constexpr units::PerAxis<Axis> all_axes{Axis::x, Axis::y, Axis::z, Axis::e};
 
 bool representable(const Positions& positions) {
-  return std::ranges::all_of(positions, [](units::Nanometers position) {
+  return std::ranges::all_of(positions, [](const units::Position& position) {
     return position <= motion::max_position && -position <= motion::max_position;
   });
 }
@@ -52,8 +52,8 @@ CommandExecutor::Progress CommandExecutor::move() {
   if (!representable(wanted)) return refuse("Number out of range");
 
   Positions driven = wanted;
-  units::Nanometers& extruder = driven[index_of(Axis::e)];
-  const units::Nanometers before = coordinates_.logical()[index_of(Axis::e)];
+  units::Position& extruder = driven[index_of(Axis::e)];
+  const units::Position before = coordinates_.logical()[index_of(Axis::e)];
   if (extruder != before) {
     const bool too_long = extruder - before > longest_extrusion;
     if (heat_.extrusion_is_cold() || too_long) {
@@ -220,7 +220,8 @@ void CommandExecutor::follow_position_jump() {
   position_jumps_ = motion_.position_jumps();
   for (const Axis axis : all_axes) {
     const std::size_t i = index_of(axis);
-    coordinates_.set_logical(axis, coordinates_.logical()[i] + motion_.position()[i] - planned_[i]);
+    coordinates_.set_logical(axis,
+                             coordinates_.logical()[i] + (motion_.position()[i] - planned_[i]));
   }
   planned_ = motion_.position();
 }

@@ -48,8 +48,8 @@ std::uint8_t end_stops_of(const motion::Limits& limits) {
   return static_cast<std::uint8_t>(inputs);
 }
 
-units::PerAxis<units::Nanometers> with_axis(units::PerAxis<units::Nanometers> positions,
-                                            units::Axis axis, units::Nanometers position) {
+units::PerAxis<units::Position> with_axis(units::PerAxis<units::Position> positions,
+                                          units::Axis axis, units::Nanometers position) {
   positions[index_of(axis)] = position;
   return positions;
 }
@@ -232,7 +232,7 @@ units::PerAxis<units::Steps> MotionTask::steps() {
 }
 
 // At rest, where the hardware lets its counters be written.
-void MotionTask::set_position(const units::PerAxis<units::Nanometers>& positions) {
+void MotionTask::set_position(const units::PerAxis<units::Position>& positions) {
   planner_.set_position(positions);
   for (const units::Axis axis : all_axes) {
     const auto steps = static_cast<std::int32_t>(planner_.position_steps()[index_of(axis)]);

@@ -67,7 +67,7 @@ class MotionTask {
   void set_steps_per_meter(const motion::Limits& limits);
 
   // Machine coordinates of the end of the last planned move, and the steps made so far.
-  const units::PerAxis<units::Nanometers>& position() const { return planner_.position(); }
+  const units::PerAxis<units::Position>& position() const { return planner_.position(); }
   units::PerAxis<units::Steps> steps();
   // Counts the times that position() has jumped: at homing and quick stops.
   std::uint32_t position_jumps() const { return position_jumps_; }
@@ -77,7 +77,7 @@ class MotionTask {
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
   void refill();
-  void set_position(const units::PerAxis<units::Nanometers>& positions);
+  void set_position(const units::PerAxis<units::Position>& positions);
 
   const MachineDescription& machine_;
   units::Hertz clock_;

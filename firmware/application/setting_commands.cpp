@@ -31,7 +31,7 @@ CommandExecutor::Progress CommandExecutor::set_per_axis(motion::Accepted (*set)(
                                                                                 Quantity)) {
   motion::Limits changed = motion_.limits();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const auto value = coordinates_.length(command_, units::axis_letters[i]);
+    const auto value = coordinates_.rounded_length(command_, units::axis_letters[i]);
     if (!value) continue;
     const auto accepted = set(changed, static_cast<units::Axis>(i), micrometers<Quantity>(*value));
     if (!accepted) return refuse(motion::describe(accepted.error()));
@@ -43,7 +43,7 @@ CommandExecutor::Progress CommandExecutor::set_per_axis(motion::Accepted (*set)(
 CommandExecutor::Progress CommandExecutor::set_for_all(std::span<const Setting> settings) {
   motion::Limits changed = motion_.limits();
   for (const Setting& setting : settings) {
-    const auto value = coordinates_.length(command_, setting.letter);
+    const auto value = coordinates_.rounded_length(command_, setting.letter);
     if (!value) continue;
     const motion::Accepted accepted = setting.set(changed, *value);
     if (!accepted) return refuse(motion::describe(accepted.error()));

@@ -10,14 +10,15 @@
 
 namespace gcode {
 
-// Numbers are millionths of the unit written in the line: millimetres become nanometres.
+// Parameters other than positions are millionths of the unit written in the line.
 inline constexpr std::uint32_t millionths_per_unit = 1'000'000;
+inline constexpr std::uint32_t billionths_per_unit = 1'000'000'000;
 
-// A number as it is written: magnitude = whole + millionths / 1'000'000. Kept in two 32-bit halves,
-// so that neither reading nor using it costs a 64-bit division.
+// A number as it is written: magnitude = whole + billionths / 1'000'000'000. Kept in two 32-bit
+// halves, so that neither reading nor using it costs a 64-bit division.
 struct Number {
   std::uint32_t whole;
-  std::uint32_t millionths;  // 0 .. 999'999
+  std::uint32_t billionths;  // 0 .. 999'999'999
   bool negative;
 };
 
@@ -37,14 +38,22 @@ class Command {
   bool has(char parameter) const { return (present_ & bit(parameter)) != 0; }
   bool has_parameters() const { return present_ != 0; }
 
-  // In millionths; empty where the parameter is absent or a flag without a number (G28 X).
-  // Within +-4'294'967'296'000'000.
-  std::optional<std::int64_t> value(char parameter) const {
+  // As it is written; empty where the parameter is absent or a flag without a number (G28 X).
+  std::optional<Number> number(char parameter) const {
     if ((valued_ & bit(parameter)) == 0) return std::nullopt;
     const Magnitude& magnitude = magnitudes_[index(parameter)];
+    return Number{magnitude.whole, magnitude.billionths, (negative_ & bit(parameter)) != 0};
+  }
+
+  // In millionths, halves away from 0; empty as for number(). Within +-4'294'967'296'000'000.
+  std::optional<std::int64_t> value(char parameter) const {
+    if ((valued_ & bit(parameter)) == 0) return std::nullopt;
+    constexpr std::uint32_t per_millionth = billionths_per_unit / millionths_per_unit;
+    const Magnitude& magnitude = magnitudes_[index(parameter)];
+    const std::uint32_t millionths = (magnitude.billionths + per_millionth / 2) / per_millionth;
     return with_sign(
         parameter, static_cast<std::int64_t>(std::uint64_t{magnitude.whole} * millionths_per_unit +
-                                             magnitude.millionths));
+                                             millionths));
   }
 
   // The whole part, cut towards zero as Marlin reads an integer parameter; empty as for value().
@@ -58,7 +67,7 @@ class Command {
     present_ |= bit(parameter);
     valued_ |= bit(parameter);
     negative_ |= number.negative ? bit(parameter) : 0;
-    magnitudes_[index(parameter)] = {number.whole, number.millionths};
+    magnitudes_[index(parameter)] = {number.whole, number.billionths};
   }
 
  private:
@@ -76,7 +85,7 @@ class Command {
 
   struct Magnitude {
     std::uint32_t whole;
-    std::uint32_t millionths;
+    std::uint32_t billionths;
   };
 
   std::uint32_t present_{};

@@ -8,11 +8,11 @@
 namespace gcode {
 namespace {
 
-constexpr unsigned kept_decimals = 6;
-// What a fraction of so many digits must be multiplied with to count millionths.
-constexpr std::array<std::uint32_t, kept_decimals + 1> scale{1'000'000, 100'000, 10'000, 1'000,
-                                                             100,       10,      1};
-static_assert(scale[0] == millionths_per_unit && scale[kept_decimals] == 1);
+constexpr unsigned kept_decimals = 9;
+// What a fraction of so many digits must be multiplied with to count billionths.
+constexpr std::array<std::uint32_t, kept_decimals + 1> scale{
+    1'000'000'000, 100'000'000, 10'000'000, 1'000'000, 100'000, 10'000, 1'000, 100, 10, 1};
+static_assert(scale[0] == billionths_per_unit && scale[kept_decimals] == 1);
 
 // Appends a decimal digit; false on overflow.
 bool append(std::uint32_t& value, std::uint32_t digit) {
@@ -29,20 +29,20 @@ std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
 }
 
 // Reads the digits behind the point. False if rounding reaches a whole unit.
-bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& millionths) {
+bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& billionths) {
   unsigned decimals = 0;
   while (position < line.size() && is_digit(line[position]) && decimals < kept_decimals) {
-    millionths = millionths * 10 + digit_value(line[position++]);
+    billionths = billionths * 10 + digit_value(line[position++]);
     ++decimals;
   }
-  millionths *= scale[decimals];
+  billionths *= scale[decimals];
   // Decimals that are not kept: the first one alone decides the rounding.
   if (position < line.size() && is_digit(line[position])) {
-    if (line[position] >= '5') ++millionths;
+    if (line[position] >= '5') ++billionths;
     while (position < line.size() && is_digit(line[position])) ++position;
   }
-  if (millionths < millionths_per_unit) return true;
-  millionths = 0;
+  if (billionths < billionths_per_unit) return true;
+  billionths = 0;
   return false;
 }
 
@@ -64,7 +64,7 @@ std::expected<Number, ParseError> read_number(std::string_view line, std::size_t
   std::size_t digits = position - first_digit;
   if (position < line.size() && line[position] == '.') {
     const std::size_t point = position++;
-    if (!read_fraction(line, position, number.millionths)) {
+    if (!read_fraction(line, position, number.billionths)) {
       if (number.whole == std::numeric_limits<std::uint32_t>::max()) {
         return fail(ParseFault::number_overflow, start);
       }

@@ -36,12 +36,12 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
   return seconds_left ? line.integer(*seconds_left) : line.character('?');
 }
 
-TextLine position_report(const units::PerAxis<units::Nanometers>& position,
+TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count) {
   TextLine line;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     line.character(units::axis_letters[axis]).character(':');
-    line.decimal(position[axis].count(), nanometer_digits, places).character(' ');
+    line.decimal(position[axis].nearest().count(), nanometer_digits, places).character(' ');
   }
   line.text("Count");
   for (const units::Axis axis : {units::Axis::x, units::Axis::y, units::Axis::z}) {

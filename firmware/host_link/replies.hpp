@@ -9,6 +9,7 @@
 
 #include "host_link/text_line.hpp"
 #include "units/axes.hpp"
+#include "units/position.hpp"
 #include "units/quantity.hpp"
 
 namespace host_link {
@@ -31,7 +32,7 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
                         std::optional<std::int32_t> seconds_left);
 
 // M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was asked for and the motors' steps.
-TextLine position_report(const units::PerAxis<units::Nanometers>& position,
+TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count);
 
 struct Capability {

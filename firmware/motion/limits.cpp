@@ -65,7 +65,7 @@ Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value)
 }
 
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
-                                        const units::PerAxis<units::Nanometers>& target) {
+                                        const units::PerAxis<units::Position>& target) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto axis = static_cast<units::Axis>(i);
     const units::Nanometers travel = limits.axes[i].travel;

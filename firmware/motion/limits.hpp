@@ -9,6 +9,7 @@
 
 #include "motion/fault.hpp"
 #include "units/axes.hpp"
+#include "units/position.hpp"
 #include "units/quantity.hpp"
 
 namespace motion {
@@ -71,6 +72,6 @@ Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value)
 
 // The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
-                                        const units::PerAxis<units::Nanometers>& target);
+                                        const units::PerAxis<units::Position>& target);
 
 }  // namespace motion

@@ -11,8 +11,8 @@ namespace motion {
 
 namespace {
 
-bool in_range(const units::PerAxis<units::Nanometers>& target) {
-  return std::ranges::all_of(target, [](units::Nanometers position) {
+bool in_range(const units::PerAxis<units::Position>& target) {
+  return std::ranges::all_of(target, [](const units::Position& position) {
     return position >= -max_position && position <= max_position;
   });
 }
@@ -44,21 +44,22 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   bool moves = false;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     StepPosition target{.steps = position_steps_[i], .residual = residual_[i]};
-    if (move.target[i] != position_[i]) {
+    if (move.target[i] != line_end_[i]) {
       target = steps_at(move.target[i], limits().axes[i].steps_per_meter);
     }
     const std::int64_t steps = target.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
-    displacement.distance[i] = move.target[i] - position_[i];
+    displacement.distance[i] = (move.target[i] - line_end_[i]).nearest();
     displacement.steps[i] = static_cast<std::int32_t>(steps);
     displacement.residual[i] = residual_[i] + target.residual;
     target_steps[i] = target.steps;
     residual[i] = target.residual;
     moves |= steps != 0;
   }
+  target_ = move.target;
   if (!moves) return {};
   append(displacement, move, now);
-  position_ = move.target;
+  line_end_ = move.target;
   position_steps_ = target_steps;
   residual_ = residual;
   return {};
@@ -165,8 +166,8 @@ void Planner::clear() {
   next_phase_ = 0;
 }
 
-void Planner::set_position(const units::PerAxis<units::Nanometers>& position) {
-  position_ = position;
+void Planner::set_position(const units::PerAxis<units::Position>& position) {
+  target_ = line_end_ = position;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const StepPosition here = steps_at(position[i], limits().axes[i].steps_per_meter);
     position_steps_[i] = here.steps;
@@ -178,8 +179,9 @@ void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
   position_steps_ = steps;
   residual_ = {};
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    position_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
+    line_end_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
   }
+  target_ = line_end_;
 }
 
 }  // namespace motion

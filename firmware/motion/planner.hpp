@@ -16,13 +16,14 @@
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
 #include "units/axes.hpp"
+#include "units/position.hpp"
 #include "units/quantity.hpp"
 
 namespace motion {
 
 // A straight move to `target`, in absolute machine coordinates.
 struct LineMove {
-  units::PerAxis<units::Nanometers> target{};
+  units::PerAxis<units::Position> target{};
   // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do is
   // slower.
   units::MicrometersPerSecond feedrate{};
@@ -50,8 +51,8 @@ class Planner {
   bool empty() const { return count_ == 0 && next_phase_ == profile_.count; }
   std::size_t lines() const { return count_; }
 
-  // A fault leaves everything as it was. A move of less than a step takes no room: it is part of
-  // the next one. Targets are not checked against the travel: see check_bounds.
+  // A fault leaves everything as it was. A move that steps no axis takes no room: its distance is
+  // part of the next line. Targets are not checked against the travel: see check_bounds.
   std::expected<void, Fault> append(const LineMove& move, units::Microseconds now);
 
   // Everything appended so far starts without waiting for more (M400, or before any wait for rest).
@@ -63,14 +64,14 @@ class Planner {
   // Forgets all lines after the step generator was stopped; the position must then be set.
   void clear();
 
-  // Where the last line with steps ends; moves of less than a step since then are still to be made
-  // good, so a caller that reckons on from the position asked for keeps that itself.
-  const units::PerAxis<units::Nanometers>& position() const { return position_; }
-  // The same in steps; what the step generator's counters show when all is done (modulo 2^32).
+  // The last target: relative moves go on from here.
+  const units::PerAxis<units::Position>& position() const { return target_; }
+  // The same in steps, rounded; what the step generator's counters show when all is done (modulo
+  // 2^32).
   const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
 
   // Declares where the axes are; only while empty and at rest.
-  void set_position(const units::PerAxis<units::Nanometers>& position);
+  void set_position(const units::PerAxis<units::Position>& position);
   void set_position_steps(const units::PerAxis<std::int64_t>& steps);
 
  private:
@@ -82,9 +83,10 @@ class Planner {
 
   StepTiming timing_;
   Geometry geometry_;
-  units::PerAxis<units::Nanometers> position_{};
-  units::PerAxis<std::int64_t> position_steps_{};
-  units::PerAxis<StepParts> residual_{};  // of position_ at position_steps_
+  units::PerAxis<units::Position> target_{};  // of the last move
+  units::PerAxis<units::Position> line_end_{};  // of the last move that had steps
+  units::PerAxis<std::int64_t> position_steps_{};  // of both
+  units::PerAxis<StepParts> residual_{};  // of line_end_ at position_steps_
 
   std::array<Line, capacity> lines_{};
   Course last_course_{};  // of the last appended line

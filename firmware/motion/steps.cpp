@@ -40,21 +40,30 @@ std::int64_t with_sign_of(std::int64_t sign, std::uint64_t value) {
 
 }  // namespace
 
-StepPosition steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter) {
+StepPosition steps_at(const units::Position& position, units::StepsPerMeter steps_per_meter) {
   constexpr std::uint64_t product_fits = (std::uint64_t{1} << 63) / 10'000'001;
   static_assert(max_steps_per_meter.count() < 10'000'001);
   const auto factor = static_cast<std::uint32_t>(steps_per_meter.count());
-  std::uint64_t distance = magnitude(position.count());
+  const bool negative = position < units::Position();
+  const units::Position size = negative ? -position : position;
+  auto distance = static_cast<std::uint64_t>(size.whole().count());
   std::uint64_t steps = 0;
   if (distance > product_fits) {
     const std::uint64_t meters = divide_by_billion(distance).whole;
     distance -= meters * nanometers_per_meter;
     steps = meters * factor;
   }
-  const Quotient rounded = divide_by_billion(distance * factor + nanometers_per_meter / 2);
+  std::uint64_t parts = distance * factor + nanometers_per_meter / 2;  // 10^-9 of a step
+  if (size.femtometers() != 0) {
+    // What is below such a part decides nothing: halves of a step are whole numbers of parts.
+    parts += static_cast<std::uint32_t>(size.femtometers()) * std::uint64_t{factor} /
+             units::Position::femtometers_per_nanometer;
+  }
+  const Quotient rounded = divide_by_billion(parts);
   const std::int32_t residual = static_cast<std::int32_t>(rounded.rest) - one_step.count() / 2;
-  return {.steps = with_sign_of(position.count(), steps + rounded.whole),
-          .residual = StepParts(position.count() < 0 ? -residual : residual)};
+  const auto count = static_cast<std::int64_t>(steps + rounded.whole);
+  return {.steps = negative ? -count : count,
+          .residual = StepParts(negative ? -residual : residual)};
 }
 
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter) {

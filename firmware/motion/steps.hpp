@@ -6,6 +6,7 @@
 #include <expected>
 
 #include "motion/fault.hpp"
+#include "units/position.hpp"
 #include "units/quantity.hpp"
 
 namespace motion {
@@ -23,10 +24,10 @@ struct StepPosition {
   StepParts residual{};
 };
 
-// position * steps_per_meter / 10^9, rounded to the nearest step, halves away from 0, without
+// position in nm * steps_per_meter / 10^9, rounded to the nearest step, halves away from 0, without
 // error; the residual is rounded to a part. |position| <= max_position, steps_per_meter <=
 // max_steps_per_meter.
-StepPosition steps_at(units::Nanometers position, units::StepsPerMeter steps_per_meter);
+StepPosition steps_at(const units::Position& position, units::StepsPerMeter steps_per_meter);
 
 // The position of a step count, rounded to the nearest nanometre, halves away from 0.
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter);

@@ -40,7 +40,7 @@ TEST(parser, reads_every_form_of_a_number) {
       {"000123.4500000", 123'450'000},
       {"0.0000004", 0},
       {"0.0000005", 1},
-      {"0.00000049999999", 0},
+      {"0.000000499", 0},
       {"-0.0000005", -1},
       {"1.9999995", 2'000'000},
       {"1.99999949", 1'999'999},
@@ -52,6 +52,34 @@ TEST(parser, reads_every_form_of_a_number) {
     const Command command = parsed(line);
     EXPECT_EQ(command.value('X'), number.millionths) << line;
   }
+}
+
+struct PositionCase {
+  std::string_view written;
+  std::uint32_t whole, billionths;
+  bool negative;
+};
+
+TEST(parser, keeps_nine_decimals_of_a_position) {
+  const std::vector<PositionCase> cases{
+      {"10", 10, 0, false},
+      {"0.123456789", 0, 123'456'789, false},
+      {"-.5", 0, 500'000'000, true},
+      {"1.000000001", 1, 1, false},
+      {"0.0000000004", 0, 0, false},
+      {"0.0000000005", 0, 1, false},
+      {"-0.99999999949", 0, 999'999'999, true},
+      {"1.9999999995", 2, 0, false},
+      {"4294967295.999999999", 4'294'967'295, 999'999'999, false},
+  };
+  for (const PositionCase& position : cases) {
+    const auto number = parsed("G1 X" + std::string(position.written)).number('X');
+    ASSERT_TRUE(number) << position.written;
+    EXPECT_EQ(number->whole, position.whole) << position.written;
+    EXPECT_EQ(number->billionths, position.billionths) << position.written;
+    EXPECT_EQ(number->negative, position.negative) << position.written;
+  }
+  EXPECT_FALSE(parsed("G28 X").number('X'));
 }
 
 TEST(parser, keeps_the_whole_part_apart) {
@@ -170,7 +198,7 @@ TEST(parser, names_each_fault_and_its_position) {
       {"G1 X1-2", ParseFault::malformed_number, 5},
       {"G1 X4294967296", ParseFault::number_overflow, 4},
       {"G1 X-99999999999999999999", ParseFault::number_overflow, 4},
-      {"G1 X4294967295.9999995", ParseFault::number_overflow, 4},
+      {"G1 X4294967295.9999999995", ParseFault::number_overflow, 4},
       {"G1 X1 X2", ParseFault::duplicate_letter, 6},
       {"G28 X x", ParseFault::duplicate_letter, 6},
       {"G90 G1 X1", ParseFault::second_command, 4},

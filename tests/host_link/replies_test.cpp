@@ -77,8 +77,8 @@ TEST(replies, report_temperatures_as_marlin) {
 }
 
 TEST(replies, report_the_position_in_the_order_that_octoprint_needs) {
-  const units::PerAxis<Nanometers> position{Nanometers(10'004'999), Nanometers(-500'000),
-                                            Nanometers(0), Nanometers(1'234'567'890)};
+  const units::PerAxis<units::Position> position{Nanometers(10'004'999), Nanometers(-500'000),
+                                                 Nanometers(0), Nanometers(1'234'567'890)};
   const units::PerAxis<Steps> count{Steps(800), Steps(-40), Steps(0), Steps(7)};
   EXPECT_EQ(text(position_report(position, count)),
             "X:10.00 Y:-0.50 Z:0.00 E:1234.57 Count X:800 Y:-40 Z:0");

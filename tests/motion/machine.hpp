@@ -46,8 +46,8 @@ constexpr motion::StepTiming timing(std::uint32_t clock_hz) {
   return {.clock = units::Hertz(clock_hz), .max_step_rate = {rate, rate, rate, rate}};
 }
 
-constexpr units::PerAxis<units::Nanometers> at(std::int64_t x_nm, std::int64_t y_nm,
-                                               std::int64_t z_nm, std::int64_t e_nm) {
+constexpr units::PerAxis<units::Position> at(std::int64_t x_nm, std::int64_t y_nm,
+                                             std::int64_t z_nm, std::int64_t e_nm) {
   return {units::Nanometers(x_nm), units::Nanometers(y_nm), units::Nanometers(z_nm),
           units::Nanometers(e_nm)};
 }

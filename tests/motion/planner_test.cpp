@@ -245,7 +245,7 @@ TEST(planner, refuses_what_it_cannot_do_and_stays_as_it_was) {
   while (planner.has_room()) ASSERT_TRUE(planner.append(to(x += mm, 0, 0, 0, 50'000), {}));
   EXPECT_EQ(planner.append(to(0, 0, 0, 0, 50'000), {}).error(), motion::Fault::queue_full);
   EXPECT_EQ(planner.lines(), motion::Planner::capacity);
-  EXPECT_EQ(planner.position()[0].count(), x);
+  EXPECT_EQ(planner.position()[0].whole().count(), x);
 }
 
 TEST(planner, forgets_everything_when_cleared) {

@@ -15,10 +15,14 @@ constexpr double acceleration_unit = 0x1p-84;
 
 }  // namespace
 
-std::int64_t exact_steps(units::Nanometers position, units::StepsPerMeter steps_per_meter) {
-  const Wide product = static_cast<Wide>(position.count()) * steps_per_meter.count();
+std::int64_t exact_steps(const units::Position& position, units::StepsPerMeter steps_per_meter) {
+  constexpr Wide femtometers_per_meter = 1'000'000'000'000'000;
+  const Wide femtometers =
+      static_cast<Wide>(position.whole().count()) * 1'000'000 + position.femtometers();
+  const Wide product = femtometers * steps_per_meter.count();
   const Wide size = product < 0 ? -product : product;
-  const auto steps = static_cast<std::int64_t>((size + 500'000'000) / 1'000'000'000);
+  const auto steps =
+      static_cast<std::int64_t>((size + femtometers_per_meter / 2) / femtometers_per_meter);
   return product < 0 ? -steps : steps;
 }
 
@@ -61,11 +65,13 @@ void PrintRun::feed(const std::vector<motion::LineMove>& moves) {
         static_cast<double>(fed_) > seconds * options_.lines_per_second) {
       return;
     }
-    const auto from = planner_.position();
     const std::size_t lines = planner_.lines();
     const auto appended = planner_.append(moves[fed_], now());
     if (!appended) throw std::runtime_error(std::string(motion::describe(appended.error())));
-    if (planner_.lines() > lines) expected_.push_back({from, moves[fed_].target});
+    if (planner_.lines() > lines) {
+      expected_.push_back({line_end_, moves[fed_].target});
+      line_end_ = moves[fed_].target;
+    }
     ++fed_;
   }
 }
@@ -74,8 +80,8 @@ void PrintRun::check_tick(std::uint32_t ticks, const motion::Segment& segment) {
   const ExpectedLine& line = expected_.front();
   const double part = static_cast<double>(ticks) / segment.line_ticks;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const auto from = static_cast<double>(line.from[i].count());
-    const auto to = static_cast<double>(line.to[i].count());
+    const auto from = static_cast<double>(line.from[i].whole().count());
+    const auto to = static_cast<double>(line.to[i].whole().count());
     const double ideal = (from + (to - from) * part) * 1e-6 / step_mm(i);
     const double deviation = std::abs(ideal - static_cast<double>(model_.positions()[i]));
     result_.worst_deviation_steps = std::max(result_.worst_deviation_steps, deviation);
@@ -95,8 +101,8 @@ void PrintRun::check_tick(std::uint32_t ticks, const motion::Segment& segment) {
 double PrintRun::distance_steps(const ExpectedLine& line) const {
   std::array<double, 2> way{}, gone{};
   for (std::size_t i = 0; i < way.size(); ++i) {
-    const auto from = static_cast<double>(line.from[i].count()) * 1e-6 / step_mm(i);
-    way[i] = static_cast<double>(line.to[i].count()) * 1e-6 / step_mm(i) - from;
+    const auto from = static_cast<double>(line.from[i].whole().count()) * 1e-6 / step_mm(i);
+    way[i] = static_cast<double>(line.to[i].whole().count()) * 1e-6 / step_mm(i) - from;
     gone[i] = static_cast<double>(model_.positions()[i]) - from;
   }
   const double square = way[0] * way[0] + way[1] * way[1];

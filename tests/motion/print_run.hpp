@@ -39,7 +39,7 @@ struct RunResult {
 };
 
 // Target / 10^9 * steps per metre, halves away from 0, in arithmetic of its own.
-std::int64_t exact_steps(units::Nanometers position, units::StepsPerMeter steps_per_meter);
+std::int64_t exact_steps(const units::Position& position, units::StepsPerMeter steps_per_meter);
 
 class PrintRun {
  public:
@@ -52,7 +52,7 @@ class PrintRun {
 
  private:
   struct ExpectedLine {
-    units::PerAxis<units::Nanometers> from, to;
+    units::PerAxis<units::Position> from, to;
   };
 
   void feed(const std::vector<motion::LineMove>& moves);
@@ -70,6 +70,7 @@ class PrintRun {
   motion::Planner planner_;
   StepModel model_;
   std::deque<ExpectedLine> expected_;
+  units::PerAxis<units::Position> line_end_{};  // of the last line that the planner took
   std::optional<motion::Segment> before_;
   std::size_t fed_{};
   RunResult result_{};

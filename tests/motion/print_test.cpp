@@ -29,8 +29,8 @@ std::int64_t nanometers(std::string_view text) {
 std::vector<motion::LineMove> moves_of(const std::string& file) {
   std::ifstream stream(file);
   std::vector<motion::LineMove> moves;
-  units::PerAxis<units::Nanometers> position{};
-  units::Nanometers extruder_origin{};
+  units::PerAxis<units::Position> position{};
+  units::Position extruder_origin{};
   std::int32_t um_per_s = 50'000;
   for (std::string line; std::getline(stream, line);) {
     std::istringstream words(line.substr(0, line.find(';')));
@@ -83,7 +83,7 @@ TEST(print, of_the_washer_is_exact_at_every_point_and_keeps_every_limit) {
   EXPECT_LE(result.worst_rate_mismatch, 0.01);
   const motion::Limits limits = motion_test::mendel();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const units::Nanometers last = moves.back().target[i];
+    const units::Position last = moves.back().target[i];
     EXPECT_EQ(result.final_steps[i],
               motion_test::exact_steps(last, limits.axes[i].steps_per_meter));
   }

@@ -31,7 +31,7 @@ double end_rate(const Phase& phase) {
 
 Line x_line(std::int32_t steps, std::int32_t um_s, std::uint32_t clock_hz) {
   const motion::Geometry geometry(motion_test::mendel(), motion_test::timing(clock_hz));
-  const motion::Displacement displacement{.distance = motion_test::at(steps * 12'500, 0, 0, 0),
+  const motion::Displacement displacement{.distance = {units::Nanometers(steps * 12'500)},
                                           .steps = {steps, 0, 0, 0}};
   Line line;
   geometry.make_line(displacement, MicrometersPerSecond(um_s), line);
@@ -125,8 +125,9 @@ TEST(profile, of_a_violent_axis_at_a_slow_clock_is_limited_by_the_format) {
   motion::StepTiming timing = motion_test::timing(4'000'000);
   timing.max_step_rate.fill(units::Hertz(10'000'000));
   const motion::Geometry geometry(limits, timing);
-  const motion::Displacement displacement{.distance = motion_test::at(0, 0, 1'000'000'000, 0),
-                                          .steps = {0, 0, 2'560'000, 0}};
+  const motion::Displacement displacement{
+      .distance = {units::Nanometers(), units::Nanometers(), units::Nanometers(1'000'000'000)},
+      .steps = {0, 0, 2'560'000, 0}};
   Line line;
   geometry.make_line(displacement, MicrometersPerSecond(900'000), line);
   const Profile profile = motion::profile_of(line, {}, units::Hertz(4'000'000));
