@@ -14,6 +14,10 @@ constexpr std::uint32_t rate_floor_hz = 10;
 // Shorter pulses on an end stop's line are noise.
 constexpr std::uint32_t end_stop_filter_ns = 2000;
 
+// No line is planned shorter. To hand one over takes about half of it, its registers included, and
+// the queue, which holds 10 lines of three phases, lasts longer than any pass of the loop.
+constexpr std::int64_t least_line_clocks = 16'000;
+
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 constexpr std::uint32_t watchdog_ms = 200;
 
@@ -32,7 +36,9 @@ units::PerAxis<drivers::GuardTimings> guards_of(const MachineDescription& machin
 }
 
 motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clock) {
-  motion::StepTiming timing{.clock = clock};
+  motion::StepTiming timing{
+      .clock = clock,
+      .least_line_time = units::Microseconds(least_line_clocks * 1'000'000 / clock.count() + 1)};
   const auto guards = guards_of(machine, clock);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));

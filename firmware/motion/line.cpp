@@ -27,6 +27,11 @@ constexpr auto magnitude(Integer value) {
   return value < 0 ? static_cast<Unsigned>(0 - bits) : bits;
 }
 
+units::MicrometersPerSecond at_least_slowest(Scaled speed) {
+  return units::MicrometersPerSecond(
+      static_cast<std::int32_t>(std::max<std::uint64_t>(speed.floor(), 1)));
+}
+
 Scaled scaled(std::int32_t positive) { return Scaled::of(static_cast<std::uint32_t>(positive)); }
 
 // Of X, Y and Z, in nm. The squares of up to 31 bits are exact; longer distances are halved first.
@@ -100,28 +105,35 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
 }
 
 Course Geometry::make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
-                           Line& line) const {
+                           units::Microseconds least_time, Line& line) const {
   const Path path = path_of(displacement, feedrate);
   Course result{.direction = path.direction, .speed = path.feedrate};
   line.steps = displacement.steps;
   line.ticks = 0;
-  Scaled least_time;  // ms
+  Scaled time_of_steps;  // ms, at least
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const std::uint32_t steps = magnitude(line.steps[i]);
     if (steps == 0) continue;
     line.ticks = std::max(line.ticks, steps);
-    least_time = std::max(least_time, Scaled::of(steps) * time_per_step_[i]);
+    time_of_steps = std::max(time_of_steps, Scaled::of(steps) * time_per_step_[i]);
   }
   Scaled length = path.length;
-  const Scaled least_length = scaled(result.speed.count()) * least_time;
+  const Scaled least_length = scaled(result.speed.count()) * time_of_steps;
   if (least_length > length) {
     // A line shorter than its rounded steps has them in too short a time. That is only a matter of
     // rounding, and no reason to slow down: it counts as longer, but not as longer than its steps.
     length = std::max(length, std::min(least_length, length_of_few_steps(line, path)));
     if (least_length > length) {
-      const std::uint64_t speed = std::max<std::uint64_t>((length / least_time).floor(), 1);
-      result.speed = units::MicrometersPerSecond(static_cast<std::int32_t>(speed));
+      result.speed = at_least_slowest(length / time_of_steps);
     }
+  }
+  const Scaled microseconds_times_speed = Scaled::of(1'000) * length;
+  const Scaled time = microseconds_times_speed / scaled(result.speed.count());
+  line.nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
+  if (line.nominal_time < least_time) {
+    result.speed = at_least_slowest(microseconds_times_speed /
+                                    Scaled::of(static_cast<std::uint64_t>(least_time.count())));
+    line.nominal_time = least_time;
   }
   const Scaled ticks_per_length = Scaled::of(line.ticks) / length;
   const Scaled acceleration = scaled(limited_acceleration(path, ticks_per_length).count());
@@ -129,8 +141,6 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
   line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
   line.rate_of_root = rate_factor_ * ticks_per_length;
   line.nominal = energy_of(result.speed);
-  const Scaled time = Scaled::of(1'000) * length / scaled(result.speed.count());
-  line.nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
   return result;
 }
 

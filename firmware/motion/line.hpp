@@ -32,6 +32,7 @@ inline constexpr int direction_fraction_bits = 24;
 struct StepTiming {
   units::Hertz clock{};
   units::PerAxis<units::Hertz> max_step_rate{};  // by the drivers' pulse timing
+  units::Microseconds least_line_time{};  // lines that are shorter come faster than it can be fed
 };
 
 struct Line {
@@ -70,9 +71,10 @@ class Geometry {
 
   // Writes all of `line` but the energies at its ends, its start and its stop mask. Not all steps
   // are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true where steps are
-  // coarse; the pulse rate of no axis exceeds what its maximum speed and its driver allow.
+  // coarse; the pulse rate of no axis exceeds what its maximum speed and its driver allow. A line
+  // that would last less than `least_time` is slower.
   Course make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
-                   Line& line) const;
+                   units::Microseconds least_time, Line& line) const;
 
  private:
   struct Path {

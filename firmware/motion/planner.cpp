@@ -67,9 +67,11 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
 
 void Planner::append(const Displacement& displacement, const LineMove& move,
                      units::Microseconds now) {
+  supply_.line_came(now);
   Line& added = lines_[(first_ + count_) % capacity];
   const Course course =
-      geometry_.make_line(displacement, std::min(move.feedrate, max_speed), added);
+      geometry_.make_line(displacement, std::min(move.feedrate, max_speed),
+                          std::max(timing_.least_line_time, supply_.least_time(stock(now))), added);
   added.start = line_start(added.steps, added.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
@@ -85,6 +87,12 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   planned_time_ += added.nominal_time;
   ++count_;
   look_ahead();
+}
+
+Stock Planner::stock(units::Microseconds now) const {
+  return {.lines = count_,
+          .time = planned_time_ + std::max(busy_until_ - now, units::Microseconds()),
+          .resting = resting_};
 }
 
 // The ring ends at rest. Backwards from there, no line may begin faster than it can brake for the

@@ -15,6 +15,7 @@
 #include "motion/profile.hpp"
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
+#include "motion/supply.hpp"
 #include "units/axes.hpp"
 #include "units/position.hpp"
 #include "units/quantity.hpp"
@@ -53,6 +54,7 @@ class Planner {
 
   // A fault leaves everything as it was. A move that steps no axis takes no room: its distance is
   // part of the next line. Targets are not checked against the travel: see check_bounds.
+  // A line is not faster than the step generator can be fed, nor than lines come: see Supply.
   std::expected<void, Fault> append(const LineMove& move, units::Microseconds now);
 
   // Everything appended so far starts without waiting for more (M400, or before any wait for rest).
@@ -78,6 +80,7 @@ class Planner {
   Line& line(std::size_t index) { return lines_[(first_ + index) % capacity]; }
   void append(const Displacement& displacement, const LineMove& move, units::Microseconds now);
   void look_ahead();
+  Stock stock(units::Microseconds now) const;
   bool may_hand_over(units::Microseconds now) const;
   void hand_over_first(units::Microseconds now);
 
@@ -93,6 +96,7 @@ class Planner {
   std::size_t first_{};
   std::size_t count_{};
   std::size_t settled_{};  // lines before this index have entry speeds that look-ahead cannot raise
+  Supply supply_;
   bool resting_{true};  // the last line handed over ends at rest
   bool flush_{};
   units::Microseconds waiting_since_{};

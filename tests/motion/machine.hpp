@@ -41,9 +41,12 @@ constexpr motion::Limits mendel() {
 }
 
 // A4988: 1 us + 1 us.
-constexpr motion::StepTiming timing(std::uint32_t clock_hz) {
+constexpr motion::StepTiming timing(std::uint32_t clock_hz,
+                                    units::Microseconds least_line_time = {}) {
   const units::Hertz rate(500'000);
-  return {.clock = units::Hertz(clock_hz), .max_step_rate = {rate, rate, rate, rate}};
+  return {.clock = units::Hertz(clock_hz),
+          .max_step_rate = {rate, rate, rate, rate},
+          .least_line_time = least_line_time};
 }
 
 constexpr units::PerAxis<units::Position> at(std::int64_t x_nm, std::int64_t y_nm,

@@ -29,7 +29,7 @@ std::int64_t exact_steps(const units::Position& position, units::StepsPerMeter s
 PrintRun::PrintRun(const motion::Limits& limits, const RunOptions& options)
     : limits_(limits),
       options_(options),
-      planner_(limits, timing(options.clock_hz)),
+      planner_(limits, timing(options.clock_hz, options.least_line_time)),
       model_(options.queue_depth) {
   model_.on_tick = [this](std::uint32_t ticks, const motion::Segment& segment) {
     check_tick(ticks, segment);
@@ -45,17 +45,30 @@ RunResult PrintRun::run(const std::vector<motion::LineMove>& moves) {
   while (fed_ < moves.size() || !planner_.empty() || !model_.idle()) {
     feed(moves);
     if (fed_ == moves.size()) planner_.flush();
-    while (model_.has_room()) {
-      const std::optional<motion::Segment> segment = planner_.next_segment(now());
-      if (!segment) break;
-      model_.push(*segment);
-    }
-    for (std::uint64_t i = 0; i < clocks_per_refill; ++i) model_.clock();
+    refill();
+    let_pass(options_.processor ? options_.processor->pass : clocks_per_refill);
   }
   result_.seconds = static_cast<double>(model_.busy_clocks()) / options_.clock_hz;
   result_.underruns = model_.underruns();
   result_.final_steps = model_.positions();
   return result_;
+}
+
+void PrintRun::let_pass(std::uint64_t clocks) {
+  for (; clocks > 0; --clocks) model_.clock();
+}
+
+// The firmware looks at the time once a pass.
+void PrintRun::refill() {
+  const units::Microseconds began = now();
+  while (model_.has_room()) {
+    const std::optional<motion::Segment> segment = planner_.next_segment(began);
+    if (!segment) break;
+    if (options_.processor) {
+      let_pass(options_.processor->hand_over / (segment->continues_line ? 10 : 1));
+    }
+    model_.push(*segment);
+  }
 }
 
 void PrintRun::feed(const std::vector<motion::LineMove>& moves) {
@@ -73,6 +86,10 @@ void PrintRun::feed(const std::vector<motion::LineMove>& moves) {
       line_end_ = moves[fed_].target;
     }
     ++fed_;
+    if (options_.processor) {
+      let_pass(options_.processor->append);
+      return;
+    }
   }
 }
 
@@ -139,9 +156,9 @@ void PrintRun::check_segment(const motion::Segment& segment, std::uint64_t rate_
   if (!segment.continues_line) {
     for (std::size_t i = 0; i < units::axis_count; ++i) check_jump(i, segment, rate, rate_before);
   }
-  result_.highest_speed_mm_s =
-      std::max(result_.highest_speed_mm_s,
-               std::hypot(axis_speed(segment, 0, rate), axis_speed(segment, 1, rate)));
+  const double speed = std::hypot(axis_speed(segment, 0, rate), axis_speed(segment, 1, rate));
+  result_.highest_speed_mm_s = std::max(result_.highest_speed_mm_s, speed);
+  if (!segment.continues_line) result_.speeds_mm_s.push_back(speed);
   before_ = segment;
 }
 

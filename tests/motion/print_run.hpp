@@ -13,11 +13,20 @@
 
 namespace motion_test {
 
+// What a slow processor needs, in clocks; it then appends one line a pass.
+struct ProcessorTimes {
+  std::uint64_t append{};  // from the line's arrival into the ring
+  std::uint64_t hand_over{};  // a line's first segment; the others take a tenth
+  std::uint64_t pass{};  // everything else
+};
+
 struct RunOptions {
   std::uint32_t clock_hz{4'000'000};
   std::size_t queue_depth{16};
   double lines_per_second{0};  // that the host supplies; 0: as many as fit
   double refill_seconds{0.001};
+  std::optional<ProcessorTimes> processor{};
+  units::Microseconds least_line_time{};
 };
 
 // What the run has seen; the worst of each excess over what is allowed, 0 or less where kept.
@@ -35,6 +44,7 @@ struct RunResult {
   double worst_jump_excess_mm_s{};  // change of an axis' speed beyond its jerk
   double worst_rate_mismatch{};  // between the phases of one line, as a part of the rate
   double highest_speed_mm_s{};  // of X and Y together
+  std::vector<double> speeds_mm_s{};  // the same, with which each line begins
   units::PerAxis<std::int64_t> final_steps{};
 };
 
@@ -55,6 +65,8 @@ class PrintRun {
     units::PerAxis<units::Position> from, to;
   };
 
+  void refill();
+  void let_pass(std::uint64_t clocks);
   void feed(const std::vector<motion::LineMove>& moves);
   void check_tick(std::uint32_t ticks, const motion::Segment& segment);
   double distance_steps(const ExpectedLine& line) const;

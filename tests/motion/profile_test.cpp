@@ -34,7 +34,7 @@ Line x_line(std::int32_t steps, std::int32_t um_s, std::uint32_t clock_hz) {
   const motion::Displacement displacement{.distance = {units::Nanometers(steps * 12'500)},
                                           .steps = {steps, 0, 0, 0}};
   Line line;
-  geometry.make_line(displacement, MicrometersPerSecond(um_s), line);
+  geometry.make_line(displacement, MicrometersPerSecond(um_s), {}, line);
   return line;
 }
 
@@ -129,7 +129,7 @@ TEST(profile, of_a_violent_axis_at_a_slow_clock_is_limited_by_the_format) {
       .distance = {units::Nanometers(), units::Nanometers(), units::Nanometers(1'000'000'000)},
       .steps = {0, 0, 2'560'000, 0}};
   Line line;
-  geometry.make_line(displacement, MicrometersPerSecond(900'000), line);
+  geometry.make_line(displacement, MicrometersPerSecond(900'000), {}, line);
   const Profile profile = motion::profile_of(line, {}, units::Hertz(4'000'000));
   ASSERT_EQ(profile.count, 3u);
   for (const Phase& phase : profile.phases) {
