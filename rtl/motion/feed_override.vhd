@@ -22,6 +22,13 @@ use work.step_generator_pkg.all;
 -- Two ticks stay two clocks apart: the base says which leap leaves its rate below 1/2 tick per clock.
 -- What cannot be leapt is forgotten beyond 3 base clocks, so that motion runs on at the longest leap and
 -- nothing is caught up later: from 7/64 tick per clock on the scale is at most 2, from 15/64 on at most 1.
+--
+-- Accelerations. At a scale of s the base's acceleration a and tick rate r become s^2*a + (ds/dt)*r. Where
+-- |ds/dt|*r is not more than the largest |a|, the sum exceeds it only where both terms have one sign: where the
+-- scale rises while the base accelerates, or falls while it decelerates. Then the slope is cut to what s^2 leaves
+-- of 1: a half of it for s below 1/2 (1/4 + 1/2), a quarter below 3/4 (9/16 + 1/4), an eighth below 7/8
+-- (49/64 + 1/8), and nothing from there on. A scale of 7/8 and more so waits until the ramp of the base is over;
+-- a lower one always gets on, however slowly the base comes to the end of its ramp. The brake does not wait.
 entity feed_override is
   port (
     -- Edges may be left out while the inputs stay and not `working`, from 3 clocks on.
@@ -34,6 +41,9 @@ entity feed_override is
     target : in unsigned(17 downto 0);
     -- In 2^-32 per clock.
     slope : in slope_t;
+    -- The tick rate of the base rises, falls.
+    accelerating : in std_ulogic;
+    decelerating : in std_ulogic;
     -- The target is 0, and this the slope.
     braking : in std_ulogic;
     brake_slope : in slope_t;
@@ -55,6 +65,8 @@ entity feed_override is
 end entity;
 
 architecture rtl of feed_override is
+
+  constant unity : unsigned(17 downto 0) := scale_of_one(33 downto 16);
 
   -- Base clocks that are owed beyond the leap being done, in 2^-32.
   signal owed : unsigned(33 downto 0) := (others => '0');
@@ -83,6 +95,19 @@ architecture rtl of feed_override is
     return (advance => '0', leap => "00", rest => "00");
   end function;
 
+  -- What remains of the slope where the base's own acceleration adds to that of the scale.
+  function cut(full : slope_t; at_scale : scale_t) return slope_t is
+  begin
+    if at_scale(33 downto 29) >= 7 then
+      return to_unsigned(0, full'length);
+    elsif at_scale(31 downto 29) = 6 then
+      return shift_right(full, 3);
+    elsif at_scale(31 downto 29) >= 4 then
+      return shift_right(full, 2);
+    end if;
+    return shift_right(full, 1);
+  end function;
+
   -- The scale one clock nearer to its target.
   function approached(from, to_target : scale_t; change : slope_t) return scale_t is
     constant rises : boolean := from < to_target;
@@ -103,7 +128,8 @@ architecture rtl of feed_override is
 begin
 
   -- At scale 1 one base clock is owed and done in every clock; at rest nothing is owed that is not forgotten.
-  working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0) else '0';
+  -- But a scale may have to wait with its way to the target.
+  working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0 or target /= unity) else '0';
 
   approach : process
     variable to_target : scale_t;
@@ -112,6 +138,9 @@ begin
     wait until rising_edge(clk);
     to_target := target & x"0000";
     change := slope;
+    if (accelerating = '1' and to_target > scale) or (decelerating = '1' and to_target < scale) then
+      change := cut(slope, scale);
+    end if;
     if braking then
       to_target := (others => '0');
       change := brake_slope;

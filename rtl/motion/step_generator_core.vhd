@@ -116,6 +116,7 @@ architecture rtl of step_generator_core is
   signal advance : std_ulogic;
   signal leap, longest_leap : leap_t;
   signal stalled : std_ulogic;
+  signal accelerating, decelerating : std_ulogic;
   signal standing : std_ulogic;
 
   signal due : std_ulogic;
@@ -176,9 +177,9 @@ begin
   pace : entity work.feed_override
     port map (
       clk => clk, reset => reset, moving => moving, target => override, slope => override_slope,
-      braking => braking, brake_slope => brake_slope, stalled => stalled,
-      longest_leap => longest_leap, advance => advance, leap => leap, scale => scale,
-      standing => standing, working => scaling);
+      accelerating => accelerating, decelerating => decelerating, braking => braking,
+      brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
+      advance => advance, leap => leap, scale => scale, standing => standing, working => scaling);
 
   held <= moving and standing;
   start_now <= software_start or (start and not start_before);
@@ -189,7 +190,8 @@ begin
       longest_leap => longest_leap,
       run => run, start => start_now, stop => stop, rate_floor => rate_floor,
       head_valid => head_valid, head => head, take => take, due => due,
-      axes_ready => and ready, tick => tick, stalled => stalled, active => moving,
+      axes_ready => and ready, tick => tick, stalled => stalled, accelerating => accelerating,
+      decelerating => decelerating, active => moving,
       stop_on => active_stop_on, waiting => waiting, segments => segments,
       underruns => underruns, stalls => stalls);
 

@@ -56,6 +56,10 @@ entity time_base is
     -- It does stand still for an axis.
     stalled : out std_ulogic;
 
+    -- A clock later: the rate rises, falls, as far as the segment says.
+    accelerating : out std_ulogic := '0';
+    decelerating : out std_ulogic := '0';
+
     -- A segment is being executed, and ends by this.
     active : out std_ulogic := '0';
     stop_on : out stop_condition_t := stop_condition_none;
@@ -172,6 +176,9 @@ begin
   integrate : process
   begin
     wait until rising_edge(always_clk);
+
+    accelerating <= '1' when acceleration > 0 else '0';
+    decelerating <= acceleration(63);
 
     if active and advance and (not carry or axes_ready) then
       phase <= phase_sum;

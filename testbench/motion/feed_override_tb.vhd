@@ -21,6 +21,7 @@ architecture simulation of feed_override_tb is
   signal moving : std_ulogic := '0';
   signal target : unsigned(17 downto 0) := to_unsigned(65536, 18);
   signal slope : slope_t := (others => '0');
+  signal accelerating, decelerating : std_ulogic := '0';
   signal braking : std_ulogic := '0';
   signal brake_slope : slope_t := (others => '0');
   signal stalled : std_ulogic := '0';
@@ -43,9 +44,9 @@ begin
   pace : entity work.feed_override
     port map (
       clk => clk, reset => reset, moving => moving, target => target, slope => slope,
-      braking => braking, brake_slope => brake_slope, stalled => stalled,
-      longest_leap => longest_leap, advance => advance, leap => leap, scale => scale,
-      standing => standing);
+      accelerating => accelerating, decelerating => decelerating, braking => braking,
+      brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
+      advance => advance, leap => leap, scale => scale, standing => standing);
 
   count : process
   begin
@@ -95,6 +96,25 @@ begin
       longest_leap <= to_unsigned(2, 2);
       assert scale = (to_unsigned(value, 18) & x"0000") report "not at once at rest" severity failure;
       clear <= false;
+    end procedure;
+
+    -- The way of the scale in 1000 clocks from `from` in 2^-16 to `towards`, in 2^-32: a slope of 2^12 is
+    -- less than 1/1000 of 1.
+    procedure expect_change(from, towards : natural; per_clock : natural) is
+      variable begun : scale_t;
+      variable change : integer;
+    begin
+      rest_at(from);
+      slope <= x"00001000";
+      moving <= '1';
+      clocks(10);
+      begun := scale;
+      target <= to_unsigned(towards, 18);
+      clocks(1000);
+      change := to_integer(signed(scale(33 downto 2)) - signed(begun(33 downto 2))) * 4;
+      assert abs change = 1000 * per_clock
+        report "from " & to_string(from) & ": " & to_string(change) severity failure;
+      assert per_clock = 0 or (change > 0) = (towards > from) severity failure;
     end procedure;
 
     variable done_before : natural;
@@ -185,6 +205,45 @@ begin
     braking <= '0';
     clocks(2);
     assert scale = scale_of_one severity failure;
+
+    -- Where the base accelerates while the scale rises, or decelerates while it falls, what both do adds up:
+    -- the scale is left (1 - s^2) of its slope or less, and waits from 7/8 on.
+    accelerating <= '1';
+    expect_change(from => 0, towards => 65536, per_clock => 2048);
+    expect_change(from => 32000, towards => 65536, per_clock => 2048);
+    expect_change(from => 33000, towards => 65536, per_clock => 1024);
+    expect_change(from => 50000, towards => 65536, per_clock => 512);
+    expect_change(from => 57344, towards => 65536, per_clock => 0);
+    expect_change(from => 65536, towards => 131072, per_clock => 0);
+    expect_change(from => 57000, towards => 0, per_clock => 4096);
+    accelerating <= '0';
+    decelerating <= '1';
+    expect_change(from => 65536, towards => 0, per_clock => 0);
+    expect_change(from => 57000, towards => 0, per_clock => 512);
+    expect_change(from => 40000, towards => 0, per_clock => 1024);
+    expect_change(from => 30000, towards => 0, per_clock => 2048);
+    expect_change(from => 57344, towards => 65536, per_clock => 4096);
+
+    -- A hold that waits begins with the end of the ramp, and the brake waits for nothing.
+    rest_at(65536);
+    moving <= '1';
+    clocks(5);
+    target <= to_unsigned(0, 18);
+    clocks(1000);
+    assert scale = scale_of_one severity failure;
+    decelerating <= '0';
+    clocks(11);
+    assert scale = scale_of_one - 10 * 4096 or scale = scale_of_one - 11 * 4096 severity failure;
+    decelerating <= '1';
+    clocks(3);
+    done_before := to_integer(scale(31 downto 12));
+    clocks(100);
+    assert to_integer(scale(31 downto 12)) = done_before severity failure;
+    braking <= '1';
+    clocks(5);
+    assert scale = 0 severity failure;
+    braking <= '0';
+    decelerating <= '0';
 
     -- Steps of the ramp that overshoot end at the target.
     slope <= x"FFFFFFFF";

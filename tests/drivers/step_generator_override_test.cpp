@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Feed hold and override: the same pulses in the same order, only at another time.
+#include <cmath>
+#include <random>
 #include <vector>
 
 #include "tests/drivers/step_generator_fixture.hpp"
@@ -62,9 +64,45 @@ class StepGeneratorOverrideTest : public tests::StepGeneratorFixture {
     }
   }
 
+  // The largest acceleration of X that the edges of each of its lines show, in ticks per clock^2: between
+  // edges some thousand clocks apart, where a clock more or less is a hundredth of it.
+  static double largest_acceleration(const std::vector<Edge>& edges) {
+    constexpr std::uint64_t apart = 6000;
+    double largest = 0;
+    std::vector<std::uint64_t> line;
+    const auto measure = [&line, &largest] {
+      for (std::size_t first = 0, second = 0, third = 0; first < line.size(); ++first) {
+        while (second < line.size() && line[second] < line[first] + apart) ++second;
+        if (second == line.size()) break;
+        third = std::max(third, second);
+        while (third < line.size() && line[third] < line[second] + apart) ++third;
+        if (third == line.size()) break;
+        const auto speed = [&line](std::size_t from, std::size_t to) {
+          return static_cast<double>(to - from) / static_cast<double>(line[to] - line[from]);
+        };
+        const double time = static_cast<double>(line[third] - line[first]) / 2;
+        largest = std::max(largest, std::abs(speed(second, third) - speed(first, second)) / time);
+      }
+      line.clear();
+    };
+    std::uint32_t direction = 0;
+    for (const Edge& edge : edges) {
+      if ((edge.risen & 1u) == 0) continue;
+      if ((edge.direction & 1u) != direction) measure();
+      direction = edge.direction & 1u;
+      line.push_back(edge.clock);
+    }
+    measure();
+    return largest;
+  }
+
   // From 0.001 to 0.021 ticks per clock in 1000 ticks: (0.021^2 - 0.001^2) / 2000 per clock^2.
+  static constexpr double ticks_per_clock2 = 2.2e-7, highest_ticks_per_clock = 0.021;
   static constexpr auto acceleration =
-      static_cast<std::int64_t>(2.2e-7 * 1048576.0 * 18446744073709551616.0);
+      static_cast<std::int64_t>(ticks_per_clock2 * 1048576.0 * 18446744073709551616.0);
+  // With which the change of the scale alone takes no more than that.
+  static constexpr auto slope_of_the_ramps =
+      static_cast<std::uint32_t>(ticks_per_clock2 / highest_ticks_per_clock * 4294967296.0);
   std::uint32_t last_step_ = 0;
   std::vector<Edge> edges_;
 };
@@ -135,6 +173,41 @@ TEST_F(StepGeneratorOverrideTest, holds_along_its_slope_and_goes_on_where_it_was
   expect_same_order(take_edges(), plain);
   EXPECT_FALSE(generator_.held());
   EXPECT_EQ(generator_.counters().underruns, 0);
+}
+
+TEST_F(StepGeneratorOverrideTest, accelerates_no_more_than_the_ramps_whenever_the_scale_changes) {
+  std::mt19937 random(1);
+  generator_.set_slopes(slope_of_the_ramps, 1);
+  append_motion();
+  run_until_idle();
+  EXPECT_NEAR(largest_acceleration(take_edges()), ticks_per_clock2, 0.02 * ticks_per_clock2);
+  for (int run = 0; run < 12; ++run) {
+    append_motion();
+    while (!generator_.idle()) {
+      const auto which = random() % 3;
+      generator_.set_override(which == 0 ? 0 : which == 1 ? one : random() % one);
+      chip_.clock(1000 + random() % 60'000);
+    }
+    EXPECT_LT(largest_acceleration(take_edges()), 1.02 * ticks_per_clock2) << run;
+  }
+}
+
+TEST_F(StepGeneratorOverrideTest, comes_to_rest_in_four_times_the_longest_ramp_wherever_it_is_held) {
+  constexpr auto longest =
+      static_cast<std::uint64_t>(4 * highest_ticks_per_clock / ticks_per_clock2);
+  generator_.set_slopes(slope_of_the_ramps, 1);
+  for (std::uint32_t clocks = 5000; clocks < 320'000; clocks += 21'000) {
+    append_motion();
+    chip_.clock(clocks);
+    generator_.set_override(0);
+    const auto asked = chip_.now();
+    while (!generator_.held() && !generator_.idle() && chip_.now() < asked + 2 * longest) {
+      chip_.clock(100);
+    }
+    EXPECT_LT(chip_.now() - asked, longest) << clocks;
+    generator_.set_override(one);
+    run_until_idle();
+  }
 }
 
 TEST_F(StepGeneratorOverrideTest, never_steps_faster_than_every_second_clock) {

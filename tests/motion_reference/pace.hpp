@@ -20,12 +20,16 @@ class Pace {
   // Time stood still in the clock before.
   bool standing() const { return standing_; }
 
-  // To the next clock. `moving`, `braking`, `stalled`: in the current one; `rate`: the tick rate in
-  // 2^-64 ticks per clock by which the next leap is judged.
-  void clock(bool moving, bool braking, bool stalled, std::uint64_t rate);
+  // To the next clock. `moving`, `braking`, `stalled`: in the current one; `acceleration`: in the
+  // one before, only its sign counts; `rate`: the tick rate in 2^-64 ticks per clock by which the
+  // next leap is judged.
+  void clock(bool moving, bool braking, bool stalled, std::int64_t acceleration,
+             std::uint64_t rate);
 
  private:
   void share_out(bool moving, std::uint64_t rate);
+  // The slope, or what is left of it where the acceleration of the base is to the same side.
+  std::uint64_t permitted_slope(std::int64_t acceleration) const;
   void approach(std::uint64_t goal, std::uint64_t change);
 
   std::uint64_t scale_ = one;

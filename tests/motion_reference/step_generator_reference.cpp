@@ -124,7 +124,9 @@ void StepGeneratorReference::clock() {
   const Positions positions_now = positions();
 
   const std::uint64_t rate = taking ? queue_.front().segment.rate : rate_;
-  pace_.clock(moving, braking_, due && !tick, std::max(rate, rate_floor_));
+  pace_.clock(moving, braking_, due && !tick, static_cast<std::int64_t>(acceleration_before_),
+              std::max(rate, rate_floor_));
+  acceleration_before_ = acceleration_;
   watch(moving, asked.feed_watchdog);
   turn_axes();
   if (tick) make_tick();

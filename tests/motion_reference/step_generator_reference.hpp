@@ -113,7 +113,7 @@ class StepGeneratorReference {
 
   std::optional<Segment> active_;
   std::uint64_t line_ticks_ = 1, line_ticks_done_ = 0, ticks_done_ = 0;
-  std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0;
+  std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0, acceleration_before_ = 0;
 
   Pace pace_;
   bool braking_ = false;

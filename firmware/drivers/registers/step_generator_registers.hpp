@@ -230,7 +230,7 @@ struct Override {
 // How fast the scale changes while a segment is executed; at rest it changes at once.
 struct OverrideSlope {
   static constexpr std::uint32_t address = base + 0x20u;
-  // In 2^-32 per clock; after reset from 1 to 0 in 50 ms at 50 MHz. At 0 the scale stays.
+  // In 2^-32 per clock; after reset from 1 to 0 in 50 ms at 50 MHz. At 0 the scale stays. Slower while it falls in a segment that decelerates, or rises in one that accelerates: by half below 1/2, to a quarter below 3/4, to an eighth below 7/8; from there on it waits.
   std::uint32_t slope{};
 
   static constexpr OverrideSlope decode([[maybe_unused]] std::uint32_t word) {
