@@ -143,6 +143,9 @@ void Application::act_on_emergencies() {
       case Kind::prompt_response:
         executor_.prompt_answered();
         break;
+      case Kind::speed:
+        executor_.set_speed_at_once(command->value);
+        break;
       case Kind::pause:
       case Kind::resume:
         executor_.hold(command->kind == Kind::pause);
@@ -188,6 +191,7 @@ void Application::report(Now now) {
 void Application::switch_off_forgotten_heaters(Now now) {
   if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
     last_work_ = now.milliseconds;
+    link_.work_goes_on();
   }
   const units::Milliseconds quiet = now.milliseconds - std::max(last_work_, link_.last_heard());
   const units::Milliseconds limit = executor_.host_silence();

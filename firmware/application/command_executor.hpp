@@ -36,9 +36,11 @@ class CommandExecutor {
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
   bool update(Now now);
 
-  // M108, M410, M876 and the host's actions, the moment they are received.
+  // M108, M410, M602, M876 and the host's actions, the moment they are received.
   void cancel_wait() { wait_cancelled_ = true; }
   void quick_stop();
+  // M220 of a person in the midst of a job.
+  void set_speed_at_once(std::int32_t percent);
   void prompt_answered() {
     if (stage_ == Stage::asking) wait_cancelled_ = true;
   }
@@ -75,7 +77,7 @@ class CommandExecutor {
     dwelling,  // G4
     homing,  // G28
     heating,  // M109, M190
-    asking,  // M0, M1: the user
+    asking,  // M0, M1, M600, M601: the user
     answering,  // done; the ok is due
   };
   // What a handler says: call me again, or I am done.
@@ -96,10 +98,12 @@ class CommandExecutor {
   Progress set_position();
   Progress wait_for_rest();
   Progress switch_motors(bool enabled);
-  Progress set_speed_factor();
-  Progress set_flow_factor();
   Progress wait_for_user(Now now);
   units::Milliseconds asked_time() const;
+
+  // factor_commands.cpp
+  Progress set_speed_factor();
+  Progress set_flow_factor();
 
   // heat_commands.cpp
   Progress set_temperature(Heater heater);
@@ -166,6 +170,7 @@ class CommandExecutor {
   std::size_t list_index_{};
   std::uint32_t position_jumps_{};
   Positions planned_{};  // machine coordinates of the end of the last move
+  std::int32_t kept_speed_{100};  // M220 B
   units::AxisSet homing_axes_;
   units::Milliseconds deadline_{};  // of a dwell, or of the next report while heating
   bool wait_cancelled_{};

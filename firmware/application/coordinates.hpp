@@ -31,6 +31,7 @@ class Coordinates {
 
   std::int32_t flow() const { return flow_percent_; }
   std::int32_t speed() const { return speed_percent_; }
+  std::int32_t planned_speed() const { return planned_percent_; }
 
   // Where the host believes the axes are.
   const Positions& logical() const { return logical_; }

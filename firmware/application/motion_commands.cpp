@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that move or wait: G0 G1 G4 G28 G92 M0 M1 M17 M18 M84 M220 M221 M400.
+// The commands that move or wait: G0 G1 G4 G28 G92 M0 M1 M17 M18 M84 M400.
 #include <algorithm>
 #include <iterator>
 
@@ -15,7 +15,6 @@ using units::index_of;
 
 // Marlin's EXTRUDE_MAXLENGTH: a longer extrusion in one line is taken for a mistake.
 constexpr units::Nanometers longest_extrusion{200'000'000};
-constexpr std::int64_t largest_percentage = 999;
 constexpr units::Milliseconds longest_dwell{24 * 3600 * 1000};
 constexpr std::int64_t millionths_per_millisecond = 1'000'000 / 1000;  // of a second's parameter
 
@@ -171,29 +170,6 @@ CommandExecutor::Progress CommandExecutor::switch_motors(bool enabled) {
   }
   if (axes.empty()) axes = units::AxisSet::all();
   motion_.enable_motors(axes, enabled);
-  return Progress::done;
-}
-
-CommandExecutor::Progress CommandExecutor::set_speed_factor() {
-  const auto percent = command_.integer('S');
-  if (!percent) {
-    host_link::TextLine line;
-    return say(line.text("FR:").integer(coordinates_.speed()).character('%'));
-  }
-  if (*percent < 1 || *percent > largest_percentage) return refuse("Factor not within 1 to 999");
-  const auto speed = static_cast<std::int32_t>(*percent);
-  coordinates_.set_speed(speed, motion_.set_speed(speed));
-  return Progress::done;
-}
-
-CommandExecutor::Progress CommandExecutor::set_flow_factor() {
-  const auto percent = command_.integer('S');
-  if (!percent) {
-    host_link::TextLine line;
-    return say(line.text("echo:E0 Flow: ").integer(coordinates_.flow()).character('%'));
-  }
-  if (*percent < 1 || *percent > largest_percentage) return refuse("Factor not within 1 to 999");
-  coordinates_.set_flow(static_cast<std::int32_t>(*percent));
   return Progress::done;
 }
 

@@ -21,6 +21,10 @@ constexpr std::int64_t least_line_clocks = 16'000;
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 constexpr std::uint32_t watchdog_ms = 200;
 
+// The planner's, the one being handed over, those of as many segments, the one being executed.
+constexpr std::uint32_t deepest_queue = 255;
+constexpr std::uint32_t lines_under_way = motion::Planner::capacity + deepest_queue + 2;
+
 constexpr std::uint64_t nanoseconds_per_second = 1'000'000'000;
 
 constexpr units::PerAxis<units::Axis> all_axes{units::Axis::x, units::Axis::y, units::Axis::z,
@@ -75,7 +79,7 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       step_generator_(step_generator),
       end_stops_(end_stops),
       planner_(machine.limits, timing_of(machine, clock)),
-      pace_(step_generator, clock) {}
+      pace_(step_generator, clock, lines_under_way) {}
 
 void MotionTask::start() {
   const auto floor = (std::uint64_t{rate_floor_hz} << 32) / clock_.count();
@@ -96,6 +100,7 @@ void MotionTask::update(Now now) {
   settle_stop();
   if (homing_.active()) lead_homing();
   pace_.set_homing(homing_.active());
+  if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
   refill();
 }
 
@@ -116,6 +121,7 @@ void MotionTask::settle_stop() {
     return;
   }
   planner_.clear();
+  lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     steps[i] = unwrapped(stop.positions[i], steps[i]);
@@ -172,13 +178,30 @@ void MotionTask::refill() {
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
     const auto segment = planner_.next_segment(pace_.time());
     if (!segment) return;
+    if (!segment->continues_line) begin_line();
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
     if (!step_generator_.append(*segment)) return;
   }
 }
 
+void MotionTask::set_stretch(Stretch now, Stretch behind) {
+  pace_.set_stretch(now);
+  stretch_behind_.reset();
+  if (behind == now) return;
+  stretch_behind_ = behind;
+  lines_before_ = planner_.lines();
+}
+
+// The first segment of a line goes to the step generator.
+void MotionTask::begin_line() {
+  if (!stretch_behind_ || lines_before_-- != 0) return;
+  pace_.set_stretch(*stretch_behind_);
+  stretch_behind_.reset();
+}
+
 std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {
   const auto accepted = planner_.append(move, pace_.time());
+  pace_.note_line(move.feedrate);
   if (accepted && !(motors_on_ == units::AxisSet::all())) {
     enable_motors(units::AxisSet::all(), true);
   }

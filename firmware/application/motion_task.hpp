@@ -54,8 +54,13 @@ class MotionTask {
   // Motion has been stopped because update() was not called in time.
   bool watchdog_stop() const { return watchdog_stop_; }
 
-  // M220 and the pause in the middle of a move: see Pace.
-  std::int32_t set_speed(std::int32_t percent) { return pace_.set_speed(percent); }
+  // Whether what is planned already can be made slower; otherwise stretches have no effect.
+  bool stretches_time() const { return step_generator_.stretches_time(); }
+  Stretch stretch() const { return pace_.stretch(); }
+  // For what has been appended so far, from this moment on, and for the lines appended from now on:
+  // as soon as the first of them is handed over, 40 ms or less before it begins.
+  void set_stretch(Stretch now, Stretch behind);
+  // The pause in the middle of a move.
   void hold(bool held) { pace_.hold(held); }
 
   void enable_motors(units::AxisSet axes, bool enabled);
@@ -77,6 +82,7 @@ class MotionTask {
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
   void refill();
+  void begin_line();
   void set_position(const units::PerAxis<units::Position>& positions);
 
   const MachineDescription& machine_;
@@ -86,6 +92,8 @@ class MotionTask {
   motion::Planner planner_;
   motion::Homing homing_;
   Pace pace_;
+  std::optional<Stretch> stretch_behind_;  // of the lines behind the next `lines_before_`
+  std::size_t lines_before_{};
   std::optional<motion::Fault> homing_fault_;
   units::Axis homing_axis_{};
   units::AxisSet homed_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast motion runs of what was planned: M220, and pauses in the middle of a move.
+// How fast motion runs of what was planned: a person's M220, and pauses in the middle of a move.
 #pragma once
 
 #include <cstdint>
 
+#include "application/slope.hpp"
 #include "application/tick_clock.hpp"
 #include "drivers/step_generator.hpp"
 #include "motion/limits.hpp"
@@ -11,23 +12,27 @@
 
 namespace application {
 
-// Slowing down is the step generator's work: it stretches the time of what is under way at once, so
-// the path stays and speeds fall by the factor s, accelerations by its square. Speeding up is the
-// planner's, for the lines that are still to come: stretching would break the limits of the axes.
+// Part of the planned speed, in 1/65536; 1 at most, since beyond it the limits of the axes break.
+using Stretch = std::uint32_t;
+
+// The step generator stretches the time of what is under way at once, so the path stays and speeds
+// fall by the factor s, accelerations by its square.
 class Pace {
  public:
-  Pace(drivers::StepGenerator& step_generator, units::Hertz clock)
-      : step_generator_(step_generator), clock_(clock) {}
+  static constexpr Stretch one = 1u << 16;
 
-  // The scale goes down and up so fast that the change alone takes no axis beyond the acceleration
-  // that the planner leaves it: the slope is the least of (limit - planned) / speed over the axes,
-  // at their highest speeds. An axis that is planned with more than 3/4 of its limit gets a quarter
-  // of it beside, so that it may exceed its limit by a quarter while the scale changes.
-  void set_limits(const motion::Limits& limits);
+  // At most `most_lines` are planned and not yet done.
+  Pace(drivers::StepGenerator& step_generator, units::Hertz clock, std::uint32_t most_lines)
+      : step_generator_(step_generator), slope_(clock, most_lines) {}
 
-  // M220. Returns the percentage that is left to the planner: 100 or more where the step generator
-  // stretches time, all of it otherwise.
-  std::int32_t set_speed(std::int32_t percent);
+  void set_limits(const motion::Limits& limits) { slope_.set_limits(limits); }
+  // A line has been planned, with this feedrate: the slope is one that it bears.
+  void note_line(units::MicrometersPerSecond feedrate);
+  // All lines that have been planned are done.
+  void note_rest() { slope_.note_rest(); }
+
+  Stretch stretch() const { return stretch_; }
+  void set_stretch(Stretch stretch);
   // Feed hold: motion comes to rest along its path, and goes on with false.
   void hold(bool held);
   // Homing runs at its own speeds.
@@ -38,15 +43,13 @@ class Pace {
   units::Microseconds time() const;
 
  private:
-  static constexpr std::uint32_t one = 1u << 16;
-
   void set_scale();
 
   drivers::StepGenerator& step_generator_;
-  units::Hertz clock_;
-  std::uint32_t speed_{one};  // of M220, up to 1
-  std::uint32_t target_{one};
-  std::uint32_t scale_{one};  // at the last update
+  Slope slope_;
+  Stretch stretch_{one};
+  Stretch target_{one};
+  Stretch scale_{one};  // at the last update
   bool held_{};
   bool homing_{};
   units::Microseconds last_{};

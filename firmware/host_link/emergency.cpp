@@ -15,6 +15,26 @@ constexpr std::uint8_t bit(Kind kind) {
 
 constexpr std::string_view action_prefix = "action:";
 
+// The code of an M command at the start of `text`, which is then moved behind it; 0 if there is
+// none.
+unsigned take_m_code(std::string_view& text) {
+  if (text.size() < 4 || (text[0] != 'M' && text[0] != 'm')) return 0;
+  std::size_t end = 1;
+  unsigned code = 0;
+  while (end < text.size() && is_digit(text[end]) && end < 6) {
+    code = code * 10 + static_cast<unsigned>(text[end++] - '0');
+  }
+  if (end < text.size() && (is_digit(text[end]) || text[end] == '.')) return 0;
+  text.remove_prefix(end);
+  return code;
+}
+
+std::string_view without_blanks(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
 // "//action:pause", perhaps with blanks behind the slashes.
 std::optional<EmergencyCommand> action_in(std::string_view text) {
   text.remove_prefix(2);
@@ -43,15 +63,7 @@ std::uint8_t button_in(std::string_view parameters) {
 
 std::optional<EmergencyCommand> emergency_in(std::string_view text) {
   if (text.starts_with("//")) return action_in(text);
-  if (text.size() < 4 || (text[0] != 'M' && text[0] != 'm')) return std::nullopt;
-  std::size_t end = 1;
-  unsigned code = 0;
-  while (end < text.size() && is_digit(text[end]) && end < 6) {
-    code = code * 10 + static_cast<unsigned>(text[end++] - '0');
-  }
-  if (end < text.size() && (is_digit(text[end]) || text[end] == '.')) return std::nullopt;
-  text.remove_prefix(end);
-  switch (code) {
+  switch (take_m_code(text)) {
     case 112:
       return EmergencyCommand{Kind::kill};
     case 108:
@@ -65,6 +77,22 @@ std::optional<EmergencyCommand> emergency_in(std::string_view text) {
   }
 }
 
+std::optional<EmergencyCommand> speed_in(std::string_view text) {
+  constexpr unsigned speed_code = 220;
+  if (take_m_code(text) != speed_code) return std::nullopt;
+  text = without_blanks(text.substr(0, text.find(';')));
+  if (text.size() < 2 || (text[0] != 'S' && text[0] != 's')) return std::nullopt;
+  text.remove_prefix(1);
+  unsigned percent = 0;
+  for (const char digit : text) {
+    if (!is_digit(digit)) return std::nullopt;
+    percent = percent * 10 + static_cast<unsigned>(digit - '0');
+    if (percent > largest_speed_factor) return std::nullopt;
+  }
+  if (percent == 0) return std::nullopt;
+  return EmergencyCommand{Kind::speed, static_cast<std::uint16_t>(percent)};
+}
+
 void EmergencyQueue::put(EmergencyCommand command) {
   // Of these two the later one counts.
   unsigned replaced = 0;
@@ -72,14 +100,18 @@ void EmergencyQueue::put(EmergencyCommand command) {
   if (command.kind == Kind::resume) replaced = bit(Kind::pause);
   pending_ = static_cast<std::uint8_t>((pending_ & ~replaced) | bit(command.kind));
   if (command.kind == Kind::prompt_response) prompt_value_ = command.value;
+  if (command.kind == Kind::speed) speed_ = command.value;
 }
 
 std::optional<EmergencyCommand> EmergencyQueue::next() {
   for (const Kind kind : {Kind::kill, Kind::cancel, Kind::quick_stop, Kind::cancel_wait,
-                          Kind::prompt_response, Kind::pause, Kind::resume}) {
+                          Kind::prompt_response, Kind::speed, Kind::pause, Kind::resume}) {
     if ((pending_ & bit(kind)) == 0) continue;
     pending_ = static_cast<std::uint8_t>(pending_ & ~bit(kind));
-    return EmergencyCommand{kind, kind == Kind::prompt_response ? prompt_value_ : std::uint8_t{0}};
+    const std::uint16_t value = kind == Kind::prompt_response ? prompt_value_
+                                : kind == Kind::speed         ? speed_
+                                                              : std::uint16_t{0};
+    return EmergencyCommand{kind, value};
   }
   return std::nullopt;
 }

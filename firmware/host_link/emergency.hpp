@@ -17,14 +17,21 @@ struct EmergencyCommand {
     pause,  // //action:pause: no further line is begun
     resume,  // //action:resume: as before
     cancel,  // //action:cancel: as M410, and the lines that wait are not executed
+    speed,  // M220 S<n> from a person, for the move under way too
   };
   Kind kind;
-  std::uint8_t value{};  // of M876: its S, otherwise 0
+  std::uint16_t value{};  // of M220 and M876: its S, otherwise 0
 };
 
 // The emergency command (M112, M108, M410, M876 or //action:) in a line's text (without line number
 // and checksum), if it is one.
 std::optional<EmergencyCommand> emergency_in(std::string_view text);
+
+// The factor of M220, in percent.
+inline constexpr std::uint16_t largest_speed_factor = 999;
+
+// M220 with an S of 1 .. largest_speed_factor and no more: it acts at once if a person sends it.
+std::optional<EmergencyCommand> speed_in(std::string_view text);
 
 // Those that wait to be acted on: one of each kind, the most urgent first.
 class EmergencyQueue {
@@ -34,7 +41,8 @@ class EmergencyQueue {
 
  private:
   std::uint8_t pending_{};  // a bit for each kind
-  std::uint8_t prompt_value_{};
+  std::uint16_t prompt_value_{};
+  std::uint16_t speed_{};
 };
 
 }  // namespace host_link

@@ -61,6 +61,7 @@ void HostLink::handle(const ReceivedLine& received) {
   const ReceivedLine line = message ? without_checksum(received) : received;
   std::optional<EmergencyCommand> emergency;
   if (trusted(line)) emergency = emergency_in(line.text);
+  if (trusted(line) && !emergency && comes_from_a_person(line)) emergency = speed_in(line.text);
   if (emergency) emergencies_.put(*emergency);
   if (line.framed()) {
     handle_framed(line, emergency.has_value());
@@ -98,6 +99,7 @@ void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
 void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
   framed_seen_ = true;
   last_framed_ = now_;
+  last_of_job_ = now_;
   rescues_left_ = rescues;
   handle_judgement(line, emergency, numbering_.judge(line, now_));
 }
@@ -105,6 +107,7 @@ void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
 void HostLink::handle_framed_unfinished(const ReceivedLine& line) {
   framed_seen_ = true;
   last_framed_ = now_;
+  last_of_job_ = now_;
   rescues_left_ = rescues;
   handle_judgement(line, false, numbering_.judge_broken(line, LineError::unfinished, now_));
 }
@@ -143,6 +146,19 @@ void HostLink::accept(const ReceivedLine& line, bool emergency) {
   queue_.put(line.text, line.number, emergency);
 }
 
+// Hosts number the lines of a job, and send between them without number what a person asks for.
+bool HostLink::comes_from_a_person(const ReceivedLine& line) const {
+  return job_under_way() && !line.framed() && !numbering_.within_patience(now_);
+}
+
+bool HostLink::job_under_way() const {
+  return framed_seen_ && now_ - last_of_job_ < session_memory;
+}
+
+void HostLink::work_goes_on() {
+  if (job_under_way()) last_of_job_ = now_;
+}
+
 bool HostLink::in_numbered_session() const {
   return framed_seen_ && now_ - last_framed_ < session_memory;
 }
@@ -164,6 +180,7 @@ bool HostLink::finished(std::string_view report) {
 }
 
 void HostLink::update(units::Milliseconds now, Activity activity) {
+  if (activity != Activity::idle) work_goes_on();
   now_ = now;
   end_unfinished_line();
   if (numbering_.must_ask_again(now) && !resend_owed_) request_resend(LineError::none);

@@ -65,6 +65,10 @@ class HostLink {
   // (marked as acted on), since the host waits for its ok.
   std::optional<EmergencyCommand> emergency() { return emergencies_.next(); }
 
+  // Motion is under way: if a job with numbered lines is, it lasts as long as that, and some
+  // seconds longer.
+  void work_goes_on();
+
   // M113. Zero turns the busy messages off.
   void set_busy_interval(units::Milliseconds interval) { busy_interval_ = interval; }
   // Accepted lines that are not yet answered, the one in hand included.
@@ -93,6 +97,8 @@ class HostLink {
   void handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement);
   void accept(const ReceivedLine& line, bool emergency);
   bool in_numbered_session() const;
+  bool comes_from_a_person(const ReceivedLine& line) const;
+  bool job_under_way() const;
 
   void answer_ok(std::optional<LineNumber> number);
   void notify(Notice notice);
@@ -117,6 +123,7 @@ class HostLink {
   units::Milliseconds now_{};
   units::Milliseconds last_heard_{};
   units::Milliseconds last_framed_{};
+  units::Milliseconds last_of_job_{};
   units::Milliseconds last_exchange_{};  // a byte in, or an ok or Resend out
   units::Milliseconds last_busy_{};
   units::Milliseconds busy_interval_{2000};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// M220 and pauses act on the move under way, and leave where it goes as it is.
+// M220 acts in its place, or at once if a person sends it; pauses act on the move under way. Where
+// it goes stays.
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "drivers/registers/step_generator_registers.hpp"
 #include "tests/application/dialogue.hpp"
@@ -16,31 +19,177 @@ void set_out(Printer& printer) {
   printer.run(1.1);
 }
 
-TEST(pace, m220_below_100_slows_the_move_under_way) {
-  Printer printer;
-  set_out(printer);
-  const double before = printer.mm(x);
-  printer.talk("-> M220 S50\n<- ok");
-  printer.run(4);
-  EXPECT_NEAR(printer.mm(x) - before, 20, 0.5);
-  printer.talk("-> M220\n<- FR:50%\n<- ok\n-> M220 S100\n<- ok");
-  const double faster_from = printer.mm(x);
-  printer.run(4);
-  EXPECT_NEAR(printer.mm(x) - faster_from, 40, 0.5);
-  printer.talk("-> M400\n<- ok");
-  EXPECT_EQ(printer.chip.position[x], 8000);
+// A host that numbers its lines, as all do that print a file.
+class Job {
+ public:
+  explicit Job(Printer& printer) : printer_(printer) { line("M110"); }
+  void line(const std::string& command) { person("-> " + framed(command) + "\n<- ok"); }
+  // Sent between the lines, without a number. An ok that was repeated for a host that seemed to
+  // wait is not meant.
+  void person(const std::string& dialogue) {
+    printer_.chip.from_firmware.clear();
+    printer_.talk(dialogue);
+  }
+  std::string framed(const std::string& command) {
+    const std::string text = "N" + std::to_string(number_++) + " " + command;
+    unsigned sum = 0;
+    for (const char byte : text) sum ^= static_cast<unsigned char>(byte);
+    return text + "*" + std::to_string(sum);
+  }
+
+ private:
+  Printer& printer_;
+  int number_{-1};
+};
+
+// On its way to 100 mm at 10 mm/s for about a second, by the lines of a job.
+Job job_under_way(Printer& printer) {
+  Job job(printer);
+  job.line("G28");
+  job.line("G1 X100 F600");
+  printer.run(1.1);
+  return job;
 }
 
-TEST(pace, m220_above_100_leaves_the_move_under_way_and_plans_the_next_faster) {
+// How far X moves in this time, in mm.
+double way(Printer& printer, double seconds) {
+  const double before = printer.mm(x);
+  printer.run(seconds);
+  return printer.mm(x) - before;
+}
+
+TEST(pace, a_factor_in_a_job_holds_for_the_lines_behind_it) {
+  Printer printer;
+  Job job = job_under_way(printer);
+  job.line("M220 S50");
+  job.line("G1 X120");
+  job.line("M220 S200");
+  job.line("G1 X140");
+  EXPECT_NEAR(way(printer, 8), 80, 1);
+  printer.run(1.2);
+  EXPECT_NEAR(way(printer, 2), 10, 0.2);
+  printer.run(1.8);
+  EXPECT_NEAR(way(printer, 0.8), 16, 0.3);
+  job.line("M400");
+  EXPECT_EQ(printer.chip.position[x], 11'200);
+}
+
+TEST(pace, without_line_numbers_a_factor_holds_for_the_lines_behind_it) {
   Printer printer;
   set_out(printer);
-  const double before = printer.mm(x);
-  printer.talk("-> M220 S300\n<- ok");
-  printer.run(2);
-  EXPECT_NEAR(printer.mm(x) - before, 20, 0.5);
-  printer.talk("-> M400\n<- ok\n-> G1 X0\n<- ok");
+  printer.talk("-> M220 S50\n<- ok\n-> G1 X0\n<- ok");
+  EXPECT_NEAR(way(printer, 4), 40, 0.5);
+  printer.run(6);
+  EXPECT_NEAR(way(printer, 4), -20, 0.5);
+}
+
+TEST(pace, a_factor_of_a_person_slows_the_move_under_way_and_those_behind) {
+  Printer printer;
+  Job job = job_under_way(printer);
+  job.line("G1 X150");
+  job.person("-> M220 S50\n<- ok");
+  EXPECT_NEAR(way(printer, 4), 20, 0.5);
+  job.line("G1 X0");
+  job.person("-> M220\n<- FR:50%\n<- ok\n-> M220 S100\n<- ok");
+  EXPECT_NEAR(way(printer, 4), 40, 0.5);
+  job.person("-> M220 S25\n<- ok");
+  job.line("M400");
+  EXPECT_EQ(printer.chip.position[x], 0);
+}
+
+// The planner and the queue are full, and the line that waits would run long after it.
+TEST(pace, a_factor_of_a_person_does_not_wait_for_the_lines_before_it) {
+  Printer printer;
+  Job job = job_under_way(printer);
+  for (int i = 1; i <= 32; ++i) job.line("G1 X" + std::to_string(100 + i));
+  printer.send(job.framed("G1 X140"));
+  printer.send(job.framed("G1 X150"));
+  printer.run(0.1);
+  printer.send("M220 S50 ; slower");
+  printer.run(0.1);
+  EXPECT_NEAR(way(printer, 4), 20, 0.5);
+  EXPECT_EQ(printer.reply(0.1), std::nullopt);
+  printer.talk("<- ok\n<- ok\n<- ok");
+}
+
+TEST(pace, a_factor_of_a_person_slows_the_last_move_of_a_job_however_long_it_takes) {
+  Printer printer;
+  Job job(printer);
+  job.line("G28");
+  job.line("G1 X190 F300");
+  EXPECT_NEAR(way(printer, 25), 125, 2);
+  job.person("-> M220 S20\n<- ok");
+  EXPECT_NEAR(way(printer, 10), 10, 0.2);
+}
+
+TEST(pace, a_factor_of_a_person_above_100_is_for_the_lines_to_come) {
+  Printer printer;
+  Job job = job_under_way(printer);
+  job.person("-> M220 S300\n<- ok");
+  EXPECT_NEAR(way(printer, 2), 20, 0.5);
+  job.line("M400");
+  job.line("G1 X0");
   printer.run(2);
   EXPECT_NEAR(printer.mm(x), 40, 2);
+}
+
+// Lines with 300 % of it, and limits that some of them reach, are slowed to what is asked for now.
+TEST(pace, a_factor_of_a_person_below_that_of_the_lines_under_way_slows_them_to_it) {
+  Printer printer;
+  Job job(printer);
+  job.line("G28");
+  job.line("M220 S300");
+  job.line("G1 X100 F600");
+  printer.run(1.1);
+  job.person("-> M220 S50\n<- ok");
+  EXPECT_NEAR(way(printer, 4), 20, 0.5);
+  job.line("G1 X200 F24000");
+  job.person("-> M220\n<- FR:50%\n<- ok\n");
+  job.line("G4 P1");
+  EXPECT_EQ(printer.chip.position[x], 16'000);
+  // 200 mm/s is what the axis can do: half of it, not the sixth.
+  job.line("G1 X0");
+  printer.run(0.6);
+  EXPECT_NEAR(way(printer, 0.5), -50, 2);
+}
+
+TEST(pace, a_factor_in_a_job_ends_that_of_a_person_where_it_stands) {
+  Printer printer;
+  Job job = job_under_way(printer);
+  job.person("-> M220 S50\n<- ok");
+  job.line("M220 S80");
+  job.line("G1 X0");
+  EXPECT_NEAR(way(printer, 4), 20, 0.5);
+  printer.run(14.2);
+  EXPECT_NEAR(way(printer, 5), -40, 0.5);
+  job.person("-> M220\n<- FR:80%\n<- ok");
+}
+
+TEST(pace, m220_keeps_and_restores_the_factor) {
+  Printer printer;
+  printer.talk(R"(
+    -> M220 S70
+    <- ok
+    -> M220 B S120
+    <- ok
+    -> M220
+    <- FR:120%
+    <- ok
+    -> M220 R
+    <- ok
+    -> M220
+    <- FR:70%
+    <- ok
+    -> M220 S0
+    <* not executed
+    <- ok
+    -> M220 S1000
+    <* not executed
+    <- ok
+    -> M220
+    <- FR:70%
+    <- ok
+  )");
 }
 
 TEST(pace, a_line_that_comes_after_m220_is_not_slowed_twice) {
@@ -52,9 +201,12 @@ TEST(pace, a_line_that_comes_after_m220_is_not_slowed_twice) {
 
 TEST(pace, many_lines_at_a_tenth_of_their_speed_come_without_an_underrun) {
   Printer printer;
-  printer.talk("-> G28\n<- ok\n-> M220 S10\n<- ok\n-> G91\n<- ok");
-  for (int i = 0; i < 60; ++i) printer.talk("-> G1 X0.5 F6000\n<- ok");
-  printer.talk("-> M400\n<- ok");
+  Job job(printer);
+  job.line("G28");
+  printer.talk("-> M220 S10\n<- ok");
+  job.line("G91");
+  for (int i = 0; i < 60; ++i) job.line("G1 X0.5 F6000");
+  job.line("M400");
   EXPECT_EQ(printer.chip.position[x], 2400);
   EXPECT_EQ(printer.chip.underruns, 0u);
 }
@@ -85,7 +237,7 @@ TEST(pace, a_pause_holds_the_move_where_it_is_until_resume) {
 
 TEST(pace, a_resume_goes_on_at_the_speed_of_m220) {
   Printer printer;
-  set_out(printer);
+  job_under_way(printer);
   printer.talk("-> M220 S50\n<- ok\n-> //action:pause\n<- ok");
   printer.run(1);
   const double before = printer.mm(x);

@@ -52,6 +52,8 @@ std::string name_of(const EmergencyCommand& command) {
       return "action resume";
     case EmergencyCommand::Kind::cancel:
       return "action cancel";
+    case EmergencyCommand::Kind::speed:
+      return "speed " + std::to_string(command.value);
   }
   return "?";
 }

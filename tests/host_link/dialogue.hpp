@@ -20,7 +20,7 @@ namespace host_link::test {
 //   done T:20.00     the firmware has finished it, with this report behind the ok
 //   say text         the firmware sends a line
 //   !! kill          an emergency command is signalled   (kill, cancel, stop, prompt 3,
-//                    action pause, action resume, action cancel)
+//                    action pause, action resume, action cancel, speed 50)
 //   idle 300         milliseconds pass; also: busy 300, paused 300
 //   set advanced_ok | set busy_interval 500
 //   repeat 20 -> M105        one step many times; "#" in it counts from 0
