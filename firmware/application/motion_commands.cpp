@@ -13,7 +13,7 @@ namespace {
 using units::Axis;
 using units::index_of;
 
-// Marlin's EXTRUDE_MAXLENGTH: a longer extrusion in one line is taken for a mistake.
+// Marlin's EXTRUDE_MAXLENGTH: more filament in one line, forward or back, is taken for a mistake.
 constexpr units::Nanometers longest_extrusion{200'000'000};
 constexpr units::Milliseconds longest_dwell{24 * 3600 * 1000};
 constexpr std::int64_t millionths_per_millisecond = 1'000'000 / 1000;  // of a second's parameter
@@ -54,7 +54,8 @@ CommandExecutor::Progress CommandExecutor::move() {
   units::Position& extruder = driven[index_of(Axis::e)];
   const units::Position before = coordinates_.logical()[index_of(Axis::e)];
   if (extruder != before) {
-    const bool too_long = extruder - before > longest_extrusion;
+    const bool too_long =
+        extruder - before > longest_extrusion || before - extruder > longest_extrusion;
     if (heat_.extrusion_is_cold() || too_long) {
       const char* notice =
           too_long ? "echo: too long extrusion prevented" : "echo: cold extrusion prevented";

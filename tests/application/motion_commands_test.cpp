@@ -178,12 +178,22 @@ TEST(motion_commands, a_cold_nozzle_moves_without_extruding) {
   EXPECT_EQ(printer.chip.position[e], 0);
 }
 
-TEST(motion_commands, an_extrusion_of_more_than_20_cm_is_left_out) {
+TEST(motion_commands, more_than_20_cm_of_filament_in_a_line_is_left_out_either_way) {
+  for (const char* line : {"G1 X1 E250 F3000", "G1 X1 E-250 F3000", "G1 X1 E-200.000001 F3000"}) {
+    Printer printer;
+    prepare(printer);
+    printer.talk(std::string("-> ") + line +
+                 "\n<- echo: too long extrusion prevented\n<- ok\n-> M400\n<- ok");
+    EXPECT_EQ(printer.chip.position[e], 0) << line;
+    EXPECT_EQ(printer.chip.position[x], 80) << line;
+  }
+}
+
+TEST(motion_commands, twenty_cm_of_filament_are_not_too_long) {
   Printer printer;
   prepare(printer);
-  printer.talk("-> G1 X1 E250 F3000\n<- echo: too long extrusion prevented\n<- ok\n-> M400\n<- ok");
-  EXPECT_EQ(printer.chip.position[e], 0);
-  EXPECT_EQ(printer.chip.position[x], 80);
+  printer.talk("-> G1 E-200 F4000\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[e], -100'000);
 }
 
 TEST(motion_commands, malformed_and_overlong_numbers_move_nothing) {
