@@ -149,6 +149,7 @@ void Application::act_on_emergencies() {
       case Kind::pause:
       case Kind::resume:
         executor_.hold(command->kind == Kind::pause);
+        if (command->kind == Kind::resume) executor_.prompt_answered();
         break;
       case Kind::cancel:
         executor_.cancel_lines();

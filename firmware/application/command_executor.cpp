@@ -157,6 +157,8 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
   switch (command_.code) {
     case 0:
     case 1:
+    case 600:
+    case 601:
       return wait_for_user(now);
     case 17:
       return switch_motors(true);
@@ -206,11 +208,13 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 112:
       fatal_.emplace(Fatal::Reason::asked_for);
       return Progress::done;
-    // Progress and messages have no display here; numbering and cancelling were done on reception.
+    // Progress and messages have no display here; numbering and what ends a wait were done on
+    // reception.
     case 73:
     case 108:
     case 110:
     case 117:
+    case 602:
       return Progress::done;
     case 524:
       return say("//action:cancel");
@@ -239,6 +243,8 @@ CommandExecutor::Progress CommandExecutor::execute_setting() {
       return set_speed_factor();
     case 221:
       return set_flow_factor();
+    case 503:
+      return list_settings();
     case 997:
       return update_firmware();
     default:

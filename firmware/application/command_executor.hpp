@@ -122,6 +122,10 @@ class CommandExecutor {
   Progress set_host_silence();
   Progress update_firmware();
 
+  // setting_reports.cpp
+  Progress report_setting();
+  Progress list_settings();
+
   // report_commands.cpp
   Progress report_position();
   Progress report_temperature();
@@ -148,6 +152,7 @@ class CommandExecutor {
   template <class Quantity>
   Progress set_per_axis(motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity));
 
+  bool has_any(std::string_view letters) const;
   std::optional<char> letter_without_number(std::string_view letters) const;
   units::AxisSet named_axes() const;
   bool wants_other_tool() const;

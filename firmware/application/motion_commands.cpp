@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that move or wait: G0 G1 G4 G28 G92 M0 M1 M17 M18 M84 M400.
+// The commands that move or wait: G0 G1 G4 G28 G92 M0 M1 M17 M18 M84 M400 M600 M601.
 #include <algorithm>
 #include <iterator>
 
@@ -97,23 +97,33 @@ CommandExecutor::Progress CommandExecutor::dwell(Now now) {
   return now.milliseconds >= deadline_ ? Progress::done : Progress::again;
 }
 
-// Until M108, M876 or, if P or S is given, its end. Hosts that know prompts show a button.
+// Until M108, M602, M876 or, if M0 or M1 has P or S, its end. Hosts that know prompts show a
+// button; M600 and M601 also tell those that print a file that it is paused, and that it goes on.
 CommandExecutor::Progress CommandExecutor::wait_for_user(Now now) {
-  static constexpr std::string_view prompt[]{"//action:prompt_begin Waiting for the user",
-                                             "//action:prompt_button Continue",
-                                             "//action:prompt_show"};
+  constexpr std::uint16_t filament_change = 600;
+  const bool pauses = command_.code >= filament_change;
   if (stage_ == Stage::begin) {
     if (wait_for_rest() == Progress::again) return Progress::again;
+    const std::string_view prompt[]{"//action:paused",
+                                    !pauses ? "//action:prompt_begin Waiting for the user"
+                                    : command_.code == filament_change
+                                        ? "//action:prompt_begin Change the filament"
+                                        : "//action:prompt_begin Paused",
+                                    "//action:prompt_button Continue", "//action:prompt_show"};
+    if (!pauses) list_index_ = std::max<std::size_t>(list_index_, 1);
     for (; list_index_ < std::size(prompt); ++list_index_) {
       if (say(prompt[list_index_]) == Progress::again) return Progress::again;
     }
-    const auto time = asked_time();
+    const auto time = pauses ? units::Milliseconds{} : asked_time();
     deadline_ = time.count() > 0 ? now.milliseconds + time : units::Milliseconds{};
+    list_index_ = 0;
     stage_ = Stage::asking;
   }
   const bool over = deadline_.count() != 0 && now.milliseconds >= deadline_;
   if (!over && !wait_cancelled_) return Progress::again;
-  return say("//action:prompt_end");
+  if (list_index_ == 0 && say("//action:prompt_end") == Progress::again) return Progress::again;
+  list_index_ = 1;
+  return pauses ? say("//action:resumed") : Progress::done;
 }
 
 CommandExecutor::Progress CommandExecutor::home(Now) {
@@ -172,6 +182,10 @@ CommandExecutor::Progress CommandExecutor::switch_motors(bool enabled) {
   if (axes.empty()) axes = units::AxisSet::all();
   motion_.enable_motors(axes, enabled);
   return Progress::done;
+}
+
+bool CommandExecutor::has_any(std::string_view letters) const {
+  return std::ranges::any_of(letters, [this](char letter) { return command_.has(letter); });
 }
 
 // The first of `letters` that the line has, but without a number.

@@ -53,15 +53,18 @@ CommandExecutor::Progress CommandExecutor::set_for_all(std::span<const Setting> 
 }
 
 CommandExecutor::Progress CommandExecutor::set_max_accelerations() {
+  if (named_axes().empty()) return report_setting();
   return set_per_axis(motion::set_max_acceleration);
 }
 
 CommandExecutor::Progress CommandExecutor::set_max_speeds() {
+  if (named_axes().empty()) return report_setting();
   return set_per_axis(motion::set_max_speed);
 }
 
 // P printing, T travel, R retraction; S is both P and T, as old slicers write it.
 CommandExecutor::Progress CommandExecutor::set_accelerations() {
+  if (!has_any("PRTS")) return report_setting();
   using Acceleration = units::MicrometersPerSecondSquared;
   constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
     return motion::set_print_acceleration(limits, micrometers<Acceleration>(value));
@@ -80,6 +83,7 @@ CommandExecutor::Progress CommandExecutor::set_accelerations() {
 // X Y Z E jerk, S slowest print move, T slowest travel; B and J (other planners' numbers) are
 // ignored.
 CommandExecutor::Progress CommandExecutor::set_advanced() {
+  if (!has_any("XYZESTBJ")) return report_setting();
   using Speed = units::MicrometersPerSecond;
   constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
     return motion::set_min_print_speed(limits, micrometers<Speed>(value));
@@ -88,24 +92,16 @@ CommandExecutor::Progress CommandExecutor::set_advanced() {
     return motion::set_min_travel_speed(limits, micrometers<Speed>(value));
   };
   static constexpr Setting settings[]{{'S', print}, {'T', travel}};
-  if (command_.has('X') || command_.has('Y') || command_.has('Z') || command_.has('E')) {
+  if (has_any("XYZE")) {
     if (set_per_axis(motion::set_jerk) == Progress::again) return Progress::again;
     if (refused_) return Progress::done;
   }
   return set_for_all(settings);
 }
 
-// Without values it tells what holds. The position in millimetres is kept, as in Marlin.
+// The position in millimetres is kept, as in Marlin.
 CommandExecutor::Progress CommandExecutor::set_steps_per_millimeter() {
-  if (named_axes().empty()) {
-    host_link::TextLine line;
-    line.text("echo: M92");
-    for (std::size_t i = 0; i < units::axis_count; ++i) {
-      line.character(' ').character(units::axis_letters[i]);
-      line.decimal(motion_.limits().axes[i].steps_per_meter.count(), 3, 2);
-    }
-    return say(line);
-  }
+  if (named_axes().empty()) return report_setting();
   if (wait_for_rest() == Progress::again) return Progress::again;
   motion::Limits changed = motion_.limits();
   for (std::size_t i = 0; i < units::axis_count; ++i) {

@@ -70,6 +70,8 @@ std::optional<EmergencyCommand> emergency_in(std::string_view text) {
       return EmergencyCommand{Kind::cancel_wait};
     case 410:
       return EmergencyCommand{Kind::quick_stop};
+    case 602:
+      return EmergencyCommand{Kind::prompt_response};
     case 876:
       return EmergencyCommand{Kind::prompt_response, button_in(text)};
     default:

@@ -23,8 +23,8 @@ struct EmergencyCommand {
   std::uint16_t value{};  // of M220 and M876: its S, otherwise 0
 };
 
-// The emergency command (M112, M108, M410, M876 or //action:) in a line's text (without line number
-// and checksum), if it is one.
+// The emergency command (M112, M108, M410, M602, M876 or //action:) in a line's text (without line
+// number and checksum), if it is one. M602 answers a prompt as M876 does.
 std::optional<EmergencyCommand> emergency_in(std::string_view text);
 
 // The factor of M220, in percent.

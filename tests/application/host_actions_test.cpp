@@ -62,6 +62,65 @@ TEST(host_actions, m0_with_a_time_goes_on_by_itself) {
   EXPECT_NE(printer.chip.from_firmware.find("prompt_end\nok\n"), std::string::npos);
 }
 
+TEST(host_actions, a_filament_change_ends_the_moves_and_waits_for_the_user) {
+  Printer printer;
+  printer.talk("-> G28\n<- ok\n-> G1 X20 F3000\n<- ok");
+  printer.send("M600 E-20 X0 Y0");
+  printer.talk(R"(
+    <- //action:paused
+    <- //action:prompt_begin Change the filament
+    <- //action:prompt_button Continue
+    <- //action:prompt_show
+  )");
+  EXPECT_EQ(printer.chip.position[0], 1600);
+  printer.send("G1 X40");
+  printer.run(60);
+  EXPECT_NE(printer.chip.from_firmware.find("echo:busy: paused for user"), std::string::npos);
+  EXPECT_EQ(printer.chip.position[0], 1600);
+  printer.chip.from_firmware.clear();
+  printer.talk("-> M108\n<- //action:prompt_end\n<- //action:resumed\n<- ok\n<- ok\n<- ok");
+  printer.talk("-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[0], 3200);
+  EXPECT_EQ(printer.counters.commands_refused, 0u);
+}
+
+TEST(host_actions, m601_pauses_until_m602_the_button_or_the_resume_of_the_host) {
+  for (const char* go_on : {"M602", "M108", "M876 S0", "//action:resume"}) {
+    Printer printer;
+    // A time is for M0 and M1.
+    printer.talk(R"(
+      -> M601 S2
+      <- //action:paused
+      <- //action:prompt_begin Paused
+      <- //action:prompt_button Continue
+      <- //action:prompt_show
+    )");
+    EXPECT_FALSE(printer.reply(20).has_value());
+    printer.send(go_on);
+    printer.talk("<- //action:prompt_end\n<- //action:resumed\n<- ok\n<- ok");
+  }
+}
+
+TEST(host_actions, m602_without_a_pause_does_nothing) {
+  Printer printer;
+  printer.talk("-> M602\n<- ok");
+  EXPECT_EQ(printer.counters.commands_refused, 0u);
+}
+
+TEST(host_actions, heaters_stay_on_while_the_user_is_waited_for_and_the_host_is_heard) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M86 S20\n<- ok\n-> M104 S100\n<- ok");
+  printer.send("M600");
+  for (int i = 0; i < 6; ++i) {
+    printer.run(10);
+    printer.send("M105");
+  }
+  EXPECT_EQ(printer.chip.from_firmware.find("heaters off"), std::string::npos);
+  printer.run(25);
+  EXPECT_NE(printer.chip.from_firmware.find("heaters off"), std::string::npos);
+}
+
 TEST(host_actions, a_pause_holds_the_lines_that_wait_until_resume) {
   Printer printer;
   printer.talk("-> //action:pause\n<- ok");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hosts ask around a print, settings, and lines that are no commands.
+// What hosts ask around a print, and lines that are no commands.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"
@@ -54,6 +54,23 @@ TEST(report_commands, answers_unknown_commands_and_goes_on) {
   )");
   EXPECT_EQ(printer.counters.commands_executed, 1u);
   EXPECT_EQ(printer.counters.commands_refused, 3u);
+}
+
+// In Marlin's words, by which OctoPrint knows it; the print goes on with the tool that there is.
+TEST(report_commands, refuses_a_tool_that_is_not_there_aloud) {
+  Printer printer;
+  printer.talk(R"(
+    -> T2
+    <- echo:T2 Invalid extruder
+    <- ok
+    -> M104 T1 S200
+    <- echo:M104 Invalid extruder 1
+    <- ok
+    -> T0
+    <- ok
+  )");
+  EXPECT_EQ(printer.counters.commands_refused, 2u);
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
 }
 
 TEST(report_commands, enters_the_boot_loader_at_rest_where_there_is_one) {
@@ -148,53 +165,6 @@ TEST(report_commands, a_line_of_which_bytes_were_lost_is_not_executed) {
     <- three
     <- ok
   )");
-}
-
-TEST(setting_commands, take_what_sliced_files_begin_with) {
-  Printer printer;
-  printer.talk(R"(
-    -> M201 X500 Y500 Z100 E5000
-    <- ok
-    -> M203 X500 Y500 Z10 E60
-    <- ok
-    -> M204 P500 R1000 T500
-    <- ok
-    -> M205 X8.00 Y8.00 Z0.40 E5.00
-    <- ok
-    -> M205 S0 T0
-    <- ok
-  )");
-  EXPECT_EQ(printer.counters.commands_refused, 0u);
-}
-
-TEST(setting_commands, refuse_values_that_cannot_be) {
-  Printer printer;
-  printer.talk("-> M201 X0\n<* not executed\n<- ok\n-> M203 Y-5\n<* not executed\n<- ok");
-  EXPECT_EQ(printer.counters.commands_refused, 2u);
-}
-
-TEST(setting_commands, m92_changes_the_steps_of_later_moves) {
-  Printer printer;
-  printer.talk(R"(
-    -> G28
-    <- ok
-    -> M92
-    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
-    <- ok
-    -> M92 X100
-    <- ok
-    -> G1 X10 F3000
-    <- ok
-    -> M400
-    <- ok
-  )");
-  EXPECT_EQ(printer.chip.position[0], 1000);
-}
-
-TEST(setting_commands, m113_tells_and_sets_the_busy_interval) {
-  Printer printer;
-  printer.talk(
-      "-> M113\n<- echo:M113 S2\n<- ok\n-> M113 S5\n<- ok\n-> M113\n<- echo:M113 S5\n<- ok");
 }
 
 TEST(report_commands, says_busy_every_two_seconds_while_it_dwells) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the limits of motion are, in the form in which hosts read them and a file sets them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "host_link/text_line.hpp"
+#include "motion/limits.hpp"
+
+namespace application {
+
+// The commands that M503 lists, in Marlin's order.
+inline constexpr std::array<std::uint16_t, 5> reported_settings{92, 203, 201, 204, 205};
+
+// "echo: M203 X200.00 Y200.00 Z12.00 E80.00", with the code of one of these commands. In mm and s.
+host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits);
+
+}  // namespace application
