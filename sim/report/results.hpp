@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/findings.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/report/step_statistics.hpp"
 #include "sim/report/temperature_record.hpp"
@@ -68,6 +69,10 @@ struct Results {
   std::uint64_t serial_bytes_corrupted{};
   std::vector<Message> messages;
   std::uint64_t messages_dropped{};
+  Findings findings;
+
+  // Everything that the file asks for was made, and nothing else.
+  bool good() const { return findings.problems.empty(); }
 };
 
 // What only the pictures need.
