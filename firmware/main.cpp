@@ -23,6 +23,11 @@ constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
 
 }  // namespace
 
+// Of the serial line. A word of the image, so that the simulation can try another (--baud).
+extern "C" {
+[[gnu::used]] constinit volatile std::uint32_t serial_baud = printer.baud;
+}
+
 int main() {
   const auto identity = drivers::read_identity();
   if (!identity) platform::halt("This firmware needs a StepFabric chip");
@@ -31,7 +36,7 @@ int main() {
   static application::Hardware hardware(*identity);
   static application::Application application(
       printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics);
-  if (!application.start()) platform::halt("The clock is too slow for the serial line");
+  if (!application.start(serial_baud)) platform::halt("The clock is too slow for the serial line");
 
   platform::wake_by(platform::WakeSource::timer, true);
   platform::wake_by(platform::WakeSource::uart_receive, true);

@@ -50,8 +50,8 @@ Application::Application(const MachineDescription& machine, const ThermalTables&
             hardware.heater_control),
       executor_(machine, motion_, heat_, hardware.fan, link_, counters) {}
 
-bool Application::start() {
-  if (!hardware_.uart.configure(machine_.baud, hardware_.identity.clock)) return false;
+bool Application::start(std::uint32_t baud) {
+  if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
   motion_.start();
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);

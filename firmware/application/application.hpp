@@ -21,9 +21,9 @@ class Application {
   Application(const MachineDescription& machine, const ThermalTables& tables, Hardware& hardware,
               Statistics& counters);
 
-  // Sets up the peripherals and greets the host. False where the clock is too slow for the serial
-  // line.
-  [[nodiscard]] bool start();
+  // Sets up the peripherals and greets the host. False where the clock is too slow for a serial
+  // line of so many baud.
+  [[nodiscard]] bool start(std::uint32_t baud);
 
   // One pass over all tasks, with at most one command; never waits. True if there is more to do at
   // once; otherwise the next pass is wanted at the next interrupt (timer, serial line, stop of

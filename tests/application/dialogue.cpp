@@ -28,7 +28,7 @@ Printer::Printer() {
   application_ = std::make_unique<application::Application>(
       description, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_,
       counters);
-  EXPECT_TRUE(application_->start());
+  EXPECT_TRUE(application_->start(machine::machine.baud));
   EXPECT_EQ(reply(), "start");
 }
 

@@ -2,6 +2,10 @@
 // Putting chip, firmware and printer together.
 #include "tools/command/printer_setup.hpp"
 
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 #include "sim/machine/thermal_properties.hpp"
 #include "tools/command/build.hpp"
 
@@ -30,6 +34,7 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {
   sim::load(firmware_, chip_);
+  set_speed_of_line();
   machine::PrinterOptions options{.baud = baud_,
                                   .seed = choices.seed,
                                   .hotend_start_c = machine::ambient_celsius,
@@ -43,6 +48,24 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
     machine::add_fault(options.faults, fault);
   }
   printer_.emplace(description_, options, simulation_);
+}
+
+// Both ends of the line have the same speed.
+void PrinterSetup::set_speed_of_line() {
+  // The uart counts at least four clocks for a bit (rtl/serial).
+  constexpr std::uint32_t least_clocks_per_bit = 4;
+  const std::uint32_t clock_hz = simulation_.rate().hertz();
+  if (baud_ > clock_hz / least_clocks_per_bit) {
+    throw std::runtime_error(
+        fmt::format("{} baud need a chip of at least {} Hz, and this one has {}: choose a lower "
+                    "--baud or a higher --clock-hz",
+                    baud_, baud_ * least_clocks_per_bit, clock_hz));
+  }
+  const std::optional<std::uint32_t> word = firmware_.symbol("serial_baud");
+  if (!word) {
+    throw std::runtime_error("the firmware has no symbol `serial_baud`");
+  }
+  chip_.write_memory(*word, baud_);
 }
 
 }  // namespace command

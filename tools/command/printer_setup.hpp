@@ -28,6 +28,8 @@ class PrinterSetup {
   sim::Simulation& simulation() { return simulation_; }
   machine::Printer& printer() { return *printer_; }
   std::uint32_t baud() const { return baud_; }
+  // Writes into the loaded firmware how fast its end of the line is. After each load.
+  void set_speed_of_line();
 
  private:
   machine::Description description_;
