@@ -19,8 +19,10 @@ constexpr double start_patience_seconds = 1.0;
 constexpr double reply_patience_seconds = 20.0;
 // A host sends the line again by itself where `Resend` is not followed by `ok` (OctoPrint: 0.5 s).
 constexpr double resend_patience_seconds = 0.5;
-// A host gives up where the chip asks so often for one line (OctoPrint: 10).
+// A host gives up where the chip asks so often for one line (OctoPrint: 10), or for any lines
+// without that one more is done.
 constexpr unsigned most_resends_of_line = 10;
+constexpr unsigned most_resends_without_progress = 100;
 
 std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -52,6 +54,37 @@ std::string numbered_line(std::size_t number, std::string_view command) {
   return line + fmt::format("*{}\n", checksum);
 }
 
+// `name` in capital letters, with its number.
+bool is_command(std::string_view text, std::string_view name) {
+  const std::string start = lower_case(text.substr(0, name.size()));
+  const char next = text.size() > name.size() ? text[name.size()] : ' ';
+  return start == lower_case(name) && std::isdigit(static_cast<unsigned char>(next)) == 0 &&
+         next != '.';
+}
+
+// M0 S5, M1 P500: until then, or until the user's answer. A message may follow the numbers.
+bool waits_for_a_time(std::string_view text) {
+  std::size_t at = text.find_first_of("01");
+  while (at != std::string_view::npos) {
+    at = text.find_first_not_of(' ', at + 1);
+    const std::size_t digits =
+        at == std::string_view::npos ? at : text.find_first_not_of(' ', at + 1);
+    double number = 0;
+    if (digits == std::string_view::npos ||
+        std::from_chars(text.data() + digits, text.data() + text.size(), number).ec !=
+            std::errc{}) {
+      return false;
+    }
+    const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(text[at])));
+    if ((letter == 'S' || letter == 'P') && number > 0) {
+      return true;
+    }
+    at = text.find_first_not_of("+-.0123456789", digits);
+    at = at == std::string_view::npos ? at : at - 1;
+  }
+  return false;
+}
+
 std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 60;
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
@@ -59,10 +92,18 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-FileHost::FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::ClockRate rate)
-    : line_(line), rate_(rate) {
+FileHost::FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::ClockRate rate,
+                   HostOptions options)
+    : line_(line), rate_(rate), options_(std::move(options)) {
   script_.push_back({0, "M110 N0"});
-  std::ranges::move(commands, std::back_inserter(script_));
+  for (FileCommand& command : commands) {
+    if (is_command(command.text, "M110")) {
+      options_.note(fmt::format("line {} \"{}\" is not sent: the host numbers the lines itself",
+                                command.file_line, shortened(command.text)));
+    } else {
+      script_.push_back(std::move(command));
+    }
+  }
   script_.push_back({0, "M400"});
   line_.set_listener(*this);
   next_wake_ = rate_.clocks(start_patience_seconds);
@@ -74,23 +115,23 @@ void FileHost::wake(sim::Clock now) {
   }
   if (state_ == HostState::waiting_for_start) {
     state_ = HostState::printing;
-    send_line(now);
+    send_lines(now);
     return;
   }
   if (resend_asked_ && now - resend_asked_at_ >= rate_.clocks(resend_patience_seconds)) {
     resend_asked_ = false;
-    send_line(now);
+    send_lines(now);
     return;
   }
   if (now - silent_since_ >= rate_.clocks(reply_patience_seconds)) {
     fail(fmt::format("the chip did not answer within {} s to {}", reply_patience_seconds, place()));
     return;
   }
-  watch(now);
+  watch();
 }
 
 // Asks for the next time at which the host must act although nothing comes from the chip.
-void FileHost::watch(sim::Clock) {
+void FileHost::watch() {
   next_wake_ = silent_since_ + rate_.clocks(reply_patience_seconds);
   if (resend_asked_) {
     next_wake_ = std::min(next_wake_, resend_asked_at_ + rate_.clocks(resend_patience_seconds));
@@ -107,7 +148,7 @@ void FileHost::byte_received(sim::Clock now, std::uint8_t byte) {
     reply_ += static_cast<char>(byte);
   }
   if (state_ == HostState::printing) {
-    watch(now);
+    watch();
   }
 }
 
@@ -125,7 +166,7 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
   if (state_ == HostState::waiting_for_start) {
     if (text.starts_with("start")) {
       state_ = HostState::printing;
-      send_line(now);
+      send_lines(now);
     }
     return;
   }
@@ -137,41 +178,80 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
     take_error(now, reply);
   } else if (text.starts_with("echo:busy") || text.starts_with("busy:")) {
     ++counts_.busy_replies;
+    if (prompt_answered_ && text.contains("paused for user")) {
+      line_.send(now, "M108\n");  // the answer was lost
+    }
   } else if (text == "start") {
     fail(fmt::format("the chip restarted during {}", place()));
-  } else if (text.starts_with("echo:") && in_flight_) {
+  } else if (text.starts_with("//")) {
+    take_action(now, std::string_view(text).substr(2));
+  } else if (text.starts_with("echo:") && !in_flight_.empty()) {
     refused_ =
         refused_ || contains_any(text, {"unknown command", "not executed", "invalid extruder"});
   }
 }
 
-void FileHost::acknowledge(sim::Clock now) {
-  if (!in_flight_) {
-    return;
+// What Marlin's firmware asks the host itself to do.
+void FileHost::take_action(sim::Clock now, std::string_view action) {
+  if (action.contains("action:prompt_show")) {
+    answer_prompt(now);
+  } else if (action.contains("action:prompt_end")) {
+    prompt_answered_ = false;
+  } else if (action.contains("action:pause")) {
+    options_.note(fmt::format("{} asks the host to pause: the print goes on", place()));
+  } else if (action.contains("action:cancel")) {
+    fail(fmt::format("{} cancels the print", place()));
   }
+}
+
+void FileHost::answer_prompt(sim::Clock now) {
+  if (waits_for_a_time(present().text)) {
+    options_.note(fmt::format("{} waits for the user: not answered, it ends by itself", place()));
+  } else if (options_.answers_prompts) {
+    options_.note(fmt::format("{} waits for the user: answered with M108", place()));
+    prompt_answered_ = true;
+    in_flight_.push_back(std::nullopt);
+    line_.send(now, "M108\n");
+  } else {
+    fail(fmt::format("{} waits for the user, and --no-answer forbids to answer", place()));
+  }
+}
+
+void FileHost::acknowledge(sim::Clock now) {
   if (resend_asked_) {
     resend_asked_ = false;
-    send_line(now);
+    send_lines(now);
     return;
   }
-  const FileCommand& command = script_[next_];
-  in_flight_ = false;
-  resends_of_line_ = 0;
-  const bool first_time = next_ >= acknowledged_;
-  if (command.file_line != 0 && first_time) {
+  if (in_flight_.empty()) {
+    return;
+  }
+  const Flight done = in_flight_.front();
+  in_flight_.pop_front();
+  if (done) {
+    acknowledge_line(now, *done);
+  }
+  refused_ = false;
+  if (acknowledged_ == script_.size()) {
+    state_ = HostState::completed;
+  } else {
+    send_lines(now);
+  }
+}
+
+void FileHost::acknowledge_line(sim::Clock now, std::size_t index) {
+  if (index < acknowledged_) {
+    return;  // sent a second time
+  }
+  const FileCommand& command = script_[index];
+  acknowledged_ = index + 1;
+  resends_of_line_ = resends_without_progress_ = 0;
+  counts_.lines_executed += refused_ ? 0 : 1;
+  if (command.file_line != 0) {
     ++(refused_ ? counts_.commands_refused : counts_.commands_executed);
   }
   for (HostListener* listener : listeners_) {
-    if (first_time) {
-      listener->command_acknowledged(now, command.file_line, command.text, !refused_);
-    }
-  }
-  refused_ = false;
-  acknowledged_ = std::max(acknowledged_, ++next_);
-  if (next_ == script_.size()) {
-    state_ = HostState::completed;
-  } else {
-    send_line(now);
+    listener->command_acknowledged(now, command.file_line, command.text, !refused_);
   }
 }
 
@@ -181,15 +261,24 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
     fail(fmt::format("the chip asks for a line that was never sent: \"{}\"", reply));
     return;
   }
-  if (++resends_of_line_ > most_resends_of_line) {
-    fail(fmt::format("the chip asked {} times for {}: {}", resends_of_line_, place(),
+  if (asked_too_often(*number)) {
+    fail(fmt::format("the chip asked {} times for line number {} ({}): {}",
+                     resends_without_progress_, *number, place(),
                      last_error_.empty() ? reply : last_error_));
     return;
   }
+  // The lines before it will still be answered.
+  std::erase_if(in_flight_, [&](const Flight& line) { return line && *line >= *number; });
   next_ = *number;
-  in_flight_ = true;
   resend_asked_ = true;
   resend_asked_at_ = now;
+}
+
+bool FileHost::asked_too_often(std::size_t number) {
+  resends_of_line_ = number == resend_number_ ? resends_of_line_ + 1 : 1;
+  resend_number_ = number;
+  return ++resends_without_progress_ > most_resends_without_progress ||
+         resends_of_line_ > most_resends_of_line;
 }
 
 // The errors that announce a resend are those that hosts tell apart by these words; others are
@@ -205,20 +294,37 @@ void FileHost::take_error(sim::Clock, const std::string& reply) {
   fail(fmt::format("{} (at {})", reply, place()));
 }
 
-void FileHost::send_line(sim::Clock now) {
-  const FileCommand& command = script_[next_];
-  if (next_ < acknowledged_ || resends_of_line_ > 0) {
+void FileHost::send_lines(sim::Clock now) {
+  // The numbering must have begun before the next lines come.
+  const std::size_t window = acknowledged_ == 0 ? 1 : options_.window;
+  while (!resend_asked_ && next_ < script_.size() && in_flight_.size() < window) {
+    if (is_command(script_[next_].text, "M997")) {
+      if (in_flight_.empty()) {
+        fail(fmt::format("{} would leave the firmware for its boot loader: not sent", place()));
+      }
+      break;
+    }
+    send_line(now, next_++);
+  }
+  if (!ended()) {
+    watch();
+  }
+}
+
+void FileHost::send_line(sim::Clock now, std::size_t index) {
+  const FileCommand& command = script_[index];
+  if (index < announced_) {
     ++counts_.resends;
   } else {
+    announced_ = index + 1;
     for (HostListener* listener : listeners_) {
       listener->command_sent(now, command.file_line, command.text);
     }
   }
   ++counts_.lines_sent;
-  in_flight_ = true;
-  line_.send(now, numbered_line(next_, command.text));
+  in_flight_.push_back(index);
+  line_.send(now, numbered_line(index, command.text));
   silent_since_ = now;
-  watch(now);
 }
 
 void FileHost::fail(std::string reason) {
@@ -227,8 +333,16 @@ void FileHost::fail(std::string reason) {
   next_wake_ = sim::never;
 }
 
+// The command that the chip works on.
+const FileCommand& FileHost::present() const {
+  const auto line =
+      std::ranges::find_if(in_flight_, [](const Flight& flight) { return flight.has_value(); });
+  const std::size_t index = line != in_flight_.end() ? **line : next_;
+  return script_[std::min(index, script_.size() - 1)];
+}
+
 std::string FileHost::place() const {
-  const FileCommand& command = script_[std::min(next_, script_.size() - 1)];
+  const FileCommand& command = present();
   if (command.file_line == 0) {
     return fmt::format("the host's \"{}\"", command.text);
   }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -45,8 +47,14 @@ bool is_control_character(char character) {
          code == 0x7f;
 }
 
-// The printable ASCII text of a line of the file, or nothing where the line is not text.
+// The printable ASCII text of a line of the file, or nothing where the line is not text. Of a
+// comment only control characters count: it may be written in any encoding.
 std::optional<std::string> printable(std::string_view line) {
+  const std::size_t comment = std::min(line.find(';'), line.size());
+  if (std::ranges::any_of(line.substr(comment), is_control_character)) {
+    return std::nullopt;
+  }
+  line = line.substr(0, comment);
   std::string text;
   while (!line.empty()) {
     const std::optional<std::size_t> length = character_length(line);
@@ -58,6 +66,56 @@ std::optional<std::string> printable(std::string_view line) {
     line.remove_prefix(*length);
   }
   return text;
+}
+
+bool is_digit(char character) { return character >= '0' && character <= '9'; }
+
+// Whose text may hold a star: M117 5*3
+bool is_message(std::string_view text) {
+  if (!text.starts_with('M') && !text.starts_with('m')) {
+    return false;
+  }
+  const std::string_view code = text.substr(1, text.find_first_not_of("0123456789", 1) - 1);
+  return code == "0" || code == "1" || code == "117" || code == "118";
+}
+
+// A line as it goes over a serial line: N5 G1 X1*76. Takes number and checksum off; says why not.
+std::expected<std::string_view, std::string> without_frame(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r";
+  line = line.substr(0, line.find(';'));
+  line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+  line = line.substr(0, line.find_last_not_of(blanks) + 1);
+  const bool minus = line.size() > 1 && line[1] == '-';
+  const bool numbered = (line.starts_with('N') || line.starts_with('n')) &&
+                        line.size() > (minus ? 2U : 1U) && is_digit(line[minus ? 2 : 1]);
+  std::string_view command = line;
+  const std::size_t star = is_message(line) ? std::string_view::npos : line.rfind('*');
+  if (star != std::string_view::npos) {
+    const std::string_view behind = line.substr(star + 1);
+    unsigned given = 0, right = 0;
+    const auto end = std::from_chars(behind.data(), behind.data() + behind.size(), given);
+    const bool checksum = end.ec == std::errc{} && end.ptr == behind.data() + behind.size();
+    if (!checksum && numbered) {
+      return std::unexpected(
+          fmt::format("what is behind its star is no checksum: \"*{}\"", behind));
+    }
+    if (!checksum) {
+      return line;
+    }
+    command = line.substr(0, star);
+    for (const char character : command) {
+      right ^= static_cast<std::uint8_t>(character);
+    }
+    if (given != right) {
+      return std::unexpected(
+          fmt::format("its checksum is {}, but that of its text is {}", given, right));
+    }
+  }
+  if (numbered) {
+    const std::size_t end = command.find_first_not_of("0123456789", minus ? 2 : 1);
+    command = end == std::string_view::npos ? std::string_view{} : command.substr(end);
+  }
+  return command;
 }
 
 std::string without_comment(const std::string& line) {
@@ -86,17 +144,25 @@ std::string without_comment(const std::string& line) {
 
 std::expected<std::vector<FileCommand>, std::string> parse_gcode_text(std::string_view text,
                                                                       std::string_view name) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   std::vector<FileCommand> commands;
   std::size_t file_line = 0;
+  if (text.starts_with(byte_order_mark)) {
+    text.remove_prefix(byte_order_mark.size());
+  }
   while (!text.empty()) {
     ++file_line;
     const std::size_t end = text.find('\n');
-    const std::optional<std::string> line = printable(text.substr(0, end));
-    if (!line) {
+    const std::string_view line = text.substr(0, end);
+    if (!printable(line)) {
       return std::unexpected(fmt::format(
           "{} is not a G-code file: line {} holds bytes that are no text", name, file_line));
     }
-    std::string command = without_comment(*line);
+    const auto plain = without_frame(line);
+    if (!plain) {
+      return std::unexpected(fmt::format("{}, line {}: {}", name, file_line, plain.error()));
+    }
+    std::string command = without_comment(*printable(*plain));
     if (!command.empty()) {
       commands.push_back({file_line, std::move(command)});
     }

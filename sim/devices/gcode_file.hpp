@@ -16,10 +16,11 @@ struct FileCommand {
   std::string text;  // without comment and outer blanks, printable ASCII only
 };
 
-// Comments are `; ...` to the end of the line and `( ... )`. Characters beyond ASCII become `?`,
-// since no firmware of the field reads them. The error is a sentence for a person: the file is
-// missing, unreadable, binary (a NUL or another control character, or not UTF-8), or holds no
-// command.
+// Comments are `; ...` to the end of the line and `( ... )`. A line's own number and checksum are
+// taken off, since the host numbers the lines itself. Characters beyond ASCII become `?`, since no
+// firmware of the field reads them. The error is a sentence for a person: the file is missing,
+// unreadable, binary (a NUL or another control character, or a command that is not UTF-8), holds a
+// line whose own checksum is wrong, or no command.
 std::expected<std::vector<FileCommand>, std::string> read_gcode_file(
     const std::filesystem::path& file);
 

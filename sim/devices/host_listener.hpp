@@ -33,6 +33,7 @@ class HostListener {
 struct HostCounts {
   std::uint64_t lines_sent{};  // on the wire, resends included
   std::uint64_t resends{};
+  std::uint64_t lines_executed{};  // that the chip answered well, the host's own included
   std::uint64_t commands_executed{};  // that the chip carried out
   std::uint64_t commands_refused{};  // that the chip did not know or refused
   std::uint64_t busy_replies{};

@@ -28,12 +28,51 @@ TEST(GcodeFile, sends_characters_beyond_ascii_as_question_marks) {
   EXPECT_EQ(commands->front().text, "M117 Gr??e");
 }
 
+TEST(GcodeFile, takes_off_the_numbers_and_right_checksums_of_the_lines) {
+  const auto commands = parse_gcode_text(
+      "N0 M110 N0*125\nN1 G28*18 ; home\r\nn7G1X1\n N10 \nG28*77\nN-1 M110*15\n", "f");
+  ASSERT_TRUE(commands) << commands.error();
+  std::vector<std::string> texts;
+  for (const auto& command : *commands) {
+    texts.push_back(command.text);
+  }
+  EXPECT_THAT(texts, testing::ElementsAre("M110 N0", "G28", "G1X1", "G28", "M110"));
+  EXPECT_EQ(commands->back().file_line, 6U);
+}
+
+TEST(GcodeFile, refuses_a_line_whose_own_checksum_is_wrong) {
+  for (const char* line : {"N1 G28*19", "G28*36", "N1 G28*", "N1 G28*1x", "N1 M0*9999999999"}) {
+    const auto commands = parse_gcode_text("G28\n" + std::string(line) + "\n", "part.gcode");
+    ASSERT_FALSE(commands) << line;
+    EXPECT_THAT(commands.error(), HasSubstr("part.gcode, line 2: "));
+    EXPECT_THAT(commands.error(), HasSubstr("checksum"));
+  }
+}
+
+TEST(GcodeFile, leaves_a_star_in_a_message_alone) {
+  const auto commands = parse_gcode_text("M117 5*3\nM0 2*4\nG28 (a*5)\n", "f");
+  ASSERT_TRUE(commands) << commands.error();
+  EXPECT_EQ((*commands)[0].text, "M117 5*3");
+  EXPECT_EQ((*commands)[1].text, "M0 2*4");
+  EXPECT_EQ((*commands)[2].text, "G28");
+}
+
+TEST(GcodeFile, reads_comments_in_any_encoding_and_a_byte_order_mark) {
+  const auto commands = parse_gcode_text(
+      "\xef\xbb\xbfG28 ; f\xfcr\n; Gr\xf6\xdf"
+      "e\nM84\n",
+      "f");
+  ASSERT_TRUE(commands) << commands.error();
+  EXPECT_EQ((*commands)[0].text, "G28");
+  EXPECT_EQ((*commands)[1].text, "M84");
+}
+
 TEST(GcodeFile, refuses_what_is_no_text) {
   using namespace std::string_literals;
   for (const std::string& text : {"G28\nG1 X\0Y\n"s,
                                   "\x7f"
                                   "ELF\x01\x01"s,
-                                  "G28\nG1\x80\n"s, "G1 \xc3\n"s}) {
+                                  "G28 ; \0\n"s, "G28\nG1\x80\n"s, "G1 \xc3\n"s}) {
     const auto commands = parse_gcode_text(text, "part.gcode");
     ASSERT_FALSE(commands);
     EXPECT_THAT(commands.error(), HasSubstr("part.gcode is not a G-code file: line "));
