@@ -44,7 +44,6 @@ struct Findings {
   // All of them: the lists end at a bound.
   std::uint64_t refused_count{};
   std::uint64_t warning_count{};
-  std::uint64_t missed_count{};
   std::array<std::uint64_t, 4> missed_by_axis{};  // x y z e
   // Commands of the file that the chip never acknowledged; 0 where the print was stopped by wish.
   std::uint64_t lines_lost{};

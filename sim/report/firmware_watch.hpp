@@ -33,6 +33,8 @@ class FirmwareWatch : public sim::Device {
 
   // Asked of the host, since the last reset.
   std::uint64_t resends() const { return word(Word::resends); }
+  // Carried out by the firmware, since the last reset.
+  std::uint64_t commands_executed() const { return word(Word::commands_executed); }
   // Longest time from a wake-up of the processor to its next sleep, in clocks.
   std::uint64_t longest_pass_clocks() const { return word(Word::longest_pass_clocks); }
 

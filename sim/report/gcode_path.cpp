@@ -1,145 +1,117 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small interpreter of the G-codes that move, in floating point and millimetres.
+// A small interpreter of the G-codes that move, in whole picometres.
 #include "sim/report/gcode_path.hpp"
-
-#include <cctype>
-#include <charconv>
-#include <optional>
 
 namespace report {
 
 namespace {
 
 constexpr std::string_view axis_words = "XYZE";
-constexpr double inch_mm = 25.4;
+constexpr std::size_t extruder = 3;
+constexpr Picometers per_millionth_mm = picometers_per_mm / millionths;
+constexpr Picometers per_millionth_inch = 25'400;
 
-char upper(char character) {
-  return static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
-}
-
-double number_at(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" +");
-  double value = 0;
-  if (first != std::string_view::npos) {
-    std::from_chars(text.data() + first, text.data() + text.size(), value);
-  }
-  return value;
-}
-
-bool has_word(std::string_view words, char letter) {
-  for (const char character : words) {
-    if (upper(character) == letter) {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::optional<double> word(std::string_view words, char letter) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (upper(words[i]) == letter) {
-      return number_at(words.substr(i + 1));
-    }
-  }
-  return std::nullopt;
+template <class... Codes>
+bool is_any(const GcodeWords& words, char letter, Codes... codes) {
+  return (words.is(letter, codes) || ...);
 }
 
 }  // namespace
 
 Request GcodePath::read(std::string_view command) {
-  if (command.empty()) {
-    return NoMotion{};
+  const GcodeWords words(command);
+  Request request = NoMotion{};
+  if (!words.all().empty() && words.all().front().letter == 'G') {
+    read_g(words, request);
+  } else {
+    read_m(words, request);
   }
-  const char letter = upper(command.front());
-  const int code = static_cast<int>(number_at(command.substr(1)));
-  const std::size_t end = command.find_first_not_of("0123456789. ", 1);
-  const std::string_view words = end == std::string_view::npos ? "" : command.substr(end);
-  if (letter == 'G') {
-    switch (code) {
-      case 0:
-      case 1:
-        return move(words);
-      case 20:
-        unit_mm_ = inch_mm;
-        break;
-      case 21:
-        unit_mm_ = 1.0;
-        break;
-      case 28:
-        return home(words);
-      case 90:
-        absolute_ = extruder_absolute_ = true;
-        break;
-      case 91:
-        absolute_ = extruder_absolute_ = false;
-        break;
-      case 92:
-        set_position(words);
-        break;
-      default:
-        break;
-    }
-  } else if (letter == 'M') {
-    switch (code) {
-      case 82:
-        extruder_absolute_ = true;
-        break;
-      case 83:
-        extruder_absolute_ = false;
-        break;
-      case 104:
-      case 109:
-      case 140:
-      case 190:
-        if (const std::optional<double> celsius = word(words, has_word(words, 'S') ? 'S' : 'R')) {
-          return TemperatureTarget{code == 140 || code == 190, *celsius,
-                                   code == 109 || code == 190};
-        }
-        break;
-      default:
-        break;
-    }
-  }
-  return NoMotion{};
+  return request;
 }
 
-Request GcodePath::move(std::string_view words) {
-  Move move{position_, position_};
+void GcodePath::read_g(const GcodeWords& words, Request& request) {
+  if (is_any(words, 'G', 0, 1)) {
+    request = move(words);
+  } else if (is_any(words, 'G', 20, 21)) {
+    inches_ = words.is('G', 20);
+  } else if (words.is('G', 28)) {
+    request = home(words);
+  } else if (is_any(words, 'G', 90, 91)) {
+    absolute_ = extruder_absolute_ = words.is('G', 90);
+  } else if (words.is('G', 92)) {
+    set_position(words);
+  }
+}
+
+void GcodePath::read_m(const GcodeWords& words, Request& request) {
+  if (is_any(words, 'M', 82, 83)) {
+    extruder_absolute_ = words.is('M', 82);
+  } else if (is_any(words, 'M', 104, 109, 140, 190)) {
+    const bool waits = is_any(words, 'M', 109, 190);
+    const auto target = words.value(waits && words.has('R') ? 'R' : 'S');
+    if (target) {
+      request = TemperatureTarget{is_any(words, 'M', 140, 190),
+                                  static_cast<double>(*target) / millionths, waits};
+    }
+  } else if (words.is('M', 92)) {
+    NewResolution resolution;
+    for (std::size_t i = 0; i < axis_words.size(); ++i) {
+      resolution.steps_per_mm[i] = words.value(axis_words[i]);
+    }
+    request = resolution;
+  } else if (words.is('M', 221)) {
+    // Whole percents, cut as Marlin cuts them.
+    flow_percent_ = words.value('S').value_or(flow_percent_ * millionths) / millionths;
+  } else if (words.is('M', 400)) {
+    request = Rest{};
+  } else if (words.is('M', 410)) {
+    request = QuickStop{};
+  }
+}
+
+std::optional<Picometers> GcodePath::length(const GcodeWords& words, char letter) const {
+  const std::optional<std::int64_t> value = words.value(letter);
+  // 10^7 units are further than any machine, and leave room for sums.
+  constexpr std::int64_t furthest = 10'000'000 * millionths;
+  if (!value || *value > furthest || *value < -furthest) {
+    return std::nullopt;
+  }
+  return *value * (inches_ ? per_millionth_inch : per_millionth_mm);
+}
+
+Request GcodePath::move(const GcodeWords& words) {
+  Move move{machine_, machine_};
   bool any = false;
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
-    if (const std::optional<double> value = word(words, axis_words[i])) {
-      const bool absolute = i == 3 ? extruder_absolute_ : absolute_;
-      move.to[i] = *value * unit_mm_ + (absolute ? offset_[i] : position_[i]);
-      any = true;
+    const std::optional<Picometers> value = length(words, axis_words[i]);
+    if (!value) {
+      continue;
     }
+    any = true;
+    const bool absolute = i == extruder ? extruder_absolute_ : absolute_;
+    const Picometers distance = absolute ? *value - logical_[i] : *value;
+    logical_[i] += distance;
+    move.to[i] += i == extruder ? distance / 100 * flow_percent_ : distance;
   }
-  if (!any) {
-    return NoMotion{};
-  }
-  position_ = move.to;
-  return move;
+  machine_ = move.to;
+  return any ? Request(move) : Request(NoMotion{});
 }
 
-Request GcodePath::home(std::string_view words) {
-  const bool all = !has_word(words, 'X') && !has_word(words, 'Y') && !has_word(words, 'Z');
+Request GcodePath::home(const GcodeWords& words) {
   Homing homing;
+  const bool all = !words.has('X') && !words.has('Y') && !words.has('Z');
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
-    homing.axes[i] = all || has_word(words, axis_words[i]);
+    homing.axes[i] = all || words.has(axis_words[i]);
     if (homing.axes[i]) {
-      position_[i] = 0;
-      offset_[i] = 0;
+      machine_[i] = logical_[i] = 0;
     }
   }
   return homing;
 }
 
-void GcodePath::set_position(std::string_view words) {
-  const bool all = words.empty();
+void GcodePath::set_position(const GcodeWords& words) {
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
-    const std::optional<double> value = word(words, axis_words[i]);
-    if (value || all) {
-      offset_[i] = position_[i] - value.value_or(0.0) * unit_mm_;
-    }
+    logical_[i] = length(words, axis_words[i]).value_or(logical_[i]);
   }
 }
 

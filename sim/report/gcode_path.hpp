@@ -4,13 +4,25 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
+#include "sim/report/gcode_words.hpp"
+
 namespace report {
 
-// Machine positions in mm, zero at the end stops: offsets of G92 are taken out.
-using Point = std::array<double, 4>;  // x y z e
+// A millionth of a millimetre, of an inch, and percents of both are whole numbers of picometres.
+using Picometers = std::int64_t;
+inline constexpr Picometers picometers_per_mm = 1'000'000'000;
+
+// Exact machine positions, zero at the end stops: offsets of G92 are taken out.
+using Point = std::array<Picometers, 4>;  // x y z e
+
+constexpr double millimeters(Picometers length) {
+  return static_cast<double>(length) / static_cast<double>(picometers_per_mm);
+}
 
 struct Move {
   Point from{};
@@ -24,24 +36,38 @@ struct TemperatureTarget {
   double celsius{};
   bool waits{};  // M109, M190
 };
+struct NewResolution {
+  std::array<std::optional<std::int64_t>, 4> steps_per_mm{};  // in millionths
+};
+struct Rest {};  // M400: everything before it has been made
+struct QuickStop {};  // M410: what was under way stays undone
 struct NoMotion {};
-using Request = std::variant<NoMotion, Move, Homing, TemperatureTarget>;
+using Request =
+    std::variant<NoMotion, Move, Homing, TemperatureTarget, NewResolution, Rest, QuickStop>;
 
-// Understands G0 G1 G20 G21 G28 G90 G91 G92 M82 M83 and M104 M109 M140 M190; all else asks no
-// motion.
+// Understands G0 G1 G20 G21 G28 G90 G91 G92, M82 M83 M92 M221 M400 M410 and M104 M109 M140 M190;
+// all else asks no motion.
 class GcodePath {
  public:
   Request read(std::string_view command);
-  const Point& position() const { return position_; }
+  const Point& position() const { return machine_; }
+
+  // The machine stands here without having been sent there: after M410, or where the chip said that
+  // it prevents an extrusion. What the file calls the place stays as it is.
+  void stand_at(std::size_t axis, Picometers place) { machine_[axis] = place; }
 
  private:
-  Request move(std::string_view words);
-  Request home(std::string_view words);
-  void set_position(std::string_view words);
+  void read_g(const GcodeWords& words, Request& request);
+  void read_m(const GcodeWords& words, Request& request);
+  std::optional<Picometers> length(const GcodeWords& words, char letter) const;
+  Request move(const GcodeWords& words);
+  Request home(const GcodeWords& words);
+  void set_position(const GcodeWords& words);
 
-  Point position_{};  // of the machine
-  Point offset_{};  // machine position minus what the file calls it
-  double unit_mm_ = 1.0;
+  Point machine_{};
+  Point logical_{};  // what the file calls it
+  std::int64_t flow_percent_ = 100;
+  bool inches_ = false;
   bool absolute_ = true;
   bool extruder_absolute_ = true;
 };

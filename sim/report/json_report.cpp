@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sim/report/verdict.hpp"
+
 namespace report {
 
 namespace {
@@ -28,6 +30,7 @@ Json axis_json(const AxisResult& axis) {
           {"disabled_pulses", axis.disabled_pulses},
           {"slipped_steps", axis.slipped_steps},
           {"frame_steps", axis.frame_steps},
+          {"unasked_steps", axis.unasked_steps},
           {"peak_load", rounded(axis.peak_load)}};
 }
 
@@ -53,12 +56,51 @@ Json messages_json(const Results& results) {
   return messages;
 }
 
+Json counts_json(const std::array<std::uint64_t, 4>& counts) {
+  Json json;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    json[axis_names[i]] = counts[i];
+  }
+  return json;
+}
+
+Json refused_json(const std::vector<RefusedLine>& lines) {
+  Json json = Json::array();
+  for (const RefusedLine& line : lines) {
+    json.push_back({{"file_line", line.file_line}, {"text", line.text}, {"reason", line.reason}});
+  }
+  return json;
+}
+
+Json missed_json(const std::vector<MissedPoint>& points) {
+  Json json = Json::array();
+  for (const MissedPoint& point : points) {
+    Json axes = Json::object();
+    for (std::size_t i = 0; i < point.axes.size(); ++i) {
+      const AxisArrival& axis = point.axes[i];
+      if (axis.missed) {
+        axes[axis_names[i]] = {{"wanted_mm", rounded(axis.wanted_mm)},
+                               {"reached_mm", rounded(axis.reached_mm)},
+                               {"wanted_steps", axis.wanted_steps},
+                               {"reached_steps", axis.reached_steps}};
+      }
+    }
+    json.push_back({{"file_line", point.file_line},
+                    {"text", point.text},
+                    {"seconds", rounded(point.seconds)},
+                    {"axes", axes}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string to_json(const Results& results) {
   Json json;
   json["result"] = name_of(results.outcome);
   json["fault"] = results.fault;
+  json["verdict"] = verdict_of(results);
+  json["problems"] = results.findings.problems;
   json["file"] = results.file;
   json["machine"] = results.machine;
   json["clock_hz"] = results.clock_hz;
@@ -76,7 +118,14 @@ std::string to_json(const Results& results) {
   json["path"] = {{"max_deviation_mm", rounded(results.max_deviation_mm)},
                   {"length_mm", rounded(results.length_mm)},
                   {"points_reached", results.points_reached},
-                  {"points_missed", results.points_missed}};
+                  {"points_missed", results.points_missed},
+                  {"points_missed_by_axis", counts_json(results.findings.missed_by_axis)}};
+  json["lines"] = {{"refused", results.findings.refused_count},
+                   {"warnings", results.findings.warning_count},
+                   {"lost", results.findings.lines_lost}};
+  json["refused_lines"] = refused_json(results.findings.refused);
+  json["warnings"] = refused_json(results.findings.warnings);
+  json["missed_points"] = missed_json(results.findings.missed);
   json["queue"] = {{"underruns", results.underruns},
                    {"late_ticks", results.late_ticks},
                    {"guard_stalls_cycles", results.guard_stalls_cycles},
@@ -88,6 +137,7 @@ std::string to_json(const Results& results) {
                       {"bss_bytes", results.firmware.bss_bytes},
                       {"stack_peak_bytes", results.firmware.stack_peak_bytes}};
   json["processor"] = {{"busy_percent", rounded(results.processor_busy_percent)},
+                       {"saturated_seconds", rounded(results.processor_saturated_seconds)},
                        {"instructions", results.instructions},
                        {"longest_pass_clocks", results.longest_pass_clocks}};
   json["serial"] = {{"bytes_corrupted", results.serial_bytes_corrupted}};

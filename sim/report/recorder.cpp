@@ -2,6 +2,9 @@
 // Connects the parts of the report to the printer and gathers what they found.
 #include "sim/report/recorder.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "sim/report/firmware_watch.hpp"
 
 namespace report {
@@ -31,15 +34,13 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      path_check_(
-          {printer.description().axes[0].steps_per_mm, printer.description().axes[1].steps_per_mm},
-          {printer.axis(0).position(), printer.axis(1).position()}),
+      points_(resolutions(printer), start_positions(printer), simulation.rate()),
       tool_path_(resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       hotend_(false, simulation.rate(), [&printer] { return printer.hotend_c(); }),
       bed_(true, simulation.rate(), [&printer] { return printer.bed_c(); }),
       messages_(simulation.rate()) {
-  printer.add_step_listener(path_check_);
+  printer.add_step_listener(points_);
   printer.add_step_listener(tool_path_);
   printer.add_step_listener(steps_);
   if (!edges.empty()) {
@@ -49,15 +50,15 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
   simulation.attach(hotend_, {});
   simulation.attach(bed_, {});
   host.add_listener(*this);
-  for (devices::HostListener* listener :
-       std::initializer_list<devices::HostListener*>{&path_check_, &hotend_, &bed_, &messages_}) {
+  for (devices::HostListener* listener : std::initializer_list<devices::HostListener*>{
+           &points_, &refusals_, &hotend_, &bed_, &messages_}) {
     host.add_listener(*listener);
   }
 }
 
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
-  if (executed && command.starts_with("G28") && !path_check_.homed()) {
+  if (executed && command.starts_with("G28") && !points_.homed()) {
     tool_path_.begin_here();
   }
 }
@@ -74,7 +75,20 @@ AxisResult Recorder::axis_result(std::size_t axis) const {
           counts.disabled,
           plant.slipped_steps(),
           plant.frame_steps(),
+          0,
           plant.peak_load()};
+}
+
+void Recorder::add_findings(Results& results) const {
+  PointCheck::Judgement points = points_.judgement();
+  results.points_reached = points.reached;
+  results.points_missed = points.missed;
+  results.findings.missed = std::move(points.list);
+  results.findings.missed_by_axis = points.missed_by_axis;
+  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+    results.axes[i].unasked_steps = static_cast<std::uint64_t>(points.unasked_steps[i]);
+  }
+  refusals_.report_to(results.findings);
 }
 
 Results Recorder::results(const sim::ElfImage& firmware) const {
@@ -95,10 +109,11 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   for (std::size_t i = 0; i < results.axes.size(); ++i) {
     results.axes[i] = axis_result(i);
   }
-  results.max_deviation_mm = path_check_.max_deviation_mm();
-  results.length_mm = path_check_.length_mm();
-  results.points_reached = path_check_.points_reached();
-  results.points_missed = path_check_.points_missed();
+  results.max_deviation_mm = points_.max_deviation_mm();
+  results.length_mm = points_.length_mm();
+  const std::array<double, 4> steps_per_mm = resolutions(printer_);
+  results.coarsest_xy_steps_per_mm = std::min(steps_per_mm[0], steps_per_mm[1]);
+  add_findings(results);
   results.underruns = queue.underruns;
   results.guard_stalls_cycles = queue.guard_stall_clocks;
   results.max_queue_depth = queue.max_depth;

@@ -9,7 +9,8 @@
 #include "sim/machine/printer.hpp"
 #include "sim/report/edge_file.hpp"
 #include "sim/report/message_log.hpp"
-#include "sim/report/path_check.hpp"
+#include "sim/report/point_check.hpp"
+#include "sim/report/refusal_log.hpp"
 #include "sim/report/results.hpp"
 #include "sim/report/step_statistics.hpp"
 #include "sim/report/temperature_record.hpp"
@@ -28,7 +29,8 @@ class Recorder : public devices::HostListener {
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
                             bool executed) override;
 
-  // Of the simulation so far. Outcome, fault, names and wall time are the caller's.
+  // Of the simulation so far. Outcome, fault, names, wall time and lines that were lost with the
+  // print's end are the caller's, and then the verdict.
   Results results(const sim::ElfImage& firmware) const;
   Courses courses() const;
   // Throws std::runtime_error where the disk did not take all edges.
@@ -36,11 +38,13 @@ class Recorder : public devices::HostListener {
 
  private:
   AxisResult axis_result(std::size_t axis) const;
+  void add_findings(Results& results) const;
 
   machine::Printer& printer_;
   devices::Host& host_;
   sim::Simulation& simulation_;
-  PathCheck path_check_;
+  PointCheck points_;
+  RefusalLog refusals_;
   ToolPath tool_path_;
   StepStatistics steps_;
   TemperatureRecord hotend_;

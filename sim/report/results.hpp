@@ -27,6 +27,7 @@ struct AxisResult {
   std::uint64_t disabled_pulses{};
   std::uint64_t slipped_steps{};
   std::uint64_t frame_steps{};
+  std::uint64_t unasked_steps{};  // beyond those between the points that were reached
   double peak_load{};
 };
 
@@ -54,6 +55,7 @@ struct Results {
   std::array<AxisResult, 4> axes{};
   double max_deviation_mm{};
   double length_mm{};
+  double coarsest_xy_steps_per_mm{};
   std::uint64_t points_reached{};
   std::uint64_t points_missed{};
   std::uint64_t underruns{};
@@ -64,6 +66,7 @@ struct Results {
   TemperatureResult bed{};
   FirmwareResult firmware;
   double processor_busy_percent{};
+  double processor_saturated_seconds{};  // in which it hardly slept
   std::uint64_t instructions{};
   std::uint64_t longest_pass_clocks{};  // of the firmware's loop, from waking up to sleeping
   std::uint64_t serial_bytes_corrupted{};

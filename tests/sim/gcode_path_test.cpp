@@ -9,10 +9,21 @@ namespace {
 using report::GcodePath;
 using testing::ElementsAre;
 
-report::Point end_of(GcodePath& path, std::string_view command) {
+constexpr std::int64_t mm = report::picometers_per_mm;
+
+// In millimetres.
+std::array<double, 4> place(const GcodePath& path) {
+  std::array<double, 4> result{};
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = report::millimeters(path.position()[i]);
+  }
+  return result;
+}
+
+std::array<double, 4> end_of(GcodePath& path, std::string_view command) {
   const report::Request request = path.read(command);
   EXPECT_TRUE(std::holds_alternative<report::Move>(request)) << command;
-  return path.position();
+  return place(path);
 }
 
 TEST(GcodePath, reads_numbers_as_slicers_and_people_write_them) {
@@ -43,7 +54,35 @@ TEST(GcodePath, homes_named_axes_only) {
   end_of(path, "G1 X5 Y6 Z7");
   const report::Request request = path.read("G28 X0 Y0");
   EXPECT_THAT(std::get<report::Homing>(request).axes, ElementsAre(true, true, false));
-  EXPECT_THAT(path.position(), ElementsAre(0.0, 0.0, 7.0, 0.0));
+  EXPECT_THAT(place(path), ElementsAre(0.0, 0.0, 7.0, 0.0));
+}
+
+TEST(GcodePath, adds_without_any_error) {
+  GcodePath path;
+  path.read("G91");
+  for (int i = 0; i < 1'000'000; ++i) {
+    path.read("G1 X0.000001 Y-0.1 E0.00007");
+  }
+  EXPECT_THAT(path.position(), ElementsAre(1 * mm, -100'000 * mm, 0, 70 * mm));
+  path.read("G20");
+  path.read("M221 S33");
+  path.read("G1 X0.000001 E0.000003");
+  EXPECT_THAT(path.position(),
+              ElementsAre(1 * mm + 25'400, -100'000 * mm, 0, 70 * mm + 3 * 254 * 33));
+}
+
+TEST(GcodePath, rounds_the_seventh_decimal_away_from_zero) {
+  GcodePath path;
+  path.read("G1 X0.0000005 Y-0.0000005 Z0.00000049");
+  EXPECT_THAT(path.position(), ElementsAre(mm / 1'000'000, -mm / 1'000'000, 0, 0));
+}
+
+TEST(GcodePath, moves_no_axis_by_a_second_command_or_a_subcode) {
+  GcodePath path;
+  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G1.1 X5")));
+  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G17 G1 X5")));
+  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("M862.3 P \"G1 X5\"")));
+  EXPECT_THAT(place(path), ElementsAre(0, 0, 0, 0));
 }
 
 TEST(GcodePath, reads_targets_of_both_heaters) {

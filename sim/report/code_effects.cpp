@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of codes, from RS-274 and from the firmwares of the field (Marlin, RepRapFirmware,
+// Prusa).
+#include "sim/report/code_effects.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "sim/report/gcode_words.hpp"
+
+namespace report {
+
+namespace {
+
+struct Range {
+  int first{};
+  int last{};
+};
+
+// All others move (G0-G3 G5 G10 G11 G12 G27-G30 G38 ...) or change where moves go (G20 G53-G59
+// G90-G92).
+constexpr std::array harmless_g{
+    Range{4, 4},  // dwell
+    Range{17, 19},  // plane of arcs, which are refused by themselves
+    Range{21, 21},  // millimetres are what holds without it
+    Range{40, 40},  // tool radius compensation off
+    Range{49, 49},  // tool length offset off
+    Range{64, 64},  // path blending
+    Range{94, 94},  // feedrate per minute
+};
+
+constexpr std::array moving_m{
+    Range{6, 6},  // tool change
+    Range{32, 32},  // prints a file of the card
+    Range{44, 46},  // calibration (Prusa)
+    Range{48, 48},  // tries the probe
+    Range{82, 83},  // meaning of E
+    Range{92, 92},  // steps per millimetre
+    Range{98, 98},  // macro (RepRapFirmware)
+    Range{104, 104},  // hotend
+    Range{109, 109},   Range{116, 116},  // waits for heat
+    Range{125, 125},  // parks the head
+    Range{140, 141},  // bed, chamber
+    Range{190, 192},   Range{200, 200},  // volumetric extrusion
+    Range{206, 206},  // home offset
+    Range{218, 218},  // tool offset
+    Range{221, 221},  // flow
+    Range{290, 290},  // baby steps
+    Range{303, 303},  // heats to find the controller's constants
+    Range{306, 306},   Range{360, 364},  // moves of a SCARA
+    Range{401, 402},  // probe out, in
+    Range{428, 428},  // home offset
+    Range{568, 568},  // tool temperatures (RepRapFirmware)
+    Range{600, 606},  // filament change, pause, park, dual carriage
+    Range{665, 667},  // geometry of the machine
+    Range{669, 669},   Range{701, 704},  // loads, unloads filament
+    Range{808, 819},  // repeats, macros
+    Range{852, 852},  // skew
+    Range{915, 918},  // drivers' calibration moves
+    Range{951, 951},  // tool parking
+    Range{1000, 1000},  // resumes a print
+};
+
+template <std::size_t size>
+bool within(const std::array<Range, size>& ranges, std::int64_t code) {
+  return std::ranges::any_of(
+      ranges, [&](const Range& range) { return range.first <= code && code <= range.last; });
+}
+
+bool effective(const GcodeWord& word) {
+  const std::int64_t code = word.value.value_or(-millionths) / millionths;
+  switch (word.letter) {
+    case 'G':
+      return !within(harmless_g, code);
+    case 'M':
+      return within(moving_m, code);
+    case 'T':
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_macro(std::string_view command) {
+  return command.size() > 1 && std::isalpha(static_cast<unsigned char>(command[0])) != 0 &&
+         (std::isalpha(static_cast<unsigned char>(command[1])) != 0 || command[1] == '_');
+}
+
+}  // namespace
+
+bool moves_or_heats(std::string_view command) {
+  const GcodeWords words(command);
+  if (words.all().empty()) {
+    return false;
+  }
+  const GcodeWord& first = words.all().front();
+  if (is_macro(command)) {
+    return true;
+  }
+  switch (first.letter) {
+    case 'G':
+    case 'M':
+      break;
+    case 'T':
+      return true;
+    case 'F':  // a feedrate alone
+    case 'O':  // a program number
+    case '%':  // the beginning or end of a program
+      return words.all().size() > 1;
+    default:
+      return true;
+  }
+  if (effective(first)) {
+    return true;
+  }
+  // A second command in the line, which some firmwares execute and others refuse with the line.
+  return std::ranges::any_of(words.all().begin() + 1, words.all().end(), [](const GcodeWord& word) {
+    return word.letter == 'G' && effective(word);
+  });
+}
+
+}  // namespace report

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which G-codes move or heat something, or decide where moves go: those a print cannot do without.
+#pragma once
+
+#include <string_view>
+
+namespace report {
+
+// Of the whole line, whatever the firmware makes of it. Macros of other firmwares
+// (START_PRINT BED=60), coordinates without a code (X10 Y5) and G-codes that stand in no table
+// count as moves; M-codes that stand in none do not.
+bool moves_or_heats(std::string_view command);
+
+}  // namespace report

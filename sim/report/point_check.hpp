@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holds the lines of the file against the steps of all axes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/devices/host_listener.hpp"
+#include "sim/devices/step_edge.hpp"
+#include "sim/report/findings.hpp"
+#include "sim/report/gcode_path.hpp"
+#include "sim/report/path_check.hpp"
+#include "sim/report/point_match.hpp"
+#include "sim/report/step_grid.hpp"
+#include "sim/simulation/clock_rate.hpp"
+
+namespace report {
+
+// The end of a G0 or G1 is reached where X, Y, Z and E stand at the same time at the steps that are
+// nearest to it, halves away from zero. What a refused line asks for is not expected; a prevented
+// extrusion is a miss, and the lines behind it are judged from where E then stands. Homing is free
+// until it is acknowledged.
+//
+// Whether a line was refused is known only with its answer, when it may have been executed already:
+// what the motors do from its sending on is kept and judged then.
+class PointCheck : public devices::StepListener, public devices::HostListener {
+ public:
+  // `start`: mechanical positions at the beginning, which the G-code calls 0 until it homes.
+  PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start, sim::ClockRate rate);
+
+  void stepped(const devices::StepEdge& edge) override;
+  void command_sent(sim::Clock now, std::size_t file_line, std::string_view command) override;
+  void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
+                            bool executed) override;
+  void reply(sim::Clock now, std::string_view line) override;
+
+  struct Judgement {
+    std::uint64_t reached{};
+    std::uint64_t missed{};
+    std::array<std::uint64_t, 4> missed_by_axis{};
+    std::vector<MissedPoint> list;  // up to a bound
+    Steps unasked_steps{};  // made beyond those between the points
+  };
+  // Of everything so far; lines that are still under way are neither reached nor missed.
+  Judgement judgement() const;
+  double max_deviation_mm() const { return path_.max_deviation_mm(); }
+  // Of the executed moves, in X, Y and Z, as the G-code asks for them.
+  double length_mm() const { return length_mm_; }
+  bool homed() const { return homed_; }
+
+ private:
+  struct SentCommand {
+    sim::Clock sent{};
+    std::size_t file_line{};
+    std::string text;
+    bool extrusion_prevented{};
+  };
+
+  void carry_out(const SentCommand& command);
+  void ask(const Move& move, const SentCommand& command);
+  void finish_homing(const Homing& homing);
+  void change_resolution(const NewResolution& resolution);
+  void stop_here();
+  void close_state(sim::Clock now);
+  void judge_states();
+  void judge_states_until(sim::Clock until);
+  void add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const;
+  Steps steps_at(const Point& point) const;
+  void set_grid();
+
+  std::array<Resolution, 4> resolution_{};
+  Steps origin_{};  // mechanical position of what the G-code calls 0
+  sim::ClockRate rate_;
+  GcodePath gcode_;
+  std::deque<SentCommand> in_flight_;
+  MachineState state_;  // while edges of its clock may still come
+  std::deque<MachineState> states_;  // that are not judged yet
+  PointMatch match_;
+  PathCheck path_;
+  Judgement judged_;
+  double length_mm_ = 0;
+  bool homed_ = false;
+};
+
+}  // namespace report

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// The longest common subsequence, over the points that the machine can still be on its way to.
+#include "sim/report/point_match.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace report {
+
+namespace {
+
+// No firmware is so many lines, each with a step at least, ahead of its motors.
+constexpr std::size_t most_items = 512;
+
+}  // namespace
+
+PointMatch::PointMatch(const MachineState& start)
+    : last_target_(start.position), settled_target_(start.position), anchor_(start), now_(start) {}
+
+void PointMatch::ask(const Steps& target, AskedLine line) {
+  last_line_ = line;
+  last_line_open_ = true;
+  const bool same_place = !items_.empty() && items_.back().target == target;
+  if (same_place && items_.back().reached == 0) {
+    items_.back().lines.push_back(std::move(line));
+  } else {
+    if (items_.size() == most_items) {
+      settle_oldest();
+    }
+    Item& item = items_.emplace_back();
+    item.target = target;
+    item.lines.push_back(std::move(line));
+    item.nearest = now_;
+    item.distance = -1;
+  }
+  last_target_ = target;
+  at(now_);
+}
+
+void PointMatch::at(const MachineState& state) {
+  now_ = state;
+  bool any = false;
+  for (Item& item : items_) {
+    any = any || item.target == state.position;
+    if (item.reached == 0) {
+      note_nearest(item, state);
+    }
+  }
+  if (any) {
+    update_chains(state);
+    finish_reached_prefix();
+  }
+}
+
+// A place where fewer axes are wrong is nearer; of equal ones that with fewer steps to go.
+void PointMatch::note_nearest(Item& item, const MachineState& state) const {
+  constexpr double wrong_axis = 1e12;
+  double distance = 0;
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    const auto off = static_cast<double>(std::llabs(state.position[i] - item.target[i]));
+    distance += off == 0 ? 0 : wrong_axis + off;
+  }
+  // One that is there already, before its turn, is not a miss of this place.
+  if (distance > 0 && (item.distance < 0 || distance < item.distance)) {
+    item.distance = distance;
+    item.nearest = state;
+  }
+}
+
+void PointMatch::update_chains(const MachineState& state) {
+  std::size_t best = 0;
+  std::ptrdiff_t best_end = -1;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    Item& item = items_[i];
+    if (item.target == state.position && best + item.lines.size() > item.reached) {
+      item.reached = best + item.lines.size();
+      item.before = best_end;
+      item.when = state;
+    }
+    if (item.reached > best) {
+      best = item.reached;
+      best_end = static_cast<std::ptrdiff_t>(i);
+    }
+  }
+}
+
+// Where every line up to an item has been reached, no other chain can be better.
+void PointMatch::finish_reached_prefix() {
+  std::size_t lines = 0, count = 0;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    lines += items_[i].lines.size();
+    if (items_[i].reached == lines) {
+      count = i + 1;
+    }
+  }
+  if (count > 0) {
+    finish(count, std::vector<bool>(count, true));
+    keep_chains_behind(count);
+  }
+}
+
+// Of the chains so far only those count that went through the last of the finished items.
+void PointMatch::keep_chains_behind(std::size_t finished) {
+  for (Item& item : items_) {
+    const std::ptrdiff_t before = item.before - static_cast<std::ptrdiff_t>(finished);
+    const bool first = before == -1;
+    const bool kept =
+        item.reached > 0 &&
+        (first || (before >= 0 && items_[static_cast<std::size_t>(before)].reached > 0));
+    item.before = kept ? before : -1;
+    item.reached = !kept   ? 0
+                   : first ? item.lines.size()
+                           : item.lines.size() + items_[static_cast<std::size_t>(before)].reached;
+  }
+}
+
+std::vector<bool> PointMatch::best_chain() const {
+  std::vector<bool> in_chain(items_.size());
+  const auto best = std::ranges::max_element(items_, {}, &Item::reached);
+  const bool any = best != items_.end() && best->reached > 0;
+  for (std::ptrdiff_t i = any ? best - items_.begin() : -1; i >= 0;) {
+    const auto index = static_cast<std::size_t>(i);
+    in_chain[index] = true;
+    i = items_[index].before;
+  }
+  return in_chain;
+}
+
+// Decides on the first items and forgets them.
+void PointMatch::finish(std::size_t count, const std::vector<bool>& in_chain) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Item& item = items_.front();
+    for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
+      asked_since_anchor_[axis] += std::llabs(item.target[axis] - settled_target_[axis]);
+    }
+    settled_target_ = item.target;
+    if (in_chain[i]) {
+      reached_ += item.lines.size();
+      for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
+        const std::int64_t made = item.when.steps_made[axis] - anchor_.steps_made[axis];
+        unasked_[axis] += std::max<std::int64_t>(0, made - asked_since_anchor_[axis]);
+      }
+      anchor_ = item.when;
+      asked_since_anchor_ = {};
+    } else {
+      for (AskedLine& line : item.lines) {
+        missed_.push_back({std::move(line), item.target, item.nearest});
+      }
+    }
+    items_.pop_front();
+  }
+}
+
+// The window is full: the older half is decided on as the best chain has it.
+void PointMatch::settle_oldest() {
+  const std::vector<bool> in_chain = best_chain();
+  const std::size_t count = items_.size() / 2;
+  finish(count, in_chain);
+  // What remains is matched again, from the items of the chain that are left.
+  std::size_t reached = 0;
+  std::ptrdiff_t before = -1;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    Item& item = items_[i];
+    const bool kept = in_chain[count + i];
+    item.reached = kept ? (reached += item.lines.size()) : 0;
+    item.before = kept ? std::exchange(before, static_cast<std::ptrdiff_t>(i)) : -1;
+  }
+}
+
+void PointMatch::settle(bool rests) {
+  at(now_);
+  finish(items_.size(), best_chain());
+  const bool listed = !missed_.empty() && missed_.back().line.file_line == last_line_.file_line;
+  if (rests && last_line_open_ && !listed && now_.position != last_target_) {
+    --reached_;  // it was there, but on the way to another place
+    missed_.push_back({last_line_, last_target_, now_});
+  }
+  last_line_open_ = false;
+}
+
+void PointMatch::abandon() {
+  const std::vector<bool> in_chain = best_chain();
+  const auto last = std::ranges::find(in_chain.rbegin(), in_chain.rend(), true);
+  finish(static_cast<std::size_t>(in_chain.rend() - last), in_chain);
+  items_.clear();
+}
+
+void PointMatch::restart(const MachineState& here, const Steps& meant) {
+  items_.clear();
+  last_line_open_ = false;
+  now_ = anchor_ = here;
+  last_target_ = settled_target_ = meant;
+  asked_since_anchor_ = {};
+}
+
+std::vector<UnreachedPoint> PointMatch::take_missed() { return std::exchange(missed_, {}); }
+
+}  // namespace report

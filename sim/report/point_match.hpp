@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the points asked for the machine was at, in their order, whatever it did in between.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "sim/simulation/pins.hpp"
+
+namespace report {
+
+using Steps = std::array<std::int64_t, 4>;  // x y z e, mechanical
+
+struct AskedLine {
+  std::size_t file_line{};
+  std::string text;
+};
+
+// Where the machine stood, and how many steps each axis had made until then, both ways.
+struct MachineState {
+  sim::Clock clock{};
+  Steps position{};
+  Steps steps_made{};
+};
+
+struct UnreachedPoint {
+  AskedLine line;
+  Steps target{};
+  MachineState nearest;  // of all states in which it could have been reached
+};
+
+// Points are taken as reached so that as many as possible are, each no earlier than the one before
+// it: the longest common subsequence of points and positions. So a point that was left out makes no
+// other one wrong. Between two reached points each axis makes exactly the steps that the file asks
+// for between them: further ones, with which it may have come by later, are unasked.
+class PointMatch {
+ public:
+  // The machine stands at `start`, which needs not be asked for.
+  explicit PointMatch(const MachineState& start);
+
+  // The file asks for this place, from now on.
+  void ask(const Steps& target, AskedLine line);
+  // The machine is here now.
+  void at(const MachineState& state);
+  // Everything asked for must have been made: what was not reached is missed. Where the machine is
+  // said to rest since then, the last point is missed too unless it stands there.
+  void settle(bool rests);
+  // Nothing more comes, but lines may have been under way: they are neither reached nor missed.
+  void abandon();
+  // The machine has been moved here by other means than lines.
+  void restart(const MachineState& here, const Steps& meant);
+
+  std::uint64_t reached() const { return reached_; }
+  const Steps& unasked_steps() const { return unasked_; }
+  // Those that were missed since the last call.
+  std::vector<UnreachedPoint> take_missed();
+  const Steps& last_target() const { return last_target_; }
+
+ private:
+  struct Item {
+    Steps target{};
+    std::vector<AskedLine> lines;  // that end here, one after the other
+    std::size_t reached{};  // lines of the best chain that ends here, within the window; 0: none
+    std::ptrdiff_t before = -1;  // the item before it in that chain
+    MachineState when;  // of the chain that ends here
+    MachineState nearest;
+    double distance{};  // of `nearest`
+  };
+
+  void note_nearest(Item& item, const MachineState& state) const;
+  void update_chains(const MachineState& state);
+  void finish(std::size_t count, const std::vector<bool>& in_chain);
+  void finish_reached_prefix();
+  void keep_chains_behind(std::size_t finished);
+  std::vector<bool> best_chain() const;
+  void settle_oldest();
+
+  std::deque<Item> items_;
+  Steps last_target_;  // of the last line asked for
+  AskedLine last_line_;
+  bool last_line_open_ = false;  // has not been settled
+  Steps settled_target_;  // of the last line that is decided on
+  MachineState anchor_;  // when the last reached point was reached
+  Steps asked_since_anchor_{};
+  MachineState now_;
+  std::uint64_t reached_ = 0;
+  Steps unasked_{};
+  std::vector<UnreachedPoint> missed_;
+};
+
+}  // namespace report
