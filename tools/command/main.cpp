@@ -26,6 +26,8 @@ namespace {
 
 constexpr std::uint32_t lowest_clock_hz = 4'000'000;
 constexpr std::uint32_t highest_clock_hz = 100'000'000;
+// As many lines as the firmware keeps waiting.
+constexpr std::size_t most_window = 8;
 
 struct Jobs {
   PrintOptions print;
@@ -45,7 +47,8 @@ void add_printer_options(CLI::App& job, PrinterChoices& choices) {
          "description of the simulated printer (TOML); the firmware is built for the default")
       ->type_name("FILE.toml");
   job.add_option("--baud", choices.baud,
-                 "baud rate of the host's end of the line; default: the machine's")
+                 "baud rate of the serial line, at both ends; default: the machine's. At most a "
+                 "quarter of the clock")
       ->check(CLI::Range(1'200, 3'000'000));
   job.add_option("--seed", choices.seed,
                  "seed of all that is random: start position, tolerances, noise")
@@ -82,11 +85,25 @@ void add_print(CLI::App& app, PrintOptions& options) {
   job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
+  job.add_option("--window", options.window,
+                 "lines sent and not answered yet; 1 as Printrun and OctoPrint, 4 as Cura")
+      ->check(CLI::Range(std::size_t{1}, most_window))
+      ->capture_default_str();
+  job.add_flag("--no-answer", options.no_answer,
+               "do not answer M0 and M1 (as a user who presses Continue at once): end there");
   add_printer_options(job, options.printer);
   job.footer(
-      "Exit status: 0 the print was completed (or came to --until), 1 it faulted, 2 bad usage or a "
-      "file\n"
-      "that cannot be printed, 130 interrupted. The report is written in every case.");
+      "The file is sent as a host does it: without comments, with the host's own line numbers and\n"
+      "checksums; M110 is not sent, and a number or a right checksum in the file is taken off.\n\n"
+      "Exit status: 0 the print is good: all of the file (or, with --until, of what was sent by "
+      "then)\n"
+      "was made to the step. 1 it is bad: it faulted; the chip refused or lost a line that should "
+      "move\n"
+      "or heat; X, Y, Z or E was not at its step at the end of a line; the queue ran dry; a pulse "
+      "was\n"
+      "illegal or a step lost. 2 bad usage or a file that cannot be printed. 130 interrupted. The "
+      "report\n"
+      "is written in every case. Refused lines that move and heat nothing are warnings.");
 }
 
 void add_serve(CLI::App& app, ServeOptions& options) {

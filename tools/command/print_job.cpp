@@ -16,7 +16,9 @@
 #include "sim/report/html_report.hpp"
 #include "sim/report/json_report.hpp"
 #include "sim/report/recorder.hpp"
+#include "sim/report/verdict.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/print_summary.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
 #include "tools/command/signals.hpp"
@@ -48,7 +50,8 @@ int refuse(const PrintOptions& options, const std::string& reason) {
   results.outcome = report::Outcome::faulted;
   results.fault = reason;
   results.clock_hz = options.printer.clock_hz;
-  report::write_file(options.report / "report.json", report::to_json(results));
+  report::judge(results);
+  write_report(options, results, {});
   fmt::print(stderr, "stepfabric: {}\n", reason);
   return bad_input;
 }
@@ -86,9 +89,32 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
           printer.bed_c()};
 }
 
+// How long the processor hardly sleeps: then it is what limits the print.
+class Saturation {
+ public:
+  void look(sim::Simulation& simulation) {
+    const sim::Clock now = simulation.now();
+    const std::uint64_t sleeping = simulation.chip().processor_statistics().sleeping_clocks;
+    const auto clocks = static_cast<double>(now - seen_);
+    if (static_cast<double>(sleeping - slept_) < (1.0 - saturated_share) * clocks) {
+      seconds_ += simulation.rate().seconds(now - seen_);
+    }
+    seen_ = now;
+    slept_ = sleeping;
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  static constexpr double saturated_share = 0.98;
+
+  sim::Clock seen_ = 0;
+  std::uint64_t slept_ = 0;
+  double seconds_ = 0;
+};
+
 // Runs to the end of the print. Returns how it ended.
-report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup,
-                          devices::FileHost& host) {
+report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devices::FileHost& host,
+                          Saturation& saturation) {
   sim::Simulation& simulation = setup.simulation();
   const sim::ClockRate rate = simulation.rate();
   const sim::Clock chunk = std::max<sim::Clock>(1, rate.clocks(chunk_seconds));
@@ -96,6 +122,7 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup,
   Progress progress;
   while (!host.ended() && simulation.now() < until && !interrupt_requested()) {
     simulation.run_until(std::min(simulation.now() + chunk, until));
+    saturation.look(simulation);
     if (progress.due()) {
       progress.show(facts_of(setup, host));
     }
@@ -112,44 +139,28 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup,
   return outcome;
 }
 
-void print_summary(const PrintOptions& options, const report::Results& results) {
-  fmt::print("{}: {}{}{}\n", results.file, name_of(results.outcome),
-             results.fault.empty() ? "" : ": ", results.fault);
-  fmt::print(
-      "  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
-      results.simulated_seconds, results.clock_hz * 1e-6, results.wall_seconds,
-      static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6);
-  fmt::print(
-      "  {} lines, {} resends; {} of {} points reached to the step, at most {:.4f} mm off the "
-      "lines\n",
-      results.lines_sent, results.resends, results.points_reached,
-      results.points_reached + results.points_missed, results.max_deviation_mm);
-  std::uint64_t illegal = 0, lost = 0;
-  for (const report::AxisResult& axis : results.axes) {
-    illegal += axis.illegal_pulses;
-    lost += axis.disabled_pulses + axis.slipped_steps + axis.frame_steps;
+// Commands that were never acknowledged, where the print was not ended by wish; and those that the
+// host believes done, but the firmware has not counted.
+std::uint64_t lost_lines(report::Outcome outcome, const devices::FileHost& host,
+                         const report::FirmwareWatch& watch) {
+  std::uint64_t lost = 0;
+  if (outcome != report::Outcome::stopped) {
+    const devices::HostCounts& counts = host.counts();
+    lost = host.commands() - counts.commands_executed - counts.commands_refused;
   }
-  fmt::print(
-      "  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
-      illegal, lost, results.underruns, results.processor_busy_percent);
-  if (options.printer.stepping == "software") {
-    fmt::print("  steps made in software: {} ticks were late\n", results.late_ticks);
-  }
-  fmt::print("  {} messages of the chip; report: {}\n", results.messages.size(),
-             (options.report / "report.html").string());
+  const std::uint64_t believed = host.counts().lines_executed;
+  return lost + believed - std::min(believed, watch.commands_executed());
 }
 
-int exit_status_of(const PrintOptions& options, report::Outcome outcome) {
-  switch (outcome) {
-    case report::Outcome::completed:
-      return success;
-    case report::Outcome::faulted:
-      return failure;
-    case report::Outcome::stopped:
-      return options.until_seconds && !interrupt_requested() ? success : interrupted;
+int exit_status_of(const report::Results& results) {
+  if (results.outcome == report::Outcome::stopped && interrupt_requested()) {
+    return interrupted;
   }
-  return failure;
+  return results.good() ? success : failure;
 }
+
+// On its own line above the progress.
+void show_note(const std::string& note) { fmt::print(stderr, "stepfabric: {}\n", note); }
 
 }  // namespace
 
@@ -160,7 +171,9 @@ int print(const PrintOptions& options) {
   }
   std::filesystem::create_directories(options.report);  // fails now rather than after the print
   PrinterSetup setup(options.printer, near_first_targets(*commands));
-  devices::FileHost host(*commands, setup.printer().serial_line(), setup.simulation().rate());
+  devices::FileHost host(
+      *commands, setup.printer().serial_line(), setup.simulation().rate(),
+      {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
   setup.simulation().attach(host, {});
   report::Recorder recorder(setup.printer(), host, setup.simulation(), options.edges);
   report::FirmwareWatch watch(setup.firmware(), setup.chip());
@@ -179,8 +192,9 @@ int print(const PrintOptions& options) {
   const Time::time_point started = Time::now();
   report::Outcome outcome = report::Outcome::faulted;
   std::string fault;
+  Saturation saturation;
   try {
-    outcome = run_print(options, setup, host);
+    outcome = run_print(options, setup, host, saturation);
     fault = host.fault();
   } catch (const sim::HardwareAssertion& failed) {
     fault = failed.what();
@@ -190,13 +204,16 @@ int print(const PrintOptions& options) {
   results.outcome = outcome;
   results.fault = fault;
   results.wall_seconds = std::chrono::duration<double>(Time::now() - started).count();
+  results.processor_saturated_seconds = saturation.seconds();
+  results.findings.lines_lost = lost_lines(outcome, host, watch);
+  report::judge(results);
   recorder.close_edges();
   if (accept_log) {
     accept_log->close();
   }
   write_report(options, results, recorder.courses());
   print_summary(options, results);
-  return exit_status_of(options, outcome);
+  return exit_status_of(results);
 }
 
 }  // namespace command

@@ -23,6 +23,8 @@ struct PrinterChoices {
 
 struct PrintOptions {
   std::filesystem::path file;
+  std::size_t window = 1;  // lines in flight
+  bool no_answer = false;  // to M0 and M1
   std::filesystem::path report = "report";
   std::filesystem::path edges;
   std::filesystem::path trace;

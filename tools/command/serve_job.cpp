@@ -13,6 +13,7 @@
 #include "sim/report/json_report.hpp"
 #include "sim/report/recorder.hpp"
 #include "sim/report/served_host.hpp"
+#include "sim/report/verdict.hpp"
 #include "tools/command/clock_choice.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/pacer.hpp"
@@ -123,6 +124,7 @@ class Service {
     reset_wanted_ = false;
     setup_.chip().reset();
     sim::load(setup_.firmware(), setup_.chip());
+    setup_.set_speed_of_line();
     watch_.begin_anew();
     host_.begin_anew();
   }
@@ -233,6 +235,7 @@ int serve(ServeOptions options) {
   if (status != success) {
     results.outcome = report::Outcome::faulted;
   }
+  report::judge(results);
   service.close_files();
   report::write_file(options.report / "report.json", report::to_json(results));
   report::write_file(options.report / "report.html", report::to_html(results, service.courses()));

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The summary of a print on the terminal: verdict, figures, and the lines that are to blame.
+#include "tools/command/print_summary.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace command {
+
+namespace {
+
+constexpr std::size_t most_shown = 10;
+constexpr const char* red = "\x1b[31m";
+constexpr const char* green = "\x1b[32m";
+constexpr const char* plain = "\x1b[0m";
+
+// What a person can read; the report has all of it.
+template <class Line>
+void show_lines(const char* title, const std::vector<Line>& lines, std::uint64_t count,
+                void (*show)(const Line& line)) {
+  if (lines.empty()) {
+    return;
+  }
+  fmt::print("  {}:\n", title);
+  for (std::size_t i = 0; i < std::min(lines.size(), most_shown); ++i) {
+    show(lines[i]);
+  }
+  if (count > most_shown) {
+    fmt::print("    and {} more: see the report\n", count - most_shown);
+  }
+}
+
+void show_refused(const report::RefusedLine& line) {
+  fmt::print("    line {}: {:.60}: {}\n", line.file_line, line.text, line.reason);
+}
+
+void show_missed(const report::MissedPoint& point) {
+  std::string axes;
+  for (std::size_t i = 0; i < point.axes.size(); ++i) {
+    const report::AxisArrival& axis = point.axes[i];
+    if (axis.missed) {
+      axes += fmt::format("{}{} {:.4f} instead of {:.4f} mm", axes.empty() ? "" : ", ",
+                          static_cast<char>(report::axis_names[i][0] - 'a' + 'A'), axis.reached_mm,
+                          axis.wanted_mm);
+    }
+  }
+  fmt::print("    line {}: {:.60}: {}\n", point.file_line, point.text, axes);
+}
+
+void show_verdict(const report::Results& results) {
+  const bool colours = isatty(STDOUT_FILENO) != 0;
+  fmt::print("{}: {}, {}{}{}\n", results.file, name_of(results.outcome),
+             colours ? (results.good() ? green : red) : "", results.good() ? "good" : "BAD",
+             colours ? plain : "");
+  for (const std::string& problem : results.findings.problems) {
+    fmt::print("  ! {}\n", problem);
+  }
+}
+
+// The clocks that make the difference, and that boards have.
+void show_clock_advice(const report::Results& results) {
+  constexpr double worth_a_word_seconds = 0.2;
+  constexpr std::array round_clocks_hz{8'000'000U, 16'000'000U, 25'000'000U, 50'000'000U};
+  const auto* next = std::ranges::find_if(
+      round_clocks_hz, [&](std::uint32_t clock_hz) { return clock_hz > results.clock_hz; });
+  if (results.processor_saturated_seconds < worth_a_word_seconds || next == round_clocks_hz.end()) {
+    return;
+  }
+  fmt::print("  the processor was the limit for {:.1f} s: --clock-hz {} makes it faster\n",
+             results.processor_saturated_seconds, *next);
+}
+
+}  // namespace
+
+void print_summary(const PrintOptions& options, const report::Results& results) {
+  const report::Findings& findings = results.findings;
+  show_verdict(results);
+  fmt::print(
+      "  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
+      results.simulated_seconds, results.clock_hz * 1e-6, results.wall_seconds,
+      static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6);
+  fmt::print("  {} lines, {} resends, {} lost; {} refused that should move or heat, {} warning{}\n",
+             results.lines_sent, results.resends, findings.lines_lost, findings.refused_count,
+             findings.warning_count, findings.warning_count == 1 ? "" : "s");
+  fmt::print(
+      "  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
+      results.points_reached, results.points_reached + results.points_missed,
+      results.max_deviation_mm);
+  std::uint64_t illegal = 0, lost = 0;
+  for (const report::AxisResult& axis : results.axes) {
+    illegal += axis.illegal_pulses;
+    lost += axis.disabled_pulses + axis.slipped_steps + axis.frame_steps;
+  }
+  fmt::print(
+      "  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
+      illegal, lost, results.underruns, results.processor_busy_percent);
+  if (options.printer.stepping == "software") {
+    fmt::print("  steps made in software: {} ticks were late\n", results.late_ticks);
+  }
+  show_clock_advice(results);
+  show_lines("refused", findings.refused, findings.refused_count, show_refused);
+  show_lines("missed", findings.missed, results.points_missed, show_missed);
+  show_lines("warnings", findings.warnings, findings.warning_count, show_refused);
+  fmt::print("  {} messages of the chip; report: {}\n", results.messages.size(),
+             (options.report / "report.html").string());
+}
+
+}  // namespace command
