@@ -40,6 +40,14 @@ class ElfFile {
     if (header_.e_type != ET_EXEC) {
       fail("is not an executable: link it to fixed addresses");
     }
+    if ((header_.e_flags & EF_RISCV_RVE) != 0) {
+      fail("is compiled for RV32E with 16 registers: compile it for -mabi=ilp32");
+    }
+    if ((header_.e_flags & EF_RISCV_FLOAT_ABI) != EF_RISCV_FLOAT_ABI_SOFT) {
+      fail(
+          "passes floating-point numbers in registers that the chip does not have: compile it for "
+          "-march=rv32imc_zicsr -mabi=ilp32");
+    }
   }
   ElfFile(const ElfFile&) = delete;
   ElfFile& operator=(const ElfFile&) = delete;
@@ -86,6 +94,8 @@ std::size_t header_bytes(ElfFile& file, const GElf_Phdr& segment) {
   return segment.p_offset == 0 && first != end ? first - segment.p_vaddr : 0;
 }
 
+constexpr GElf_Xword address_space = GElf_Xword{1} << 32;
+
 std::vector<ElfSegment> segments_of(ElfFile& file) {
   std::vector<ElfSegment> segments;
   std::size_t count = 0;
@@ -103,6 +113,10 @@ std::vector<ElfSegment> segments_of(ElfFile& file) {
     if (content == nullptr || header.p_offset + header.p_filesz > file_size ||
         header.p_filesz > header.p_memsz || header.p_memsz > 0x1000'0000) {
       file.fail("is damaged: a segment lies beyond its end");
+    }
+    if (header.p_paddr + header.p_memsz > address_space || header.p_vaddr > address_space) {
+      file.fail(fmt::format("loads {} bytes at {:#010x}, beyond the end of the address space",
+                            header.p_memsz, header.p_paddr));
     }
     const std::size_t skipped = std::min<std::size_t>(header_bytes(file, header), header.p_filesz);
     ElfSegment segment{static_cast<std::uint32_t>(header.p_paddr + skipped),
@@ -162,7 +176,7 @@ void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
 constexpr std::uint32_t memory_start = 0x8000'0000;
 
 // The first address behind the chip's memory, the size of which is a power of 2.
-std::uint32_t memory_end(const Chip& chip) {
+std::uint64_t memory_end(const Chip& chip) {
   std::uint32_t size = 1;
   try {
     while (size != 0) {
@@ -171,7 +185,25 @@ std::uint32_t memory_end(const Chip& chip) {
     }
   } catch (const std::out_of_range&) {
   }
-  return memory_start + size;
+  return std::uint64_t{memory_start} + size;
+}
+
+// What is too large needs another remedy than what lies elsewhere.
+void check_place(const ElfSegment& segment, const Chip& chip) {
+  const std::uint64_t end = std::uint64_t{segment.address} + segment.bytes.size();
+  const std::uint64_t limit = memory_end(chip);
+  if (segment.address < memory_start || segment.address >= limit) {
+    throw std::runtime_error(
+        fmt::format("the program does not fit: it loads {} bytes at {:#010x}, but the chip's "
+                    "memory is {:#010x} to {:#010x}: link it there, as with -Ttext={:#010x}",
+                    segment.bytes.size(), segment.address, memory_start, limit - 1, memory_start));
+  }
+  if (end > limit) {
+    throw std::runtime_error(fmt::format(
+        "the program does not fit: it is too large: it loads {} bytes at {:#010x}, where the "
+        "chip's memory has room for {}, to {:#010x}",
+        segment.bytes.size(), segment.address, limit - segment.address, limit - 1));
+  }
 }
 
 }  // namespace
@@ -195,25 +227,19 @@ ElfImage read_elf(const std::filesystem::path& path) {
 
 void load(const ElfImage& image, Chip& chip) {
   for (const ElfSegment& segment : image.segments) {
-    const std::uint32_t end = segment.address + static_cast<std::uint32_t>(segment.bytes.size());
-    try {
-      // Segments may begin and end within a word.
-      for (std::uint32_t word = segment.address & ~3U; word < end; word += 4) {
-        std::uint32_t value = chip.read_memory(word);
-        for (std::uint32_t i = 0; i < 4; ++i) {
-          const std::uint32_t address = word + i;
-          if (address >= segment.address && address < end) {
-            value &= ~(0xffU << (8 * i));
-            value |= std::uint32_t{segment.bytes[address - segment.address]} << (8 * i);
-          }
+    check_place(segment, chip);
+    const std::uint64_t end = std::uint64_t{segment.address} + segment.bytes.size();
+    // Segments may begin and end within a word.
+    for (std::uint64_t word = segment.address & ~3U; word < end; word += 4) {
+      std::uint32_t value = chip.read_memory(static_cast<std::uint32_t>(word));
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint64_t address = word + i;
+        if (address >= segment.address && address < end) {
+          value &= ~(0xffU << (8 * i));
+          value |= std::uint32_t{segment.bytes[address - segment.address]} << (8 * i);
         }
-        chip.write_memory(word, value);
       }
-    } catch (const std::out_of_range&) {
-      throw std::runtime_error(fmt::format(
-          "the program does not fit: it loads {} bytes at {:#010x}, but the chip's "
-          "memory is {:#010x} to {:#010x}: link it there, as with -Ttext={:#010x}",
-          segment.bytes.size(), segment.address, memory_start, memory_end(chip) - 1, memory_start));
+      chip.write_memory(static_cast<std::uint32_t>(word), value);
     }
   }
 }

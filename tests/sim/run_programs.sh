@@ -36,6 +36,14 @@ expect_text '^cycles [1-9]'
 expect_text '^instructions [1-9]'
 program 7
 expect 3 run "$work/program.elf"
+# A program's status is never one of the command's own.
+for status in 122 123 124 125 130 255 1000; do
+  program $((2 * status + 1))
+  expect $((status < 123 ? status : 123)) run "$work/program.elf"
+  expect_text "^failed: tohost = $((2 * status + 1)), status $status"
+done
+program 2
+expect 1 run "$work/program.elf"
 program 0
 expect 124 run "$work/program.elf" --max-cycles 20000
 expect_text 'within 20000 cycles: it still runs'
@@ -57,9 +65,10 @@ expect 0 run "$work/program.elf"
 expect_text '^passed: tohost = 1$'
 field_body 'li a0, 1\ncheck a0, 1\ncheck a0, 2'
 expect 2 run "$work/program.elf"
-expect_text '^failed: tohost = 5$'
+expect_text '^failed: tohost = 5, status 2$'
 field_body '.word 0'
-expect 255 run "$work/program.elf"
+expect 123 run "$work/program.elf"
+expect_text ', status [0-9]*, which the exit status says as 123$'
 field_body '1: j 1b'
 expect 124 run "$work/program.elf" --max-cycles 1000
 field_body 'wfi'
@@ -69,7 +78,7 @@ field_body 'csrw mtvec, zero\n.word 0'
 expect 124 run "$work/program.elf" --max-cycles 1000
 expect_text 'completes no instruction any more'
 field_body '.data\n.space 65536\n.text'
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'does not fit'
 
 # The signature: words that the program has written, and those that it found; none of a program without one.
@@ -78,33 +87,37 @@ field_body 'la a0, begin_signature\nli a1, 0x89abcdef\nsw a1, 4(a0)
 begin_signature: .word 0x1234, 0, -1\nend_signature: .text'
 expect 0 run "$work/program.elf" --signature "$work/signature"
 printf '%s\n' 00001234 89abcdef ffffffff | diff - "$work/signature" || failures=$((failures + 1))
-expect 2 run "$work/program.elf" --signature "$work/missing/signature"
+expect 125 run "$work/program.elf" --signature "$work/missing/signature"
 expect_text 'cannot write the signature to .*missing/signature'
 riscv64-unknown-elf-objcopy --redefine-sym end_signature=other \
   --add-symbol end_signature=0x90000000,global "$work/program.elf"
-expect 2 run "$work/program.elf" --signature "$work/signature"
+expect 125 run "$work/program.elf" --signature "$work/signature"
 expect_text 'end_signature. at 0x90000000.*no whole words'
 field_body 'nop'
-expect 2 run "$work/program.elf" --signature "$work/signature"
+expect 125 run "$work/program.elf" --signature "$work/signature"
 expect_text 'no symbol .begin_signature'
 
 field_body 'nop' -Wl,--defsym=other=0
 riscv64-unknown-elf-objcopy --globalize-symbol=tohost --redefine-sym tohost=elsewhere \
   --add-symbol tohost=0x90000000,global "$work/program.elf"
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'tohost.*no memory'
 
-expect 2 run "$work/missing.elf"
+expect 125 run "$work/missing.elf"
 expect_text 'No such file'
 echo 'G28' > "$work/text.elf"
-expect 2 run "$work/text.elf"
+expect 125 run "$work/text.elf"
 expect_text 'is not an ELF file'
-expect 2 run /bin/true
+expect 125 run /bin/true
 expect_text 'not a program for 32-bit RISC-V'
-expect 2 run "$work/program.elf" --max-cycles none
+for cycles in none 0 -1 1e99 18446744073709551616; do
+  expect 125 run "$work/program.elf" --max-cycles $cycles
+  expect_text 'max-cycles'
+done
+expect 125 run
 compile -Wl,--defsym=stack_top=0x80010000 -x assembler - <<< '.globl _start
 _start: j _start'
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`'
 
 # A program linked without a script: the file's header lies before the memory, and is not loaded.
@@ -123,26 +136,49 @@ tohost: .word 0
 plain_link -Wl,-Ttext=0x80000000
 expect 0 run "$work/program.elf"
 riscv64-unknown-elf-strip "$work/program.elf"
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`, as it has no symbols at all'
 plain_link -Wl,-Ttext=0x80000100
 expect 0 run "$work/program.elf"
 plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x8000fffe
-expect 2 run "$work/program.elf"
-expect_text 'loads 4 bytes at 0x8000fffe.*memory is 0x80000000 to 0x8000ffff: link it there'
+expect 125 run "$work/program.elf"
+expect_text 'too large: it loads 4 bytes at 0x8000fffe, where.*has room for 2, to 0x8000ffff$'
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80010000
+expect 125 run "$work/program.elf"
+expect_text 'loads 4 bytes at 0x80010000.*memory is 0x80000000 to 0x8000ffff: link it there'
+plain_link -Wl,-Ttext=0x80000000
+# The size in memory of a segment such that its end wraps past 2^32.
+set_header_word() {
+  printf "$(printf '%08x' "$2" | sed 's/\(..\)\(..\)\(..\)\(..\)/\\x\4\\x\3\\x\2\\x\1/')" |
+    dd of="$work/program.elf" bs=1 seek="$1" conv=notrunc status=none
+}
+first_load=$(riscv64-unknown-elf-readelf -lW "$work/program.elf" |
+  awk '/^  [A-Z]/ && !/Type/ { if ($1 == "LOAD") { print n; exit } n++ }')
+header=$((52 + 32 * first_load))
+set_header_word $((header + 12)) 0xfffffff0
+set_header_word $((header + 20)) 0x10000
+expect 125 run "$work/program.elf"
+expect_text 'loads 65536 bytes at 0xfffffff0, beyond the end of the address space'
+# Flags of other calling conventions, as in programs for chips with such registers.
+for flags in '0x9 RV32E' '0x3 floating-point' '0x5 floating-point' '0x7 floating-point'; do
+  plain_link -Wl,-Ttext=0x80000000
+  set_header_word 36 "${flags% *}"
+  expect 125 run "$work/program.elf"
+  expect_text "${flags#* }.*compile it for .*-mabi=ilp32"
+done
 plain_link -Wl,-Ttext=0x80000000 -Wl,-Tdata=0x80001002
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'lies at 0x80001002: align it'
 plain_link
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'does not fit.*-Ttext=0x80000000'
 plain_link -march=rv64imac -mabi=lp64 -mcmodel=medany -Wl,-Ttext=0x80000000
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'compile it for -march=rv32imc_zicsr -mabi=ilp32'
-expect 2 run "$work"
+expect 125 run "$work"
 expect_text 'is a directory'
 : > "$work/program.elf"
-expect 2 run "$work/program.elf"
+expect 125 run "$work/program.elf"
 expect_text 'is not an ELF file'
 
 # What cannot be printed is told before anything moves, and the report says it too.

@@ -21,6 +21,8 @@ fresh=$([ -f "$build/bin/stepfabric" ] || echo yes)
 } > "$log" 2>&1 || {
   tail -n 40 "$log" >&2
   echo "stepfabric: the build failed; the whole log is in $log" >&2
+  # Lower ones are those of the program that `run` runs.
+  [ "${1-}" != run ] || exit 125
   exit 1
 }
 [ -z "$fresh" ] || echo "stepfabric: built in $((SECONDS - started)) s" >&2

@@ -7,8 +7,12 @@ namespace command {
 inline constexpr int success = 0;
 inline constexpr int failure = 1;  // the job was done and its outcome is bad
 inline constexpr int bad_input = 2;  // bad usage, or a file that is missing or no good
-inline constexpr int time_out =
-    124;  // a program did not end in time, as coreutils' timeout says it
 inline constexpr int interrupted = 130;  // Ctrl-C
+
+// `run` ends with the status of its program, 1 to 123, so its own failures lie above them, where
+// coreutils' `timeout` has them too.
+inline constexpr int highest_program_status = 123;  // or higher: the output says which
+inline constexpr int time_out = 124;  // the program did not end in time
+inline constexpr int not_run = 125;  // bad usage, or a file that is missing or no such program
 
 }  // namespace command

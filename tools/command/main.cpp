@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include "sim/machine/fault_plan.hpp"
 #include "tools/command/bench_job.hpp"
@@ -162,9 +163,11 @@ void add_run(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
   job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
   job.footer(
-      "Exit status: 0 where 1 was stored to `tohost`, otherwise the value >> 1 (1 to 255); 2 for a "
-      "file\n"
-      "that is no such program, 124 where nothing was stored within --max-cycles, 130 "
+      "Exit status: the program's, which is 0 where 1 was stored to `tohost`, otherwise the value "
+      ">> 1; from\n"
+      "123 on it is 123, and the output says the real one. Above that it is this command's: 124 "
+      "nothing was\n"
+      "stored within --max-cycles, 125 bad usage or a file that is no such program, 130 "
       "interrupted.");
 }
 
@@ -288,6 +291,11 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
 }
 
+// `run` leaves the low ones to its program.
+int bad_input_of(int count, char** arguments) {
+  return count > 1 && std::string_view(arguments[1]) == "run" ? not_run : bad_input;
+}
+
 int run_command(int count, char** arguments) {
   CLI::App app("StepFabric: an FPGA motion controller for 3D printers, and its co-simulation.",
                "stepfabric");
@@ -311,7 +319,7 @@ int run_command(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? success : bad_input;
+    return app.exit(error) == 0 ? success : bad_input_of(count, arguments);
   }
   catch_interrupts();
   return do_job(app, jobs, count, arguments);
@@ -330,6 +338,6 @@ int main(int count, char** arguments) {
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr, "stepfabric: {}\n", error.what());
-    return command::bad_input;
+    return command::bad_input_of(count, arguments);
   }
 }

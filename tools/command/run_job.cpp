@@ -23,7 +23,6 @@ namespace command {
 namespace {
 
 constexpr std::uint32_t reset_address = 0x8000'0000;
-constexpr std::uint32_t most_exit_status = 255;
 constexpr sim::Clock clocks_between_looks_at_the_keyboard = 100'000;
 
 class PrintedBytes : public devices::ByteListener {
@@ -45,12 +44,21 @@ void check_place(std::uint32_t tohost, const sim::Chip& chip) {
   }
 }
 
-int exit_status_of(std::uint32_t value) {
-  if (value == 1) {
+// 0 where the program passed; never 0 otherwise.
+std::uint32_t status_of(std::uint32_t value) {
+  return value == 1 ? 0 : std::max<std::uint32_t>(1, value >> 1);
+}
+
+int say_how_it_ended(std::uint32_t value) {
+  const std::uint32_t status = status_of(value);
+  if (status == 0) {
+    fmt::print("passed: tohost = {}\n", value);
     return success;
   }
-  const std::uint32_t status = value >> 1;
-  return static_cast<int>(std::clamp<std::uint32_t>(status, 1, most_exit_status));
+  constexpr std::uint32_t highest = highest_program_status;
+  fmt::print("failed: tohost = {}, status {}{}\n", value, status,
+             status > highest ? fmt::format(", which the exit status says as {}", highest) : "");
+  return static_cast<int>(std::min(status, highest));
 }
 
 // Clocks until `tohost` is written; 0 where it was not within `max_cycles`.
@@ -116,7 +124,7 @@ int run(const RunOptions& options) {
         "(passed) or 2 * status + 1 to it\n",
         options.program.string(),
         image.symbols.empty() ? ", as it has no symbols at all (is it stripped?)" : "");
-    return bad_input;
+    return not_run;
   }
   sim::VerilatedChip chip(options.clock_hz);
   load(image, chip);
@@ -150,9 +158,7 @@ int run(const RunOptions& options) {
     if (signature) {
       write_signature(*signature, chip, options.signature);
     }
-    const int status = exit_status_of(value);
-    fmt::print("{}: tohost = {}\n", status == success ? "passed" : "failed", value);
-    return status;
+    return say_how_it_ended(value);
   }
   if (interrupt_requested()) {
     return interrupted;
