@@ -35,31 +35,44 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
       host_(host),
       simulation_(simulation),
       points_(resolutions(printer), start_positions(printer), simulation.rate()),
-      tool_path_(resolutions(printer), start_positions(printer)),
+      tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
+      asked_path_(simulation.rate()),
+      axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
-      hotend_(false, simulation.rate(), [&printer] { return printer.hotend_c(); }),
-      bed_(true, simulation.rate(), [&printer] { return printer.bed_c(); }),
+      chip_record_(simulation.chip(), simulation.rate()),
+      hotend_(false, simulation.rate(), printer.description().hotend.heater_channel,
+              [&printer] { return printer.hotend_c(); }),
+      bed_(true, simulation.rate(), printer.description().bed.heater_channel,
+           [&printer] { return printer.bed_c(); }),
       messages_(simulation.rate()) {
   printer.add_step_listener(points_);
   printer.add_step_listener(tool_path_);
+  printer.add_step_listener(axis_courses_);
   printer.add_step_listener(steps_);
   if (!edges.empty()) {
     edges_ = std::make_unique<EdgeFile>(edges);
     printer.add_step_listener(*edges_);
   }
-  simulation.attach(hotend_, {});
-  simulation.attach(bed_, {});
+  const machine::Description& description = printer.description();
+  simulation.attach(hotend_, sim::OutputPins::heater_pin(description.hotend.heater_channel));
+  simulation.attach(bed_, sim::OutputPins::heater_pin(description.bed.heater_channel));
+  simulation.attach(chip_record_, {});
   host.add_listener(*this);
   for (devices::HostListener* listener : std::initializer_list<devices::HostListener*>{
-           &points_, &refusals_, &hotend_, &bed_, &messages_}) {
+           &points_, &refusals_, &asked_path_, &hotend_, &bed_, &messages_}) {
     host.add_listener(*listener);
   }
 }
 
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
-  if (executed && command.starts_with("G28") && !points_.homed()) {
-    tool_path_.begin_here();
+  if (!executed) {
+    return;
+  }
+  const Request request = GcodePath().read(command);
+  if (const Homing* homing = std::get_if<Homing>(&request);
+      homing && tool_path_.homed(homing->axes)) {
+    asked_path_.begin_here();
   }
 }
 
@@ -143,8 +156,19 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
 }
 
 Courses Recorder::courses() const {
-  return {tool_path_.points(), hotend_.samples(), bed_.samples(), steps_.buckets(),
-          steps_.intervals()};
+  Courses courses{.path = tool_path_.points(),
+                  .asked = asked_path_.lines(),
+                  .hotend = hotend_.samples(),
+                  .bed = bed_.samples(),
+                  .axes = axis_courses_.courses(simulation_.now()),
+                  .chip = chip_record_.course(),
+                  .intervals = steps_.intervals()};
+  for (std::size_t i = 0; i < courses.limits.size(); ++i) {
+    const machine::AxisDescription& axis = printer_.description().axes[i];
+    courses.limits[i] = {axis.steps_per_mm, axis.max_speed_mm_s, axis.max_acceleration_mm_s2,
+                         axis.jerk_mm_s};
+  }
+  return courses;
 }
 
 void Recorder::close_edges() {

@@ -7,6 +7,9 @@
 
 #include "sim/devices/host_listener.hpp"
 #include "sim/machine/printer.hpp"
+#include "sim/report/asked_path.hpp"
+#include "sim/report/axis_courses.hpp"
+#include "sim/report/chip_record.hpp"
 #include "sim/report/edge_file.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/report/point_check.hpp"
@@ -46,7 +49,10 @@ class Recorder : public devices::HostListener {
   PointCheck points_;
   RefusalLog refusals_;
   ToolPath tool_path_;
+  AskedPath asked_path_;
+  AxisCourses axis_courses_;
   StepStatistics steps_;
+  ChipRecord chip_record_;
   TemperatureRecord hotend_;
   TemperatureRecord bed_;
   MessageLog messages_;

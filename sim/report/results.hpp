@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/asked_path.hpp"
+#include "sim/report/axis_courses.hpp"
+#include "sim/report/chip_record.hpp"
 #include "sim/report/findings.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/report/step_statistics.hpp"
@@ -78,12 +81,23 @@ struct Results {
   bool good() const { return findings.problems.empty(); }
 };
 
+// What the machine's description permits an axis.
+struct AxisLimits {
+  double steps_per_mm{};
+  double speed_mm_s{};
+  double acceleration_mm_s2{};
+  double jerk_mm_s{};  // a jump of speed at a corner
+};
+
 // What only the pictures need.
 struct Courses {
   std::vector<ToolPoint> path;
+  std::vector<AskedLine> asked;
   std::vector<TemperatureSample> hotend;
   std::vector<TemperatureSample> bed;
-  std::vector<std::array<std::uint32_t, StepStatistics::axes>> steps;  // per bucket of time
+  std::array<AxisCourse, AxisCourses::axes> axes;
+  std::array<AxisLimits, AxisCourses::axes> limits{};
+  ChipCourse chip;
   std::array<StepStatistics::Histogram, StepStatistics::axes> intervals{};
 };
 

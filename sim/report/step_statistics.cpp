@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counting of steps in buckets of time and in bins of intervals.
+// Counting of steps in bins of intervals.
 #include "sim/report/step_statistics.hpp"
 
 #include <algorithm>
@@ -7,8 +7,7 @@
 
 namespace report {
 
-StepStatistics::StepStatistics(sim::ClockRate rate)
-    : rate_(rate), bucket_clocks_(std::max<sim::Clock>(1, rate.clocks(bucket_seconds))) {
+StepStatistics::StepStatistics(sim::ClockRate rate) : rate_(rate) {
   last_edge_.fill(sim::never);
   shortest_.fill(sim::never);
 }
@@ -17,11 +16,6 @@ void StepStatistics::stepped(const devices::StepEdge& edge) {
   if (edge.axis >= axes) {
     return;
   }
-  const std::size_t bucket = edge.clock / bucket_clocks_;
-  if (bucket >= buckets_.size()) {
-    buckets_.resize(bucket + 1);
-  }
-  ++buckets_[bucket][edge.axis];
   sim::Clock& last = last_edge_[edge.axis];
   if (last != sim::never) {
     const sim::Clock interval = edge.clock - last;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Step rates over time and the distribution of step intervals, per axis.
+// The distribution of step intervals and the highest step rate, per axis.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "sim/devices/step_edge.hpp"
 #include "sim/simulation/clock_rate.hpp"
@@ -14,7 +13,6 @@ namespace report {
 class StepStatistics : public devices::StepListener {
  public:
   static constexpr std::size_t axes = 4;
-  static constexpr double bucket_seconds = 0.1;
   // Intervals from 1 us to 1 s in logarithmic bins.
   static constexpr std::size_t bins_per_decade = 20;
   static constexpr std::size_t bins = 6 * bins_per_decade;
@@ -24,8 +22,6 @@ class StepStatistics : public devices::StepListener {
 
   void stepped(const devices::StepEdge& edge) override;
 
-  // Steps per bucket of time.
-  const std::vector<std::array<std::uint32_t, axes>>& buckets() const { return buckets_; }
   const std::array<Histogram, axes>& intervals() const { return intervals_; }
   // 1 / the shortest interval between two edges; 0 where there are none.
   double max_step_rate_hz(std::size_t axis) const;
@@ -33,8 +29,6 @@ class StepStatistics : public devices::StepListener {
 
  private:
   sim::ClockRate rate_;
-  sim::Clock bucket_clocks_;
-  std::vector<std::array<std::uint32_t, axes>> buckets_;
   std::array<Histogram, axes> intervals_{};
   std::array<sim::Clock, axes> last_edge_;
   std::array<sim::Clock, axes> shortest_;

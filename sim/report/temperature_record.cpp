@@ -12,16 +12,38 @@ constexpr double sample_interval_seconds = 0.25;
 constexpr double arrived_c = 1.0;
 }  // namespace
 
-TemperatureRecord::TemperatureRecord(bool bed, sim::ClockRate rate, std::function<double()> celsius)
-    : bed_(bed), rate_(rate), celsius_(std::move(celsius)) {
+TemperatureRecord::TemperatureRecord(bool bed, sim::ClockRate rate, std::size_t heater_channel,
+                                     std::function<double()> celsius)
+    : bed_(bed), rate_(rate), heater_channel_(heater_channel), celsius_(std::move(celsius)) {
   next_wake_ = 0;
+}
+
+void TemperatureRecord::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {
+  if (open_) {
+    open_clocks_ += now - open_since_;
+  }
+  open_ = pins.heater(heater_channel_);
+  open_since_ = now;
+}
+
+double TemperatureRecord::take_duty(sim::Clock now) {
+  if (open_) {
+    open_clocks_ += now - open_since_;
+    open_since_ = now;
+  }
+  const sim::Clock passed = now - sampled_at_;
+  const double duty =
+      passed > 0 ? static_cast<double>(open_clocks_) / static_cast<double>(passed) : 0.0;
+  open_clocks_ = 0;
+  sampled_at_ = now;
+  return duty;
 }
 
 void TemperatureRecord::wake(sim::Clock now) {
   next_wake_ = now + rate_.clocks(sample_interval_seconds);
   const double celsius = celsius_();
   const double seconds = rate_.seconds(now);
-  samples_.push_back({seconds, celsius, target_c_});
+  samples_.push_back({seconds, celsius, target_c_, take_duty(now)});
   result_.max_c = std::max(result_.max_c, celsius);
   if (target_c_ > 0 && result_.seconds_to_target < 0 && celsius >= target_c_ - arrived_c) {
     result_.seconds_to_target = seconds - first_asked_seconds_;

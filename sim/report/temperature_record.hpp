@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temperatures over time and how well they were held, for the hotend or the bed.
+// Temperatures and the heater's duty over time and how well targets were held, of hotend or bed.
 #pragma once
 
 #include <functional>
@@ -16,6 +16,7 @@ struct TemperatureSample {
   double seconds{};
   double celsius{};
   double target_c{};
+  double duty{};  // part of the time since the sample before in which the heater's gate was open
 };
 
 struct TemperatureResult {
@@ -27,9 +28,11 @@ struct TemperatureResult {
 
 class TemperatureRecord : public sim::Device, public devices::HostListener {
  public:
-  // `celsius` reads the true temperature of the plant.
-  TemperatureRecord(bool bed, sim::ClockRate rate, std::function<double()> celsius);
+  // `celsius` reads the true temperature of the plant. To be attached to the pin of the heater.
+  TemperatureRecord(bool bed, sim::ClockRate rate, std::size_t heater_channel,
+                    std::function<double()> celsius);
 
+  void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) override;
   void wake(sim::Clock now) override;
   void command_sent(sim::Clock now, std::size_t file_line, std::string_view command) override;
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
@@ -41,11 +44,18 @@ class TemperatureRecord : public sim::Device, public devices::HostListener {
   TemperatureResult result() const;
 
  private:
+  double take_duty(sim::Clock now);
+
   bool bed_;
   sim::ClockRate rate_;
+  std::size_t heater_channel_;
   std::function<double()> celsius_;
   GcodePath gcode_;
   std::vector<TemperatureSample> samples_;
+  bool open_ = false;  // the heater's gate
+  sim::Clock open_since_ = 0;
+  sim::Clock open_clocks_ = 0;  // since the latest sample
+  sim::Clock sampled_at_ = 0;
   double target_c_ = 0;
   double first_asked_seconds_ = 0;
   bool held_ = false;

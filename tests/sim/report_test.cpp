@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report's formats are contracts: names of report.json, columns of the edges, one page of HTML.
-#include <gmock/gmock.h>
+// The report's formats are contracts: names of report.json, columns of the edges.
+#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,13 +9,11 @@
 #include <set>
 
 #include "sim/report/edge_file.hpp"
-#include "sim/report/html_report.hpp"
 #include "sim/report/json_report.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 report::Results some_results() {
   report::Results results;
@@ -40,12 +38,6 @@ void collect_names(const nlohmann::json& json, const std::string& prefix,
       names.insert(prefix + key);
     }
   }
-}
-
-// Why a picture is missing; empty where none is.
-std::string note_in(const std::string& page) {
-  const std::size_t at = page.find("No picture");
-  return at == std::string::npos ? "" : page.substr(at, 300);
 }
 
 TEST(JsonReport, has_every_name_of_the_contract) {
@@ -113,46 +105,6 @@ TEST(EdgeFile, has_the_columns_of_the_contract) {
 
 TEST(EdgeFile, says_where_it_cannot_write) {
   EXPECT_THROW(report::EdgeFile("no/such/folder/edges.csv"), std::runtime_error);
-}
-
-TEST(HtmlReport, shows_pictures_numbers_and_escaped_texts_in_one_file) {
-  report::Courses courses;
-  courses.path = {
-      {0, 0, 0, false}, {10, 0, 0.2F, false}, {10, 10, 0.2F, true}, {20, 10, 0.4F, true}};
-  courses.hotend = {{0, 22, 205}, {1, 30, 205}};
-  courses.bed = {{0, 22, 0}, {1, 22, 0}};
-  courses.steps = {{10, 0, 0, 3}, {0, 20, 0, 5}};
-  courses.intervals[0][40] = 9;
-  const std::string page = report::to_html(some_results(), courses);
-  EXPECT_THAT(page, HasSubstr("part &lt;1&gt;.gcode"));
-  EXPECT_THAT(page, HasSubstr("Thermal Runaway"));
-  EXPECT_THAT(page, HasSubstr("echo:Unknown command: &quot;M999&quot;"));
-  EXPECT_EQ(note_in(page), "");
-  std::size_t pictures = 0;
-  for (std::size_t at = page.find("<svg"); at != std::string::npos;
-       at = page.find("<svg", at + 1)) {
-    ++pictures;
-  }
-  EXPECT_EQ(pictures, 5U);
-  EXPECT_THAT(page, testing::Not(HasSubstr("src=\"http")));
-}
-
-TEST(HtmlReport, shows_a_print_in_which_nothing_happened) {
-  const std::string page = report::to_html(some_results(), {});
-  EXPECT_EQ(note_in(page), "");
-}
-
-TEST(ToolPath, leaves_out_what_lies_on_a_line_and_keeps_corners_and_changes) {
-  std::vector<report::ToolPoint> points{{0, 0, 0, false}};
-  for (int i = 1; i <= 100; ++i) {
-    points.push_back({static_cast<float>(i), 0, 0, i > 50});
-  }
-  points.push_back({100, 50, 0, true});
-  const auto kept = report::simplified(points, 0.01);
-  ASSERT_EQ(kept.size(), 4U);
-  EXPECT_EQ(kept[1].x, 50);
-  EXPECT_FALSE(kept[1].extruding);
-  EXPECT_EQ(kept[2].x, 100);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "sim/report/gnuplot.hpp"
+#include "tools/benchmark/gnuplot.hpp"
 #include "tools/benchmark/published_figures.hpp"
 #include "tools/benchmark/stepping_report.hpp"
 
@@ -79,7 +79,7 @@ std::string to_svg(const Comparison& comparison) {
       "'software', $hardware using 1:2 with linespoints pt 7 ps 0.5 lw 2 lc rgb '#2f62b8' title "
       "'hardware'\nunset multiplot\n",
       comparison.clock_hz * 1e-6);
-  return report::svg_of("stepping", {1100, 420}, fmt::to_string(script));
+  return svg_of("stepping", {1100, 420}, fmt::to_string(script));
 }
 
 std::string to_html(const Comparison& comparison) {

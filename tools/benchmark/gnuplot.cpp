@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calling gnuplot as a program, with the script and its messages in a folder of their own.
-#include "sim/report/gnuplot.hpp"
+#include "tools/benchmark/gnuplot.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace report {
+namespace benchmarks {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::string svg_of(const std::string& name, PictureSize size, const std::string&
   return svg.substr(begin);
 }
 
-}  // namespace report
+}  // namespace benchmarks

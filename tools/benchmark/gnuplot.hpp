@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace report {
+namespace benchmarks {
 
 struct PictureSize {
   int width{};
@@ -15,4 +15,4 @@ struct PictureSize {
 // with gnuplot's message.
 std::string svg_of(const std::string& name, PictureSize size, const std::string& script);
 
-}  // namespace report
+}  // namespace benchmarks
