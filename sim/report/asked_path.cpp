@@ -12,7 +12,7 @@ void AskedPath::command_acknowledged(sim::Clock now, std::size_t file_line,
   if (move == nullptr) {
     return;
   }
-  AskedLine line{.file_line = file_line,
+  AskedMove line{.file_line = file_line,
                  .seconds = rate_.seconds(now),
                  .extrudes = move->to[3] > move->from[3],
                  .executed = executed};

@@ -12,7 +12,7 @@
 
 namespace report {
 
-struct AskedLine {
+struct AskedMove {
   std::size_t file_line{};
   double seconds{};  // when the chip answered it; motion follows
   std::array<float, 3> from{}, to{};  // mm, in the coordinates of ToolPath
@@ -30,12 +30,12 @@ class AskedPath : public devices::HostListener {
   // Forgets the lines before, which were not in the coordinates of the machine.
   void begin_here() { lines_.clear(); }
 
-  const std::vector<AskedLine>& lines() const { return lines_; }
+  const std::vector<AskedMove>& lines() const { return lines_; }
 
  private:
   sim::ClockRate rate_;
   GcodePath gcode_;
-  std::vector<AskedLine> lines_;
+  std::vector<AskedMove> lines_;
 };
 
 }  // namespace report

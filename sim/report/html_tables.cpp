@@ -53,15 +53,15 @@ void add_messages(Page& page, const Results& results) {
     return;
   }
   add(page,
-      "<div class=\"scroll\"><table><tr><th class=\"text\">time</th><th>line</th>"
+      "<div class=\"scroll\"><table><tr><th>line</th><th>time</th>"
       "<th class=\"text\">message</th></tr>\n");
   for (const Message& message : results.messages) {
     add(page,
-        "<tr{}><td class=\"text\"><a href=\"#path\" data-t=\"{:.4f}\">{:.3f} s</a></td><td>{}</td>"
+        "<tr{}><td>{}</td><td><a href=\"#path\" data-t=\"{:.4f}\">{:.3f}&nbsp;s</a></td>"
         "<td class=\"text\">{}</td></tr>\n",
-        message.error ? " class=\"error\"" : "", message.seconds, message.seconds,
+        message.error ? " class=\"error\"" : "",
         message.file_line == 0 ? std::string("–") : std::to_string(message.file_line),
-        escaped(message.text));
+        message.seconds, message.seconds, escaped(message.text));
   }
   add(page, "</table></div>\n");
   if (results.messages_dropped > 0) {

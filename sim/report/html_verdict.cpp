@@ -70,9 +70,17 @@ void add_count(Page& page, std::uint64_t count, const char* what, const char* ta
            count == 0 ? nullptr : target);
 }
 
-// A link that the page's scripts follow to a time and, if there is one, a place.
-std::string time_link(double seconds, const std::string& place = {}) {
-  return fmt::format("<a href=\"#path\" data-t=\"{:.4f}\"{}>{:.3f} s</a>", seconds, place, seconds);
+// Two places that are to be seen together, for the page's scripts.
+template <class Number>
+std::string places(const std::array<Number, 3>& one, const std::array<Number, 3>& other) {
+  return fmt::format(" data-places=\"{:.3f} {:.3f} {:.3f} {:.3f} {:.3f} {:.3f}\"", one[0], one[1],
+                     one[2], other[0], other[1], other[2]);
+}
+
+// A link that the page's scripts follow to a time and, if there are any, to places.
+std::string time_link(double seconds, const std::string& places = {}) {
+  return fmt::format("<a href=\"#path\" data-t=\"{:.4f}\"{}>{:.3f}&nbsp;s</a>", seconds, places,
+                     seconds);
 }
 
 void add_more(Page& page, std::uint64_t count, std::size_t listed) {
@@ -87,21 +95,16 @@ void add_lines(Page& page, const char* id, const char* title, const std::vector<
     return;
   }
   add(page,
-      "<section id=\"{}\"><h2>{}: {}</h2><div class=\"scroll\"><table><tr><th "
-      "class=\"text\">line</th><th class=\"text\">text</th><th class=\"text\">reason</th>"
-      "<th>time</th></tr>\n",
+      "<section id=\"{}\"><h2>{}: {}</h2><div class=\"scroll\"><table><tr><th>line</th>"
+      "<th>answered</th><th class=\"text\">text</th><th class=\"text\">reason</th></tr>\n",
       id, title, grouped(count));
   for (const RefusedLine& line : lines) {
     const RefusalPlace place = place_of(line, results, courses);
-    const std::string position =
-        place.has_position ? fmt::format(" data-x=\"{:.3f}\" data-y=\"{:.3f}\" data-z=\"{:.3f}\"",
-                                         place.to[0], place.to[1], place.to[2])
-                           : "";
+    const std::string seen = place.moves ? places(place.from, place.to) : "";
     add(page,
-        "<tr><td class=\"text\">{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td>"
-        "<td>{}</td></tr>\n",
-        line.file_line, escaped(line.text), escaped(line.reason),
-        place.known ? time_link(place.seconds, position) : "–");
+        "<tr><td>{}</td><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
+        line.file_line, place.known ? time_link(place.seconds, seen) : "–", escaped(line.text),
+        escaped(line.reason));
   }
   add(page, "</table></div>\n");
   add_more(page, count, lines.size());
@@ -115,12 +118,13 @@ std::string with_breaks(std::string text) {
   return text;
 }
 
-void add_missed(Page& page, const Findings& findings) {
-  if (findings.missed_count == 0) {
+void add_missed(Page& page, const Results& results) {
+  const Findings& findings = results.findings;
+  if (results.points_missed == 0) {
     return;
   }
   add(page, "<section id=\"missed\"><h2>Missed points: {}</h2>\n<p class=\"note\">",
-      grouped(findings.missed_count));
+      grouped(results.points_missed));
   const char* between = "";
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (findings.missed_by_axis[i] > 0) {
@@ -130,20 +134,21 @@ void add_missed(Page& page, const Findings& findings) {
     }
   }
   add(page,
-      "</p>\n<div class=\"scroll\"><table><tr><th class=\"text\">line</th><th class=\"text\">text"
-      "</th><th class=\"text\">missed by</th><th>time</th></tr>\n");
+      "</p>\n<div class=\"scroll\"><table><tr><th>line</th><th>time</th>"
+      "<th class=\"text\">text</th><th class=\"text\">missed by</th></tr>\n");
   for (const MissedPoint& point : findings.missed) {
-    const std::string place =
-        fmt::format(" data-x=\"{:.3f}\" data-y=\"{:.3f}\" data-z=\"{:.3f}\"",
-                    point.axes[0].wanted_mm, point.axes[1].wanted_mm, point.axes[2].wanted_mm);
+    std::array<double, 3> wanted{}, reached{};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      wanted[i] = point.axes[i].wanted_mm;
+      reached[i] = point.axes[i].reached_mm;
+    }
     add(page,
-        "<tr><td class=\"text\">{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td>"
-        "<td>{}</td></tr>\n",
-        point.file_line, escaped(point.text), with_breaks(escaped(words_of(point))),
-        time_link(point.seconds, place));
+        "<tr><td>{}</td><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
+        point.file_line, time_link(point.seconds, places(wanted, reached)), escaped(point.text),
+        with_breaks(escaped(words_of(point))));
   }
   add(page, "</table></div>\n");
-  add_more(page, findings.missed_count, findings.missed.size());
+  add_more(page, results.points_missed, findings.missed.size());
   add(page, "</section>\n");
 }
 
@@ -202,7 +207,7 @@ void add_facts(Page& page, const Results& results) {
   const Findings& findings = results.findings;
   add(page, "<div class=\"facts\">\n");
   add_count(page, findings.refused_count, "refused lines", "refused");
-  add_count(page, findings.missed_count, "missed points", "missed");
+  add_count(page, results.points_missed, "missed points", "missed");
   add_count(page, results.underruns, "underruns", "underruns");
   add_count(page, illegal_pulses(results), "illegal pulses", "axes");
   add_fact(page, grouped(results.resends), "resends",
@@ -228,7 +233,7 @@ void add_problems(Page& page, const Results& results, const Courses& courses) {
   const Findings& findings = results.findings;
   add_lines(page, "refused", "Refused lines", findings.refused, findings.refused_count, results,
             courses);
-  add_missed(page, findings);
+  add_missed(page, results);
   add_underruns(page, results, courses);
   add_lines(page, "warnings", "Warnings: lines that move nothing", findings.warnings,
             findings.warning_count, results, courses);

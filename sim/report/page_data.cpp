@@ -72,11 +72,11 @@ Json path_json(const std::vector<ToolPoint>& points) {
 }
 
 // Kinds: 0 the pen is lifted to here, 1 travel, 2 extrusion, 3 refused.
-Json asked_json(const std::vector<AskedLine>& lines) {
+Json asked_json(const std::vector<AskedMove>& lines) {
   PackedLine packed;
   Differences file_lines;
   std::array<float, 3> at{};
-  for (const AskedLine& line : lines) {
+  for (const AskedMove& line : lines) {
     const auto file_line = static_cast<double>(line.file_line);
     if (packed.kind.empty() || line.from != at) {
       packed.put(line.from, line.seconds, '0');
@@ -192,15 +192,15 @@ std::string words_of(const MissedPoint& point) {
 }
 
 RefusalPlace place_of(const RefusedLine& line, const Results& results, const Courses& courses) {
-  const auto asked = std::ranges::find_if(courses.asked, [&](const AskedLine& candidate) {
+  const auto asked = std::ranges::find_if(courses.asked, [&](const AskedMove& candidate) {
     return !candidate.executed && candidate.file_line == line.file_line;
   });
   if (asked != courses.asked.end()) {
-    return {true, asked->seconds, true, asked->to};
+    return {true, asked->seconds, true, asked->from, asked->to};
   }
   const auto message = std::ranges::find(results.messages, line.file_line, &Message::file_line);
   if (message != results.messages.end()) {
-    return {true, message->seconds, false, {}};
+    return {true, message->seconds, false, {}, {}};
   }
   return {};
 }

@@ -20,8 +20,8 @@ std::string words_of(const MissedPoint& point);
 struct RefusalPlace {
   bool known{};
   double seconds{};
-  bool has_position{};
-  std::array<float, 3> to{};
+  bool moves{};
+  std::array<float, 3> from{}, to{};  // where it moves
 };
 RefusalPlace place_of(const RefusedLine& line, const Results& results, const Courses& courses);
 

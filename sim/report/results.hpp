@@ -92,7 +92,7 @@ struct AxisLimits {
 // What only the pictures need.
 struct Courses {
   std::vector<ToolPoint> path;
-  std::vector<AskedLine> asked;
+  std::vector<AskedMove> asked;
   std::vector<TemperatureSample> hotend;
   std::vector<TemperatureSample> bed;
   std::array<AxisCourse, AxisCourses::axes> axes;

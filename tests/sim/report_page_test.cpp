@@ -36,12 +36,12 @@ report::Results bad_results() {
   findings.warnings = {{9, "M999", "echo:Unknown command", false}};
   findings.refused_count = 1;
   findings.warning_count = 1;
-  report::MissedPoint point{.file_line = 7, .text = "G1 X10 E1", .seconds = 1.25};
+  report::MissedPoint point{.file_line = 7, .text = "G1 X10 E1;</script>", .seconds = 1.25};
   point.axes[0] = {true, 10, 800, 720, 9};
   point.axes[1] = {false, 20, 1600, 1600, 20};
   point.axes[3] = {true, 1, 500, 499, 0.998};
   findings.missed = {point};
-  findings.missed_count = 40;
+  results.points_missed = 40;
   findings.missed_by_axis = {40, 0, 0, 1};
   findings.problems = {"40 points were missed", "1 line was <refused>"};
   results.underruns = 3;
@@ -148,8 +148,11 @@ TEST(ReportPage, lists_refused_lines_with_text_reason_and_a_link_to_the_place) {
   const std::string page = report::to_html(bad_results(), some_courses());
   const std::string section = between(page, "<section id=\"refused\">", "</section>");
   EXPECT_THAT(tests::text_without_tags(section),
-              testing::ContainsRegex("4 +G2 X&lt;1&gt; I2 +echo:Unknown command: &quot;G2&quot;"));
-  EXPECT_THAT(section, HasSubstr("data-t=\"0.2000\" data-x=\"300.000\" data-y=\"0.000\""));
+              testing::ContainsRegex(
+                  "4 +0.200&nbsp;s +G2 X&lt;1&gt; I2 +echo:Unknown command: &quot;G2&quot;"));
+  EXPECT_THAT(
+      section,
+      HasSubstr("data-t=\"0.2000\" data-places=\"10.000 0.000 0.200 300.000 0.000 0.200\""));
   EXPECT_THAT(between(page, "<section id=\"warnings\">", "</section>"), HasSubstr("M999"));
 }
 
@@ -158,7 +161,9 @@ TEST(ReportPage, lists_missed_points_with_the_axes_and_a_link_to_the_place) {
   const std::string section = between(page, "<section id=\"missed\">", "</section>");
   EXPECT_THAT(section, HasSubstr("X: 40, E: 1"));
   EXPECT_THAT(section, HasSubstr("X -80 steps: 9.000 mm where 10.000 mm are asked<br>E -1 steps"));
-  EXPECT_THAT(section, HasSubstr("data-t=\"1.2500\" data-x=\"10.000\" data-y=\"20.000\""));
+  EXPECT_THAT(
+      section,
+      HasSubstr("data-t=\"1.2500\" data-places=\"10.000 20.000 0.000 9.000 20.000 0.000\""));
   EXPECT_THAT(section, HasSubstr("39 more are not listed"));
   EXPECT_THAT(between(page, "<section id=\"underruns\">", "</section>"),
               HasSubstr("data-t=\"1.5000\""));

@@ -13,7 +13,7 @@ function setTime(t, layer = layerAt(t)) {
   timeSlider.value = Math.round(Math.min(1, Math.max(0, (view.t - pathStart) / (pathEnd - pathStart))) * sliderSteps);
   layerSlider.value = view.layer + 1;
   at('layer-out').textContent = layers.length
-    ? `${view.layer + 1} of ${layers.length}, ${number(layers[view.layer].z, 2)} mm` : 'none';
+    ? `${view.layer + 1}/${layers.length} \u00b7 ${number(layers[view.layer].z, 2)} mm` : 'none';
   at('time-out').textContent = timeText(view.t, 2);
   const place = nozzleAt(view.t);
   at('now').textContent = `X ${number(place.x, 3)}  Y ${number(place.y, 3)}  Z ${number(place.z, 3)} mm  \u00b7  ${
@@ -61,13 +61,13 @@ function showRamp() {
   at('ramp').style.background = `linear-gradient(90deg, ${rampColours().join(',')})`;
 }
 
-// A link to a time, and to a place if it has one.
+// A link to a time, and to places if it has any.
 function follow(link) {
-  const t = Number(link.dataset.t), { x, y, z } = link.dataset;
+  const t = Number(link.dataset.t), { places } = link.dataset;
   setTime(t);
   const around = Math.min(2, endOfPrint / 2);
   showSpan(t - around, t + around);
-  if (x !== undefined) lookAt(Number(x), Number(y), Number(z));
+  if (places) lookAt(places.split(' ').map(Number));
 }
 
 function drawAll() { showRamp(); drawPath(); drawCharts(); drawIntervals(); }

@@ -104,10 +104,12 @@ function describe(at) {
   }
 }
 
-// The place with a few millimetres around it.
-function lookAt(x, y, z) {
-  [view.u, view.v] = projected(x, y, z);
-  const shown_mm = 4;
-  view.scale = Math.min(pathCanvas.clientWidth, pathCanvas.clientHeight) / shown_mm;
+// Two places with a few millimetres around them.
+function lookAt([x0, y0, z0, x1, y1, z1]) {
+  const [u0, v0] = projected(x0, y0, z0), [u1, v1] = projected(x1, y1, z1), around_mm = 4;
+  view.u = (u0 + u1) / 2;
+  view.v = (v0 + v1) / 2;
+  view.scale = Math.min(pathCanvas.clientWidth / (Math.abs(u1 - u0) * 1.2 + around_mm),
+    pathCanvas.clientHeight / (Math.abs(v1 - v0) * 1.2 + around_mm));
   drawPath();
 }
