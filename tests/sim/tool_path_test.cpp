@@ -115,6 +115,26 @@ TEST_F(ToolPathTest, knows_travel_from_extrusion) {
   EXPECT_NEAR(travelled, 20, 0.6);
 }
 
+TEST_F(ToolPathTest, takes_a_short_way_with_the_filament_drawn_back_for_travel) {
+  const auto pull = [this](int direction) {
+    for (int i = 0; i < 100; ++i) {
+      now += 1000;
+      step(3, direction);
+    }
+  };
+  line(800, 0, 40);
+  pull(-1);
+  line(0, 48, 0);
+  pull(1);
+  line(-800, 0, 40);
+  double travelled = 0;
+  const auto points = path.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    travelled += points[i].extruding ? 0 : points[i].y - points[i - 1].y;
+  }
+  EXPECT_NEAR(travelled, 0.6, 1e-6);
+}
+
 TEST_F(ToolPathTest, remembers_how_long_the_nozzle_stood) {
   line(80, 0, 0);
   const double arrived = rate.seconds(now);

@@ -7,9 +7,7 @@ function showSpan(t0, t1) {
   span.t1 = Math.min(endOfPrint, span.t0 + 2 * half);
   drawCharts();
 }
-function zoomSpan(factor, t) {
-  showSpan(t - (t - span.t0) * factor, t + (span.t1 - t) * factor);
-}
+function zoomSpan(factor, t) { showSpan(t - (t - span.t0) * factor, t + (span.t1 - t) * factor); }
 
 function listenTo(chart) {
   const canvas = chart.canvas;
@@ -26,14 +24,14 @@ function listenTo(chart) {
     if (!fingers.has(event.pointerId)) return;
     const x = place(event);
     if (fingers.size === 2) {
-      const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
+      const other = [...fingers ].find(([ id ]) => id !== event.pointerId)[1];
       const before = Math.max(8, Math.abs(fingers.get(event.pointerId) - other));
       zoomSpan(before / Math.max(8, Math.abs(x - other)), chart.timeAt((x + other) / 2));
     } else if (event.pointerType !== 'mouse') {
       setTime(chart.timeAt(x));
     } else if (Math.abs(x - from) > 3) {
       drawCharts();
-      const { context, height } = { context: canvas.getContext('2d'), height: chart.height };
+      const {context, height} = {context : canvas.getContext('2d'), height : chart.height};
       context.fillStyle = colour('accent');
       context.globalAlpha = 0.2;
       context.fillRect(Math.min(x, from), 0, Math.abs(x - from), height);
@@ -44,7 +42,8 @@ function listenTo(chart) {
   const end = (event) => {
     const x = place(event);
     fingers.delete(event.pointerId);
-    if (event.type === 'pointerup' && event.pointerType === 'mouse' && from !== null && Math.abs(x - from) > 3) {
+    if (event.type === 'pointerup' && event.pointerType === 'mouse' && from !== null &&
+        Math.abs(x - from) > 3) {
       showSpan(chart.timeAt(Math.min(x, from)), chart.timeAt(Math.max(x, from)));
     } else if (event.type === 'pointerup' && fingers.size === 0) {
       setTime(chart.timeAt(x));
@@ -58,5 +57,5 @@ function listenTo(chart) {
     if (!event.ctrlKey && !event.shiftKey) return;  // the page scrolls
     event.preventDefault();
     zoomSpan(Math.exp((event.deltaY || event.deltaX) * 0.002), chart.timeAt(place(event)));
-  }, { passive: false });
+  }, {passive : false});
 }
