@@ -39,6 +39,8 @@ architecture rtl of uart_registers is
   signal framing_errors_word : std_ulogic_vector(31 downto 0);
   signal breaks_word : std_ulogic_vector(31 downto 0);
   signal noisy_bytes_word : std_ulogic_vector(31 downto 0);
+  signal line_ends_word : std_ulogic_vector(31 downto 0);
+  signal line_ends_stored : std_ulogic_vector(31 downto 0) := x"00000D0A";
   signal clear_written : std_ulogic := '0';
   signal data_written : std_ulogic := '0';
   signal data_read : std_ulogic := '0';
@@ -72,18 +74,19 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
-      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 8) else '0';
+      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 9) else '0';
 
   writable <= '1' when request.address(11 downto 2) = 0
-      or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4) else '0';
+      or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4)
+      or request.address(11 downto 2) = 9 else '0';
 
   baud_rate_word <= baud_rate_stored(31 downto 0)
     when request.address(11 downto 2) = 0 else (others => '0');
-  status_word <= "000" & to_software.status.noise & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
+  status_word <= "00" & to_software.status.line_waits & to_software.status.noise & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
     when request.address(11 downto 2) = 1 else (others => '0');
   data_word <= "0000000000000000000000" & to_software.data.gap & to_software.data.valid & std_ulogic_vector(to_software.data.byte)
     when request.address(11 downto 2) = 3 else (others => '0');
-  interrupts_word <= "0000" & interrupts_stored(27 downto 16) & "0000" & interrupts_stored(11 downto 0)
+  interrupts_word <= "0000" & interrupts_stored(27 downto 16) & "000" & interrupts_stored(12) & interrupts_stored(11 downto 0)
     when request.address(11 downto 2) = 4 else (others => '0');
   overruns_word <= "0000000000000000" & std_ulogic_vector(to_software.overruns.count)
     when request.address(11 downto 2) = 5 else (others => '0');
@@ -93,6 +96,8 @@ begin
     when request.address(11 downto 2) = 7 else (others => '0');
   noisy_bytes_word <= "0000000000000000" & std_ulogic_vector(to_software.noisy_bytes.count)
     when request.address(11 downto 2) = 8 else (others => '0');
+  line_ends_word <= "0000000000000000" & line_ends_stored(15 downto 8) & line_ends_stored(7 downto 0)
+    when request.address(11 downto 2) = 9 else (others => '0');
 
   read_word <= baud_rate_word
     or status_word
@@ -101,7 +106,8 @@ begin
     or overruns_word
     or framing_errors_word
     or breaks_word
-    or noisy_bytes_word;
+    or noisy_bytes_word
+    or line_ends_word;
 
   store : process
   begin
@@ -112,9 +118,13 @@ begin
     if writing = '1' and register_index = 4 then
       interrupts_stored <= written_data;
     end if;
+    if writing = '1' and register_index = 9 then
+      line_ends_stored <= written_data;
+    end if;
     if reset then
       baud_rate_stored <= x"00000000";
       interrupts_stored <= x"00000000";
+      line_ends_stored <= x"00000D0A";
     end if;
   end process;
 
@@ -152,5 +162,8 @@ begin
   from_software.data.valid <= written_data(8);
   from_software.data.gap <= written_data(9);
   from_software.interrupts.receive_threshold <= unsigned(interrupts_stored(11 downto 0));
+  from_software.interrupts.on_line_end <= interrupts_stored(12);
   from_software.interrupts.transmit_threshold <= unsigned(interrupts_stored(27 downto 16));
+  from_software.line_ends.first <= unsigned(line_ends_stored(7 downto 0));
+  from_software.line_ends.second <= unsigned(line_ends_stored(15 downto 8));
 end architecture;

@@ -23,6 +23,7 @@ package uart_registers_pkg is
     framing_error : std_ulogic;
     break_condition : std_ulogic;
     noise : std_ulogic;
+    line_waits : std_ulogic;
   end record;
 
   -- Clears those flags of `status` whose bit is written as 1.
@@ -40,9 +41,10 @@ package uart_registers_pkg is
     gap : std_ulogic;
   end record;
 
-  -- When to interrupt. Both are levels: they end when the FIFO has been served.
+  -- When to interrupt. All are levels: they end when the FIFO has been served.
   type uart_interrupts_t is record
     receive_threshold : unsigned(11 downto 0);
+    on_line_end : std_ulogic;
     transmit_threshold : unsigned(11 downto 0);
   end record;
 
@@ -66,6 +68,12 @@ package uart_registers_pkg is
     count : unsigned(15 downto 0);
   end record;
 
+  -- The bytes that end a line, for `status.line_waits`. A write counts for bytes that come after it.
+  type uart_line_ends_t is record
+    first : unsigned(7 downto 0);
+    second : unsigned(7 downto 0);
+  end record;
+
   type uart_from_software_t is record
     baud_rate : uart_baud_rate_t;
     baud_rate_written : std_ulogic;
@@ -75,6 +83,7 @@ package uart_registers_pkg is
     data_written : std_ulogic;
     data_read : std_ulogic;
     interrupts : uart_interrupts_t;
+    line_ends : uart_line_ends_t;
   end record;
 
   type uart_to_software_t is record

@@ -25,8 +25,8 @@ entity uart is
     -- The pins; `receive` is asynchronous.
     receive : in std_ulogic;
     transmit : out std_ulogic;
-    -- Levels: as many bytes wait, or as much space is free, as software has asked for.
-    receive_interrupt : out std_ulogic := '0';
+    -- Levels: as many bytes wait, or as much space is free, as software has asked for, or a whole line waits.
+    receive_interrupt : out std_ulogic;
     transmit_interrupt : out std_ulogic := '0';
     at_rest : out std_ulogic
   );
@@ -112,8 +112,8 @@ begin
         settling => line_changes
       );
 
-    received_bytes : entity work.fifo
-      generic map (width => 9, depth => receive_depth)
+    received_bytes : entity work.receive_queue
+      generic map (depth => receive_depth)
       port map (
         clk => clk,
         reset => reset,
@@ -123,7 +123,13 @@ begin
         read_enable => take,
         read_data => oldest,
         read_valid => oldest_valid,
-        level => level
+        level => level,
+        first_line_end => std_ulogic_vector(from_software.line_ends.first),
+        second_line_end => std_ulogic_vector(from_software.line_ends.second),
+        line_waits => to_software.status.line_waits,
+        threshold => from_software.interrupts.receive_threshold,
+        wake_on_line => from_software.interrupts.on_line_end,
+        interrupt => receive_interrupt
       );
 
     overrun <= byte_received and full;
@@ -138,8 +144,6 @@ begin
     begin
       wait until rising_edge(clk);
       oldest_was_valid <= oldest_valid;
-      receive_interrupt <= '1' when from_software.interrupts.receive_threshold /= 0
-        and level >= from_software.interrupts.receive_threshold else '0';
 
       if overrun or framing_error or break_condition then
         gap <= '1';
@@ -176,7 +180,6 @@ begin
 
       if reset then
         oldest_was_valid <= '0';
-        receive_interrupt <= '0';
         gap <= '0';
         to_software.status.noise <= '0';
         to_software.status.overrun <= '0';

@@ -30,6 +30,10 @@ architecture simulation of uart_tb is
   constant framing_errors : unsigned(31 downto 0) := uart_address + 24;
   constant breaks : unsigned(31 downto 0) := uart_address + 28;
   constant noisy_bytes : unsigned(31 downto 0) := uart_address + 32;
+  constant line_ends : unsigned(31 downto 0) := uart_address + 36;
+
+  constant line_feed : byte_t := x"0A";
+  constant carriage_return : byte_t := x"0D";
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
@@ -78,7 +82,7 @@ begin
       status_is_as_expected : assert unsigned(word(11 downto 0)) = receive_level
         and unsigned(word(23 downto 12)) = transmit_space and word(24) = transmit_idle
         and word(25) = overrun and word(26) = framing_error and word(27) = break_condition
-        and word(31 downto 29) = "000"
+        and word(31 downto 30) = "00"
         report what & ": status " & to_hstring(word) severity error;
     end procedure;
 
@@ -277,6 +281,110 @@ begin
       wait for 12 * bit_time;
     end procedure;
 
+    procedure check_line (what : string; expected_interrupt, expected_line : std_ulogic) is
+    begin
+      check_interrupts(what, expected_interrupt, '0');
+      read(status);
+      status_tells_whether_a_line_waits : assert word(29) = expected_line report what severity error;
+    end procedure;
+
+    procedure interrupts_at_the_end_of_a_line is
+    begin
+      read(line_ends);
+      line_feed_and_carriage_return_are_line_ends : assert word = x"0000" & carriage_return & line_feed
+        severity error;
+      write(interrupts, x"0000_1000");
+      send_byte(sent, x"4D", bit_time);
+      send_byte(sent, x"35", bit_time);
+      check_line("within a line", '0', '0');
+      send_byte(sent, line_feed, bit_time);
+      check_line("at its end", '1', '1');
+      send_byte(sent, x"47", bit_time);
+      send_byte(sent, carriage_return, bit_time);
+      send_byte(sent, x"54", bit_time);
+      check_data(x"4D");
+      check_data(x"35");
+      check_line("its end has not been read", '1', '1');
+      check_data(line_feed);
+      check_line("another line waits", '1', '1');
+      check_data(x"47");
+      check_data(carriage_return);
+      check_line("the beginning of a line is left", '0', '0');
+      check_data(x"54");
+      check_no_data;
+      check_line("all read", '0', '0');
+      -- Either reason is enough.
+      write(interrupts, x"0000_1002");
+      send_byte(sent, line_feed, bit_time);
+      check_line("a line of one byte", '1', '1');
+      check_data(line_feed);
+      send_byte(sent, x"01", bit_time);
+      check_line("a byte", '0', '0');
+      send_byte(sent, x"02", bit_time);
+      check_line("as many bytes as asked for", '1', '0');
+      check_data(x"01");
+      check_data(x"02");
+      -- Not asked for, but to be seen.
+      write(interrupts, x"0000_0000");
+      send_byte(sent, line_feed, bit_time);
+      check_line("not asked for", '0', '1');
+      write(interrupts, x"0000_1000");
+      check_line("asked for when it was there", '1', '1');
+      check_data(line_feed);
+    end procedure;
+
+    procedure ends_lines_with_other_bytes is
+    begin
+      send_byte(sent, line_feed, bit_time);
+      write(line_ends, x"0000_3B3B");
+      check_line("a line end when it came", '1', '1');
+      check_data(line_feed);
+      send_byte(sent, line_feed, bit_time);
+      send_byte(sent, carriage_return, bit_time);
+      check_line("line ends no more", '0', '0');
+      send_byte(sent, x"3B", bit_time);
+      check_line("a line end now", '1', '1');
+      check_data(line_feed);
+      check_data(carriage_return);
+      check_data(x"3B");
+      check_line("all read", '0', '0');
+      write(line_ends, x"0000" & carriage_return & line_feed);
+    end procedure;
+
+    -- Nothing can be read of a line end that was lost, so it must not wake; the full queue itself may.
+    procedure forgets_line_ends_that_are_lost is
+    begin
+      for i in 1 to receive_depth loop
+        send_byte(sent, x"31", bit_time);
+      end loop;
+      send_byte(sent, line_feed, bit_time);
+      check_line("the line end is lost", '0', '0');
+      write(clear, x"00000001");
+      check_data(x"31");
+      send_byte(sent, line_feed, bit_time);
+      check_line("this one had room", '1', '1');
+      for i in 2 to receive_depth loop
+        check_data(x"31");
+      end loop;
+      check_line("only the line end is left", '1', '1');
+      check_data(line_feed, after_a_gap => '1');
+      check_line("all read", '0', '0');
+      -- A break is no line end, nor is a byte without a stop bit.
+      sent <= '0';
+      wait for 30 * bit_time;
+      sent <= '1';
+      wait for 2 * bit_time;
+      send_byte(sent, line_feed, bit_time, stop_level => '0');
+      sent <= '1';
+      wait for 2 * bit_time;
+      check_line("nothing came", '0', '0');
+      write(clear, x"00000006");
+      send_byte(sent, x"32", bit_time);
+      wait for 2 * bit_time;
+      check_data(x"32", after_a_gap => '1');
+      write(interrupts, x"0000_0000");
+    end procedure;
+
     -- Software polls in every phase to the arrival of bytes.
     procedure loses_no_byte_to_a_poll_at_the_wrong_time is
       variable received : natural;
@@ -312,11 +420,19 @@ begin
     marks_the_byte_behind_an_overrun;
     flags_and_counts_noisy_bytes;
     interrupts_at_its_thresholds;
+    interrupts_at_the_end_of_a_line;
+    ends_lines_with_other_bytes;
+    forgets_line_ends_that_are_lost;
     loses_no_byte_to_a_poll_at_the_wrong_time;
+    looped_back <= false;
+    write(interrupts, x"0000_1000");
+    send_byte(sent, line_feed, bit_time);
+    check_line("before the reset", '1', '1');
     reset <= '1';
     wait until rising_edge(clk);
     reset <= '0';
     wait until rising_edge(clk);
+    check_line("after the reset", '0', '0');
     check_status("after reset", 0, transmit_depth, '1', '0', '0', '0');
     check_count("overruns", overruns, 0);
     check_count("framing errors", framing_errors, 0);

@@ -44,6 +44,8 @@ struct Status {
   bool break_condition{};
   // The three looks at a bit of a byte differed; the majority counted. Means noise from 16 clocks per bit on.
   bool noise{};
+  // Among the bytes that wait is one that ends a line. Not a flag: it ends when the last such byte is read.
+  bool line_waits{};
 
   static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -54,6 +56,7 @@ struct Status {
       .framing_error = ((word >> 26u) & 0x1u) != 0,
       .break_condition = ((word >> 27u) & 0x1u) != 0,
       .noise = ((word >> 28u) & 0x1u) != 0,
+      .line_waits = ((word >> 29u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -63,7 +66,8 @@ struct Status {
            (overrun ? 1u : 0u) << 25u |
            (framing_error ? 1u : 0u) << 26u |
            (break_condition ? 1u : 0u) << 27u |
-           (noise ? 1u : 0u) << 28u;
+           (noise ? 1u : 0u) << 28u |
+           (line_waits ? 1u : 0u) << 29u;
   }
 };
 
@@ -119,22 +123,26 @@ struct Data {
   }
 };
 
-// When to interrupt. Both are levels: they end when the FIFO has been served.
+// When to interrupt. All are levels: they end when the FIFO has been served.
 struct Interrupts {
   static constexpr std::uint32_t address = base + 0x10u;
   // Interrupt while at least so many bytes wait; 1 is for any, 0 never.
   std::uint32_t receive_threshold{};
+  // Interrupt while `status.line_waits`, however few bytes wait.
+  bool on_line_end{};
   // Interrupt while at least so many bytes may be written; 0 never.
   std::uint32_t transmit_threshold{};
 
   static constexpr Interrupts decode([[maybe_unused]] std::uint32_t word) {
     return {
       .receive_threshold = (word & 0xFFFu),
+      .on_line_end = ((word >> 12u) & 0x1u) != 0,
       .transmit_threshold = ((word >> 16u) & 0xFFFu),
     };
   }
   constexpr std::uint32_t encode() const {
     return (receive_threshold & 0xFFFu) |
+           (on_line_end ? 1u : 0u) << 12u |
            (transmit_threshold & 0xFFFu) << 16u;
   }
 };
@@ -200,6 +208,26 @@ struct NoisyBytes {
   }
   constexpr std::uint32_t encode() const {
     return (count & 0xFFFFu);
+  }
+};
+
+// The bytes that end a line, for `status.line_waits`. A write counts for bytes that come after it.
+struct LineEnds {
+  static constexpr std::uint32_t address = base + 0x24u;
+  // One of them: line feed after reset.
+  std::uint32_t first{};
+  // The other: carriage return after reset. May be the same as the first.
+  std::uint32_t second{};
+
+  static constexpr LineEnds decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .first = (word & 0xFFu),
+      .second = ((word >> 8u) & 0xFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (first & 0xFFu) |
+           (second & 0xFFu) << 8u;
   }
 };
 
