@@ -16,10 +16,9 @@ constexpr units::Hertz fan_frequency{100};
 // How long the loop sleeps if nothing wakes it. Segments are handed over with 40 ms in hand.
 constexpr std::uint32_t ticks_at_work = 2;
 constexpr std::uint32_t ticks_at_rest = 8;
-// So many bytes end the sleep: the first of a line at rest; within one the next look comes soon
-// enough by itself (5 ms at 3 Mbaud until a FIFO of 1024 is full).
-constexpr std::size_t wake_level_at_work = 32;
-constexpr std::size_t wake_level_at_rest = 1;
+// The end of a line ends it too, and so many bytes without one: half of what a pass takes from the
+// FIFO, which holds 2048.
+constexpr std::size_t wake_level = 64;
 
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
@@ -52,6 +51,7 @@ Application::Application(const MachineDescription& machine, const ThermalTables&
 
 bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
+  hardware_.uart.set_line_ends(host_link::line_feed, host_link::carriage_return);
   motion_.start();
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
@@ -76,6 +76,10 @@ bool Application::update() {
     exchange_bytes(now);
     act_on_emergencies();
     if (!halted_) more = executor_.update(now);
+    // The host may send its next line while the rest of the pass is done.
+    transmit();
+    motion_.refill();
+    more = more || executor_.has_got_room();
     heat_.update(now);
     look_for_faults();
     report(now);
@@ -94,8 +98,8 @@ bool Application::update() {
 
 // What ends the sleep after this pass.
 void Application::set_alarms() {
-  const bool at_rest = halted_ || (executor_.can_wait() && !link_.mid_line());
-  hardware_.uart.interrupt_on(at_rest ? wake_level_at_rest : wake_level_at_work, 0);
+  const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
+  hardware_.uart.interrupt_on({.receive_level = wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(at_rest ? ticks_at_rest : ticks_at_work));
 }
 

@@ -33,7 +33,11 @@ bool CommandExecutor::update(Now now) {
   if (!link_.finished(ok_report_.view())) return false;
   ++(refused_ ? counters_.commands_refused : counters_.commands_executed);
   stage_ = Stage::idle;
-  return true;
+  return link_.waiting_lines() != 0;
+}
+
+bool CommandExecutor::has_got_room() const {
+  return waits_for_room_ && stage_ == Stage::begin && !held_ && motion_.has_room();
 }
 
 void CommandExecutor::quick_stop() {

@@ -55,6 +55,8 @@ class CommandExecutor {
     return stage_ == Stage::idle || stage_ == Stage::heating || stage_ == Stage::asking || held_ ||
            waits_for_room_;
   }
+  // The move in hand had no room at the last update, and has it now.
+  bool has_got_room() const;
   // Something that must end everything.
   const std::optional<Fatal>& fatal() const { return fatal_; }
 

@@ -101,7 +101,6 @@ void MotionTask::update(Now now) {
   if (homing_.active()) lead_homing();
   pace_.set_homing(homing_.active());
   if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
-  refill();
 }
 
 // Every stop ends in the same way: what was planned is void, and the planner learns where the axes
@@ -174,6 +173,7 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
 }
 
 void MotionTask::refill() {
+  queue_full_ = false;
   if (stopping_) return;
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
     const auto segment = planner_.next_segment(pace_.time());
@@ -182,6 +182,7 @@ void MotionTask::refill() {
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
     if (!step_generator_.append(*segment)) return;
   }
+  queue_full_ = true;
 }
 
 void MotionTask::set_stretch(Stretch now, Stretch behind) {

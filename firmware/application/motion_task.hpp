@@ -25,8 +25,14 @@ class MotionTask {
 
   // Sets up guards, rate floor and end stops. Once, at rest.
   void start();
-  // Every pass of the loop.
+  // Every pass of the loop: the sign of life, stops, homing.
   void update(Now now);
+  // Every pass after that: hands over what the step generator has room for and what is due, which
+  // takes the time of a line or more.
+  void refill();
+  // refill() had no more room for segments: these may be short, so less than the planner's horizon
+  // may be in hand.
+  bool queue_full() const { return queue_full_; }
 
   bool has_room() const { return planner_.has_room(); }
   std::size_t room() const { return motion::Planner::capacity - planner_.lines(); }
@@ -81,7 +87,6 @@ class MotionTask {
   void settle_stop();
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
-  void refill();
   void begin_line();
   void set_position(const units::PerAxis<units::Position>& positions);
 
@@ -101,6 +106,7 @@ class MotionTask {
   std::uint32_t position_jumps_{};
   bool stopped_by_end_stop_{};
   bool stopping_{};
+  bool queue_full_{};
   bool emergency_input_{};
   bool watchdog_stop_{};
 };

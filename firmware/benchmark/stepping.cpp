@@ -81,7 +81,7 @@ int main() {
   const bool talks = order.baud != 0;
   if (talks) {
     if (!uart.configure(order.baud, identity->clock)) platform::halt("no such baud rate");
-    uart.interrupt_on(wake_level_bytes, 0);
+    uart.interrupt_on({.receive_level = wake_level_bytes});
     platform::wake_by(platform::WakeSource::uart_receive, true);
   }
   // Full when motion begins.

@@ -73,10 +73,20 @@ void Uart::clear_errors() {
       .overrun = true, .framing_error = true, .break_condition = true, .noise = true});
 }
 
-void Uart::interrupt_on(std::size_t receive_level, std::size_t transmit_space) {
+bool Uart::line_waits() const { return platform::read<uart_registers::Status>().line_waits; }
+
+void Uart::set_line_ends(char first, char second) {
+  platform::write(uart_registers::LineEnds{
+      .first = static_cast<unsigned char>(first),
+      .second = static_cast<unsigned char>(second),
+  });
+}
+
+void Uart::interrupt_on(const UartAlarms& alarms) {
   platform::write(uart_registers::Interrupts{
-      .receive_threshold = static_cast<std::uint32_t>(receive_level),
-      .transmit_threshold = static_cast<std::uint32_t>(transmit_space),
+      .receive_threshold = static_cast<std::uint32_t>(alarms.receive_level),
+      .on_line_end = alarms.line_end,
+      .transmit_threshold = static_cast<std::uint32_t>(alarms.transmit_space),
   });
 }
 

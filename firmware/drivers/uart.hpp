@@ -36,6 +36,13 @@ struct ReceivedBytes {
   bool gap_before_last{};  // right before the last of them something was lost
 };
 
+// What is to interrupt: levels, which last until the FIFO has been served.
+struct UartAlarms {
+  std::size_t receive_level{};  // at least so many bytes wait; 0 is never
+  bool line_end{};  // the end of a line waits
+  std::size_t transmit_space{};  // at least so much space is free; 0 is never
+};
+
 class Uart {
  public:
   // What the baud rate register needs for `baud`, rounded to nearest; nothing where that is less
@@ -66,9 +73,12 @@ class Uart {
   UartErrorCounts error_counts() const;
   void clear_errors();
 
-  // Interrupt while at least so many bytes wait, or while at least so much space is free; 0 is
-  // never.
-  void interrupt_on(std::size_t receive_level, std::size_t transmit_space);
+  // Among the bytes that wait is the end of a line.
+  bool line_waits() const;
+  // What ends a line, of bytes that come from now on; after reset line feed and carriage return.
+  void set_line_ends(char first, char second);
+
+  void interrupt_on(const UartAlarms& alarms);
 
  private:
   static constexpr std::uint64_t fastest_increment = std::uint64_t{1} << 30;

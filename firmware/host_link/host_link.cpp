@@ -51,7 +51,7 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   last_heard_ = now;
   last_exchange_ = now;
   for (const char byte : bytes) {
-    if (const std::optional<ReceivedLine> line = receiver_.put(byte)) handle(*line);
+    if (receiver_.put(byte)) handle(receiver_.take());
   }
 }
 

@@ -38,9 +38,6 @@ class HostLink {
   // received is broken.
   void receive_fault() { receiver_.spoil(); }
 
-  // The beginning of a line is here, its end not yet.
-  bool mid_line() const { return receiver_.unfinished(); }
-
   // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.
   std::span<const char> to_send() const { return transmit_.front(); }
   void sent(std::size_t count) { transmit_.drop(count); }

@@ -145,11 +145,11 @@ void HostLink::end_unfinished_line() {
   if (!receiver_.unfinished()) return;
   const units::Milliseconds silence = now_ - last_heard_;
   if (receiver_.unfinished_is_framed()) {
-    if (silence >= framed_line_time_out) handle_framed_unfinished(receiver_.give_up());
+    if (silence >= framed_line_time_out) handle_framed_unfinished(receiver_.take());
     return;
   }
   if (rescues_left_ == 0 || silence < plain_line_time_out) return;
-  receiver_.give_up();
+  receiver_.take();
   notify(Notice::unfinished);
 }
 

@@ -26,18 +26,18 @@ void trim(std::string_view& text) {
 
 }  // namespace
 
-std::optional<ReceivedLine> LineReceiver::put(char byte) {
-  const bool line_feed_of_pair = byte == '\n' && after_carriage_return_;
-  after_carriage_return_ = byte == '\r';
-  if (line_feed_of_pair) return std::nullopt;
-  if (byte != '\n' && byte != '\r') {
+bool LineReceiver::put(char byte) {
+  if (byte != line_feed && byte != carriage_return) {
+    after_carriage_return_ = false;
     put_into_line(byte);
-    return std::nullopt;
+    return false;
   }
-  return give_up();
+  const bool line_feed_of_pair = byte == line_feed && after_carriage_return_;
+  after_carriage_return_ = byte == carriage_return;
+  return !line_feed_of_pair;
 }
 
-ReceivedLine LineReceiver::give_up() {
+ReceivedLine LineReceiver::take() {
   const ReceivedLine line = read();
   clear();
   return line;
@@ -52,17 +52,23 @@ void LineReceiver::put_into_line(char byte) {
     checksum_value_ = 0;
     checksum_digits_ = 0;
     checksum_malformed_ = false;
-  } else if (star_seen_ && is_digit(byte) && checksum_digits_ < 3 && !checksum_malformed_) {
-    checksum_value_ = static_cast<std::uint16_t>(checksum_value_ * 10 + (byte - '0'));
-    ++checksum_digits_;
-  } else if (star_seen_ && is_blank(byte) && checksum_digits_ > 0) {
-    checksum_digits_ = 3;  // blanks may follow, digits no more
-  } else {
-    checksum_malformed_ = true;
+  } else if (star_seen_) {
+    put_into_checksum(byte);
   }
   exclusive_or_ = static_cast<std::uint8_t>(exclusive_or_ ^ static_cast<std::uint8_t>(byte));
   if (!is_printable(byte)) unprintable_ = true;
   if (length_ < std::numeric_limits<std::uint32_t>::max()) ++length_;
+}
+
+void LineReceiver::put_into_checksum(char byte) {
+  if (is_digit(byte) && checksum_digits_ < 3 && !checksum_malformed_) {
+    checksum_value_ = static_cast<std::uint16_t>(checksum_value_ * 10 + (byte - '0'));
+    ++checksum_digits_;
+  } else if (is_blank(byte) && checksum_digits_ > 0) {
+    checksum_digits_ = 3;  // blanks may follow, digits no more
+  } else {
+    checksum_malformed_ = true;
+  }
 }
 
 ReceivedLine LineReceiver::read() const {

@@ -14,6 +14,10 @@ namespace host_link {
 // With number and checksum, without line end. Marlin's is 96.
 inline constexpr std::size_t max_line_length = 128;
 
+// Either ends a line, and so do both together.
+inline constexpr char line_feed = '\n';
+inline constexpr char carriage_return = '\r';
+
 enum class Checksum : std::uint8_t { none, right, wrong };
 
 struct ReceivedLine {
@@ -31,20 +35,22 @@ struct ReceivedLine {
 
 class LineReceiver {
  public:
-  // A line when `byte` ends one: \n, \r or \r\n. Empty lines are lines.
-  std::optional<ReceivedLine> put(char byte);
+  // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty lines are
+  // lines.
+  bool put(char byte);
+  // The line as far as it has come, which is then forgotten.
+  ReceivedLine take();
 
   // The line in progress is broken, whatever its checksum says.
   void spoil() { spoilt_ = true; }
 
   bool unfinished() const { return length_ != 0; }
-  // The line in progress as far as it has come, which is then forgotten.
-  ReceivedLine give_up();
   // Whether it has a number or a checksum.
   bool unfinished_is_framed() const;
 
  private:
   void put_into_line(char byte);
+  void put_into_checksum(char byte);
   ReceivedLine read() const;
   void clear();
 

@@ -26,6 +26,9 @@ class Printer {
   // The next line from the firmware, or nothing within the time.
   std::optional<std::string> reply(double seconds = 120);
   void run(double seconds);
+  // One pass of the loop, in which no time goes by but that of the bus; true if there is more to do
+  // at once.
+  bool pass_without_sleep() { return application_->update(); }
 
   FakeChip chip;
   application::Statistics counters;

@@ -2,6 +2,7 @@
 // Registers of the fake chip, and the seam of the bus.
 #include "tests/application/fake_chip.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,27 @@ std::uint32_t FakeChip::thermistor_count(std::size_t channel) const {
   const double kelvin = heaters[channel].celsius + 273.15;
   const double ohms = 100'000 * std::exp(4066.0 * (1 / kelvin - 1 / 298.15));
   return static_cast<std::uint32_t>(ohms * counts_per_ohm);
+}
+
+std::uint32_t FakeChip::word(std::uint32_t address) const {
+  const auto found = words_.find(address);
+  return found == words_.end() ? 0 : found->second;
+}
+
+bool FakeChip::wakes() const {
+  using namespace registers;
+  const std::uint64_t deadline =
+      std::uint64_t{word(timer::CompareHigh::address)} << 32 | word(timer::CompareLow::address);
+  if (time >= deadline) return true;
+  const auto interrupts = uart::Interrupts::decode(word(uart::Interrupts::address));
+  const auto ends = uart::LineEnds::decode(word(uart::LineEnds::address));
+  const bool line_waits = std::ranges::any_of(to_firmware, [&](char byte) {
+    const auto value = static_cast<unsigned char>(byte);
+    return value == ends.first || value == ends.second;
+  });
+  return (interrupts.receive_threshold != 0 &&
+          to_firmware.size() >= interrupts.receive_threshold) ||
+         (interrupts.on_line_end && line_waits);
 }
 
 std::uint32_t FakeChip::read(std::uint32_t address) {

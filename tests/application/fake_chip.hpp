@@ -25,6 +25,9 @@ class FakeChip {
   // Time passes: motion, heat, time counter.
   void advance(std::uint32_t clocks);
 
+  // Timer or serial line end the processor's sleep.
+  bool wakes() const;
+
   // The serial line, from the host's side.
   std::deque<char> to_firmware;
   std::string from_firmware;
@@ -68,6 +71,7 @@ class FakeChip {
   };
 
   static std::uint32_t duty_address(std::size_t channel);
+  std::uint32_t word(std::uint32_t address) const;
   std::uint32_t end_stops() const;
   void commit();
   void command(std::uint32_t value);
