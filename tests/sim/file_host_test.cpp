@@ -48,6 +48,8 @@ class FileHostTest : public testing::Test, public devices::HostListener {
     acknowledged.emplace_back(file_line, executed);
   }
 
+  void reply(sim::Clock now, std::string_view) override { replies_at.push_back(now); }
+
   tests::FakeChip chip;
   sim::Simulation simulation{chip, rate};
   devices::SerialLine line{rate, 250'000, chip.inputs()};
@@ -56,6 +58,7 @@ class FileHostTest : public testing::Test, public devices::HostListener {
   std::vector<std::string> notes;
   std::vector<std::string> sent;
   std::vector<std::pair<std::size_t, bool>> acknowledged;
+  std::vector<sim::Clock> replies_at;
 
   FileHostTest() { simulation.attach(line, sim::OutputPins::transmit_pin()); }
 };
@@ -84,6 +87,22 @@ TEST_F(FileHostTest, waits_for_ok_before_the_next_line) {
   chip.say("ok T:20.00 /0.00\n");
   simulation.run_until(rate.clocks(16));
   EXPECT_EQ(host->state(), HostState::completed);
+}
+
+// Nothing but the wire lies between an ok and the next: the line's bits, then those of the ok, each
+// heard in the middle of its last stop bit.
+TEST_F(FileHostTest, begins_the_next_line_in_the_clock_in_which_it_has_heard_the_ok) {
+  print("G28\nG1 X1.5\nG1 X2.25 Y3\n");
+  ASSERT_EQ(sent.size(), 5U);
+  ASSERT_EQ(replies_at.size(), 6U);  // start, and an ok for each
+  constexpr sim::Clock clocks_per_bit = 16;
+  constexpr std::size_t ok_bits = 30;
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    const sim::Clock bits = 10 * (sent[i].size() + 1) + ok_bits - 1;
+    EXPECT_NEAR(static_cast<double>(replies_at[i + 1] - replies_at[i]),
+                static_cast<double>(bits * clocks_per_bit), 2)
+        << sent[i];
+  }
 }
 
 TEST_F(FileHostTest, sends_the_line_again_that_the_chip_asks_for) {
