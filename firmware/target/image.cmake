@@ -21,22 +21,26 @@ ExternalProject_Add(firmware_image
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
   BUILD_COMMAND ${CMAKE_COMMAND} --build <BINARY_DIR> --target firmware.elf
   INSTALL_COMMAND ""
-  DEPENDS machine_header_file benchmark_machine_header)
+  DEPENDS machine_header_file benchmark_machine_header machine_header_at_250000 machine_header_at_1000000
+    machine_header_at_3000000)
 add_custom_target(firmware DEPENDS firmware_image)
 
-# Of the same objects, built only where they are asked for.
+# Of the same objects, built only where they are asked for; one at a time, since all are builds in the same
+# folder.
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)
 add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
-  DEPENDS firmware_image VERBATIM)
+  DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 add_custom_target(stepping_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target stepping_benchmark_hardware.elf stepping_benchmark_software.elf
       printing_benchmark_hardware.elf printing_benchmark_software.elf
-  DEPENDS firmware_image VERBATIM)
-# One at a time: both are builds in the same folder.
-add_dependencies(stepping_benchmark_programs firmware_software_stepping)
+  DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 add_custom_target(processor_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target processor_benchmarks processor_benchmarks_without_c processor_benchmarks_with_zbb
-  DEPENDS firmware_image VERBATIM)
-add_dependencies(processor_benchmark_programs stepping_benchmark_programs)
+  DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+add_custom_target(link_benchmark_programs
+  COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
+    --target link_benchmark_250000.elf link_benchmark_1000000.elf link_benchmark_3000000.elf
+  DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)

@@ -116,6 +116,37 @@ TEST(bench, processor_measures_works_and_finds_where_the_clocks_go) {
             0.85 * figures["firmware"]["rv32im_code_bytes"].get<double>());
 }
 
+TEST(bench, link_measures_lines_and_their_answers) {
+  const auto folder = scenarios::scratch_folder();
+  const auto file = folder / "link.json";
+  std::filesystem::remove(file);
+  const auto job = scenarios::run_job({"bench", "link", "--quick", "--json", file.string()});
+  ASSERT_EQ(job.status, 0) << job.output;
+  std::ifstream stream(file);
+  const auto figures = nlohmann::json::parse(stream);
+  // 3 Mbaud need more than 4 MHz.
+  EXPECT_EQ(figures["lines_of_27_characters"].size(), 4u * 3 + 4 * 2);
+  EXPECT_EQ(figures["lines_of_8_characters"].size(), 5u);
+  EXPECT_EQ(figures["arc_of_1200_segments"].size(), 5u);
+  for (const auto& series : {"lines_of_27_characters", "lines_of_8_characters"}) {
+    for (const auto& row : figures[series]) {
+      EXPECT_GT(row["lines_per_second"], 0) << row;
+      // A window's last lines may have come before the first answer that counts.
+      const double room = row["window"] == 1 ? 1.0 : 1.2;
+      EXPECT_LT(row["lines_per_second"], room * row["line_limit_per_second"].get<double>()) << row;
+      if (row["window"] != 1) continue;
+      EXPECT_GT(row["mean_latency_us"], 0) << row;
+      EXPECT_GE(row["longest_latency_us"], row["mean_latency_us"]) << row;
+    }
+  }
+  // A line is answered when its end has come, not when a timer expires.
+  for (const auto& row : figures["lines_of_8_characters"]) {
+    if (row["clock_hz"] == 50'000'000) EXPECT_LT(row["longest_latency_us"], 500) << row;
+  }
+  for (const auto& row : figures["arc_of_1200_segments"])
+    EXPECT_GT(row["motion_seconds"], 0) << row;
+}
+
 TEST(bench, model_tells_how_fast_it_runs_and_what_resting_blocks_bring) {
   const auto folder = scenarios::scratch_folder();
   const auto file = folder / "model.json";

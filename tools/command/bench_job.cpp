@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the stepping benchmark on hardware and on software, and prints a file with both; times the
-// model of the chip; or runs the processor's benchmark, which is a program of its own.
+// Runs the stepping benchmark on hardware and on software, and prints a file with both; the lines
+// of the serial link; times the model of the chip; or runs the processor's benchmark, which is a
+// program of its own.
 #include "tools/command/bench_job.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 
 #include "sim/report/json_report.hpp"
+#include "tools/benchmark/link_figures.hpp"
 #include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"
 #include "tools/command/build.hpp"
@@ -152,9 +154,26 @@ int bench_model(const BenchOptions& options) {
   return success;
 }
 
+int bench_link(const BenchOptions& options) {
+  build({"link_benchmark_programs"});
+  benchmarks::LinkScope scope{.firmware = {},
+                              .machine = description_of("prusa_mendel.toml"),
+                              .quick = options.quick,
+                              .look = end_if_interrupted};
+  for (const std::uint32_t baud : {250'000u, 1'000'000u, 3'000'000u}) {
+    const auto program = programs_folder() / fmt::format("link_benchmark_{}.elf", baud);
+    scope.firmware.emplace(baud, sim::read_elf(program));
+  }
+  const auto figures = benchmarks::measure_link(scope, say);
+  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(figures));
+  fmt::print("{}", benchmarks::to_table(figures));
+  return success;
+}
+
 int bench_one(const std::string& name, const BenchOptions& options) {
   if (name == "stepping") return bench_stepping(options);
   if (name == "model") return bench_model(options);
+  if (name == "link") return bench_link(options);
   return bench_processor(options);
 }
 
@@ -162,7 +181,7 @@ int bench_one(const std::string& name, const BenchOptions& options) {
 
 int bench(const BenchOptions& options) {
   BenchOptions chosen = options;
-  if (chosen.names.empty()) chosen.names = {"model", "processor", "stepping"};
+  if (chosen.names.empty()) chosen.names = {"link", "model", "processor", "stepping"};
   if (chosen.names.size() > 1 && !chosen.json.empty())
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   if (chosen.print_file.empty() && !chosen.quick) {

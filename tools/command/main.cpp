@@ -194,11 +194,12 @@ void add_load(CLI::App& app, LoadOptions& options) {
 void add_bench(CLI::App& app, BenchOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "bench",
-      "Measure, in clocks: how hardware and software make steps, how fast the processor is; and "
-      "how fast the model of the chip runs here.");
-  job.add_option("names", options.names, "stepping, processor, model; default: all")
+      "Measure, in clocks: how hardware and software make steps, how fast the processor is, how "
+      "many "
+      "lines go through the serial line; and how fast the model of the chip runs here.");
+  job.add_option("names", options.names, "stepping, processor, model, link; default: all")
       ->type_name("NAME...")
-      ->check(CLI::IsMember({"stepping", "processor", "model"}));
+      ->check(CLI::IsMember({"stepping", "processor", "model", "link"}));
   job.add_option("--json", options.json, "write the figures")->type_name("FILE");
   job.add_option("--report", options.report, "folder for the pages: stepping.html, processor.html")
       ->type_name("DIR")

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip with its printer, a host with some lines in flight, and the clocks at which replies
+// came.
+#include "tools/benchmark/link_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/simulation.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/pin_watch.hpp"
+#include "tools/benchmark/window_host.hpp"
+
+namespace benchmarks {
+
+namespace {
+
+constexpr double room_c = 25;
+constexpr sim::Clock looks_clocks = 20'000;
+// A line that is not answered for so long will not be.
+constexpr double patience_seconds = 5;
+// A byte has been heard in the middle of its stop bit.
+constexpr double bits_until_heard = 9.5;
+constexpr int least_decimals = 3, most_decimals = 7;
+
+double motion_seconds(const PinWatch& pins, sim::ClockRate rate) {
+  sim::Clock first = sim::never, last = 0;
+  for (std::size_t i = 0; i < axes; ++i) {
+    if (pins.axis(i).rises.empty()) continue;
+    first = std::min(first, pins.axis(i).rises.front());
+    last = std::max(last, pins.axis(i).rises.back());
+  }
+  return first == sim::never ? 0 : rate.seconds(last - first);
+}
+
+}  // namespace
+
+std::string NumberedLines::framed(const std::string& command) const {
+  const std::string text = fmt::format("N{} {}", lines_.size(), command);
+  unsigned checksum = 0;
+  for (const char character : text) checksum ^= static_cast<unsigned char>(character);
+  return fmt::format("{}*{}", text, checksum);
+}
+
+void NumberedLines::add_move(double x_mm, double y_mm, std::size_t length) {
+  for (int x = least_decimals; x <= most_decimals; ++x) {
+    for (int y = least_decimals; y <= most_decimals; ++y) {
+      const std::string line = framed(fmt::format("G1 X{:.{}f} Y{:.{}f}", x_mm, x, y_mm, y));
+      if (line.size() != length) continue;
+      lines_.push_back(line);
+      return;
+    }
+  }
+  throw std::runtime_error(
+      fmt::format("no line of {} characters goes to X{} Y{}", length, x_mm, y_mm));
+}
+
+LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& description,
+                 const LinkOrder& order, const std::function<void()>& look) {
+  sim::VerilatedChip chip(order.clock_hz);
+  sim::load(firmware, chip);
+  const sim::ClockRate rate(order.clock_hz);
+  sim::Simulation simulation(chip, rate);
+  machine::Printer printer(
+      description,
+      {.baud = order.baud, .hotend_start_c = room_c, .bed_start_c = room_c, .faults = {}},
+      simulation);
+  PinWatch pins;
+  simulation.attach(pins, PinWatch::watched());
+  WindowHost host(order.lines, printer.serial_line(), order.window);
+
+  // Looks are rarer than lines: what is counted between two looks is put down to whole lines.
+  sim::Clock measured_from = 0, awake_from = 0;
+  sim::Clock last_answer = 0;
+  std::size_t answered = 0;
+  const auto awake = [&] { return simulation.now() - chip.processor_statistics().sleeping_clocks; };
+  while (!host.done()) {
+    look();
+    simulation.run_until(simulation.now() + looks_clocks);
+    if (!host.complaint().empty()) {
+      throw std::runtime_error(fmt::format("a line was refused: {}", host.complaint()));
+    }
+    if (measured_from == 0 && host.answers().size() > order.first_measured) {
+      measured_from = simulation.now();
+      awake_from = awake();
+    }
+    if (host.answers().size() != answered) last_answer = simulation.now();
+    answered = host.answers().size();
+    if (simulation.now() - last_answer > rate.clocks(patience_seconds)) {
+      throw std::runtime_error(fmt::format("line {} is not answered", answered));
+    }
+  }
+
+  const auto& answers = host.answers();
+  LinkRun run;
+  run.busy_percent = 100.0 * static_cast<double>(awake() - awake_from) /
+                     static_cast<double>(simulation.now() - measured_from);
+  run.lines_per_second = static_cast<double>(answers.size() - 1 - order.first_measured) /
+                         rate.seconds(answers.back().heard - answers[order.first_measured].heard);
+  const double bit_us = 1e6 / order.baud;
+  for (std::size_t i = order.first_measured; i < answers.size(); ++i) {
+    const double latency_us =
+        1e6 * rate.seconds(answers[i].heard_from - answers[i].sent) - bits_until_heard * bit_us;
+    run.mean_latency_us += latency_us / static_cast<double>(answers.size() - order.first_measured);
+    run.longest_latency_us = std::max(run.longest_latency_us, latency_us);
+  }
+  run.motion_seconds = motion_seconds(pins, rate);
+  run.underruns = chip.queue_statistics().underruns;
+  return run;
+}
+
+}  // namespace benchmarks
