@@ -24,11 +24,12 @@ use work.step_generator_pkg.all;
 -- nothing is caught up later: from 7/64 tick per clock on the scale is at most 2, from 15/64 on at most 1.
 --
 -- Accelerations. At a scale of s the base's acceleration a and tick rate r become s^2*a + (ds/dt)*r. Where
--- |ds/dt|*r is not more than the largest |a|, the sum exceeds it only where both terms have one sign: where the
--- scale rises while the base accelerates, or falls while it decelerates. Then the slope is cut to what s^2 leaves
--- of 1: a half of it for s below 1/2 (1/4 + 1/2), a quarter below 3/4 (9/16 + 1/4), an eighth below 7/8
--- (49/64 + 1/8), and nothing from there on. A scale of 7/8 and more so waits until the ramp of the base is over;
--- a lower one always gets on, however slowly the base comes to the end of its ramp. The brake does not wait.
+-- |ds/dt|*r is not more than the largest |a|, the sum exceeds it only where both terms have one sign: where
+-- the scale rises while the base accelerates, or falls while it decelerates. Then the slope is cut to what
+-- s^2 leaves of 1: a half of it for s below 1/2 (1/4 + 1/2), a quarter below 3/4 (9/16 + 1/4), an eighth
+-- below 7/8 (49/64 + 1/8), and nothing from there on. A scale of 7/8 and more so waits until the ramp of the
+-- base is over; a lower one always gets on, however slowly the base comes to the end of its ramp. The brake
+-- does not wait.
 entity feed_override is
   port (
     -- Edges may be left out while the inputs stay and not `working`, from 3 clocks on.

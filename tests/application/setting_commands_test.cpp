@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings: what is taken, what is refused, and what is said without values.
+// Settings: what is taken, what is refused, and what is reported without values.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"
@@ -54,7 +54,7 @@ TEST(setting_commands, m113_tells_and_sets_the_busy_interval) {
       "-> M113\n<- echo:M113 S2\n<- ok\n-> M113 S5\n<- ok\n-> M113\n<- echo:M113 S5\n<- ok");
 }
 
-TEST(setting_commands, without_values_tell_what_holds) {
+TEST(setting_commands, without_values_report_what_holds) {
   Printer printer;
   printer.talk(R"(
     -> M201

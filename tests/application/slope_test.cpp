@@ -33,8 +33,8 @@ double slope_of(const motion::Limits& limits, std::int32_t feedrate) {
   }
   const double least = std::max(limits.min_print_speed, limits.min_travel_speed).count();
   const double path = std::min(std::sqrt(squares), std::max<double>(feedrate, least));
-  return std::min<double>({slope, limits.print_acceleration.count() / path,
-                           limits.travel_acceleration.count() / path});
+  return std::min<double>(
+      {slope, limits.print_acceleration.count() / path, limits.travel_acceleration.count() / path});
 }
 
 TEST(slope, is_that_of_the_strictest_line_that_may_still_be_executed) {
@@ -50,7 +50,9 @@ TEST(slope, is_that_of_the_strictest_line_that_may_still_be_executed) {
   std::size_t exact = 0;
   for (int i = 0; i < 20'000; ++i) {
     if (random() % 30 == 0) {
-      const auto any = [&between] { return units::MicrometersPerSecondSquared(between(50'000, 5'000'000)); };
+      const auto any = [&between] {
+        return units::MicrometersPerSecondSquared(between(50'000, 5'000'000));
+      };
       limits.print_acceleration = any();
       limits.travel_acceleration = any();
       limits.retract_acceleration = any();
@@ -71,7 +73,8 @@ TEST(slope, is_that_of_the_strictest_line_that_may_still_be_executed) {
     }
     const double per_second = std::ldexp(in_force, -32) * clock_hz;
     const auto strictest = [&lines](std::size_t count) {
-      return *std::min_element(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(lines.size(), count)));
+      return *std::min_element(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(
+                                                                  std::min(lines.size(), count)));
     };
     const double resolution = std::ldexp(clock_hz, -32);
     ASSERT_LE(per_second, strictest(most_lines) * 1.0001) << i;

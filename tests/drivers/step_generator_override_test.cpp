@@ -64,8 +64,8 @@ class StepGeneratorOverrideTest : public tests::StepGeneratorFixture {
     }
   }
 
-  // The largest acceleration of X that the edges of each of its lines show, in ticks per clock^2: between
-  // edges some thousand clocks apart, where a clock more or less is a hundredth of it.
+  // The largest acceleration of X that the edges of each of its lines show, in ticks per clock^2:
+  // between edges some thousand clocks apart, where a clock more or less is a hundredth of it.
   static double largest_acceleration(const std::vector<Edge>& edges) {
     constexpr std::uint64_t apart = 6000;
     double largest = 0;
@@ -192,7 +192,8 @@ TEST_F(StepGeneratorOverrideTest, accelerates_no_more_than_the_ramps_whenever_th
   }
 }
 
-TEST_F(StepGeneratorOverrideTest, comes_to_rest_in_four_times_the_longest_ramp_wherever_it_is_held) {
+TEST_F(StepGeneratorOverrideTest,
+       comes_to_rest_in_four_times_the_longest_ramp_wherever_it_is_held) {
   constexpr auto longest =
       static_cast<std::uint64_t>(4 * highest_ticks_per_clock / ticks_per_clock2);
   generator_.set_slopes(slope_of_the_ramps, 1);
