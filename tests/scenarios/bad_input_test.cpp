@@ -51,8 +51,12 @@ TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_execute
       "M104 S900\n"
       "G1 X20 Y15 F6000\n";
   const auto print = print_text(gcode);
-  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  EXPECT_EQ(print.job.status, 1) << print.job.output;
   EXPECT_EQ(print.report["result"], "completed");
+  EXPECT_EQ(print.report["verdict"], "bad");
+  // All but M104, which the firmware cuts to what the machine stands.
+  EXPECT_EQ(print.report["lines"]["refused"], 7);
+  EXPECT_THAT(print.job.output, testing::HasSubstr("line 4: G1 X500: Move beyond the end of X"));
   EXPECT_TRUE(print.said("Unknown command: \"G999\""));
   EXPECT_TRUE(print.said("Move beyond the end of X"));
   EXPECT_TRUE(print.said("Move beyond the end of Y"));
