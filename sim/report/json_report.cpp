@@ -106,6 +106,7 @@ std::string to_json(const Results& results) {
   json["clock_hz"] = results.clock_hz;
   json["cycles"] = results.cycles;
   json["simulated_seconds"] = rounded(results.simulated_seconds);
+  json["moving_seconds"] = rounded(results.moving_seconds);
   json["wall_seconds"] = rounded(results.wall_seconds);
   json["lines_sent"] = results.lines_sent;
   json["resends"] = results.resends;

@@ -69,7 +69,8 @@ struct Results {
   TemperatureResult bed{};
   FirmwareResult firmware;
   double processor_busy_percent{};
-  double processor_saturated_seconds{};  // in which it hardly slept
+  double moving_seconds{};
+  double processor_saturated_seconds{};  // of those, in which it hardly slept
   std::uint64_t instructions{};
   std::uint64_t longest_pass_clocks{};  // of the firmware's loop, from waking up to sleeping
   std::uint64_t serial_bytes_corrupted{};

@@ -107,6 +107,18 @@ TEST(verdict, is_good_on_a_noisy_line_with_several_lines_in_flight) {
   EXPECT_EQ(print.report["path"]["points_reached"], 60);
 }
 
+TEST(verdict, names_a_higher_clock_where_the_processor_is_the_limit) {
+  std::string gcode = "G28 X Y\nG1 F12000\n";
+  for (int i = 1; i <= 200; ++i) {
+    gcode += "G1 X" + std::to_string(0.1 * i) + " Y" + std::to_string(0.1 * (i % 2)) + "\n";
+  }
+  const Print print = print_text(gcode, {"--window", "4", "--baud", "1000000"});
+  EXPECT_GT(print.report["processor"]["saturated_seconds"], 0);
+  EXPECT_THAT(print.job.output, HasSubstr("try --clock-hz 8000000"));
+  const Print quick = print_text("G28 X Y\nG1 X10\n");
+  EXPECT_THAT(quick.job.output, testing::Not(HasSubstr("try --clock-hz")));
+}
+
 TEST(verdict, refuses_options_that_cannot_be) {
   EXPECT_EQ(print_text("G28\n", {"--window", "0"}).job.status, 2);
   EXPECT_EQ(print_text("G28\n", {"--window", "9"}).job.status, 2);

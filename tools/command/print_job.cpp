@@ -89,27 +89,46 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
           printer.bed_c()};
 }
 
-// How long the processor hardly sleeps: then it is what limits the print.
+// How long anything moves, and how much of that the processor hardly sleeps: then it is what limits
+// the print.
 class Saturation {
  public:
-  void look(sim::Simulation& simulation) {
+  void look(PrinterSetup& setup) {
+    sim::Simulation& simulation = setup.simulation();
     const sim::Clock now = simulation.now();
     const std::uint64_t sleeping = simulation.chip().processor_statistics().sleeping_clocks;
+    const std::uint64_t steps = steps_of(setup.printer());
     const auto clocks = static_cast<double>(now - seen_);
-    if (static_cast<double>(sleeping - slept_) < (1.0 - saturated_share) * clocks) {
-      seconds_ += simulation.rate().seconds(now - seen_);
+    if (steps != steps_) {
+      const double seconds = simulation.rate().seconds(now - seen_);
+      const bool saturated =
+          static_cast<double>(sleeping - slept_) < (1.0 - saturated_share) * clocks;
+      moving_seconds_ += seconds;
+      saturated_seconds_ += saturated ? seconds : 0;
     }
     seen_ = now;
     slept_ = sleeping;
+    steps_ = steps;
   }
-  double seconds() const { return seconds_; }
+  double moving_seconds() const { return moving_seconds_; }
+  double saturated_seconds() const { return saturated_seconds_; }
 
  private:
   static constexpr double saturated_share = 0.98;
 
+  static std::uint64_t steps_of(const machine::Printer& printer) {
+    std::uint64_t steps = 0;
+    for (std::size_t axis = 0; axis < machine::axis_count; ++axis) {
+      steps += printer.motor(axis).counts().forward + printer.motor(axis).counts().backward;
+    }
+    return steps;
+  }
+
   sim::Clock seen_ = 0;
   std::uint64_t slept_ = 0;
-  double seconds_ = 0;
+  std::uint64_t steps_ = 0;
+  double moving_seconds_ = 0;
+  double saturated_seconds_ = 0;
 };
 
 // Runs to the end of the print. Returns how it ended.
@@ -122,7 +141,7 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devi
   Progress progress;
   while (!host.ended() && simulation.now() < until && !interrupt_requested()) {
     simulation.run_until(std::min(simulation.now() + chunk, until));
-    saturation.look(simulation);
+    saturation.look(setup);
     if (progress.due()) {
       progress.show(facts_of(setup, host));
     }
@@ -204,7 +223,8 @@ int print(const PrintOptions& options) {
   results.outcome = outcome;
   results.fault = fault;
   results.wall_seconds = std::chrono::duration<double>(Time::now() - started).count();
-  results.processor_saturated_seconds = saturation.seconds();
+  results.moving_seconds = saturation.moving_seconds();
+  results.processor_saturated_seconds = saturation.saturated_seconds();
   results.findings.lines_lost = lost_lines(outcome, host, watch);
   report::judge(results);
   recorder.close_edges();

@@ -61,17 +61,20 @@ void show_verdict(const report::Results& results) {
   }
 }
 
-// The clocks that make the difference, and that boards have.
+// Names a clock that boards have where the processor held the motion up.
 void show_clock_advice(const report::Results& results) {
-  constexpr double worth_a_word_seconds = 0.2;
+  constexpr double worth_a_word = 0.1;
   constexpr std::array round_clocks_hz{8'000'000U, 16'000'000U, 25'000'000U, 50'000'000U};
+  const double seconds = results.processor_saturated_seconds;
+  const bool limit =
+      seconds > worth_a_word * results.moving_seconds || (seconds > 0 && results.underruns > 0);
   const auto* next = std::ranges::find_if(
       round_clocks_hz, [&](std::uint32_t clock_hz) { return clock_hz > results.clock_hz; });
-  if (results.processor_saturated_seconds < worth_a_word_seconds || next == round_clocks_hz.end()) {
-    return;
+  if (limit && next != round_clocks_hz.end()) {
+    fmt::print(
+        "  the processor was the limit for {:.1f} of {:.1f} s of motion: try --clock-hz {}\n",
+        seconds, results.moving_seconds, *next);
   }
-  fmt::print("  the processor was the limit for {:.1f} s: --clock-hz {} makes it faster\n",
-             results.processor_saturated_seconds, *next);
 }
 
 }  // namespace
