@@ -109,8 +109,8 @@ TEST(verdict, is_good_on_a_noisy_line_with_several_lines_in_flight) {
 
 TEST(verdict, names_a_higher_clock_where_the_processor_is_the_limit) {
   std::string gcode = "G28 X Y\nG1 F12000\n";
-  for (int i = 1; i <= 200; ++i) {
-    gcode += "G1 X" + std::to_string(0.1 * i) + " Y" + std::to_string(0.1 * (i % 2)) + "\n";
+  for (int i = 1; i <= 250; ++i) {
+    gcode += "G1 X" + std::to_string(0.2 * i) + "\n";
   }
   const Print print = print_text(gcode, {"--window", "4", "--baud", "1000000"});
   EXPECT_GT(print.report["processor"]["saturated_seconds"], 0);

@@ -164,7 +164,7 @@ TEST_F(FileHostTest, does_not_send_m110_of_the_file_and_says_so) {
   EXPECT_EQ(host->commands(), 3U);
 }
 
-TEST_F(FileHostTest, keeps_as_many_lines_in_flight_as_it_is_told_to) {
+TEST_F(FileHostTest, keeps_as_many_lines_in_flight_as_its_window_has) {
   options.window = 3;
   print("G1 X1\nG1 X2\nG1 X3\nG1 X4\nG1 X5\n", {"ok\n", "", "", "", "", "", ""}, 2);
   EXPECT_EQ(sent.size(), 4U);

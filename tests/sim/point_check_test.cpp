@@ -345,6 +345,23 @@ TEST_F(PointCheckTest, follows_a_host_with_several_lines_in_flight_one_of_them_r
   EXPECT_EQ(missed(), 0U);
 }
 
+TEST_F(PointCheckTest, settles_at_m400_also_where_the_next_line_has_been_sent_before_its_end) {
+  send("G28 X Y");
+  begin("G1 X1");
+  begin("M400");
+  begin("G1 X2");
+  end();
+  go_to(1, 0);
+  end();
+  EXPECT_EQ(reached(), 1U);
+  EXPECT_EQ(missed(), 0U);
+  end();
+  go_to(2, 0);
+  send("M400");
+  EXPECT_EQ(reached(), 2U);
+  EXPECT_EQ(missed(), 0U);
+}
+
 TEST_F(PointCheckTest, does_not_miss_what_is_still_under_way) {
   send("G28 X Y");
   send("G1 X10");
