@@ -69,7 +69,7 @@ bool within(const std::array<Range, size>& ranges, std::int64_t code) {
 }
 
 bool effective(const GcodeWord& word) {
-  const std::int64_t code = word.value.value_or(-millionths) / millionths;
+  const std::int64_t code = word.value.value_or(-billionths) / billionths;
   switch (word.letter) {
     case 'G':
       return !within(harmless_g, code);

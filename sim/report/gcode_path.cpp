@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small interpreter of the G-codes that move, in whole picometres.
+// A small interpreter of the G-codes that move, in whole femtometres.
 #include "sim/report/gcode_path.hpp"
 
 namespace report {
@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::string_view axis_words = "XYZE";
 constexpr std::size_t extruder = 3;
-constexpr Picometers per_millionth_mm = picometers_per_mm / millionths;
-constexpr Picometers per_millionth_inch = 25'400;
+constexpr Femtometers per_billionth_mm = femtometers_per_mm / billionths;
+constexpr Femtometers per_billionth_inch = 25'400;
 
 template <class... Codes>
 bool is_any(const GcodeWords& words, char letter, Codes... codes) {
@@ -51,7 +51,7 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     const auto target = words.value(waits && words.has('R') ? 'R' : 'S');
     if (target) {
       request = TemperatureTarget{is_any(words, 'M', 140, 190),
-                                  static_cast<double>(*target) / millionths, waits};
+                                  static_cast<double>(*target) / billionths, waits};
     }
   } else if (words.is('M', 92)) {
     NewResolution resolution;
@@ -61,7 +61,7 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     request = resolution;
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
-    flow_percent_ = words.value('S').value_or(flow_percent_ * millionths) / millionths;
+    flow_percent_ = words.value('S').value_or(flow_percent_ * billionths) / billionths;
   } else if (words.is('M', 400)) {
     request = Rest{};
   } else if (words.is('M', 410)) {
@@ -69,27 +69,27 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
   }
 }
 
-std::optional<Picometers> GcodePath::length(const GcodeWords& words, char letter) const {
+std::optional<Femtometers> GcodePath::length(const GcodeWords& words, char letter) const {
   const std::optional<std::int64_t> value = words.value(letter);
   // 10^7 units are further than any machine, and leave room for sums.
-  constexpr std::int64_t furthest = 10'000'000 * millionths;
+  constexpr std::int64_t furthest = 10'000'000 * billionths;
   if (!value || *value > furthest || *value < -furthest) {
     return std::nullopt;
   }
-  return *value * (inches_ ? per_millionth_inch : per_millionth_mm);
+  return Femtometers{*value} * (inches_ ? per_billionth_inch : per_billionth_mm);
 }
 
 Request GcodePath::move(const GcodeWords& words) {
   Move move{machine_, machine_};
   bool any = false;
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
-    const std::optional<Picometers> value = length(words, axis_words[i]);
+    const std::optional<Femtometers> value = length(words, axis_words[i]);
     if (!value) {
       continue;
     }
     any = true;
     const bool absolute = i == extruder ? extruder_absolute_ : absolute_;
-    const Picometers distance = absolute ? *value - logical_[i] : *value;
+    const Femtometers distance = absolute ? *value - logical_[i] : *value;
     logical_[i] += distance;
     move.to[i] += i == extruder ? distance / 100 * flow_percent_ : distance;
   }

@@ -13,15 +13,15 @@
 
 namespace report {
 
-// A millionth of a millimetre, of an inch, and percents of both are whole numbers of picometres.
-using Picometers = std::int64_t;
-inline constexpr Picometers picometers_per_mm = 1'000'000'000;
+// A billionth of a millimetre, of an inch, and percents of both are whole numbers of femtometres.
+__extension__ using Femtometers = __int128;
+inline constexpr Femtometers femtometers_per_mm = 1'000'000'000'000;
 
 // Exact machine positions, zero at the end stops: offsets of G92 are taken out.
-using Point = std::array<Picometers, 4>;  // x y z e
+using Point = std::array<Femtometers, 4>;  // x y z e
 
-constexpr double millimeters(Picometers length) {
-  return static_cast<double>(length) / static_cast<double>(picometers_per_mm);
+constexpr double millimeters(Femtometers length) {
+  return static_cast<double>(length) / static_cast<double>(femtometers_per_mm);
 }
 
 struct Move {
@@ -37,7 +37,7 @@ struct TemperatureTarget {
   bool waits{};  // M109, M190
 };
 struct NewResolution {
-  std::array<std::optional<std::int64_t>, 4> steps_per_mm{};  // in millionths
+  std::array<std::optional<std::int64_t>, 4> steps_per_mm{};  // in billionths
 };
 struct Rest {};  // M400: everything before it has been made
 struct QuickStop {};  // M410: what was under way stays undone
@@ -54,12 +54,12 @@ class GcodePath {
 
   // The machine stands here without having been sent there: after M410, or where the chip said that
   // it prevents an extrusion. What the file calls the place stays as it is.
-  void stand_at(std::size_t axis, Picometers place) { machine_[axis] = place; }
+  void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
 
  private:
   void read_g(const GcodeWords& words, Request& request);
   void read_m(const GcodeWords& words, Request& request);
-  std::optional<Picometers> length(const GcodeWords& words, char letter) const;
+  std::optional<Femtometers> length(const GcodeWords& words, char letter) const;
   Request move(const GcodeWords& words);
   Request home(const GcodeWords& words);
   void set_position(const GcodeWords& words);

@@ -10,7 +10,7 @@ namespace report {
 namespace {
 
 constexpr std::int64_t largest_whole = 1'000'000'000;
-constexpr unsigned kept_decimals = 6;
+constexpr unsigned kept_decimals = 9;
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 bool is_blank(char character) { return character == ' ' || character == '\t'; }
@@ -93,7 +93,7 @@ class Reader {
       return std::nullopt;
     }
     text_ = rest;
-    const std::int64_t value = whole * millionths + fraction;
+    const std::int64_t value = whole * billionths + fraction;
     return negative ? -value : value;
   }
 
@@ -114,7 +114,7 @@ GcodeWords::GcodeWords(std::string_view command) {
 
 bool GcodeWords::is(char letter, int code) const {
   return !words_.empty() && words_.front().letter == letter &&
-         words_.front().value == code * millionths;
+         words_.front().value == code * billionths;
 }
 
 const GcodeWord* GcodeWords::find(char letter) const {

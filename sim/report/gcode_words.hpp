@@ -9,9 +9,9 @@
 
 namespace report {
 
-inline constexpr std::int64_t millionths = 1'000'000;
+inline constexpr std::int64_t billionths = 1'000'000'000;
 
-// A letter in upper case and the number behind it in millionths. More than six decimals are
+// A letter in upper case and the number behind it in billionths. More than nine decimals are
 // rounded, halves away from zero; beyond 10^9 the number stays there.
 struct GcodeWord {
   char letter{};

@@ -23,7 +23,7 @@ void PathCheck::set_grid(const std::array<Resolution, 2>& steps_per_mm,
   resolution_ = steps_per_mm;
   origin_ = origin;
   for (std::size_t i = 0; i < steps_per_mm.size(); ++i) {
-    steps_per_mm_[i] = static_cast<double>(steps_per_mm[i]) / millionths;
+    steps_per_mm_[i] = static_cast<double>(steps_per_mm[i]) / billionths;
   }
 }
 

@@ -9,28 +9,28 @@
 
 namespace report {
 
-// Steps per millimetre in millionths: what a description or M92 says, without a remainder.
+// Steps per millimetre in billionths: what a description or M92 says, without a remainder.
 using Resolution = std::int64_t;
 
 inline Resolution resolution_of(double steps_per_mm) {
-  return std::llround(steps_per_mm * static_cast<double>(millionths));
+  return std::llround(steps_per_mm * static_cast<double>(billionths));
 }
 
 // value * factor / divisor, rounded to nearest, halves away from zero.
-constexpr std::int64_t scaled(std::int64_t value, std::int64_t factor, std::int64_t divisor) {
-  __extension__ using Wide = __int128;
-  const Wide product = static_cast<Wide>(value) * factor;
-  const Wide half = divisor / 2;
-  return static_cast<std::int64_t>((product < 0 ? product - half : product + half) / divisor);
+constexpr Femtometers scaled(Femtometers value, Femtometers factor, Femtometers divisor) {
+  const Femtometers product = value * factor;
+  const Femtometers half = divisor / 2;
+  return (product < 0 ? product - half : product + half) / divisor;
 }
 
 // The step that is nearest to an exact position.
-constexpr std::int64_t nearest_step(Picometers position, Resolution steps_per_mm) {
-  return scaled(position, steps_per_mm, picometers_per_mm * millionths);
+constexpr std::int64_t nearest_step(Femtometers position, Resolution steps_per_mm) {
+  return static_cast<std::int64_t>(
+      scaled(position, steps_per_mm, femtometers_per_mm * billionths));
 }
 
-constexpr Picometers place_of_step(std::int64_t step, Resolution steps_per_mm) {
-  return scaled(step, picometers_per_mm * millionths, steps_per_mm);
+constexpr Femtometers place_of_step(std::int64_t step, Resolution steps_per_mm) {
+  return scaled(step, femtometers_per_mm * billionths, steps_per_mm);
 }
 
 }  // namespace report

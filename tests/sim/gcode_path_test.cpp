@@ -9,7 +9,7 @@ namespace {
 using report::GcodePath;
 using testing::ElementsAre;
 
-constexpr std::int64_t mm = report::picometers_per_mm;
+constexpr report::Femtometers mm = report::femtometers_per_mm;
 
 // In millimetres.
 std::array<double, 4> place(const GcodePath& path) {
@@ -66,15 +66,15 @@ TEST(GcodePath, adds_without_any_error) {
   EXPECT_THAT(path.position(), ElementsAre(1 * mm, -100'000 * mm, 0, 70 * mm));
   path.read("G20");
   path.read("M221 S33");
-  path.read("G1 X0.000001 E0.000003");
+  path.read("G1 X0.000000001 E0.000000003");
   EXPECT_THAT(path.position(),
               ElementsAre(1 * mm + 25'400, -100'000 * mm, 0, 70 * mm + 3 * 254 * 33));
 }
 
-TEST(GcodePath, rounds_the_seventh_decimal_away_from_zero) {
+TEST(GcodePath, rounds_the_tenth_decimal_away_from_zero) {
   GcodePath path;
-  path.read("G1 X0.0000005 Y-0.0000005 Z0.00000049");
-  EXPECT_THAT(path.position(), ElementsAre(mm / 1'000'000, -mm / 1'000'000, 0, 0));
+  path.read("G1 X0.0000000005 Y-0.0000000005 Z0.00000000049");
+  EXPECT_THAT(path.position(), ElementsAre(mm / 1'000'000'000, -mm / 1'000'000'000, 0, 0));
 }
 
 TEST(GcodePath, moves_no_axis_by_a_second_command_or_a_subcode) {
