@@ -19,7 +19,13 @@ bool starts_with_any(std::string_view line, std::initializer_list<std::string_vi
 }  // namespace
 
 void MessageLog::command_sent(sim::Clock, std::size_t file_line, std::string_view) {
-  file_line_ = file_line;
+  in_flight_.push_back(file_line);
+}
+
+void MessageLog::command_acknowledged(sim::Clock, std::size_t, std::string_view, bool) {
+  if (!in_flight_.empty()) {
+    in_flight_.pop_front();
+  }
 }
 
 void MessageLog::reply(sim::Clock now, std::string_view line) {
@@ -39,7 +45,8 @@ void MessageLog::reply(sim::Clock now, std::string_view line) {
       },
       '?');
   const bool error = starts_with_any(line, {"Error", "error", "!!", "Resend"});
-  messages_.push_back({rate_.seconds(now), file_line_, std::move(text), error});
+  const std::size_t file_line = in_flight_.empty() ? 0 : in_flight_.front();
+  messages_.push_back({rate_.seconds(now), file_line, std::move(text), error});
 }
 
 }  // namespace report

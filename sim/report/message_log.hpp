@@ -2,6 +2,7 @@
 // What the chip said beyond plain acknowledgements and temperatures, with the time.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ class MessageLog : public devices::HostListener {
   explicit MessageLog(sim::ClockRate rate) : rate_(rate) {}
 
   void command_sent(sim::Clock now, std::size_t file_line, std::string_view command) override;
+  void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
+                            bool executed) override;
   void reply(sim::Clock now, std::string_view line) override;
 
   const std::vector<Message>& messages() const { return messages_; }
@@ -29,7 +32,7 @@ class MessageLog : public devices::HostListener {
 
  private:
   sim::ClockRate rate_;
-  std::size_t file_line_ = 0;
+  std::deque<std::size_t> in_flight_;  // lines of the file, the one that is worked on first
   std::vector<Message> messages_;
   std::size_t dropped_ = 0;
 };

@@ -141,7 +141,8 @@ TEST(bench, link_measures_lines_and_their_answers) {
   }
   // A line is answered when its end has come, not when a timer expires.
   for (const auto& row : figures["lines_of_8_characters"]) {
-    if (row["clock_hz"] == 50'000'000) EXPECT_LT(row["longest_latency_us"], 500) << row;
+    if (row["clock_hz"] == 4'000'000) continue;
+    EXPECT_LT(row["longest_latency_us"], 500) << row;
   }
   for (const auto& row : figures["arc_of_1200_segments"])
     EXPECT_GT(row["motion_seconds"], 0) << row;

@@ -107,4 +107,19 @@ TEST(EdgeFile, says_where_it_cannot_write) {
   EXPECT_THROW(report::EdgeFile("no/such/folder/edges.csv"), std::runtime_error);
 }
 
+TEST(MessageLog, puts_a_message_to_the_line_that_is_worked_on) {
+  report::MessageLog log(sim::ClockRate(4'000'000));
+  log.command_sent(0, 7, "G2 X1");
+  log.command_sent(0, 8, "G1 X1");
+  log.reply(0, "echo:Unknown command: \"G2 X1\"");
+  log.command_acknowledged(0, 7, "G2 X1", false);
+  log.reply(0, "echo:something");
+  log.command_acknowledged(0, 8, "G1 X1", true);
+  log.reply(0, "echo:by itself");
+  ASSERT_EQ(log.messages().size(), 3U);
+  EXPECT_EQ(log.messages()[0].file_line, 7U);
+  EXPECT_EQ(log.messages()[1].file_line, 8U);
+  EXPECT_EQ(log.messages()[2].file_line, 0U);
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 #include "tools/command/print_job.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -178,8 +179,11 @@ int exit_status_of(const report::Results& results) {
   return results.good() ? success : failure;
 }
 
-// On its own line above the progress.
-void show_note(const std::string& note) { fmt::print(stderr, "stepfabric: {}\n", note); }
+// Takes the place of the progress line.
+void show_note(const std::string& note) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  fmt::print(stderr, "{}stepfabric: {}\n", terminal ? "\r\x1b[K" : "", note);
+}
 
 }  // namespace
 
