@@ -106,6 +106,8 @@ class CommandExecutor {
   // factor_commands.cpp
   Progress set_speed_factor();
   Progress set_flow_factor();
+  std::int32_t factor() const;
+  Progress report_factor(const char* name, std::int32_t percent);
 
   // heat_commands.cpp
   Progress set_temperature(Heater heater);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::int32_t unchanged = 100;  // percent
 constexpr std::int64_t largest_percentage = host_link::largest_speed_factor;
+constexpr std::string_view factor_out_of_range = "Factor not within 1 to 999";
 
 Stretch part_of(std::int32_t percent, std::int32_t whole) {
   if (percent >= whole) return Pace::one;
@@ -20,22 +21,27 @@ Stretch part_of(std::int32_t percent, std::int32_t whole) {
 
 }  // namespace
 
+// S within 1 to 999, or 0.
+std::int32_t CommandExecutor::factor() const {
+  const auto percent = command_.integer('S').value_or(0);
+  return percent < 1 || percent > largest_percentage ? 0 : static_cast<std::int32_t>(percent);
+}
+
+CommandExecutor::Progress CommandExecutor::report_factor(const char* name, std::int32_t percent) {
+  host_link::TextLine line;
+  return say(line.text(name).integer(percent).character('%'));
+}
+
 // For the lines behind it, as in Marlin. They are planned with all of it, so a person's stretch
 // ends with the first of them.
 CommandExecutor::Progress CommandExecutor::set_speed_factor() {
-  const auto percent = command_.integer('S');
-  if (!command_.has('S') && !command_.has('R') && !command_.has('B')) {
-    host_link::TextLine line;
-    return say(line.text("FR:").integer(coordinates_.speed()).character('%'));
-  }
-  if (command_.has('S') && (!percent || *percent < 1 || *percent > largest_percentage)) {
-    return refuse("Factor not within 1 to 999");
-  }
   const std::int32_t before = coordinates_.speed();
+  if (!has_any("SRB")) return report_factor("FR:", before);
   std::int32_t speed = command_.has('R') ? kept_speed_ : before;
+  if (command_.has('S')) speed = factor();
+  if (speed == 0) return refuse(factor_out_of_range);
   if (command_.has('B')) kept_speed_ = before;
-  if (percent) speed = static_cast<std::int32_t>(*percent);
-  if (!percent && !command_.has('R')) return Progress::done;
+  if (!has_any("SR")) return Progress::done;
   coordinates_.set_speed(speed, speed);
   motion_.set_stretch(motion_.stretch(), Pace::one);
   return Progress::done;
@@ -54,13 +60,10 @@ void CommandExecutor::set_speed_at_once(std::int32_t percent) {
 }
 
 CommandExecutor::Progress CommandExecutor::set_flow_factor() {
-  const auto percent = command_.integer('S');
-  if (!percent) {
-    host_link::TextLine line;
-    return say(line.text("echo:E0 Flow: ").integer(coordinates_.flow()).character('%'));
-  }
-  if (*percent < 1 || *percent > largest_percentage) return refuse("Factor not within 1 to 999");
-  coordinates_.set_flow(static_cast<std::int32_t>(*percent));
+  if (!command_.has('S')) return report_factor("echo:E0 Flow: ", coordinates_.flow());
+  const std::int32_t flow = factor();
+  if (flow == 0) return refuse(factor_out_of_range);
+  coordinates_.set_flow(flow);
   return Progress::done;
 }
 

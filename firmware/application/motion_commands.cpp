@@ -104,15 +104,18 @@ CommandExecutor::Progress CommandExecutor::wait_for_user(Now now) {
   const bool pauses = command_.code >= filament_change;
   if (stage_ == Stage::begin) {
     if (wait_for_rest() == Progress::again) return Progress::again;
-    const std::string_view prompt[]{"//action:paused",
-                                    !pauses ? "//action:prompt_begin Waiting for the user"
-                                    : command_.code == filament_change
-                                        ? "//action:prompt_begin Change the filament"
-                                        : "//action:prompt_begin Paused",
-                                    "//action:prompt_button Continue", "//action:prompt_show"};
-    if (!pauses) list_index_ = std::max<std::size_t>(list_index_, 1);
+    static constexpr const char* prompt[]{"paused", "prompt_begin ", "prompt_button Continue",
+                                          "prompt_show"};
+    if (!pauses && list_index_ == 0) list_index_ = 1;
     for (; list_index_ < std::size(prompt); ++list_index_) {
-      if (say(prompt[list_index_]) == Progress::again) return Progress::again;
+      host_link::TextLine line;
+      line.text("//action:").text(prompt[list_index_]);
+      if (list_index_ == 1) {
+        line.text(!pauses                            ? "Waiting for the user"
+                  : command_.code == filament_change ? "Change the filament"
+                                                     : "Paused");
+      }
+      if (say(line) == Progress::again) return Progress::again;
     }
     const auto time = pauses ? units::Milliseconds{} : asked_time();
     deadline_ = time.count() > 0 ? now.milliseconds + time : units::Milliseconds{};

@@ -9,7 +9,16 @@ constexpr int time_fraction_bits = 17;
 
 }  // namespace
 
+void Pace::set_limits(const motion::Limits& limits) {
+  if (step_generator_.stretches_time()) slope_.set_limits(limits);
+}
+
+void Pace::note_rest() {
+  if (step_generator_.stretches_time()) slope_.note_rest();
+}
+
 void Pace::note_line(units::MicrometersPerSecond feedrate) {
+  if (!step_generator_.stretches_time()) return;
   if (const auto slope = slope_.note_line(feedrate)) step_generator_.set_slopes(*slope, *slope);
 }
 

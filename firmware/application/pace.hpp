@@ -25,11 +25,11 @@ class Pace {
   Pace(drivers::StepGenerator& step_generator, units::Hertz clock, std::uint32_t most_lines)
       : step_generator_(step_generator), slope_(clock, most_lines) {}
 
-  void set_limits(const motion::Limits& limits) { slope_.set_limits(limits); }
+  void set_limits(const motion::Limits& limits);
   // A line has been planned, with this feedrate: the slope is one that it bears.
   void note_line(units::MicrometersPerSecond feedrate);
   // All lines that have been planned are done.
-  void note_rest() { slope_.note_rest(); }
+  void note_rest();
 
   Stretch stretch() const { return stretch_; }
   void set_stretch(Stretch stretch);

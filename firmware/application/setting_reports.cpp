@@ -7,20 +7,21 @@
 namespace application {
 namespace {
 
-// Of steps per metre, um/s, um/s^2: all in thousandths of what is written.
-constexpr unsigned digits = 3;
-constexpr unsigned places = 2;
-
-void put(host_link::TextLine& line, char letter, auto value) {
-  line.character(' ').character(letter).decimal(value.count(), digits, places);
+std::int32_t value_of(const motion::AxisLimits& axis, std::uint16_t code) {
+  switch (code) {
+    case 92:
+      return axis.steps_per_meter.count();
+    case 201:
+      return axis.max_acceleration.count();
+    case 203:
+      return axis.max_speed.count();
+    default:
+      return axis.jerk.count();
+  }
 }
 
-template <class Quantity>
-void put_axes(host_link::TextLine& line, const motion::Limits& limits,
-              Quantity motion::AxisLimits::* value) {
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    put(line, units::axis_letters[i], limits.axes[i].*value);
-  }
+void put(host_link::TextLine& line, char letter, std::int32_t thousandths) {
+  line.character(' ').character(letter).decimal(thousandths, 3, 2);
 }
 
 }  // namespace
@@ -28,25 +29,18 @@ void put_axes(host_link::TextLine& line, const motion::Limits& limits,
 host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits) {
   host_link::TextLine line;
   line.text("echo: M").integer(code);
-  switch (code) {
-    case 92:
-      put_axes(line, limits, &motion::AxisLimits::steps_per_meter);
-      break;
-    case 201:
-      put_axes(line, limits, &motion::AxisLimits::max_acceleration);
-      break;
-    case 203:
-      put_axes(line, limits, &motion::AxisLimits::max_speed);
-      break;
-    case 204:
-      put(line, 'P', limits.print_acceleration);
-      put(line, 'R', limits.retract_acceleration);
-      put(line, 'T', limits.travel_acceleration);
-      break;
-    default:
-      put(line, 'S', limits.min_print_speed);
-      put(line, 'T', limits.min_travel_speed);
-      put_axes(line, limits, &motion::AxisLimits::jerk);
+  if (code == 204) {
+    put(line, 'P', limits.print_acceleration.count());
+    put(line, 'R', limits.retract_acceleration.count());
+    put(line, 'T', limits.travel_acceleration.count());
+    return line;
+  }
+  if (code == 205) {
+    put(line, 'S', limits.min_print_speed.count());
+    put(line, 'T', limits.min_travel_speed.count());
+  }
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    put(line, units::axis_letters[i], value_of(limits.axes[i], code));
   }
   return line;
 }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "motion/scaled.hpp"
-
 namespace application {
 namespace {
 
@@ -34,23 +32,19 @@ void Slope::set_limits(const motion::Limits& limits) {
   limits_ = {};
   limits_.acceleration = count_of(std::min(limits.print_acceleration, limits.travel_acceleration));
   least_speed_ = count_of(std::max(limits.min_print_speed, limits.min_travel_speed));
-  std::uint64_t squares = 0;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const motion::AxisLimits& axis = limits.axes[i];
-    const std::uint64_t speed = count_of(axis.max_speed);
+    const std::uint32_t speed = count_of(axis.max_speed);
     auto acceleration = axis.max_acceleration;
     // Where E leads a line, its speed and acceleration are those of the path.
     if (i == extruder) {
       acceleration = std::min(acceleration, limits.retract_acceleration);
     } else {
-      squares += speed * speed;
+      limits_.speed += speed;
     }
-    const std::uint32_t slope =
-        application::slope_of(count_of(acceleration), static_cast<std::uint32_t>(speed), clock_);
+    const std::uint32_t slope = application::slope_of(count_of(acceleration), speed, clock_);
     limits_.axis_slope = std::min(limits_.axis_slope, slope);
   }
-  const std::uint64_t highest = motion::Scaled::of(squares).square_root().floor() + 1;
-  limits_.speed = static_cast<std::uint32_t>(highest);
 }
 
 std::optional<std::uint32_t> Slope::note_line(units::MicrometersPerSecond feedrate) {

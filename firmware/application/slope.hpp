@@ -46,7 +46,7 @@ class Slope {
 
   units::Hertz clock_;
   std::uint32_t most_lines_;
-  Strictest limits_;  // with the highest speed that a path can have
+  Strictest limits_;  // with a speed that no path can exceed
   std::uint32_t least_speed_{};  // um/s, M205
   // Lines are forgotten in groups of `most_lines`: the present one, and the one before it.
   Strictest here_, before_;

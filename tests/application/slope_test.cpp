@@ -18,21 +18,21 @@ constexpr std::uint32_t most_lines = 20;
 
 // What the largest slope is that a line bears, in 1/s: along the path, and of each axis.
 double slope_of(const motion::Limits& limits, std::int32_t feedrate) {
-  double squares = 0;
+  double highest = 0;
   double slope = 1e9;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const motion::AxisLimits& axis = limits.axes[i];
     const double speed = axis.max_speed.count();
     double acceleration = axis.max_acceleration.count();
     if (i < 3) {
-      squares += speed * speed;
+      highest += speed;
     } else {
       acceleration = std::min<double>(acceleration, limits.retract_acceleration.count());
     }
     slope = std::min(slope, acceleration / speed);
   }
   const double least = std::max(limits.min_print_speed, limits.min_travel_speed).count();
-  const double path = std::min(std::sqrt(squares), std::max<double>(feedrate, least));
+  const double path = std::min(highest, std::max<double>(feedrate, least));
   return std::min<double>(
       {slope, limits.print_acceleration.count() / path, limits.travel_acceleration.count() / path});
 }
