@@ -70,7 +70,9 @@ class StepGenerator {
   void set_override(std::uint32_t scale_65536ths);
   void set_override_percent(std::uint32_t percent);
   // Changes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
-  // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is.
+  // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is. Where the
+  // segment itself accelerates to the same side the override gets less of its slope, none from 7/8
+  // on, so that the sum of both exceeds neither; the brake does not wait.
   void set_slopes(std::uint32_t override_slope, std::uint32_t brake_slope);
   // At this moment, in 1/65536.
   std::uint32_t scale() const;
