@@ -14,12 +14,6 @@ constexpr std::int64_t divided(std::int64_t value, std::int64_t divisor) {
   return (value < 0 ? value - divisor / 2 : value + divisor / 2) / divisor;
 }
 
-// A number of the G-code counts millionths; a millionth of an inch is 25.4 nm. |value| < 2^32 *
-// 10^6, so the product stays below 2^61.
-constexpr std::int64_t nanometers_of_inches(std::int64_t millionths) {
-  return divided(millionths * 254, 10);
-}
-
 // A billionth of a millimetre is a picometre.
 units::Position from_millimeters(const gcode::Number& number) {
   constexpr std::uint32_t nanometers_per_millimeter = 1'000'000;
@@ -68,9 +62,8 @@ std::optional<units::Position> Coordinates::length(const gcode::Command& command
 
 std::optional<units::Nanometers> Coordinates::rounded_length(const gcode::Command& command,
                                                              char letter) const {
-  const auto value = command.value(letter);
-  if (!value) return std::nullopt;
-  return units::Nanometers(inches_ ? nanometers_of_inches(*value) : *value);
+  const auto exact = length(command, letter);
+  return exact ? std::optional(exact->nearest()) : std::nullopt;
 }
 
 Positions Coordinates::target_of(const gcode::Command& command) const {

@@ -41,7 +41,7 @@ class Coordinates {
 
   // A length parameter in the present unit.
   std::optional<units::Position> length(const gcode::Command& command, char letter) const;
-  // The same rounded to nanometres, of millionths: for what is no position.
+  // The same rounded to nanometres: for what is no position.
   std::optional<units::Nanometers> rounded_length(const gcode::Command& command, char letter) const;
 
   // The logical positions that a move asks for.

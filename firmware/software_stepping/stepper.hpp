@@ -81,16 +81,16 @@ class Stepper {
   explicit constexpr Stepper(Counters& counters) : counters_(counters) {}
 
   // For the program. The interrupt is kept out where it would see something half done.
-  void configure(const Guard& guard, Interval longest_interval);
+  [[gnu::cold]] void configure(const Guard& guard, Interval longest_interval);
   // False where the queue is full, a stop waits for its acknowledgement, or the segment cannot be
   // executed: out of range, or what only the step generator can (jerk, stops but at once
   // and by level, a common start).
-  bool append(const motion::Segment& segment);
-  void permit_motion(bool permitted);
-  void flush();
-  void stop();
+  [[gnu::cold]] bool append(const motion::Segment& segment);
+  [[gnu::cold]] void permit_motion(bool permitted);
+  [[gnu::cold]] void flush();
+  [[gnu::cold]] void stop();
   void acknowledge_stop() { stopped_ = false; }
-  bool set_position(std::size_t axis, std::int32_t steps);
+  [[gnu::cold]] bool set_position(std::size_t axis, std::int32_t steps);
   // The timer interrupt comes at this time at the latest, besides those of the ticks.
   void set_alarm(std::uint64_t clocks);
 
@@ -103,7 +103,7 @@ class Stepper {
   std::uint32_t level() const { return segments_.level(); }
   // Segments that append() has room for, whether they begin lines or not.
   std::uint32_t free() const;
-  Positions positions() const;
+  [[gnu::cold]] Positions positions() const;
   const Counters& counters() const { return counters_; }
 
   // For the interrupt: what a tick needs each time, and the rest.
