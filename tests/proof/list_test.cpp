@@ -84,6 +84,21 @@ TEST(list, knows_benches_which_break_as_a_whole) {
   EXPECT_EQ(list.proofs.at(0).entity, "latch_tb");
 }
 
+TEST(list, knows_faults_of_a_lemma_itself_and_of_no_other_file) {
+  const std::string lemma =
+      "[[proof]]\nname = \"latch\"\nsays = \"a sum\"\nby = \"arithmetic\"\n"
+      "lemma = \"part/sum.smt2\"\n";
+  std::string mutation = a_mutation;
+  mutation.erase(mutation.find("property"));
+  expect_refused(lemma, mutation);
+  mutation.replace(mutation.find("rtl/latch.vhd"), 13, "proofs/part/sum.smt2");
+  expect_refused(lemma, mutation + "property = \"one\"\n");
+  const TemporaryFolder folder;
+  folder.write("proofs.toml", lemma);
+  folder.write("mutations.toml", mutation);
+  EXPECT_EQ(proof::read_list(folder.path()).mutations.size(), 1u);
+}
+
 TEST(list, refuses_a_mutation_of_a_proof_that_is_not_there) {
   std::string mutation = a_mutation;
   mutation.replace(mutation.find("\"latch\""), 7, "\"other\"");

@@ -215,6 +215,37 @@ TEST_F(Trial, a_mutation_that_does_not_compile_is_not_caught_by_a_bench) {
   EXPECT_EQ(try_mutation(folders_, nonsense, bench, limit).verdict, Verdict::broken);
 }
 
+TEST_F(Trial, a_fault_by_which_a_value_is_not_taken_any_more_is_caught_by_a_sighting) {
+  proof::Proof proof = proof_of("count_stays_below_six", proof::Method::sighting, 6);
+  proof.signals = {"count"};
+  proof.values = 1;
+  auto fault = mutation("", 0);
+  EXPECT_THAT(try_mutation(folders_, fault, proof, limit).explanation, HasSubstr("survives"));
+  std::filesystem::remove_all(folders_.work / "mutations");
+  fault.from = "count <= count + 1;";
+  fault.to = "count <= count;";
+  EXPECT_EQ(try_mutation(folders_, fault, proof, limit).verdict, Verdict::holds);
+}
+
+TEST_F(Trial, a_fault_in_a_lemma_is_caught_where_it_has_a_solution) {
+  folder_.write("testbench/proofs/sum.smt2",
+                "(declare-const x Int)\n(assert (not (= (+ x x) (* 2 x))))\n(check-sat)\n");
+  proof::Proof lemma;
+  lemma.name = "sum";
+  lemma.method = proof::Method::arithmetic;
+  lemma.lemma = "sum.smt2";
+  EXPECT_EQ(try_proof(folders_, lemma, {}, limit).verdict, Verdict::holds);
+  auto fault = mutation("", 0);
+  fault.file = "testbench/proofs/sum.smt2";
+  fault.from = "(* 2 x)";
+  fault.to = "(* 3 x)";
+  EXPECT_EQ(try_mutation(folders_, fault, lemma, limit).verdict, Verdict::holds);
+  fault.to = "(* x 2)";
+  EXPECT_THAT(try_mutation(folders_, fault, lemma, limit).explanation, HasSubstr("survives"));
+  fault.to = "(* 3 y)";
+  EXPECT_EQ(try_mutation(folders_, fault, lemma, limit).verdict, Verdict::broken);
+}
+
 TEST_F(Trial, sources_that_do_not_compile_are_told) {
   folder_.write("rtl/counter.vhd", counter + "nonsense");
   const auto outcome = outcome_of(proof_of("count_stays_below_six", proof::Method::induction, 1));

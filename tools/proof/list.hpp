@@ -44,14 +44,15 @@ struct Proof {
   bool quick{};
 };
 
-// A fault put into a copy of the sources, which must break one property, or make a bench fail.
+// A fault put into a copy of the sources, which must break one property, or make a bench, a
+// sighting or the lemma that it is put into fail.
 struct Mutation {
   std::string name;
   std::filesystem::path file;  // relative to the project
   std::string from;  // occurs exactly once in the file
   std::string to;
   std::string proof;
-  std::string property;  // empty where `proof` is a bench
+  std::string property;  // empty where `proof` has none to choose from
   int depth{};  // clocks within which it must show
 };
 

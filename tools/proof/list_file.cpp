@@ -246,14 +246,16 @@ List read_list(const std::filesystem::path& folder) {
   }
   for (const Mutation& mutation : list.mutations) {
     const auto is_its_proof = [&mutation](const Proof& proof) {
-      return proof.name == mutation.proof && proof.method != Method::arithmetic &&
-             proof.method != Method::sighting &&
-             mutation.property.empty() == (proof.method == Method::bench);
+      const bool has_properties =
+          proof.method == Method::induction || proof.method == Method::bounded;
+      return proof.name == mutation.proof && mutation.property.empty() != has_properties &&
+             (proof.method != Method::arithmetic ||
+              mutation.file.filename() == proof.lemma.filename());
     };
     if (std::ranges::none_of(list.proofs, is_its_proof)) {
       throw std::runtime_error(
           fmt::format("{}: {}: there is no proof {} of an entity with a property to "
-                      "break, and no bench of this name without one",
+                      "break, and no bench, sighting or lemma of this name without one",
                       folder.string(), mutation.name, mutation.proof));
     }
   }

@@ -75,7 +75,7 @@ void print_line(const Trial& trial) {
   if (trial.mutation) {
     fmt::print("{:9} mutation {:52} breaks {:42} {:6.1f} s\n", good ? "caught" : "NOT CAUGHT",
                trial.name(),
-               trial.mutation->property.empty() ? trial.proof.entity : trial.mutation->property,
+               trial.mutation->property.empty() ? trial.proof.name : trial.mutation->property,
                trial.outcome.seconds);
   } else {
     fmt::print("{:9} {:32} {:28} {:22} {:3} properties {:6.1f} s\n",

@@ -157,28 +157,43 @@ Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::
   } else {
     // Every question of the file is asked; one that has a solution breaks the lemma.
     const bool solved = log.starts_with("unsat\n") || log == "unsat";
-    const bool other = log.find("\nsat") != std::string::npos || log.starts_with("sat") ||
-                       log.find("unknown") != std::string::npos;
-    outcome.verdict = solved && !other ? Verdict::holds : Verdict::fails;
+    const bool broken = log.find("\nsat") != std::string::npos || log.starts_with("sat");
+    const bool unknown = log.find("unknown") != std::string::npos;
+    outcome.verdict = broken               ? Verdict::fails
+                      : solved && !unknown ? Verdict::holds
+                                           : Verdict::undecided;
     outcome.explanation = outcome.verdict == Verdict::holds ? "" : "z3 says: " + log;
     outcome.asserted = {lemma.stem().string()};
   }
   return outcome;
 }
 
+// With the fault in, a proof without properties of a netlist must fail as a whole.
+Outcome turned_around(Outcome outcome, const std::string& proof) {
+  if (outcome.verdict == Verdict::holds) {
+    outcome.verdict = Verdict::fails;
+    outcome.explanation = fmt::format("survives: {} holds all the same", proof);
+  } else if (outcome.verdict == Verdict::fails) {
+    outcome.verdict = Verdict::holds;
+    outcome.failed = {proof};
+  }
+  return outcome;
+}
+
+// The fault is one of the lemma itself.
+Outcome try_on_lemma(const Folders& folders, const Mutation& mutation, const Proof& proof,
+                     const fs::path& folder, std::chrono::seconds limit) {
+  fs::create_directories(folder);
+  const fs::path lemma = folder / mutation.file.filename();
+  write_mutated(folders, mutation, lemma);
+  return turned_around(solve_lemma(lemma, folder, limit), proof.name);
+}
+
 // A bench must fail on the fault.
 Outcome try_on_bench(const Folders& folders, const Mutation& mutation, const std::string& bench,
                      const fs::path& folder, std::chrono::seconds limit) {
   prepare_sources(folders, folder / "sources", &mutation, Purpose::simulator);
-  Outcome outcome = run_bench(folders, folder / "sources", bench, folder, limit);
-  if (outcome.verdict == Verdict::holds) {
-    outcome.verdict = Verdict::fails;
-    outcome.explanation = fmt::format("survives: {} passes all the same", bench);
-  } else if (outcome.verdict == Verdict::fails) {
-    outcome.verdict = Verdict::holds;
-    outcome.failed = {bench};
-  }
-  return outcome;
+  return turned_around(run_bench(folders, folder / "sources", bench, folder, limit), bench);
 }
 
 template <typename Trial>
@@ -230,7 +245,15 @@ Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Pro
     if (proof.method == Method::bench) {
       return try_on_bench(folders, mutation, proof.entity, folder, limit);
     }
+    if (proof.method == Method::arithmetic) {
+      return try_on_lemma(folders, mutation, proof, folder, limit);
+    }
     prepare_sources(folders, folder / "sources", &mutation);
+    if (proof.method == Method::sighting) {
+      const SolverInput input =
+          make_solver_input(folders, folder / "sources", proof, nullptr, folder);
+      return turned_around(sight(input, proof, folder, limit), proof.name);
+    }
     const SolverInput input =
         make_solver_input(folders, folder / "sources", proof, &mutation.property, folder);
     Outcome outcome;

@@ -19,6 +19,10 @@ struct Folders {
 // What the sources are for: not all properties can be simulated.
 enum class Purpose { solver, simulator };
 
+// Writes the file of the mutation with the fault in it.
+void write_mutated(const Folders& folders, const Mutation& mutation,
+                   const std::filesystem::path& copy);
+
 // Copies the chip's sources to `sources`, with the properties woven into them; with a mutation
 // first.
 void prepare_sources(const Folders& folders, const std::filesystem::path& sources,
