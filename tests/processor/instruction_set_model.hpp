@@ -39,6 +39,9 @@ class InstructionSetModel {
   // Executes the instruction at the program counter, or takes the exception that it raises.
   Step step();
   bool interrupt_due() const { return interrupt_enable_ && (device_.interrupts() & mie_) != 0; }
+  // mstatus.MIE, and mie.
+  bool interrupts_allowed() const { return interrupt_enable_; }
+  std::uint32_t enabled_interrupts() const { return mie_; }
   // Takes the interrupt that is due instead; nothing where none is.
   std::optional<Step> take_interrupt();
 

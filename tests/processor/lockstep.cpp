@@ -19,12 +19,6 @@ std::string describe(const Event& event) {
   return text;
 }
 
-bool reads_cycle(std::uint32_t instruction) {
-  const std::uint32_t address = instruction >> 20;
-  return (instruction & 0x7F) == 0x73 && (instruction >> 12 & 3) != 0 &&
-         (address == 0xB00 || address == 0xB80 || address == 0xC00 || address == 0xC80);
-}
-
 // An interrupt must be taken at once behind an instruction that allows it, and within three
 // instructions where the request itself is new.
 class InterruptWatch {
@@ -43,6 +37,12 @@ class InterruptWatch {
 };
 
 }  // namespace
+
+bool reads_cycle(std::uint32_t instruction) {
+  const std::uint32_t address = instruction >> 20;
+  return (instruction & 0x7F) == 0x73 && (instruction >> 12 & 3) != 0 &&
+         (address == 0xB00 || address == 0xB80 || address == 0xC00 || address == 0xC80);
+}
 
 LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
                             const LockstepSettings& settings) {

@@ -34,6 +34,9 @@ struct LockstepSettings {
   std::uint32_t wake_request = 0;
 };
 
+// Whether it reads the counter of clocks, which the model has not.
+bool reads_cycle(std::uint32_t instruction);
+
 // Every completed instruction and every trap is compared, and the whole memory at the end.
 LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
                             const LockstepSettings& settings);

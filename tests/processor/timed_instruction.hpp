@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an instruction is by the rows of the table of times: told from its bits and what it reads.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "tests/processor/instruction_set_model.hpp"
+
+namespace processor {
+
+struct TimedInstruction {
+  // Of rtl/processor/README.md; for an access, that of the memory or of a peripheral.
+  const char* row = "arithmetic and logic";
+  // Registers that it reads, 0 for none.
+  unsigned first = 0;
+  unsigned second = 0;
+  bool late = false;
+  bool on_bus = false;
+  bool sleeps = false;
+};
+
+// The instruction at which the model stands; nothing where it is none, or lies outside the memory.
+std::optional<TimedInstruction> timed_instruction(const InstructionSetModel& model, bool has_zbb);
+
+}  // namespace processor
