@@ -100,7 +100,7 @@ architecture rtl of processor is
   signal trap, machine_trap, taken_trap : trap_t;
   signal trapped : std_ulogic;
   signal return_from_trap, handling, returning, resuming, awake, interrupt_pending : std_ulogic;
-  signal retire : std_ulogic;
+  signal retire, counted : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
   signal trap_target, return_address, return_target : unsigned(31 downto 0);
 
@@ -362,6 +362,8 @@ begin
     operand => csr_operand,
     writes => kind.csr_written);
   return_from_trap <= start and kind.trap_return;
+  -- What is injected is no instruction of the program.
+  counted <= retire and not debug_request.halted;
   control_status_registers : entity work.control_status_registers
     port map (
       clk => clk,
@@ -371,7 +373,7 @@ begin
       read_data => csr_data,
       trap => taken_trap,
       trap_return => return_from_trap,
-      retire => retire and not debug_request.halted,
+      retire => counted,
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,

@@ -37,6 +37,9 @@ architecture proof of processor_proof is
   constant most_clocks_of_bus : positive := 2;
   -- Clocks after which a request must have been seen.
   constant clocks_to_settle : positive := 5;
+  -- So long does wfi sleep on at most with a request that mie lets through: a clock in which it is seen, and
+  -- one in which `csr_model` learns of an instruction that changed mie.
+  constant most_clocks_to_wake : positive := 2;
 
   attribute anyconst : boolean;
   -- Any two registers: programs here read no others, but write all.
@@ -101,7 +104,9 @@ architecture proof of processor_proof is
   signal word_in_memory : value_t := (others => '0');
   signal waited : natural range 0 to most_clocks_between_events + 1 := 0;
   signal due_before : std_ulogic := '0';
-  signal asleep_for : natural range 0 to clocks_to_settle := 0;
+  -- Asleep in the clock before, and awake in it behind one asleep.
+  signal slept, woken : std_ulogic := '0';
+  signal asleep_for : natural range 0 to most_clocks_to_wake + 1 := 0;
 
   -- The last answer on the bus that no instruction has told yet.
   signal bus_answered : std_ulogic := '0';
@@ -327,9 +332,11 @@ begin
     if event or sleeping then
       waited <= 0;
     end if;
+    slept <= sleeping and running;
+    woken <= slept and not sleeping;
     asleep_for <= 0;
-    if sleeping = '1' and active /= x"00000000" and settled = '1' then
-      asleep_for <= asleep_for + 1 when asleep_for < clocks_to_settle else asleep_for;
+    if sleeping = '1' and active /= x"00000000" then
+      asleep_for <= asleep_for + 1 when asleep_for <= most_clocks_to_wake else asleep_for;
     end if;
     if reset then
       word_in_memory <= data_at_first;
@@ -337,6 +344,8 @@ begin
       address_known <= '1';
       waited <= 0;
       due_before <= '0';
+      slept <= '0';
+      woken <= '0';
       asleep_for <= 0;
     end if;
   end process;
@@ -436,7 +445,11 @@ begin
   due_interrupts_are_taken : assert always
     ((event = '1' and due_before = '1' and due = '1') ->
      (interrupted = '1' or (completed = '1' and kind = wait_for_interrupt)));
-  sleep_ends : assert always (asleep_for < clocks_to_settle);
+  sleep_ends : assert always (asleep_for <= most_clocks_to_wake);
+  wfi_waits_for_what_is_let_through : assert always
+    ((completed = '1' and kind = wait_for_interrupt) -> active /= x"00000000");
+  who_is_woken_goes_on_at_once : assert always
+    (woken -> (completed = '1' and kind = wait_for_interrupt));
   -- What a model relies on that leaves out the edges of the clock: the next one changes nothing.
   nothing_changes_at_rest : assert always
     (rested -> (sleeping = '1' and event = '0' and instruction_request.enable = '0' and
