@@ -17,8 +17,8 @@ void AskedPath::command_acknowledged(sim::Clock now, std::size_t file_line,
                  .extrudes = move->to[3] > move->from[3],
                  .executed = executed};
   for (std::size_t i = 0; i < line.from.size(); ++i) {
-    line.from[i] = static_cast<float>(move->from[i]);
-    line.to[i] = static_cast<float>(move->to[i]);
+    line.from[i] = static_cast<float>(millimeters(move->from[i]));
+    line.to[i] = static_cast<float>(millimeters(move->to[i]));
   }
   lines_.push_back(line);
 }

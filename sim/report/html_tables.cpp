@@ -7,8 +7,9 @@ namespace report {
 namespace {
 
 void add_heater_row(Page& page, const char* name, const TemperatureResult& heater) {
-  add(page, "<tr><td>{}</td><td>{}</td><td>{:.1f} °C</td><td>{}</td><td>{}</td></tr>\n", name,
-      heater.target_c > 0 ? fmt::format("{:.1f} °C", heater.target_c) : "–", heater.max_c,
+  add(page,
+      "<tr><td class=\"text\">{}</td><td>{}</td><td>{:.1f} °C</td><td>{}</td><td>{}</td></tr>\n",
+      name, heater.target_c > 0 ? fmt::format("{:.1f} °C", heater.target_c) : "–", heater.max_c,
       heater.target_c <= 0            ? "–"
       : heater.seconds_to_target >= 0 ? duration(heater.seconds_to_target)
                                       : "never",

@@ -135,7 +135,7 @@ void add_missed(Page& page, const Results& results) {
   }
   add(page,
       "</p>\n<div class=\"scroll\"><table><tr><th>line</th><th>time</th>"
-      "<th class=\"text\">text</th><th class=\"text\">missed by</th></tr>\n");
+      "<th class=\"text\">text</th><th class=\"text\">missed at the nearest by</th></tr>\n");
   for (const MissedPoint& point : findings.missed) {
     std::array<double, 3> wanted{}, reached{};
     for (std::size_t i = 0; i < wanted.size(); ++i) {

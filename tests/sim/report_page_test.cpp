@@ -213,6 +213,7 @@ TEST(ReportPage, has_both_themes_and_fits_a_phone) {
   EXPECT_THAT(page, HasSubstr("content=\"width=device-width, initial-scale=1\""));
   EXPECT_THAT(page, HasSubstr("<svg class=\"path\""));
   EXPECT_THAT(page, HasSubstr("viewBox="));
+  EXPECT_THAT(page, HasSubstr("start();\n</script>"));  // the scripts, to their end
 }
 
 TEST(ReportPage, stays_small_where_the_print_is_long) {

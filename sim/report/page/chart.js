@@ -75,6 +75,7 @@ class Chart {
 
   draw() {
     const {context, width, height} = sharpContext(this.canvas, this.height);
+    if (width <= margin.left + margin.right) return;  // hidden
     this.plotWidth = width - margin.left - margin.right;
     this.plotHeight = height - margin.top - margin.bottom;
     const drawn = this.series.map((series) => this.columns(series));

@@ -90,16 +90,19 @@ function follow(link) {
   if (places) lookAt(places.split(' ').map(Number));
 }
 
-// What an address asks for: report.html#in-space,by-speed,t=83.5,from=80,to=90,at=speeds. Names of
-// buttons press them.
+// What an address asks for: report.html?in-space&by-speed&t=83.5&from=80&to=90&only=speeds. Names of
+// buttons press them; `only` shows one section.
 function followAddress() {
-  const wishes = location.hash.slice(1).split(',').map((wish) => wish.split('='));
-  const {t, from, to, at : place} = Object.fromEntries(wishes);
-  for (const [name] of wishes)
+  const wishes = new URLSearchParams(location.search);
+  const only = at(wishes.get('only'))?.closest('section');
+  if (only) {
+    document.querySelectorAll('main > *').forEach((part) => part.hidden = part !== only);
+  }
+  for (const name of wishes.keys()) {
     if (at(name)?.hasAttribute('aria-pressed')) at(name).click();
-  if (t !== undefined) setTime(Number(t));
-  if (from !== undefined && to !== undefined) showSpan(Number(from), Number(to));
-  if (place) at(place)?.closest('section').scrollIntoView();
+  }
+  if (wishes.has('t')) setTime(Number(wishes.get('t')));
+  if (wishes.has('from')) showSpan(Number(wishes.get('from')), Number(wishes.get('to')));
 }
 
 function drawAll() {

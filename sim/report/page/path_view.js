@@ -200,6 +200,7 @@ function drawMissed(context) {
 
 function drawPath() {
   const {context, width, height} = sharpContext(pathCanvas);
+  if (width === 0 || height === 0) return;  // hidden
   drawGrid(context, width, height);
   drawAsked(context, width, height);
   drawPrinted(context, width, height);

@@ -20,10 +20,10 @@ print_file() {  # NAME FILE
   fi
 }
 
-screenshot() {  # PICTURE REPORT#VIEW WIDTH HEIGHT THEME
+screenshot() {  # PICTURE REPORT?VIEW WIDTH HEIGHT THEME
   local -A theme=([dark]=0 [light]=1)
-  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --force-color-profile=srgb \
-    --user-data-dir="$scratch/profile" --enable-logging=stderr --virtual-time-budget=5000 \
+  timeout 60 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --force-color-profile=srgb \
+    --user-data-dir="$scratch/profile_$1" --enable-logging=stderr --virtual-time-budget=5000 \
     --blink-settings="preferredColorScheme=${theme[$5]}" --window-size="$3,$4" \
     --screenshot="$scratch/$1.png" "file://$reports/$2" 2> "$scratch/log" || { cat "$scratch/log" >&2; exit 1; }
   if grep CONSOLE "$scratch/log" >&2; then
@@ -35,8 +35,8 @@ screenshot() {  # PICTURE REPORT#VIEW WIDTH HEIGHT THEME
 
 print_file washer "$project/examples/washer.gcode"
 print_file wrong "$pictures/wrong.gcode"
-screenshot good "washer/report.html#in-space" 1240 1010 light
-screenshot wrong "wrong/report.html" 1240 1500 dark
-screenshot courses "washer/report.html#from=56,to=66,at=speeds" 1240 900 light
+screenshot good "washer/report.html?in-space" 1240 1230 light
+screenshot wrong "wrong/report.html" 1240 1690 dark
+screenshot courses "washer/report.html?only=speeds&from=58&to=64" 1240 460 light
 screenshot phone "wrong/report.html" 390 1560 light
 ls -l "$pictures"/*.png
