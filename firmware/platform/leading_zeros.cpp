@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names by which the compiler counts leading zeros where the processor has no instruction for it
-// (Zbb). They take the place of its library's, which look into a table of 256 bytes.
+// The names by which the compiler counts leading zeros where the processor has no instruction for
+// it (Zbb). They take the place of its library's, which look into a table of 256 bytes.
 #include <cstdint>
 
 extern "C" {

@@ -25,8 +25,7 @@ constexpr Femtometers scaled(Femtometers value, Femtometers factor, Femtometers 
 
 // The step that is nearest to an exact position.
 constexpr std::int64_t nearest_step(Femtometers position, Resolution steps_per_mm) {
-  return static_cast<std::int64_t>(
-      scaled(position, steps_per_mm, femtometers_per_mm * billionths));
+  return static_cast<std::int64_t>(scaled(position, steps_per_mm, femtometers_per_mm * billionths));
 }
 
 constexpr Femtometers place_of_step(std::int64_t step, Resolution steps_per_mm) {

@@ -119,6 +119,7 @@ void CommandChain::pass() {
   motion_.update(now_);
   link_.update(now_.milliseconds, executor_.activity());
   executor_.update(now_);
+  motion_.refill();
   heat_.update(now_);
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
     replies_.append(bytes.begin(), bytes.end());
