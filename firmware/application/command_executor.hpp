@@ -110,6 +110,8 @@ class CommandExecutor {
   Progress report_factor(const char* name, std::int32_t percent);
 
   // heat_commands.cpp
+  bool is_too_hot(Heater heater, units::Millicelsius target) const;
+  Progress refuse_heat(Heater heater);
   Progress set_temperature(Heater heater);
   Progress set_and_wait(Heater heater, Now now);
   Progress set_fan();

@@ -11,7 +11,7 @@ namespace {
 constexpr units::Milliseconds report_period{1000};
 constexpr std::int64_t millionths_per_millicelsius = 1000;
 
-// Beyond any heater; the loop cuts what is within to the machine's own limit.
+// Beyond any heater, which is refused.
 units::Millicelsius temperature_of(std::int64_t millionths) {
   constexpr std::int64_t highest = 2'000'000;
   return units::Millicelsius(static_cast<std::int32_t>(
@@ -25,9 +25,25 @@ std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> tim
 
 }  // namespace
 
+// A target that the heater may not be asked for changes nothing: a lower one, as Marlin takes, would
+// spoil the print without a word.
+bool CommandExecutor::is_too_hot(Heater heater, units::Millicelsius target) const {
+  return target > heat_.loop(heater).highest_target();
+}
+
+CommandExecutor::Progress CommandExecutor::refuse_heat(Heater heater) {
+  host_link::TextLine reason;
+  reason.text("Above the highest target of ");
+  return refuse(reason.decimal(heat_.loop(heater).highest_target().count(), 3, 2).view());
+}
+
 CommandExecutor::Progress CommandExecutor::set_temperature(Heater heater) {
   if (heater == Heater::hotend && wants_other_tool()) return refuse_tool();
-  if (const auto target = command_.value('S')) heat_.set_target(heater, temperature_of(*target));
+  const auto value = command_.value('S');
+  if (!value) return Progress::done;
+  const units::Millicelsius target = temperature_of(*value);
+  if (is_too_hot(heater, target)) return refuse_heat(heater);
+  heat_.set_target(heater, target);
   return Progress::done;
 }
 
@@ -39,6 +55,7 @@ CommandExecutor::Progress CommandExecutor::set_and_wait(Heater heater, Now now) 
     const bool waits_for_cooling = command_.value('R').has_value();
     const auto target = waits_for_cooling ? command_.value('R') : command_.value('S');
     if (!target) return Progress::done;
+    if (is_too_hot(heater, temperature_of(*target))) return refuse_heat(heater);
     heat_.set_target(heater, temperature_of(*target));
     const auto temperature = loop.temperature();
     const bool must_cool = temperature && loop.target() < *temperature;

@@ -9,8 +9,10 @@ namespace {
 
 using units::index_of;
 
-// The rate floor keeps a ramp that ends a little too low from standing still; no move is so slow.
-constexpr std::uint32_t rate_floor_hz = 10;
+// The rate floor keeps a ramp that ends a little too low from standing still; no line is planned
+// slower (motion::longest_tick).
+constexpr std::uint32_t rate_floor_millihertz = 100;
+static_assert(rate_floor_millihertz * motion::longest_tick.count() <= 1'000'000'000);
 // Shorter pulses on an end stop's line are noise.
 constexpr std::uint32_t end_stop_filter_ns = 2000;
 
@@ -82,7 +84,7 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       pace_(step_generator, clock, lines_under_way) {}
 
 void MotionTask::start() {
-  const auto floor = (std::uint64_t{rate_floor_hz} << 32) / clock_.count();
+  const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =
       std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;

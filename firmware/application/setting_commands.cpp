@@ -108,6 +108,7 @@ CommandExecutor::Progress CommandExecutor::set_steps_per_millimeter() {
     const auto value = command_.value(units::axis_letters[i]);
     if (!value) continue;
     constexpr std::int64_t millionths_per_thousandth = 1000;
+    if (*value % millionths_per_thousandth != 0) return refuse("More than three decimals");
     const std::int64_t per_meter = std::clamp<std::int64_t>(
         *value / millionths_per_thousandth, 0, std::numeric_limits<std::int32_t>::max());
     const auto accepted =

@@ -29,6 +29,7 @@ bool takes_text(const Command& command) {
     case 33:  // long name of a file
     case 117:  // show a message
     case 118:  // send a message to the host
+    case 486:  // name an object
     case 928:  // log to a file
       return true;
     default:

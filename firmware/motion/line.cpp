@@ -135,6 +135,12 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
                                     Scaled::of(static_cast<std::uint64_t>(least_time.count())));
     line.nominal_time = least_time;
   }
+  const units::Microseconds most_time = longest_tick * line.ticks;
+  if (line.nominal_time > most_time) {
+    result.speed = at_least_slowest(microseconds_times_speed /
+                                    Scaled::of(static_cast<std::uint64_t>(most_time.count())));
+    line.nominal_time = most_time;
+  }
   const Scaled ticks_per_length = Scaled::of(line.ticks) / length;
   const Scaled acceleration = scaled(limited_acceleration(path, ticks_per_length).count());
   const std::uint64_t work = (acceleration * length).floor();

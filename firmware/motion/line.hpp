@@ -28,6 +28,9 @@ constexpr SpecificEnergy energy_of(units::MicrometersPerSecond speed) {
 using Direction = units::PerAxis<std::int32_t>;
 inline constexpr int direction_fraction_bits = 24;
 
+// A line is not so slow that a tick takes longer: the step generator keeps a rate of 0.1 ticks/s.
+inline constexpr units::Microseconds longest_tick{9'000'000};
+
 // What the hardware that makes the steps can do.
 struct StepTiming {
   units::Hertz clock{};
@@ -72,7 +75,7 @@ class Geometry {
   // Writes all of `line` but the energies at its ends, its start and its stop mask. Not all steps
   // are 0; feedrate 1 .. max_speed. Distances keep the course and the speed true where steps are
   // coarse; the pulse rate of no axis exceeds what its maximum speed and its driver allow. A line
-  // that would last less than `least_time` is slower.
+  // that would last less than `least_time` is slower, one with ticks beyond longest_tick faster.
   Course make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
                    units::Microseconds least_time, Line& line) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mean interval of lines, and the stretch by stock, without a division.
+// The mean interval of lines, and the stretch by stock.
 #include "motion/supply.hpp"
 
 #include <algorithm>
@@ -13,18 +13,17 @@ constexpr int mean_shift = 3;
 // The factor in eighths: three times the missing part of `enough`.
 constexpr std::uint32_t one = 8;
 static_assert(Supply::enough_lines == 3 * one);
-// 24 eighths of 100 000 us: 1 for 2^12 us, which is 24.4 for all of it.
-constexpr int time_shift = 12;
-static_assert((Supply::enough_time.count() >> time_shift) == 3 * one);
-
-std::uint32_t eighths_missing(const Stock& stock) {
-  if (stock.lines >= Supply::enough_lines || stock.time >= Supply::enough_time) return 0;
-  const auto time = static_cast<std::uint32_t>((Supply::enough_time - stock.time).count());
-  const auto lines = static_cast<std::uint32_t>(Supply::enough_lines - stock.lines);
-  return std::min(lines, time >> time_shift);
-}
 
 }  // namespace
+
+std::uint32_t Supply::eighths_missing(const Stock& stock) const {
+  const units::Microseconds enough = std::max(enough_time, interval_ * enough_intervals);
+  if (stock.lines >= enough_lines || stock.time >= enough) return 0;
+  const auto all = static_cast<std::uint32_t>(enough.count());
+  const auto time = static_cast<std::uint32_t>((enough - stock.time).count());
+  const auto lines = static_cast<std::uint32_t>(enough_lines - stock.lines);
+  return std::min(lines, time * (3 * one) / all);
+}
 
 void Supply::line_came(units::Microseconds now) {
   const units::Microseconds passed = now - last_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "units/quantity.hpp"
 
@@ -21,6 +22,8 @@ class Supply {
   // So many lines, or so much time, is enough: the next line may be as fast as it likes.
   static constexpr std::size_t enough_lines = 24;
   static constexpr units::Microseconds enough_time{100'000};
+  // Where lines come slowly, the time of so many intervals.
+  static constexpr std::int64_t enough_intervals = 8;
   // No line is slowed down to more than this, and a longer silence is a pause, not a slow supply.
   static constexpr units::Microseconds longest{100'000};
 
@@ -33,6 +36,8 @@ class Supply {
   units::Microseconds least_time(const Stock& stock) const;
 
  private:
+  std::uint32_t eighths_missing(const Stock& stock) const;
+
   units::Microseconds last_{};
   units::Microseconds interval_{};  // mean over some 8 lines; 0: unknown
   bool heard_{};

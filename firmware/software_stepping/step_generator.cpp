@@ -39,7 +39,10 @@ void StepGenerator::configure(const units::PerAxis<GuardTimings>& guards,
   constexpr int rate_fraction_bits = 32;
   constexpr std::uint64_t one = std::uint64_t{1}
                                 << (rate_fraction_bits + software_stepping::interval_fraction_bits);
-  chip_stepper().configure(longest_of(guards), one / std::max<std::uint32_t>(rate_floor, 1));
+  // Its intervals are shorter than the hardware's longest: 10 ticks/s instead of 0.1.
+  constexpr std::uint32_t shorter = 100;
+  chip_stepper().configure(longest_of(guards),
+                           one / (std::max<std::uint32_t>(rate_floor, 1) * shorter));
   platform::write(pins::Control{.software = true});
   software_stepping::begin_interrupts();
 }

@@ -47,10 +47,21 @@ bool is_control_character(char character) {
          code == 0x7f;
 }
 
+// Where `; ...` begins, which is not within parentheses.
+std::size_t end_of_command(std::string_view line) {
+  std::size_t at = line.find_first_of("(;");
+  while (at != std::string_view::npos && line[at] == '(') {
+    const std::size_t closed = line.find(')', at);
+    at = line.find_first_of(closed == std::string_view::npos ? ";" : "(;",
+                            closed == std::string_view::npos ? at : closed);
+  }
+  return at;
+}
+
 // The printable ASCII text of a line of the file, or nothing where the line is not text. Of a
 // comment only control characters count: it may be written in any encoding.
 std::optional<std::string> printable(std::string_view line) {
-  const std::size_t comment = std::min(line.find(';'), line.size());
+  const std::size_t comment = std::min(end_of_command(line), line.size());
   if (std::ranges::any_of(line.substr(comment), is_control_character)) {
     return std::nullopt;
   }
@@ -82,7 +93,7 @@ bool is_message(std::string_view text) {
 // A line as it goes over a serial line: N5 G1 X1*76. Takes number and checksum off; says why not.
 std::expected<std::string_view, std::string> without_frame(std::string_view line) {
   constexpr std::string_view blanks = " \t\r";
-  line = line.substr(0, line.find(';'));
+  line = line.substr(0, end_of_command(line));
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
   line = line.substr(0, line.find_last_not_of(blanks) + 1);
   const bool minus = line.size() > 1 && line[1] == '-';
@@ -118,20 +129,20 @@ std::expected<std::string_view, std::string> without_frame(std::string_view line
   return command;
 }
 
-std::string without_comment(const std::string& line) {
+std::string without_comment(std::string_view line) {
+  line = line.substr(0, end_of_command(line));
   std::string command;
-  bool in_parentheses = false;
-  for (const char character : line) {
-    if (character == ';') {
+  while (!line.empty()) {
+    const std::size_t open = line.find('(');
+    const std::size_t closed =
+        open == std::string_view::npos ? std::string_view::npos : line.find(')', open);
+    // One that is not closed is sent as it is: the firmware refuses such a line.
+    if (closed == std::string_view::npos) {
+      command += line;
       break;
     }
-    if (character == '(') {
-      in_parentheses = true;
-    } else if (character == ')' && in_parentheses) {
-      in_parentheses = false;
-    } else if (!in_parentheses) {
-      command += character;
-    }
+    command += line.substr(0, open);
+    line.remove_prefix(closed + 1);
   }
   const std::size_t first = command.find_first_not_of(' ');
   if (first == std::string::npos) {

@@ -38,25 +38,30 @@ constexpr std::array moving_m{
     Range{82, 83},  // meaning of E
     Range{92, 92},  // steps per millimetre
     Range{98, 98},  // macro (RepRapFirmware)
+    Range{101, 103},  // extruder on, off (old RepRap)
     Range{104, 104},  // hotend
     Range{109, 109},   Range{116, 116},  // waits for heat
     Range{125, 125},  // parks the head
     Range{140, 141},  // bed, chamber
     Range{190, 192},   Range{200, 200},  // volumetric extrusion
+    Range{163, 166},  // mixing extruder
     Range{206, 206},  // home offset
     Range{218, 218},  // tool offset
     Range{221, 221},  // flow
     Range{290, 290},  // baby steps
+    Range{350, 350},  // microsteps
     Range{303, 303},  // heats to find the controller's constants
     Range{306, 306},   Range{360, 364},  // moves of a SCARA
     Range{401, 402},  // probe out, in
     Range{428, 428},  // home offset
-    Range{568, 568},  // tool temperatures (RepRapFirmware)
+    Range{567, 568},  // mixing, tool temperatures (RepRapFirmware)
+    Range{585, 585},  // probes a tool
     Range{600, 606},  // filament change, pause, park, dual carriage
     Range{665, 667},  // geometry of the machine
     Range{669, 669},   Range{701, 704},  // loads, unloads filament
     Range{808, 819},  // repeats, macros
-    Range{852, 852},  // skew
+    Range{675, 675},  // finds the middle of a cavity
+    Range{851, 852},  // offset of the probe, skew
     Range{915, 918},  // drivers' calibration moves
     Range{951, 951},  // tool parking
     Range{1000, 1000},  // resumes a print
@@ -113,6 +118,10 @@ bool moves_or_heats(std::string_view command) {
   }
   if (effective(first)) {
     return true;
+  }
+  constexpr std::int64_t names_an_object = 486;
+  if (first.letter == 'M' && first.value == names_an_object * billionths) {
+    return false;
   }
   // A second command in the line, which some firmwares execute and others refuse with the line.
   return std::ranges::any_of(words.all().begin() + 1, words.all().end(), [](const GcodeWord& word) {

@@ -45,6 +45,9 @@ struct Findings {
   std::uint64_t refused_count{};
   std::uint64_t warning_count{};
   std::array<std::uint64_t, 4> missed_by_axis{};  // x y z e
+  std::array<bool, 4> homed_elsewhere{};  // G28 ended away from the end stop
+  std::array<bool, 4> moved_after_end{};  // after the last line was made
+  std::uint64_t lines_apart{};  // Z or E did not go along with X and Y
   // Commands of the file that the chip never acknowledged; 0 where the print was stopped by wish.
   std::uint64_t lines_lost{};
   // Each is a sentence that makes the print bad. None: it is good.

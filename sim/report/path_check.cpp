@@ -13,16 +13,21 @@ namespace {
 // Where the edges leave a line by more than a step, this near its end, the next line is meant.
 constexpr std::int64_t near_end_steps = 8;
 constexpr double left_line_steps = 1.2;
+// Z and E are looked at about the middle of lines of so many steps at least, in XY and of their
+// own. By then a fraction of the way between these must be done.
+constexpr std::int64_t least_steps = 40;
+constexpr double middle_from = 0.45, middle_to = 0.55;
+constexpr double least_part = 0.25, most_part = 0.75;
 
 double square(double value) { return value * value; }
 
 }  // namespace
 
-void PathCheck::set_grid(const std::array<Resolution, 2>& steps_per_mm,
-                         const std::array<std::int64_t, 2>& origin) {
+void PathCheck::set_grid(const std::array<Resolution, 4>& steps_per_mm,
+                         const std::array<std::int64_t, 4>& origin) {
   resolution_ = steps_per_mm;
   origin_ = origin;
-  for (std::size_t i = 0; i < steps_per_mm.size(); ++i) {
+  for (std::size_t i = 0; i < steps_per_mm_.size(); ++i) {
     steps_per_mm_[i] = static_cast<double>(steps_per_mm[i]) / billionths;
   }
 }
@@ -32,13 +37,16 @@ void PathCheck::ask(const Move& move) {
   for (std::size_t i = 0; i < item.to.size(); ++i) {
     item.from[i] = millimeters(move.from[i]);
     item.to[i] = millimeters(move.to[i]);
+  }
+  for (std::size_t i = 0; i < item.target.size(); ++i) {
+    item.start[i] = origin_[i] + nearest_step(move.from[i], resolution_[i]);
     item.target[i] = origin_[i] + nearest_step(move.to[i], resolution_[i]);
   }
   items_.push_back(item);
   pass_reached_lines();
 }
 
-void PathCheck::at(const std::array<std::int64_t, 2>& position) {
+void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   position_ = position;
   if (items_.empty() || items_.front().homing) {
     return;
@@ -51,24 +59,57 @@ void PathCheck::at(const std::array<std::int64_t, 2>& position) {
     distance = distance_mm(items_.front());
   }
   max_deviation_mm_ = std::max(max_deviation_mm_, distance);
+  max_deviation_steps_ = std::max(max_deviation_steps_,
+                                  distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
+  if (distance <= left_mm) {
+    watch_z_and_e(items_.front());
+  }
   pass_reached_lines();
+}
+
+// In XY, 0 to 1.
+double PathCheck::part_of_way(const Item& item) const {
+  double length_squared = 0, projection = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double line = item.to[i] - item.from[i];
+    length_squared += square(line);
+    projection += line * (static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] -
+                          item.from[i]);
+  }
+  return length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
+}
+
+void PathCheck::watch_z_and_e(Item& item) {
+  const auto way = [&](std::size_t axis) { return item.target[axis] - item.start[axis]; };
+  const double part = part_of_way(item);
+  const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
+  if (item.apart || !long_enough || part < middle_from || part > middle_to) {
+    return;
+  }
+  for (const std::size_t axis : {2UZ, 3UZ}) {
+    if (std::abs(way(axis)) < least_steps) {
+      continue;
+    }
+    const double done = static_cast<double>(position_[axis] - item.start[axis]) /
+                        static_cast<double>(way(axis));
+    item.apart = item.apart || done < least_part || done > most_part;
+  }
+  lines_apart_ += item.apart ? 1 : 0;
 }
 
 double PathCheck::distance_mm(const Item& item) const {
   std::array<double, 2> line{}, point{};
-  double length_squared = 0, projection = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     line[i] = item.to[i] - item.from[i];
     point[i] = static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] - item.from[i];
-    length_squared += square(line[i]);
-    projection += line[i] * point[i];
   }
-  const double part = length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
+  const double part = part_of_way(item);
   return std::hypot(point[0] - part * line[0], point[1] - part * line[1]);
 }
 
 void PathCheck::pass_reached_lines() {
-  while (!items_.empty() && !items_.front().homing && items_.front().target == position_) {
+  while (!items_.empty() && !items_.front().homing && 
+         items_.front().target[0] == position_[0] && items_.front().target[1] == position_[1]) {
     items_.pop_front();
   }
 }
@@ -89,7 +130,10 @@ void PathCheck::finish() {
   if (!items_.empty() && !items_.back().homing) {
     Item end = items_.back();
     end.from = end.to;
-    max_deviation_mm_ = std::max(max_deviation_mm_, distance_mm(end));
+    const double distance = distance_mm(end);
+    max_deviation_mm_ = std::max(max_deviation_mm_, distance);
+    max_deviation_steps_ = std::max(max_deviation_steps_,
+                                    distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
   }
   items_.clear();
 }

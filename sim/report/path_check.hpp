@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the XY steps leave the lines that the G-code asks for.
+// How far the XY steps leave the lines that the G-code asks for, and whether Z and E go along.
 #pragma once
 
 #include <array>
@@ -17,38 +17,47 @@ namespace report {
 // line. Homing is free until it is finished.
 class PathCheck {
  public:
-  // `origin`: mechanical position of what the G-code calls 0, on X and Y.
-  void set_grid(const std::array<Resolution, 2>& steps_per_mm,
-                const std::array<std::int64_t, 2>& origin);
+  // `origin`: mechanical position of what the G-code calls 0.
+  void set_grid(const std::array<Resolution, 4>& steps_per_mm,
+                const std::array<std::int64_t, 4>& origin);
 
   // A line of the file, or homing, is asked for from now on.
   void ask(const Move& move);
   void ask_homing() { items_.push_back({.homing = true}); }
-  // X and Y stand here now, mechanical.
-  void at(const std::array<std::int64_t, 2>& position);
+  // The axes stand here now, mechanical.
+  void at(const std::array<std::int64_t, 4>& position);
   // Everything asked for has been made, or will not be made.
   void finish();
   void forget() { items_.clear(); }
 
   double max_deviation_mm() const { return max_deviation_mm_; }
+  // The same in steps of the coarser of X and Y.
+  double max_deviation_steps() const { return max_deviation_steps_; }
+  // Lines of many steps in whose middle Z or E was not in the middle of its own way.
+  std::uint64_t lines_apart() const { return lines_apart_; }
 
  private:
   struct Item {
     bool homing{};
     std::array<double, 2> from{}, to{};  // mm, machine
-    std::array<std::int64_t, 2> target{};  // steps, mechanical
+    std::array<std::int64_t, 4> start{}, target{};  // steps, mechanical
+    bool apart{};
   };
 
+  double part_of_way(const Item& item) const;
   double distance_mm(const Item& item) const;
+  void watch_z_and_e(Item& item);
   void pass_reached_lines();
   void pass_lost_line();
 
   std::array<double, 2> steps_per_mm_{1, 1};
-  std::array<Resolution, 2> resolution_{};
-  std::array<std::int64_t, 2> origin_{};
-  std::array<std::int64_t, 2> position_{};
+  std::array<Resolution, 4> resolution_{};
+  std::array<std::int64_t, 4> origin_{};
+  std::array<std::int64_t, 4> position_{};
   std::deque<Item> items_;
   double max_deviation_mm_ = 0;
+  double max_deviation_steps_ = 0;
+  std::uint64_t lines_apart_ = 0;
 };
 
 }  // namespace report

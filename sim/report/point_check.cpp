@@ -11,6 +11,8 @@ namespace report {
 namespace {
 
 constexpr std::size_t most_listed = 1000;
+// From where its end stop switches, where homing ends: filter and reaction take a few.
+constexpr std::int64_t furthest_home_steps = 40;
 constexpr std::size_t extruder = 3;
 
 }  // namespace
@@ -22,12 +24,12 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
     resolution_[i] = resolution_of(steps_per_mm[i]);
   }
   state_.position = start;
-  path_.at({start[0], start[1]});
+  path_.at(start);
   set_grid();
 }
 
 void PointCheck::set_grid() {
-  path_.set_grid({resolution_[0], resolution_[1]}, {origin_[0], origin_[1]});
+  path_.set_grid(resolution_, origin_);
 }
 
 Steps PointCheck::steps_at(const Point& point) const {
@@ -65,7 +67,7 @@ void PointCheck::judge_states_until(sim::Clock until) {
   while (!states_.empty() && states_.front().clock <= until) {
     const MachineState& state = states_.front();
     match_.at(state);
-    path_.at({state.position[0], state.position[1]});
+    path_.at(state.position);
     states_.pop_front();
   }
 }
@@ -142,6 +144,8 @@ void PointCheck::finish_homing(const Homing& homing) {
   Steps meant = match_.last_target();
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     if (homing.axes[i]) {
+      judged_.homed_elsewhere[i] = judged_.homed_elsewhere[i] ||
+                                   std::llabs(state_.position[i]) > furthest_home_steps;
       origin_[i] = meant[i] = 0;
     }
   }
@@ -197,11 +201,16 @@ PointCheck::Judgement PointCheck::judgement() const {
     match.at(state);
   }
   match.at(state_);
+  const bool nothing_asked = match.nothing_open() && in_flight_.empty();
   match.abandon();
   Judgement result = judged_;
   add_missed(match.take_missed(), result);
   result.reached = match.reached();
   result.unasked_steps = match.unasked_steps();
+  for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
+    result.moved_after_end[i] =
+        nothing_asked && state_.position[i] != match_.last_target()[i];
+  }
   return result;
 }
 

@@ -44,10 +44,14 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
     std::array<std::uint64_t, 4> missed_by_axis{};
     std::vector<MissedPoint> list;  // up to a bound
     Steps unasked_steps{};  // made beyond those between the points
+    std::array<bool, 4> homed_elsewhere{};  // G28 ended away from the end stop
+    std::array<bool, 4> moved_after_end{};  // where all was made, the axis stands elsewhere
   };
   // Of everything so far; lines that are still under way are neither reached nor missed.
   Judgement judgement() const;
   double max_deviation_mm() const { return path_.max_deviation_mm(); }
+  double max_deviation_steps() const { return path_.max_deviation_steps(); }
+  std::uint64_t lines_apart() const { return path_.lines_apart(); }
   // Of the executed moves, in X, Y and Z, as the G-code asks for them.
   double length_mm() const { return length_mm_; }
   bool homed() const { return homed_; }

@@ -54,6 +54,8 @@ class PointMatch {
   // The machine has been moved here by other means than lines.
   void restart(const MachineState& here, const Steps& meant);
 
+  // Every line asked for is decided on, and the last one known to be made.
+  bool nothing_open() const { return items_.empty() && !last_line_open_; }
   std::uint64_t reached() const { return reached_; }
   const Steps& unasked_steps() const { return unasked_; }
   // Those that were missed since the last call.

@@ -98,6 +98,9 @@ void Recorder::add_findings(Results& results) const {
   results.points_missed = points.missed;
   results.findings.missed = std::move(points.list);
   results.findings.missed_by_axis = points.missed_by_axis;
+  results.findings.homed_elsewhere = points.homed_elsewhere;
+  results.findings.moved_after_end = points.moved_after_end;
+  results.findings.lines_apart = points_.lines_apart();
   for (std::size_t i = 0; i < results.axes.size(); ++i) {
     results.axes[i].unasked_steps = static_cast<std::uint64_t>(points.unasked_steps[i]);
   }
@@ -124,8 +127,7 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   }
   results.max_deviation_mm = points_.max_deviation_mm();
   results.length_mm = points_.length_mm();
-  const std::array<double, 4> steps_per_mm = resolutions(printer_);
-  results.coarsest_xy_steps_per_mm = std::min(steps_per_mm[0], steps_per_mm[1]);
+  results.max_deviation_steps = points_.max_deviation_steps();
   add_findings(results);
   results.underruns = queue.underruns;
   results.guard_stalls_cycles = queue.guard_stall_clocks;

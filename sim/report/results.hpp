@@ -58,7 +58,7 @@ struct Results {
   std::array<AxisResult, 4> axes{};
   double max_deviation_mm{};
   double length_mm{};
-  double coarsest_xy_steps_per_mm{};
+  double max_deviation_steps{};  // the same in steps of the coarser of X and Y
   std::uint64_t points_reached{};
   std::uint64_t points_missed{};
   std::uint64_t underruns{};

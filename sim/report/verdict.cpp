@@ -12,6 +12,8 @@ namespace {
 
 // A line between rounded ends may lie up to 1.41 steps off the exact one (firmware/motion).
 constexpr double most_steps_off_line = 2.0;
+// From the target while it is held: fans and cold filament cost a few degrees.
+constexpr double widest_band_c = 10.0;
 
 const char* plural(std::uint64_t count) { return count == 1 ? "" : "s"; }
 
@@ -22,6 +24,18 @@ std::string by_axis(const std::array<std::uint64_t, 4>& counts) {
     if (counts[i] > 0) {
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
                           static_cast<char>(axis_names[i][0] - 'a' + 'A'), counts[i]);
+    }
+  }
+  return text;
+}
+
+// "X, E"
+std::string names_of(const std::array<bool, 4>& axes) {
+  std::string text;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i]) {
+      text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                          static_cast<char>(axis_names[i][0] - 'a' + 'A'));
     }
   }
   return text;
@@ -47,19 +61,38 @@ void judge(Results& results) {
     problems.push_back(fmt::format("{} line{} that should move or heat refused by the chip", count,
                                    plural(count)));
   }
-  if (const std::uint64_t count = results.points_missed; count > 0) {
+  // Where a print was stopped on its way, what it was on its way to cannot be known.
+  const bool stopped = results.outcome == Outcome::stopped;
+  if (const std::uint64_t count = results.points_missed; count > 0 && !stopped) {
     problems.push_back(fmt::format("{} of {} points missed ({})", count,
                                    count + results.points_reached,
                                    by_axis(findings.missed_by_axis)));
   }
-  const double off_steps = results.max_deviation_mm * results.coarsest_xy_steps_per_mm;
-  if (off_steps > most_steps_off_line) {
+  if (results.max_deviation_steps > most_steps_off_line) {
     problems.push_back(
         fmt::format("the path leaves its lines by up to {:.3f} mm", results.max_deviation_mm));
   }
   const std::string unasked =
       by_axis(results, [](const AxisResult& axis) { return axis.unasked_steps; });
-  if (!unasked.empty()) {
+  if (const std::uint64_t count = findings.lines_apart; count > 0) {
+    problems.push_back(fmt::format(
+        "{} line{} on which Z or E does not go along with X and Y", count, plural(count)));
+  }
+  if (const std::string axes = names_of(findings.homed_elsewhere); !axes.empty()) {
+    problems.push_back(fmt::format("homing ended away from the end stop: {}", axes));
+  }
+  const std::string moved = names_of(findings.moved_after_end);
+  if (!moved.empty() && results.outcome == Outcome::completed) {
+    problems.push_back(fmt::format("axes moved after the last line: {}", moved));
+  }
+  for (const bool bed : {false, true}) {
+    const TemperatureResult& heater = bed ? results.bed : results.hotend;
+    if (heater.band_c > widest_band_c) {
+      problems.push_back(fmt::format("the {} was {:.1f} °C off its target after the wait for it",
+                                     bed ? "bed" : "hotend", heater.band_c));
+    }
+  }
+  if (!unasked.empty() && !stopped) {
     problems.push_back(fmt::format("steps that no line asks for: {}", unasked));
   }
   if (const std::uint64_t count = findings.lines_lost; count > 0) {

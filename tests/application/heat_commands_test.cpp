@@ -120,10 +120,27 @@ TEST(heat_commands, sets_the_fan_from_0_to_255) {
   EXPECT_EQ(printer.chip.fan_duty, 255u);
 }
 
-TEST(heat_commands, a_target_too_high_is_cut_to_what_is_allowed) {
+TEST(heat_commands, a_target_too_high_is_refused_and_changes_nothing) {
   Printer printer;
   printer.run(0.3);
-  printer.talk("-> M104 S999\n<- ok\n-> M105\n<* /260.00\n");
+  printer.talk(R"(
+    -> M104 S260
+    <- ok
+    -> M104 S260.01
+    <- echo:Above the highest target of 260.00, not executed: "M104 S260.01"
+    <- ok
+    -> M109 S999
+    <- echo:Above the highest target of 260.00, not executed: "M109 S999"
+    <- ok
+    -> M190 R106
+    <- echo:Above the highest target of 105.00, not executed: "M190 R106"
+    <- ok
+    -> M140 S109
+    <- echo:Above the highest target of 105.00, not executed: "M140 S109"
+    <- ok
+    -> M105
+    <* /260.00 B:25.00 /0.00
+  )");
 }
 
 }  // namespace

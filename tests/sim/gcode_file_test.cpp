@@ -9,6 +9,16 @@ namespace {
 using devices::parse_gcode_text;
 using testing::HasSubstr;
 
+TEST(GcodeFile, keeps_what_stands_behind_a_comment_in_parentheses) {
+  const auto commands =
+      parse_gcode_text("(a; b) G1 X10\nG1 X1 (slow; careful) Y5 ; end (of it\nG1 X2 (abc Y5\n", "f");
+  ASSERT_TRUE(commands);
+  ASSERT_EQ(commands->size(), 3u);
+  EXPECT_EQ((*commands)[0].text, "G1 X10");
+  EXPECT_EQ((*commands)[1].text, "G1 X1  Y5");
+  EXPECT_EQ((*commands)[2].text, "G1 X2 (abc Y5");  // which the firmware refuses
+}
+
 TEST(GcodeFile, strips_comments_and_blanks_and_keeps_the_line_numbers) {
   const auto commands =
       parse_gcode_text("; head\nG28 ; home\r\n\n  G1 X1\t(move) Y2  \n;\nM84", "f");

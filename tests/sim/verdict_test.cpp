@@ -18,8 +18,8 @@ Results good_results() {
   Results results;
   results.outcome = report::Outcome::completed;
   results.points_reached = 10;
-  results.coarsest_xy_steps_per_mm = 80;
   results.max_deviation_mm = 0.0125;
+  results.max_deviation_steps = 1;
   results.findings.warning_count = 3;
   return results;
 }
@@ -35,6 +35,7 @@ TEST(Verdict, is_good_where_nothing_is_wrong_but_warnings) {
   EXPECT_TRUE(results.good());
   EXPECT_EQ(nlohmann::json::parse(to_json(results))["verdict"], "good");
   results.outcome = report::Outcome::stopped;
+  results.points_missed = 1;  // on the way to it
   judge(results);
   EXPECT_TRUE(results.good());
 }
@@ -54,7 +55,18 @@ TEST(Verdict, is_bad_for_each_fault_by_itself) {
          r.points_missed = 2;
          r.findings.missed_by_axis = {0, 0, 0, 2};
        }},
-      {"leaves its lines by up to 0.026 mm", [](Results& r) { r.max_deviation_mm = 0.026; }},
+      {"leaves its lines by up to 0.026 mm", 
+       [](Results& r) {
+         r.max_deviation_mm = 0.026;
+         r.max_deviation_steps = 2.1;
+       }},
+      {"3 lines on which Z or E does not go along",
+       [](Results& r) { r.findings.lines_apart = 3; }},
+      {"homing ended away from the end stop: Y",
+       [](Results& r) { r.findings.homed_elsewhere[1] = true; }},
+      {"axes moved after the last line: Z",
+       [](Results& r) { r.findings.moved_after_end[2] = true; }},
+      {"the bed was 10.1 °C off its target", [](Results& r) { r.bed.band_c = 10.1; }},
       {"no line asks for: Z 4", [](Results& r) { r.axes[2].unasked_steps = 4; }},
       {"1 line of the file lost", [](Results& r) { r.findings.lines_lost = 1; }},
       {"5 underruns", [](Results& r) { r.underruns = 5; }},

@@ -193,7 +193,16 @@ int print(const PrintOptions& options) {
     return refuse(options, commands.error());
   }
   std::filesystem::create_directories(options.report);  // fails now rather than after the print
-  PrinterSetup setup(options.printer, near_first_targets(*commands));
+  // A report of an earlier print must not stay where this one cannot begin.
+  std::optional<PrinterSetup> prepared;
+  try {
+    prepared.emplace(options.printer, near_first_targets(*commands));
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    return refuse(options, error.what());
+  }
+  PrinterSetup& setup = *prepared;
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
