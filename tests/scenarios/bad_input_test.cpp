@@ -55,7 +55,7 @@ TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_execute
   EXPECT_EQ(print.report["result"], "completed");
   EXPECT_EQ(print.report["verdict"], "bad");
   // All but M104, which the firmware cuts to what the machine stands.
-  EXPECT_EQ(print.report["lines"]["refused"], 7);
+  EXPECT_EQ(print.report["lines"]["refused"], 8);
   EXPECT_THAT(print.job.output, testing::HasSubstr("line 4: G1 X500: Move beyond the end of X"));
   EXPECT_TRUE(print.said("Unknown command: \"G999\""));
   EXPECT_TRUE(print.said("Move beyond the end of X"));

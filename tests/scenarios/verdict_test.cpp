@@ -23,7 +23,7 @@ std::vector<int> lines_of(const nlohmann::json& list) {
 
 TEST(verdict, is_bad_where_moves_and_heat_are_refused_and_names_the_lines) {
   const Print print = print_text(
-      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I5 J0\nM600\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
+      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I5 J0\nG29\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
   EXPECT_EQ(print.job.status, 1) << print.job.output;
   EXPECT_EQ(print.report["result"], "completed");
   EXPECT_EQ(print.report["verdict"], "bad");
@@ -41,6 +41,29 @@ TEST(verdict, is_good_where_only_codes_that_move_nothing_are_unknown) {
   EXPECT_EQ(print.report["lines"]["warnings"], 2);
   EXPECT_THAT(lines_of(print.report["warnings"]), testing::ElementsAre(1, 2));
   EXPECT_THAT(print.job.output, HasSubstr("2 warnings"));
+}
+
+// Each line of 5 um steps no axis, or one step of four.
+TEST(verdict, is_good_for_moves_shorter_than_a_step) {
+  std::string gcode = "G28 X Y\nG1 X20 F6000\n";
+  for (int i = 1; i <= 100; ++i) gcode += "G1 X20." + std::to_string(1000 + 5 * i).substr(1) + "\n";
+  const Print print = print_text(gcode + "G1 X20\nG1 X30\n");
+  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  EXPECT_EQ(print.report["path"]["points_reached"], 103);
+}
+
+// The second line asks for a step in 0.125 s.
+TEST(verdict, is_good_for_a_line_of_eight_steps_a_second) {
+  const Print print = print_text("G91\nG1 X1 F600\nG1 X0.2 F6\nG1 X1 F600\n");
+  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  EXPECT_EQ(print.report["queue"]["underruns"], 0);
+  EXPECT_GT(print.report["simulated_seconds"], 2.2);
+}
+
+TEST(verdict, is_bad_where_a_heater_cannot_be_as_hot_as_the_file_asks) {
+  const Print print = print_text("M190 S109\nG91\nG1 X1 F600\n");
+  EXPECT_EQ(print.job.status, 1) << print.job.output;
+  EXPECT_THAT(print.job.output, HasSubstr("line 1: M190 S109: Above the highest target of 105.00"));
 }
 
 TEST(verdict, is_bad_where_an_extrusion_is_prevented) {
