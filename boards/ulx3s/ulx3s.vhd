@@ -20,7 +20,7 @@ entity ulx3s is
     -- High, or the board's radio module takes over.
     wifi_gpio0 : out std_ulogic;
     led : out std_ulogic_vector(7 downto 0);
-    -- A button that is high while pressed.
+    -- Low through a closed switch, high by its pull: stops when the switch opens or its wire breaks.
     emergency_stop : in std_ulogic;
     -- From the chip that starts several at once.
     motion_start : in std_ulogic;

@@ -23,14 +23,7 @@ if [ ! -f "$project/boards/$board/connections.csv" ]; then
   exit
 fi
 
-# Pins: what the top entity's ports are connected to, and where these signals lie on the board.
-awk -F, -v OFS= '
-  FNR == 1 { next }
-  FILENAME ~ /pins.csv$/ { pin[$1] = $2; standard[$1] = $3; next }
-  !($2 in pin) { print "no pin for " $2 > "/dev/stderr"; exit 1 }
-  { print "LOCATE COMP \"", $1, "\" SITE \"", pin[$2], "\";"
-    print "IOBUF PORT \"", $1, "\" ", standard[$2], ";" }
-' "$project/boards/$board/pins.csv" "$project/boards/$board/connections.csv" > pins.lpf
+"$project/tools/hardware/write_constraints.sh" "$project" "$board" > pins.lpf
 cat pins.lpf "$project/constraints/$board.lpf" > board.lpf
 
 place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
