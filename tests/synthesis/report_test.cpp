@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tools report about a synthesis is told rightly, and a board's pins are those of its
-// table.
+// What the tools report about a synthesis is told rightly.
 #include "tools/synthesis/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace synthesis {
@@ -119,35 +115,6 @@ TEST_F(SynthesisReport, refuses_a_report_that_lacks_something) {
   EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
   write(cells, R"({"fmax": {}, "utilization": {}, "critical_paths": []})");
   EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
-}
-
-// The first columns of a table with a header row.
-std::multimap<std::string, std::string> read_pairs(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::multimap<std::string, std::string> pairs;
-  std::string line;
-  std::getline(stream, line);
-  while (std::getline(stream, line)) {
-    std::istringstream words(line);
-    std::string first, second;
-    std::getline(words, first, ',');
-    std::getline(words, second, ',');
-    pairs.emplace(first, second);
-  }
-  return pairs;
-}
-
-TEST(BoardUlx3s, connects_each_port_to_a_pin_of_its_own) {
-  const std::filesystem::path board = PROJECT_DIRECTORY "/boards/ulx3s";
-  const auto pins = read_pairs(board / "pins.csv");
-  const auto connections = read_pairs(board / "connections.csv");
-  ASSERT_FALSE(connections.empty());
-  std::set<std::string> used;
-  for (const auto& [port, signal] : connections) {
-    EXPECT_EQ(connections.count(port), 1u) << port;
-    ASSERT_EQ(pins.count(signal), 1u) << signal;
-    EXPECT_TRUE(used.insert(pins.find(signal)->second).second) << port << " shares its pin";
-  }
 }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a board's tables, its top entity's ports, and the pin constraints that are generated.
+#include "tests/synthesis/board_pins.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace synthesis {
+namespace {
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char character : line) {
+    if (character == ',') {
+      cells.emplace_back();
+    } else {
+      cells.back() += character;
+    }
+  }
+  return cells;
+}
+
+void read_line(const std::string& line, Constraints& constraints) {
+  static const std::regex place(R"re(LOCATE COMP "([^"]+)" SITE "(\w+)";)re");
+  static const std::regex buffer(R"re(IOBUF PORT "([^"]+)"(( \w+=\w+)+);)re");
+  std::smatch match;
+  if (std::regex_match(line, match, place)) {
+    ConstrainedPin& pin = constraints.pins[match[1]];
+    if (!pin.site.empty()) constraints.refusal = "two places: " + line;
+    pin.site = match[2];
+  } else if (std::regex_match(line, match, buffer)) {
+    ConstrainedPin& pin = constraints.pins[match[1]];
+    if (!pin.attributes.empty()) constraints.refusal = "two buffers: " + line;
+    std::istringstream words(match[2]);
+    std::string word;
+    while (words >> word) {
+      const std::size_t equals = word.find('=');
+      pin.attributes[word.substr(0, equals)] = word.substr(equals + 1);
+    }
+  } else {
+    constraints.refusal = "not understood: " + line;
+  }
+}
+
+}  // namespace
+
+std::vector<Row> read_table(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  if (!std::getline(stream, line)) throw std::runtime_error("no table " + file.string());
+  const std::vector<std::string> names = cells_of(line);
+  std::vector<Row> rows;
+  while (std::getline(stream, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() != names.size()) throw std::runtime_error(file.string() + ": " + line);
+    Row& row = rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = cells[i];
+  }
+  return rows;
+}
+
+Constraints generate_constraints(const std::filesystem::path& project, const std::string& board) {
+  const std::string script = (project / "tools/hardware/write_constraints.sh").string();
+  const std::string command = "'" + script + "' '" + project.string() + "' '" + board + "' 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot call " + script);
+  std::string text;
+  for (int character = std::fgetc(pipe); character != EOF; character = std::fgetc(pipe)) {
+    text += static_cast<char>(character);
+  }
+  Constraints constraints;
+  if (pclose(pipe) != 0) {
+    constraints.refusal = text;
+    return constraints;
+  }
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line)) read_line(line, constraints);
+  return constraints;
+}
+
+std::map<std::string, std::string> ports_of(const std::filesystem::path& entity) {
+  static const std::regex port(
+      R"(\s+(\w+) : (in|out) std_u?logic(_vector\((\d+) downto 0\))?;?\s*)");
+  std::ifstream stream(entity);
+  std::map<std::string, std::string> ports;
+  std::string line;
+  while (std::getline(stream, line) && !line.starts_with("end entity")) {
+    std::smatch match;
+    if (!std::regex_match(line, match, port)) continue;
+    if (!match[3].matched) {
+      ports[match[1]] = match[2];
+      continue;
+    }
+    for (int index = 0; index <= std::stoi(match[4]); ++index) {
+      ports[match[1].str() + "[" + std::to_string(index) + "]"] = match[2];
+    }
+  }
+  return ports;
+}
+
+std::string signal_of(const std::string& port) { return port.substr(0, port.find('[')); }
+
+}  // namespace synthesis

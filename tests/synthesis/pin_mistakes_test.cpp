@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each kind of mistake in the tables of signals and pins, or in their generator, is found.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/synthesis/pin_needs.hpp"
+
+namespace synthesis {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A copy of what the constraints are made of, to put mistakes in.
+class Mistake : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    for (const char* part : {"constraints", "boards/ulx3s", "tools/hardware"}) {
+      fs::create_directories(folder_ / part);
+      fs::copy(fs::path(PROJECT_DIRECTORY) / part, folder_ / part, fs::copy_options::recursive);
+    }
+    ASSERT_THAT(shortcomings(), IsEmpty());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void replace(const char* file, const std::string& old_text, const std::string& new_text) const {
+    std::ifstream stream(folder_ / file);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t place = text.find(old_text);
+    ASSERT_NE(place, std::string::npos) << old_text;
+    ASSERT_EQ(text.find(old_text, place + 1), std::string::npos) << old_text;
+    text.replace(place, old_text.size(), new_text);
+    std::ofstream(folder_ / file) << text;
+  }
+  std::vector<std::string> shortcomings() const { return shortcomings_of(folder_, "ulx3s"); }
+
+  static constexpr const char* signals = "constraints/signals.csv";
+  static constexpr const char* connections = "boards/ulx3s/connections.csv";
+  fs::path folder_ = fs::path(testing::TempDir()) / "stepfabric pins test";
+};
+
+TEST_F(Mistake, a_pull_on_a_sensor_is_found) {
+  replace(signals, "sensor_resistor,out,none", "sensor_resistor,out,up");
+  replace(signals, "sensor_sense,in,none", "sensor_sense,in,down");
+  const auto found = shortcomings();
+  EXPECT_EQ(found.size(), 8u);
+  EXPECT_THAT(found, Contains("sensor_resistor[5] has pull UP, needs NONE"));
+  EXPECT_THAT(found, Contains("sensor_sense[0] has pull DOWN, needs NONE"));
+}
+
+TEST_F(Mistake, a_missing_pull_is_found) {
+  for (const char* row : {"emergency_stop,in,up", "end_stop,in,up", "motion_start,in,down",
+                          "heater_gate,out,down", "motor_enable_n,out,up"}) {
+    const std::string good = row;
+    replace(signals, good, good.substr(0, good.rfind(',')) + ",none");
+    EXPECT_THAT(shortcomings(), Contains(HasSubstr("has pull NONE, needs"))) << good;
+    TearDown();
+    SetUp();
+  }
+}
+
+TEST_F(Mistake, a_generator_that_drops_the_pull_is_found) {
+  replace("tools/hardware/write_constraints.sh", " \" PULLMODE=\" toupper(pull[signal])", "");
+  EXPECT_THAT(shortcomings(), Contains("sensor_sense[1] has pull , needs NONE"));
+}
+
+TEST_F(Mistake, a_wrong_drive_or_slew_is_found) {
+  replace(signals, "step,out,none,8,slow", "step,out,none,16,fast");
+  replace(signals, "sensor_resistor,out,none,8", "sensor_resistor,out,none,4");
+  EXPECT_THAT(shortcomings(), Contains("step[0] drives 16 mA, needs 8 to 8"));
+  EXPECT_THAT(shortcomings(), Contains("step[4] has edges that ring"));
+  EXPECT_THAT(shortcomings(), Contains("sensor_resistor[0] drives 4 mA, needs 8 to 16"));
+  replace(signals, "sensor_sense,in,none,,", "sensor_sense,in,none,8,slow");
+  EXPECT_THAT(shortcomings(), Contains(HasSubstr("drive and slew are for outputs")));
+}
+
+TEST_F(Mistake, a_sensor_in_a_bank_of_another_voltage_is_found) {
+  replace("boards/ulx3s/banks.csv", "8,3.3", "8,2.5");
+  ASSERT_THAT(shortcomings(), IsEmpty());
+  replace(connections, "sensor_sense[1],gn[22]", "sensor_sense[1],btn[2]");
+  EXPECT_THAT(shortcomings(), Contains(HasSubstr("sensor_sense[1] needs 3.3 V, bank 8 has 2.5")));
+}
+
+TEST_F(Mistake, a_pin_of_two_ports_is_found) {
+  replace(connections, "sensor_sense[1],gn[22]", "sensor_sense[1],gn[21]");
+  EXPECT_THAT(shortcomings(),
+              Contains(HasSubstr("sensor_sense[1] and sensor_sense[0] share a pin")));
+}
+
+TEST_F(Mistake, a_port_without_a_pin_is_found) {
+  replace(connections, "fan_gate,gn[9]\n", "");
+  EXPECT_THAT(shortcomings(), Contains("fan_gate has no pin"));
+}
+
+TEST_F(Mistake, a_port_that_is_connected_twice_is_found) {
+  replace(connections, "fan_gate,gn[9]\n", "fan_gate,gn[9]\nfan_gate,gn[23]\n");
+  EXPECT_THAT(shortcomings(), Contains(HasSubstr("fan_gate is connected twice")));
+}
+
+TEST_F(Mistake, a_signal_of_unknown_needs_is_found) {
+  replace(signals, "fan_gate,", "fan,");
+  EXPECT_THAT(shortcomings(), Contains(HasSubstr("does not say what fan_gate needs")));
+}
+
+TEST_F(Mistake, a_gate_on_a_pin_of_the_radio_module_is_found) {
+  replace(connections, "heater_gate[1],gn[10]", "heater_gate[1],gp[11]");
+  EXPECT_THAT(shortcomings(), Contains("heater_gate[1] can be driven by the radio module too"));
+}
+
+TEST_F(Mistake, a_resistor_that_is_missing_or_too_weak_outside_is_found) {
+  replace(signals, "heater_gate,out,down,8,slow,3.3,down,4700",
+          "heater_gate,out,down,8,slow,3.3,down,10000");
+  replace(signals, "motor_enable_n,out,up,4,slow,3.3,up,4700",
+          "motor_enable_n,out,up,4,slow,3.3,,");
+  EXPECT_THAT(shortcomings(), Contains("heater_gate[1] has a wrong resistor outside"));
+  EXPECT_THAT(shortcomings(), Contains("motor_enable_n[0] needs another resistor outside"));
+}
+
+}  // namespace
+}  // namespace synthesis

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the circuit behind each signal needs of its pin. This is known here from the circuit, not
+// read from constraints/signals.csv, which it judges.
+#include "tests/synthesis/pin_needs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "tests/synthesis/board_pins.hpp"
+
+namespace synthesis {
+namespace {
+
+constexpr double supply_volts = 3.3;
+// The FPGA's own pulls at 3.3 V: 30 to 150 uA (FPGA-DS-02012). Before it is configured they may
+// pull either way.
+constexpr double strongest_pull_ohms = 22e3;
+// A logic-level MOSFET may begin to conduct at 1 V.
+constexpr double gate_off_volts = 0.8;
+// A4988, DRV8825 and TMC2209 read 0.7 of their logic supply as high.
+constexpr double driver_high_volts = 0.7 * supply_volts;
+// The low reference takes 3.3 V over 470 Ohm.
+constexpr int sensor_drive_ma = 8;
+
+struct Kind {
+  std::string_view direction;
+  std::string_view pull;
+  int least_drive_ma = 0;
+  int most_drive_ma = 0;
+  // What holds the signal while the FPGA does not: up, down, or nothing.
+  std::string_view outside{};
+};
+
+constexpr Kind oscillator{"in", "NONE"};
+constexpr Kind rests_high{"in", "UP"};
+constexpr Kind rests_low{"in", "DOWN"};
+constexpr Kind fail_safe{"in", "UP", 0, 0, "up"};
+constexpr Kind on_the_board{"out", "NONE", 4, 8};
+constexpr Kind over_a_cable{"out", "NONE", 8, 8};
+constexpr Kind held_high{"out", "UP", 4, 8, "up"};
+constexpr Kind held_low{"out", "DOWN", 8, 8, "down"};
+constexpr Kind sensor_drive{"out", "NONE", sensor_drive_ma, 16};
+constexpr Kind sensor_input{"in", "NONE"};
+
+struct Need {
+  std::string_view signal;
+  Kind kind;
+};
+
+constexpr std::array needs{Need{"clk_25mhz", oscillator},
+                           Need{"ftdi_txd", rests_high},
+                           Need{"ftdi_rxd", on_the_board},
+                           Need{"wifi_gpio0", on_the_board},
+                           Need{"led", on_the_board},
+                           Need{"emergency_stop", fail_safe},
+                           Need{"motion_start", rests_low},
+                           Need{"end_stop", rests_high},
+                           Need{"step", over_a_cable},
+                           Need{"direction", over_a_cable},
+                           Need{"motor_enable_n", held_high},
+                           Need{"heater_gate", held_low},
+                           Need{"fan_gate", held_low},
+                           Need{"sensor_resistor", sensor_drive},
+                           Need{"sensor_sense", sensor_input},
+                           Need{"tck", rests_high},
+                           Need{"tms", rests_high},
+                           Need{"tdi", rests_high},
+                           Need{"tdo", on_the_board}};
+
+const Row* row_with(const std::vector<Row>& rows, const char* column, const std::string& value) {
+  const auto found =
+      std::ranges::find_if(rows, [&](const Row& row) { return row.at(column) == value; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+class Check {
+ public:
+  Check(const std::filesystem::path& project, const std::string& board)
+      : constraints_(generate_constraints(project, board)),
+        ports_(ports_of(project / "boards" / board / (board + ".vhd"))),
+        signals_(read_table(project / "constraints/signals.csv")),
+        pins_(read_table(project / "boards" / board / "pins.csv")),
+        banks_(read_table(project / "boards" / board / "banks.csv")) {}
+
+  std::vector<std::string> run() {
+    if (!constraints_.refusal.empty()) return {constraints_.refusal};
+    for (const auto& [port, direction] : ports_) {
+      if (!constraints_.pins.contains(port)) say(port, "has no pin");
+    }
+    for (const auto& [port, pin] : constraints_.pins) check(port, pin);
+    return said_;
+  }
+
+ private:
+  void say(const std::string& port, const std::string& what) { said_.push_back(port + " " + what); }
+
+  void check(const std::string& port, const ConstrainedPin& pin) {
+    const auto* need = std::ranges::find(needs, signal_of(port), &Need::signal);
+    if (need == needs.end()) return say(port, "is not known to this test");
+    const auto entity_port = ports_.find(port);
+    if (entity_port == ports_.end()) return say(port, "is no port of the top entity");
+    if (entity_port->second != need->kind.direction) say(port, "has the wrong direction");
+    check_buffer(port, pin, need->kind);
+    check_place(port, pin);
+    check_outside(port, need->kind.outside);
+  }
+
+  void check_buffer(const std::string& port, const ConstrainedPin& pin, const Kind& kind) {
+    std::map<std::string, std::string> attributes = pin.attributes;
+    if (attributes["IO_TYPE"] != "LVCMOS33") say(port, "is not at 3.3 V");
+    if (attributes["PULLMODE"] != kind.pull) {
+      say(port, fmt::format("has pull {}, needs {}", attributes["PULLMODE"], kind.pull));
+    }
+    const std::string drive = attributes["DRIVE"];
+    if (kind.direction == "in") {
+      if (!drive.empty() || !attributes["SLEWRATE"].empty()) say(port, "is driven");
+      return;
+    }
+    const int drive_ma = drive.empty() ? 0 : std::stoi(drive);
+    if (drive_ma < kind.least_drive_ma || drive_ma > kind.most_drive_ma) {
+      say(port, fmt::format("drives {} mA, needs {} to {}", drive_ma, kind.least_drive_ma,
+                            kind.most_drive_ma));
+    }
+    // The fastest signal is a step's pulse of a microsecond: nothing here needs a fast edge.
+    if (attributes["SLEWRATE"] != "SLOW") say(port, "has edges that ring");
+  }
+
+  void check_place(const std::string& port, const ConstrainedPin& pin) {
+    if (!sites_.insert(pin.site).second) say(port, "shares its pin with another port");
+    const Row* place = row_with(pins_, "pin", pin.site);
+    if (place == nullptr) return say(port, "lies on no pin of the board");
+    const Row* bank = row_with(banks_, "bank", place->at("bank"));
+    if (bank == nullptr || std::stod(bank->at("volts")) != supply_volts) {
+      say(port, "lies in a bank of another voltage");
+    }
+    if (place->at("shared_with") == "wifi") say(port, "can be driven by the radio module too");
+  }
+
+  // The resistor outside holds its level against the strongest pull of an FPGA without contents.
+  void check_outside(const std::string& port, std::string_view wanted) {
+    const Row* signal = row_with(signals_, "port", signal_of(port));
+    if (signal->at("outside") != wanted) return say(port, "needs another resistor outside");
+    if (wanted.empty()) return;
+    const double ohms = std::stod("0" + signal->at("outside_ohms"));
+    const double error_volts = supply_volts * ohms / (ohms + strongest_pull_ohms);
+    const bool holds = wanted == "down" ? error_volts < gate_off_volts
+                                        : supply_volts - error_volts > driver_high_volts;
+    if (!holds || ohms < 1'000) say(port, "has a wrong resistor outside");
+  }
+
+  Constraints constraints_;
+  std::map<std::string, std::string> ports_;
+  std::vector<Row> signals_, pins_, banks_;
+  std::set<std::string> sites_;
+  std::vector<std::string> said_;
+};
+
+}  // namespace
+
+std::vector<std::string> shortcomings_of(const std::filesystem::path& project,
+                                         const std::string& board) {
+  return Check(project, board).run();
+}
+
+}  // namespace synthesis

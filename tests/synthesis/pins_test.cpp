@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every pin of every board has the pull, drive, slew and voltage that its signal needs, and is
+// wired as its page says.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "tests/synthesis/board_pins.hpp"
+#include "tests/synthesis/pin_needs.hpp"
+
+namespace synthesis {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path project = PROJECT_DIRECTORY;
+
+TEST(Pins, of_every_board_are_as_their_signals_need) {
+  int boards = 0;
+  for (const auto& folder : fs::directory_iterator(project / "boards")) {
+    const std::string board = folder.path().filename().string();
+    // The core alone is placed without pins; the others with a top entity go onto a board.
+    if (board == "core" || !fs::exists(folder.path() / (board + ".vhd"))) continue;
+    EXPECT_THAT(shortcomings_of(project, board), IsEmpty()) << board;
+    ++boards;
+  }
+  EXPECT_GE(boards, 1);
+}
+
+// A row of the wiring table of boards/ulx3s: the signals, their places on the header, what to
+// connect.
+struct Wiring {
+  std::vector<std::string> header;
+  std::string connect;
+};
+
+std::map<std::string, Wiring> wiring_of(const fs::path& page) {
+  static const std::regex row(R"(\| ((`\w+` ?)+) \|(( G[PN]\d+)+) \| (.*) \|)");
+  std::map<std::string, Wiring> wirings;
+  std::ifstream stream(page);
+  std::string line;
+  while (std::getline(stream, line)) {
+    std::smatch match;
+    if (!std::regex_match(line, match, row)) continue;
+    std::istringstream places(match[3]);
+    const std::vector<std::string> header{std::istream_iterator<std::string>(places), {}};
+    std::string names = match[1];
+    std::erase(names, '`');
+    std::istringstream words(names);
+    const std::vector<std::string> signals{std::istream_iterator<std::string>(words), {}};
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      wirings[signals[i]] = {signals.size() == 1 ? header : std::vector{header.at(i)}, match[5]};
+    }
+  }
+  return wirings;
+}
+
+TEST(Pins, of_the_ulx3s_are_wired_as_its_page_says) {
+  const auto wirings = wiring_of(project / "boards/ulx3s/README.md");
+  std::map<std::string, std::vector<std::string>> headers;
+  for (const Row& row : read_table(project / "boards/ulx3s/connections.csv")) {
+    static const std::regex place(R"(g([pn])\[(\d+)\])");
+    std::smatch match;
+    if (!std::regex_match(row.at("signal"), match, place)) continue;
+    headers[signal_of(row.at("port"))].push_back((match[1] == "p" ? "GP" : "GN") + match[2].str());
+  }
+  EXPECT_EQ(wirings.size(), headers.size());
+  for (const auto& [signal, header] : headers) {
+    ASSERT_TRUE(wirings.contains(signal)) << signal;
+    EXPECT_EQ(wirings.at(signal).header, header) << signal;
+  }
+  for (const Row& row : read_table(project / "constraints/signals.csv")) {
+    if (row.at("outside").empty()) continue;
+    const std::string& connect = wirings.at(row.at("port")).connect;
+    const double kiloohms = std::stod(row.at("outside_ohms")) / 1'000;
+    EXPECT_THAT(connect, HasSubstr(fmt::format("{:g} kΩ to {}", kiloohms,
+                                               row.at("outside") == "up" ? "3.3 V" : "ground")));
+  }
+}
+
+// nextpnr's own data base says in which bank a pin lies.
+TEST(Pins, of_the_ulx3s_lie_in_the_banks_of_its_table) {
+  for (const char* device : {"LFE5U-25F", "LFE5U-45F", "LFE5U-85F"}) {
+    const fs::path file = fs::path("/usr/share/trellis/database/ECP5") / device / "iodb.json";
+    if (!fs::exists(file)) GTEST_SKIP() << "fpga-trellis is not installed";
+    const auto data = nlohmann::json::parse(std::ifstream(file));
+    std::map<std::array<int, 2>, std::map<std::string, int>> banks;
+    for (const auto& pio : data.at("pio_metadata")) {
+      banks[{pio.at("row"), pio.at("col")}][pio.at("pio")] = pio.at("bank");
+    }
+    const auto& package = data.at("packages").at("CABGA381");
+    for (const Row& row : read_table(project / "boards/ulx3s/pins.csv")) {
+      // The flash's clock is no pin for users.
+      if (row.at("signal") == "flash_clk") continue;
+      const auto& place = package.at(row.at("pin"));
+      const int bank = banks.at({place.at("row"), place.at("col")}).at(place.at("pio"));
+      EXPECT_EQ(row.at("bank"), std::to_string(bank)) << row.at("signal") << " of " << device;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace synthesis
