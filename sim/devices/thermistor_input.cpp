@@ -36,7 +36,8 @@ ThermistorInput::ThermistorInput(const ThermistorInputProperties& properties,
       random_(seed),
       crossing_seconds_(never) {
   if (!(properties.capacitor_farads > 0 && properties.leakage_ohms > 0 && properties.pin_ohms > 0 &&
-        properties.threshold_volts > 0 && properties.threshold_volts < properties.supply_volts)) {
+        properties.pulls.ohms > 0 && properties.threshold_volts > 0 &&
+        properties.threshold_volts < properties.supply_volts)) {
     throw std::invalid_argument(
         "a thermistor input needs parts above 0 and a threshold within the supply");
   }
@@ -82,22 +83,38 @@ double ThermistorInput::noisy_threshold() {
   return properties_.threshold_volts + properties_.threshold_noise_volts * normal_deviate(random_);
 }
 
-// Thevenin's equivalent of all driven pins and the leakage charges the capacitor from here on.
-void ThermistorInput::settle(double seconds) {
+void ThermistorInput::Charge::add(double ohms, double volts) {
+  siemens += 1.0 / ohms;
+  amperes += 1.0 / ohms * volts;
+}
+
+// All driven pins, pulls, and the leakage. The pull of a driven pin is left
+// out: it adds a thousandth to the pin's own resistance.
+ThermistorInput::Charge ThermistorInput::charge(double seconds) {
   const double reference_low = properties_.references ? properties_.reference_low_ohms : never;
   const double reference_high = properties_.references ? properties_.reference_high_ohms : never;
   const std::array<double, 3> ohms{thermistor_ohms(seconds), reference_low, reference_high};
-  double siemens = 1.0 / properties_.leakage_ohms;
-  double amperes = 0;
+  const SensorPulls& pulls = properties_.pulls;
+  const auto volts = [this](bool up) { return up ? properties_.supply_volts : 0.0; };
+  Charge charge;
+  charge.add(properties_.leakage_ohms, 0);
+  if (pulls.sense_pin != Pull::none) charge.add(pulls.ohms, volts(pulls.sense_pin == Pull::up));
   for (unsigned pin = 0; pin < ohms.size(); ++pin) {
-    if ((drive_ >> pin & 1) == 0) continue;
-    const double branch = 1.0 / (ohms[pin] + properties_.pin_ohms);
-    siemens += branch;
-    if ((level_ >> pin & 1) != 0) amperes += branch * properties_.supply_volts;
+    if ((drive_ >> pin & 1) != 0) {
+      charge.add(ohms[pin] + properties_.pin_ohms, volts((level_ >> pin & 1) != 0));
+    } else if (pulls.resistor_pins != Pull::none) {
+      charge.add(ohms[pin] + pulls.ohms, volts(pulls.resistor_pins == Pull::up));
+    }
   }
+  return charge;
+}
+
+// The capacitor charges as `charge` says from here on.
+void ThermistorInput::settle(double seconds) {
+  const Charge now = charge(seconds);
   start_seconds_ = seconds;
-  final_volts_ = amperes / siemens;
-  time_constant_ = properties_.capacitor_farads / siemens;
+  final_volts_ = now.amperes / now.siemens;
+  time_constant_ = properties_.capacitor_farads / now.siemens;
   threshold_ = noisy_threshold();
   above_at_start_ = start_volts_ > threshold_;
   crossing_seconds_ = never;

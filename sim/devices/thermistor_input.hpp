@@ -11,6 +11,15 @@
 
 namespace devices {
 
+enum class Pull : std::uint8_t { none, up, down };
+
+// The FPGA's own resistors at the pins, as its constraints set them.
+struct SensorPulls {
+  Pull resistor_pins = Pull::none;
+  Pull sense_pin = Pull::none;
+  double ohms = 50e3;  // 22 to 110 kOhm in an ECP5
+};
+
 struct ThermistorInputProperties {
   plants::Thermistor thermistor;
   double capacitor_farads{};  // as it is: with its deviation from the nominal value
@@ -22,14 +31,15 @@ struct ThermistorInputProperties {
   double supply_volts{};
   double threshold_volts{};
   double threshold_noise_volts = 2e-3;  // standard deviation, drawn anew for each charge
+  SensorPulls pulls{};
 };
 
 enum class SensorFault : std::uint8_t { none, open, shorted, sense_stuck_high, sense_stuck_low };
 
 // Bits of the pins, in `drive` and `level`: 0 thermistor, 1 low reference, 2 high reference. A pin
-// that is not driven is high-impedance. Between changes of the pins the voltage is an exponential,
-// so the instant of the threshold is known when they change, and nothing needs to be computed until
-// then.
+// that is not driven is high-impedance but for its pull. Between changes of the pins the voltage is
+// an exponential, so the instant of the threshold is known when they change, and nothing needs to
+// be computed until then.
 class ThermistorInput {
  public:
   // `celsius` gives the temperature of the thermistor at a time in seconds.
@@ -47,7 +57,14 @@ class ThermistorInput {
   double volts(double seconds) const;
 
  private:
+  // Norton's equivalent of what charges the capacitor.
+  struct Charge {
+    double siemens = 0;
+    double amperes = 0;
+    void add(double ohms, double volts);
+  };
   double thermistor_ohms(double seconds);
+  Charge charge(double seconds);
   void settle(double seconds);
   double noisy_threshold();
 

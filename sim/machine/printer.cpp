@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "sim/machine/board_signals.hpp"
 #include "sim/machine/printer_parts.hpp"
 #include "sim/machine/thermal_properties.hpp"
 
@@ -53,6 +54,7 @@ devices::ThermistorInputProperties properties_of(const HeaterDescription& heater
   properties.reference_high_ohms = converter.reference_high_ohms;
   properties.supply_volts = converter.supply_v;
   properties.threshold_volts = converter.threshold_v;
+  properties.pulls = sensor_pulls();
   return properties;
 }
 

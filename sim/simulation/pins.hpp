@@ -91,7 +91,7 @@ struct InputPins {
   bool receive = true;  // serial line, idle high
   std::uint8_t end_stops{};  // bit n = switch n, 1 = triggered
   std::uint8_t sense{};  // bit n = capacitor of sensor channel n is above the threshold
-  bool emergency_stop{};
+  bool emergency_stop{};  // 1 = its circuit, normally closed to ground, is open
   JtagPins jtag;
 
   constexpr bool operator==(const InputPins&) const = default;

@@ -11,6 +11,7 @@
 
 #include "drivers/registers/temperature_converter_registers.hpp"
 #include "sim/devices/thermistor_input.hpp"
+#include "sim/machine/board_signals.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 #include "tests/thermal/ntc.hpp"
 
@@ -121,6 +122,57 @@ TEST(temperature_converter, names_each_fault_and_finds_back) {
   EXPECT_EQ(state_with(devices::SensorFault::sense_stuck_low), SensorState::time_out);
   EXPECT_EQ(state_with(devices::SensorFault::none), SensorState::ok);
   EXPECT_EQ(converter.driver.reading(1).state, SensorState::ok);
+}
+
+// The reading of a hotend's sensor with these pulls at its pins.
+thermal::SensorReading reading_with(const devices::SensorPulls& pulls, devices::SensorFault fault,
+                                    double celsius) {
+  Converter converter(4e6);
+  auto properties = Converter::circuit();
+  properties.pulls = pulls;
+  converter.inputs[0] =
+      devices::ThermistorInput(properties, [celsius](double) { return celsius; }, 3);
+  converter.inputs[0].set_fault(0, fault);
+  converter.driver.start(converter.settings());
+  converter.run(0.25);
+  return converter.driver.reading(0);
+}
+
+// As the references say it, however little they fit their own resistors.
+double ohms_of(const thermal::SensorReading& reading) {
+  const double low = reading.reference_low;
+  return 470 + (reading.thermistor - low) / (reading.reference_high - low) * (10e3 - 470);
+}
+
+devices::SensorPulls pull_ups(double ohms) {
+  return {.resistor_pins = devices::Pull::up, .sense_pin = devices::Pull::up, .ohms = ohms};
+}
+
+TEST(temperature_converter, finds_an_open_thermistor_with_the_pulls_of_the_boards) {
+  const auto reading = reading_with(machine::sensor_pulls(), devices::SensorFault::open, 200);
+  EXPECT_EQ(reading.state, SensorState::open);
+}
+
+// Why sensor pins must have no pull.
+TEST(temperature_converter, takes_an_open_thermistor_for_a_cold_one_where_pins_are_pulled_up) {
+  for (const auto& [pull_ohms, read_ohms] : {std::pair{22e3, 16e3}, {110e3, 45e3}}) {
+    const auto open = reading_with(pull_ups(pull_ohms), devices::SensorFault::open, 200);
+    EXPECT_EQ(open.state, SensorState::ok);
+    EXPECT_NEAR(ohms_of(open), read_ohms, 0.02 * read_ohms);
+    // Strong pulls make the references implausible too, weak ones do not.
+    const thermal::Sensor sensor(tests::ntc_table, tests::references);
+    EXPECT_EQ(sensor.temperature(open).has_value(), pull_ohms == 110e3);
+  }
+}
+
+TEST(temperature_converter, reads_a_hot_thermistor_too_cold_where_pins_are_pulled_up) {
+  constexpr double celsius_at_500_ohms = 214.43;
+  const auto reads = [](const devices::SensorPulls& pulls) {
+    return ohms_of(reading_with(pulls, devices::SensorFault::none, celsius_at_500_ohms));
+  };
+  EXPECT_NEAR(reads(machine::sensor_pulls()), 500, 2);
+  EXPECT_NEAR(reads(pull_ups(110e3)), 507, 2);
+  EXPECT_NEAR(reads(pull_ups(22e3)), 539, 3);
 }
 
 TEST(temperature_converter, works_with_a_thermistor_alone) {

@@ -90,6 +90,27 @@ TEST(thermistor_input, shows_its_faults) {
   EXPECT_TRUE(std::isinf(input.next_change()));
 }
 
+TEST(thermistor_input, is_charged_through_the_pulls_of_its_pins) {
+  auto properties = ideal();
+  properties.pulls = {.sense_pin = devices::Pull::up, .ohms = 22e3};
+  devices::ThermistorInput pulled_sense(properties, [](double) { return 25.0; }, 1);
+  pulled_sense.set_fault(0, devices::SensorFault::open);
+  // Discharged through both references only, not wholly.
+  const double references = 1 / (1 / 470.0 + 1 / 10e3);
+  const double rest = 3.3 * references / (references + 22e3);
+  EXPECT_NEAR(charge_time(pulled_sense, 0, 0), 22e3 * farads * std::log((3.3 - rest) / 1.65), 1e-8);
+  // The pins of the references are open while the thermistor charges, and pull through them.
+  properties.pulls = {.resistor_pins = devices::Pull::up, .ohms = 110e3};
+  devices::ThermistorInput pulled_resistors(properties, [](double) { return 25.0; }, 1);
+  pulled_resistors.set_fault(0, devices::SensorFault::open);
+  const double ohms = 1 / (1 / 110.47e3 + 1 / 120e3);
+  EXPECT_NEAR(charge_time(pulled_resistors, 0, 0), ohms * farads * std::log(2), 1e-8);
+  // A pull to ground as strong as the thermistor keeps the threshold from being reached.
+  properties.pulls = {.sense_pin = devices::Pull::down, .ohms = 100e3};
+  devices::ThermistorInput held(properties, [](double) { return 24.0; }, 1);
+  EXPECT_TRUE(std::isinf(charge_time(held, 0, 0)));
+}
+
 TEST(thermistor_input, is_noisy_and_yet_the_same_for_the_same_seed) {
   auto properties = ideal();
   properties.threshold_noise_volts = 5e-3;
