@@ -17,7 +17,7 @@ enum class Pull : std::uint8_t { none, up, down };
 struct SensorPulls {
   Pull resistor_pins = Pull::none;
   Pull sense_pin = Pull::none;
-  double ohms = 50e3;  // 22 to 110 kOhm in an ECP5
+  double ohms = 110e3;  // the weakest of an ECP5, the hardest to notice; the strongest: 22 kOhm
 };
 
 struct ThermistorInputProperties {
