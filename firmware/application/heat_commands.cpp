@@ -25,8 +25,8 @@ std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> tim
 
 }  // namespace
 
-// A target that the heater may not be asked for changes nothing: a lower one, as Marlin takes, would
-// spoil the print without a word.
+// A target that the heater may not be asked for changes nothing: a lower one, as Marlin takes,
+// would spoil the print without a word.
 bool CommandExecutor::is_too_hot(Heater heater, units::Millicelsius target) const {
   return target > heat_.loop(heater).highest_target();
 }

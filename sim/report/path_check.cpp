@@ -59,8 +59,8 @@ void PathCheck::at(const std::array<std::int64_t, 4>& position) {
     distance = distance_mm(items_.front());
   }
   max_deviation_mm_ = std::max(max_deviation_mm_, distance);
-  max_deviation_steps_ = std::max(max_deviation_steps_,
-                                  distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
+  max_deviation_steps_ =
+      std::max(max_deviation_steps_, distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
   if (distance <= left_mm) {
     watch_z_and_e(items_.front());
   }
@@ -73,8 +73,8 @@ double PathCheck::part_of_way(const Item& item) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const double line = item.to[i] - item.from[i];
     length_squared += square(line);
-    projection += line * (static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] -
-                          item.from[i]);
+    projection +=
+        line * (static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] - item.from[i]);
   }
   return length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
 }
@@ -90,8 +90,8 @@ void PathCheck::watch_z_and_e(Item& item) {
     if (std::abs(way(axis)) < least_steps) {
       continue;
     }
-    const double done = static_cast<double>(position_[axis] - item.start[axis]) /
-                        static_cast<double>(way(axis));
+    const double done =
+        static_cast<double>(position_[axis] - item.start[axis]) / static_cast<double>(way(axis));
     item.apart = item.apart || done < least_part || done > most_part;
   }
   lines_apart_ += item.apart ? 1 : 0;
@@ -108,8 +108,8 @@ double PathCheck::distance_mm(const Item& item) const {
 }
 
 void PathCheck::pass_reached_lines() {
-  while (!items_.empty() && !items_.front().homing && 
-         items_.front().target[0] == position_[0] && items_.front().target[1] == position_[1]) {
+  while (!items_.empty() && !items_.front().homing && items_.front().target[0] == position_[0] &&
+         items_.front().target[1] == position_[1]) {
     items_.pop_front();
   }
 }
@@ -132,8 +132,8 @@ void PathCheck::finish() {
     end.from = end.to;
     const double distance = distance_mm(end);
     max_deviation_mm_ = std::max(max_deviation_mm_, distance);
-    max_deviation_steps_ = std::max(max_deviation_steps_,
-                                    distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
+    max_deviation_steps_ =
+        std::max(max_deviation_steps_, distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
   }
   items_.clear();
 }

@@ -28,9 +28,7 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
   set_grid();
 }
 
-void PointCheck::set_grid() {
-  path_.set_grid(resolution_, origin_);
-}
+void PointCheck::set_grid() { path_.set_grid(resolution_, origin_); }
 
 Steps PointCheck::steps_at(const Point& point) const {
   Steps steps{};
@@ -144,8 +142,8 @@ void PointCheck::finish_homing(const Homing& homing) {
   Steps meant = match_.last_target();
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     if (homing.axes[i]) {
-      judged_.homed_elsewhere[i] = judged_.homed_elsewhere[i] ||
-                                   std::llabs(state_.position[i]) > furthest_home_steps;
+      judged_.homed_elsewhere[i] =
+          judged_.homed_elsewhere[i] || std::llabs(state_.position[i]) > furthest_home_steps;
       origin_[i] = meant[i] = 0;
     }
   }
@@ -208,8 +206,7 @@ PointCheck::Judgement PointCheck::judgement() const {
   result.reached = match.reached();
   result.unasked_steps = match.unasked_steps();
   for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
-    result.moved_after_end[i] =
-        nothing_asked && state_.position[i] != match_.last_target()[i];
+    result.moved_after_end[i] = nothing_asked && state_.position[i] != match_.last_target()[i];
   }
   return result;
 }

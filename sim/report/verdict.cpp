@@ -75,8 +75,8 @@ void judge(Results& results) {
   const std::string unasked =
       by_axis(results, [](const AxisResult& axis) { return axis.unasked_steps; });
   if (const std::uint64_t count = findings.lines_apart; count > 0) {
-    problems.push_back(fmt::format(
-        "{} line{} on which Z or E does not go along with X and Y", count, plural(count)));
+    problems.push_back(fmt::format("{} line{} on which Z or E does not go along with X and Y",
+                                   count, plural(count)));
   }
   if (const std::string axes = names_of(findings.homed_elsewhere); !axes.empty()) {
     problems.push_back(fmt::format("homing ended away from the end stop: {}", axes));

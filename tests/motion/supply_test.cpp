@@ -105,7 +105,8 @@ TEST(supply, matches_the_speed_to_hosts_of_any_pace) {
     // From the first line alone no interval is known.
     EXPECT_LE(result.rests, lines_per_second < 20 ? 2u : 1u) << lines_per_second;
     // Not slower than lines come, but for the start and the end.
-    EXPECT_LT(result.seconds, std::max(lines / lines_per_second, lines * 0.2 / 150) + 0.3 + 3 / lines_per_second);
+    EXPECT_LT(result.seconds,
+              std::max(lines / lines_per_second, lines * 0.2 / 150) + 0.3 + 3 / lines_per_second);
     std::printf("%4.0f lines/s: %.3f s, speeds within a factor of %.2f\n", lines_per_second,
                 result.seconds, variation(result));
     EXPECT_LT(variation(result), lines_per_second < 750 ? 1.6 : 2.5) << lines_per_second;

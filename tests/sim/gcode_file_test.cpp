@@ -10,8 +10,8 @@ using devices::parse_gcode_text;
 using testing::HasSubstr;
 
 TEST(GcodeFile, keeps_what_stands_behind_a_comment_in_parentheses) {
-  const auto commands =
-      parse_gcode_text("(a; b) G1 X10\nG1 X1 (slow; careful) Y5 ; end (of it\nG1 X2 (abc Y5\n", "f");
+  const auto commands = parse_gcode_text(
+      "(a; b) G1 X10\nG1 X1 (slow; careful) Y5 ; end (of it\nG1 X2 (abc Y5\n", "f");
   ASSERT_TRUE(commands);
   ASSERT_EQ(commands->size(), 3u);
   EXPECT_EQ((*commands)[0].text, "G1 X10");

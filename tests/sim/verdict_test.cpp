@@ -55,13 +55,12 @@ TEST(Verdict, is_bad_for_each_fault_by_itself) {
          r.points_missed = 2;
          r.findings.missed_by_axis = {0, 0, 0, 2};
        }},
-      {"leaves its lines by up to 0.026 mm", 
+      {"leaves its lines by up to 0.026 mm",
        [](Results& r) {
          r.max_deviation_mm = 0.026;
          r.max_deviation_steps = 2.1;
        }},
-      {"3 lines on which Z or E does not go along",
-       [](Results& r) { r.findings.lines_apart = 3; }},
+      {"3 lines on which Z or E does not go along", [](Results& r) { r.findings.lines_apart = 3; }},
       {"homing ended away from the end stop: Y",
        [](Results& r) { r.findings.homed_elsewhere[1] = true; }},
       {"axes moved after the last line: Z",
