@@ -93,7 +93,7 @@ std::uint32_t StepGenerator::queued_segments() const {
 
 bool StepGenerator::append(const motion::Segment& segment) {
   const auto status = platform::read<registers::Status>();
-  if (status.free == 0 || status.stopped) return false;
+  if (status.free == 0 || status.stopped || status.braking) return false;
   platform::write(registers::SegmentFlags{.backward = backward_axes(segment),
                                           .continues_line = segment.continues_line,
                                           .ends_motion = segment.ends_motion,

@@ -42,17 +42,18 @@ class StepGenerator {
     std::uint32_t max_level{};  // of the queue
   };
 
-  // Sets every axis' guard and the rate floor (2^-32 ticks per clock, below 1/2), and permits
-  // motion. To be called once, at rest.
+  // Sets every axis' guard and the rate floor (2^-32 ticks per clock, above 0 and below 1/2), and
+  // permits motion. To be called once, when idle: the hardware refuses it in motion.
   void configure(const units::PerAxis<GuardTimings>& guards, std::uint32_t rate_floor);
 
   std::uint32_t queue_depth() const;
   std::uint32_t free_segments() const;
   std::uint32_t queued_segments() const;
 
-  // Appends a segment to the queue. False, and nothing done, if the queue is full, a stop waits for
-  // its acknowledgement, or the segment cannot be executed (see motion/segment.hpp for the ranges).
-  // Motion starts at once when the generator is at rest and motion is permitted.
+  // Appends a segment to the queue. False, and nothing done, if the queue is full, motion brakes, a
+  // stop waits for its acknowledgement, the motor of an axis with steps is off, or the segment
+  // cannot be executed (see motion/segment.hpp for the ranges). Motion starts at once when the
+  // generator is at rest and motion is permitted.
   [[nodiscard]] bool append(const motion::Segment& segment);
 
   // Permits motion to start from rest, or only collects segments. Does not interrupt motion.
@@ -70,7 +71,8 @@ class StepGenerator {
   void set_override(std::uint32_t scale_65536ths);
   void set_override_percent(std::uint32_t percent);
   // Changes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
-  // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is. Where the
+  // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is, and a
+  // brake stops at once. Where the
   // segment itself accelerates to the same side the override gets less of its slope, none from 7/8
   // on, so that the sum of both exceeds neither; the brake does not wait.
   void set_slopes(std::uint32_t override_slope, std::uint32_t brake_slope);
@@ -90,7 +92,7 @@ class StepGenerator {
   void feed_watchdog();
 
   bool moving() const;
-  // Nothing executed, nothing queued, and every pulse finished.
+  // Nothing executed, nothing queued, every pulse finished, and all guard times over.
   bool idle() const;
 
   // Positions of all axes at one instant.
@@ -100,13 +102,16 @@ class StepGenerator {
 
   // Emergency stop: no step from now on, the queue is flushed. Holds until acknowledge_stop().
   void stop();
-  // To rest along the path by the brake's slope, then as stop().
+  // To rest along the path by the brake's slope, then as stop(). An end stop of the segment that is
+  // executed ends it at once, but for the one that began it, until that is released.
   void brake();
   // The stop that waits for its acknowledgement, whether by end stop, input or software.
   Stop stop_state() const;
   // Permits motion again; without effect while the emergency stop input is active.
   void acknowledge_stop();
 
+  // Switched off only while nothing is executed or queued, without effect otherwise. The emergency
+  // stop input switches all off, until it has been acknowledged and they are enabled again.
   void enable_motor(units::Axis axis, bool enabled);
   bool motor_enabled(units::Axis axis) const;
 

@@ -109,22 +109,23 @@ architecture rtl of feed_override is
     return shift_right(full, 1);
   end function;
 
-  -- The scale one clock nearer to its target.
-  function approached(from, to_target : scale_t; change : slope_t) return scale_t is
-    constant rises : boolean := from < to_target;
-    variable moved : unsigned(34 downto 0);
+  -- Whether a + b + c + lowest + 1 is negative in two's complement: three numbers become two without a carry,
+  -- so that one carry chain is enough.
+  function sum_is_negative(a, b, c : unsigned(35 downto 0); lowest : std_ulogic) return std_ulogic is
+    constant carries : unsigned(35 downto 0) := (a and b) or (a and c) or (b and c);
+    variable total : unsigned(36 downto 0);
   begin
-    if rises then
-      moved := ('0' & from) + change;
-    else
-      moved := ('0' & from) - change;
-    end if;
-    -- Beyond the target, or beyond the range.
-    if moved(34) = '1' or (moved(33 downto 0) < to_target) /= rises then
-      return to_target;
-    end if;
-    return moved(33 downto 0);
+    total := ((a xor b xor c) & '1') + (carries(34 downto 0) & lowest & '1');
+    return total(36);
   end function;
+
+  -- One clock nearer to the target. Both ways are worked out before it is known which is taken and whether
+  -- the target is passed: nothing but one sum lies behind the slope.
+  signal to_target : scale_t;
+  signal rises : std_ulogic;
+  signal slope_up, slope_down : slope_t;
+  signal up, down : scale_t;
+  signal up_stays_below, down_passes : std_ulogic;
 
 begin
 
@@ -132,23 +133,26 @@ begin
   -- But a scale may have to wait with its way to the target.
   working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0 or target /= unity) else '0';
 
+  to_target <= (others => '0') when braking = '1' else target & x"0000";
+  rises <= '1' when scale < to_target else '0';
+  slope_up <= cut(slope, scale) when accelerating = '1' else slope;
+  slope_down <= brake_slope when braking = '1' else cut(slope, scale) when decelerating = '1' else slope;
+  up <= scale + slope_up;
+  down <= scale - slope_down;
+  -- scale + slope_up - to_target, scale - slope_down - to_target.
+  up_stays_below <= sum_is_negative("00" & scale, x"0" & slope_up, not ("00" & to_target), '0');
+  down_passes <= sum_is_negative("00" & scale, not (x"0" & slope_down), not ("00" & to_target), '1');
+
   approach : process
-    variable to_target : scale_t;
-    variable change : slope_t;
   begin
     wait until rising_edge(clk);
-    to_target := target & x"0000";
-    change := slope;
-    if (accelerating = '1' and to_target > scale) or (decelerating = '1' and to_target < scale) then
-      change := cut(slope, scale);
-    end if;
-    if braking then
-      to_target := (others => '0');
-      change := brake_slope;
-    end if;
     scale <= to_target;
     if moving then
-      scale <= approached(scale, to_target, change);
+      if rises and up_stays_below then
+        scale <= up;
+      elsif not rises and not down_passes then
+        scale <= down;
+      end if;
     end if;
     standing <= '1' when scale = 0 and advance = '0' else '0';
     if reset then

@@ -15,7 +15,10 @@ entity segment_writer is
     clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- The words: flags first, line_ticks before ticks and steps, the others in any order.
+    -- The words: flags first, line_ticks before ticks and steps, the others in any order. Each may be
+    -- written again, and the last one counts; but line_ticks forgets ticks and steps, so that those from
+    -- before it do not count. A word out of its range makes the segment illegal until the next flags, also
+    -- where another is written over it. Ticks and steps before the first line_ticks have no range.
     write : in lane_write_t;
     -- All words are written, the last of them two clocks ago at least: append the segment.
     commit : in std_ulogic;
@@ -23,7 +26,10 @@ entity segment_writer is
     flush : in std_ulogic;
 
     queue_full : in std_ulogic;
+    -- A stop or brake begins, goes on, or waits for its acknowledgement.
     stopped : in std_ulogic;
+    -- Motor drivers: no axis makes steps without its own.
+    enabled : in std_ulogic_vector(axes - 1 downto 0);
 
     -- In the clock of `commit`.
     accepted : out std_ulogic;
@@ -62,6 +68,11 @@ architecture rtl of segment_writer is
   signal rate_is_half : std_ulogic := '0';
   signal rate_low_is_zero : std_ulogic := '0';
 
+  -- Axes with steps, of the line being written and of the last committed one.
+  signal moves, line_moves : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
+  signal moving_axes : std_ulogic_vector(axes - 1 downto 0);
+  signal driven : std_ulogic;
+
   signal complete : std_ulogic;
   signal executable : std_ulogic;
 
@@ -69,6 +80,8 @@ begin
 
   complete <= '1' when written = all_lanes else '0';
   executable <= not illegal and (not rate_is_half or rate_low_is_zero);
+  moving_axes <= line_moves when continues_line = '1' else moves;
+  driven <= not (or (moving_axes and not enabled));
 
   judge : process (all)
   begin
@@ -83,6 +96,8 @@ begin
         refused.incomplete <= '1';
       elsif not executable then
         refused.illegal <= '1';
+      elsif not driven then
+        refused.disabled <= '1';
       else
         accepted <= '1';
       end if;
@@ -146,6 +161,7 @@ begin
             for axis in 0 to axes - 1 loop
               if word.lane = steps_lane + axis then
                 written(steps_lane + axis) <= limit_known and not word_is_lost;
+                moves(axis) <= '0' when is_zero else '1';
                 if limit_known = '1' and exceeds_limit then
                   illegal <= '1';
                 end if;
@@ -159,6 +175,7 @@ begin
       written <= (others => '0');
       if accepted then
         line_left <= limit - ticks;
+        line_moves <= moving_axes;
       end if;
     end if;
 

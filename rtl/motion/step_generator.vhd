@@ -41,6 +41,8 @@ entity step_generator is
 
     -- A segment is executed.
     moving : out std_ulogic;
+    -- None is, none is queued, and every pulse is finished.
+    idle : out std_ulogic;
     -- The queue is at or below its threshold.
     queue_interrupt : out std_ulogic := '0';
     -- A stop waits for its acknowledgement.
@@ -53,8 +55,6 @@ architecture rtl of step_generator is
 
   constant control_after_reset : step_generator_control_t := (
     queue_threshold => (others => '0'), others => '0');
-  -- 100 ticks/s at 50 MHz.
-  constant rate_floor_after_reset : unsigned(30 downto 0) := to_unsigned(8590, 31);
 
   signal from_software : step_generator_from_software_t;
   signal to_software : step_generator_to_software_t;
@@ -63,7 +63,12 @@ architecture rtl of step_generator is
   signal guards : guard_array_t(axes - 1 downto 0);
   signal both_edges : std_ulogic_vector(axes - 1 downto 0);
   signal control : step_generator_control_t := control_after_reset;
-  signal rate_floor : unsigned(30 downto 0) := rate_floor_after_reset;
+  signal rate_floor : unsigned(30 downto 0);
+  signal setting_refused, motor_refused : std_ulogic;
+  signal settings_refusal : std_ulogic := '0';
+  signal enabled : std_ulogic_vector(axes - 1 downto 0);
+  signal in_motion : std_ulogic;
+  signal positions_lost : std_ulogic;
   signal refused : refusal_t;
   signal refusals : refusal_t := refusal_none;
   signal position_refused : std_ulogic;
@@ -71,7 +76,6 @@ architecture rtl of step_generator is
 
   signal level : natural range 0 to queue_depth;
   signal max_level : natural range 0 to queue_depth;
-  signal idle : std_ulogic;
   signal waiting : std_ulogic;
   signal held : std_ulogic;
   signal scale : scale_t;
@@ -88,7 +92,7 @@ architecture rtl of step_generator is
   signal stop_time : time_t;
   signal snapshot_time : time_t;
 
-  signal working, alarm : std_ulogic;
+  signal working, alarm, motor_alarm : std_ulogic;
 
   signal set_position : std_ulogic_vector(axes - 1 downto 0);
   signal new_position : position_t;
@@ -106,7 +110,7 @@ begin
   watch_rest : entity work.rest_watch
     port map (
       clk => clk, bus_clk => bus_clk, reset => reset, strobe => request.strobe, working => working,
-      alarm => alarm, at_rest => at_rest);
+      alarm => alarm or motor_alarm, at_rest => at_rest);
 
   command <= from_software.command when from_software.command_written = '1' else (others => '0');
 
@@ -114,7 +118,7 @@ begin
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
       clk => clk, always_clk => always_clk, bus_clk => bus_clk, reset => reset, guards => guards,
-      both_edges => both_edges, rate_floor => rate_floor,
+      both_edges => both_edges, rate_floor => rate_floor, enabled => enabled,
       run => control.run, start => start, software_start => command.start, waiting => waiting,
       override => from_software.override.scale,
       override_slope => from_software.override_slope.slope,
@@ -133,7 +137,23 @@ begin
       snapshot_positions => snapshot_positions, snapshot_time => snapshot_time, step => step,
       direction => direction, working => working, alarm => alarm);
 
-  enable <= from_software.motor_enable.axes(axes - 1 downto 0);
+  settings : entity work.motion_settings
+    generic map (axes => axes)
+    port map (
+      clk => bus_clk, reset => reset, from_software => from_software, idle => idle, step => step,
+      guards => guards, both_edges => both_edges, rate_floor => rate_floor,
+      refused => setting_refused);
+
+  in_motion <= moving when level = 0 else '1';
+
+  motors : entity work.motor_switch
+    generic map (axes => axes)
+    port map (
+      clk => clk, reset => reset, written => from_software.motor_enable_written,
+      wanted => from_software.motor_enable.axes(axes - 1 downto 0),
+      positions_known => command.positions_known, moving => in_motion,
+      emergency_stop => emergency_stop, stopped => stopped, enabled => enabled, pins => enable,
+      positions_lost => positions_lost, refused => motor_refused, alarm => motor_alarm);
 
   -- Which word of the segment is written, and what.
   gather_words : process (all)
@@ -190,47 +210,16 @@ begin
     set_position(axis) <= from_software.position_written(axis);
   end generate;
 
-  keep_settings : process
+  keep_control : process
   begin
     wait until rising_edge(bus_clk);
     if from_software.control_written then
       control <= from_software.control;
     end if;
-    if from_software.rate_floor_written then
-      rate_floor <= from_software.rate_floor.rate;
-    end if;
     if reset then
       control <= control_after_reset;
-      rate_floor <= rate_floor_after_reset;
     end if;
   end process;
-
-  each_guard : for axis in 0 to axes - 1 generate
-    signal guard : guard_t := guard_after_reset;
-    -- Apart from the record: what each clock looks at is quicker to model as a bit of its own.
-    signal falling_too : std_ulogic := '0';
-  begin
-    guards(axis) <= guard;
-    both_edges(axis) <= falling_too;
-
-    keep_guard : process
-    begin
-      wait until rising_edge(bus_clk);
-      if from_software.pulse_guard_written(axis) then
-        guard.high <= from_software.pulse_guard(axis).high;
-        guard.low <= from_software.pulse_guard(axis).low;
-        falling_too <= from_software.pulse_guard(axis).both_edges;
-      end if;
-      if from_software.direction_guard_written(axis) then
-        guard.direction_setup <= from_software.direction_guard(axis).setup;
-        guard.direction_hold <= from_software.direction_guard(axis).hold;
-      end if;
-      if reset then
-        guard <= guard_after_reset;
-        falling_too <= '0';
-      end if;
-    end process;
-  end generate;
 
   remember_errors : process
   begin
@@ -238,20 +227,26 @@ begin
     if command.clear_errors then
       refusals <= refusal_none;
       position_refusal <= '0';
+      settings_refusal <= '0';
     end if;
     if refused /= refusal_none then
       refusals <= (
         queue_full => refusals.queue_full or refused.queue_full,
         incomplete => refusals.incomplete or refused.incomplete,
         illegal => refusals.illegal or refused.illegal,
-        while_stopped => refusals.while_stopped or refused.while_stopped);
+        while_stopped => refusals.while_stopped or refused.while_stopped,
+        disabled => refusals.disabled or refused.disabled);
     end if;
     if position_refused then
       position_refusal <= '1';
     end if;
+    if setting_refused or motor_refused then
+      settings_refusal <= '1';
+    end if;
     if reset then
       refusals <= refusal_none;
       position_refusal <= '0';
+      settings_refusal <= '0';
     end if;
   end process;
 
@@ -273,14 +268,19 @@ begin
     axes => to_unsigned(axes, 4), queue_depth => to_unsigned(queue_depth, 16));
   to_software.control <= control;
   to_software.rate_floor.rate <= rate_floor;
+  motors_to_software : process (all)
+  begin
+    to_software.motor_enable.axes <= (others => '0');
+    to_software.motor_enable.axes(axes - 1 downto 0) <= enabled;
+  end process;
   to_software.status <= (
     moving => moving, idle => idle, stopped => stopped, held => held, braking => braking,
-    waiting => waiting, level => to_unsigned(level, 8),
+    waiting => waiting, positions_lost => positions_lost, level => to_unsigned(level, 8),
     free => to_unsigned(queue_depth - level, 8));
   to_software.errors <= (
     queue_full => refusals.queue_full, incomplete => refusals.incomplete,
     illegal => refusals.illegal, while_stopped => refusals.while_stopped,
-    position => position_refusal);
+    position => position_refusal, settings => settings_refusal, disabled => refusals.disabled);
   to_software.snapshot_time_low.clocks <= snapshot_time(31 downto 0);
   to_software.snapshot_time_high.clocks <= snapshot_time(63 downto 32);
   to_software.stop_cause <= (

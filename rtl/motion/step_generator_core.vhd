@@ -21,10 +21,12 @@ entity step_generator_core is
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- Settings, to be changed at rest.
+    -- Settings, to be changed when idle, edges of a pin that is low.
     guards : in guard_array_t(axes - 1 downto 0);
     both_edges : in std_ulogic_vector(axes - 1 downto 0);
     rate_floor : in unsigned(30 downto 0);
+    -- Motor drivers, to be switched off only when nothing moves or is queued, or by the emergency stop.
+    enabled : in std_ulogic_vector(axes - 1 downto 0);
     -- Motion may start from rest.
     run : in std_ulogic;
     -- A segment that waits may start: a rising edge of the input, synchronous to clk, or software's word.
@@ -50,7 +52,7 @@ entity step_generator_core is
 
     -- A segment is executed.
     moving : out std_ulogic;
-    -- None is, none is queued, and every pulse is finished.
+    -- None is, none is queued, every pulse is finished, and all guard times are over.
     idle : out std_ulogic;
     segments : out count_t;
     underruns : out count_t;
@@ -122,7 +124,6 @@ architecture rtl of step_generator_core is
   signal due : std_ulogic;
   signal tick : std_ulogic;
   signal ready : std_ulogic_vector(axes - 1 downto 0);
-  signal busy : std_ulogic_vector(axes - 1 downto 0);
   signal axis_working : std_ulogic_vector(axes - 1 downto 0);
   signal scaling, watching : std_ulogic;
   signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
@@ -132,6 +133,9 @@ architecture rtl of step_generator_core is
   signal stop : std_ulogic;
   signal stop_begins : std_ulogic;
   signal hit : std_ulogic;
+  signal closed : std_ulogic;
+  -- Of the clock before, so that no long path hangs on the slope.
+  signal no_ramp : std_ulogic := '0';
 
 begin
 
@@ -164,7 +168,7 @@ begin
     generic map (axes => axes)
     port map (
       clk => bus_clk, reset => reset, write => write, commit => commit, flush => writer_forgets,
-      queue_full => was_full, stopped => stopped, accepted => append, refused => refused);
+      queue_full => was_full, stopped => closed, enabled => enabled, accepted => append, refused => refused);
 
   queue : entity work.segment_queue
     generic map (axes => axes, depth => queue_depth)
@@ -210,6 +214,7 @@ begin
   begin
     wait until rising_edge(clk);
     start_before <= start;
+    no_ramp <= '1' when brake_slope = 0 else '0';
     if hit then
       stop_time <= now;
     end if;
@@ -221,7 +226,7 @@ begin
     end if;
   end process;
 
-  idle <= '1' when moving = '0' and level = 0 and (or busy) = '0' else '0';
+  idle <= '1' when moving = '0' and level = 0 and (or axis_working) = '0' else '0';
   allowed_position <= set_position when idle = '1' else (others => '0');
   position_refused <= (or set_position) and not idle;
 
@@ -235,8 +240,8 @@ begin
         begin_line => begin_line,
         steps => head_steps(axis), backward => head.backward(axis), ahead => head.ahead(axis),
         behind => head.behind(axis), line_ticks => line_ticks, due => due, ready => ready(axis),
-        tick => tick, step => step(axis), direction => direction(axis), busy => busy(axis),
-        working => axis_working(axis),
+        tick => tick, step => step(axis), direction => direction(axis),
+        busy => open, working => axis_working(axis),
         position => positions(axis), set_position => allowed_position(axis),
         new_position => new_position, stalls => axis_stalls(axis));
 
@@ -266,7 +271,7 @@ begin
       end_stops => end_stops, emergency_stop => emergency_stop,
       watchdog_expired => watchdog_expired, software_stop => software_stop,
       software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,
-      hit => hit, braking => braking, stop => stop, stop_begins => stop_begins,
-      stopped => stopped, cause => stop_cause, watching => watching);
+      no_ramp => no_ramp, hit => hit, braking => braking, stop => stop, stop_begins => stop_begins,
+      stopped => stopped, closed => closed, cause => stop_cause, watching => watching);
 
 end architecture;

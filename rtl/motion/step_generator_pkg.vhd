@@ -39,6 +39,9 @@ package step_generator_pkg is
     high => to_unsigned(50, 12), low => to_unsigned(50, 12),
     direction_setup => to_unsigned(10, 12), direction_hold => to_unsigned(10, 12));
 
+  -- In 2^-32 ticks per clock; 100 ticks/s at 50 MHz.
+  constant rate_floor_after_reset : unsigned(30 downto 0) := to_unsigned(8590, 31);
+
   -- Part of real time at which the base runs: 0 stands still, 2^32 is the rate that segments ask for.
   subtype scale_t is unsigned(33 downto 0);
   constant scale_of_one : scale_t := (32 => '1', others => '0');
@@ -118,6 +121,7 @@ package step_generator_pkg is
     incomplete : std_ulogic;
     illegal : std_ulogic;
     while_stopped : std_ulogic;
+    disabled : std_ulogic;
   end record;
   constant refusal_none : refusal_t := (others => '0');
 

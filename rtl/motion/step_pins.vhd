@@ -21,12 +21,18 @@ entity step_pins is
     request : in bus_request_t;
     response : out bus_response_t;
 
+    -- Software may take the pins: a constant '0' on a board, '1' in the co-simulation that compares the two.
+    -- With '0' the pins are the step generator's at all times.
+    software_stepping : in std_ulogic := '0';
+
     -- Synchronous to clk. From the next clock on no step pin that software drives rises.
     emergency_stop : in std_ulogic;
 
     -- What the step generator makes.
     generated_step : in std_ulogic_vector(axes - 1 downto 0);
     generated_direction : in std_ulogic_vector(axes - 1 downto 0);
+    -- It has no segment, and every pulse is finished.
+    generator_idle : in std_ulogic;
 
     -- The pins: the step generator's without delay, or software's in the second clock after the write.
     step : out std_ulogic_vector(axes - 1 downto 0);
@@ -39,6 +45,12 @@ architecture rtl of step_pins is
 
   signal from_software : step_pins_from_software_t;
   signal to_software : step_pins_to_software_t;
+
+  -- Software has the pins.
+  signal software : std_ulogic := '0';
+  signal selects_software : std_ulogic;
+  signal may_change : std_ulogic;
+  signal refused : std_ulogic := '0';
 
   signal written_step : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
   signal written_direction : std_ulogic_vector(axes - 1 downto 0) := (others => '0');
@@ -57,6 +69,8 @@ begin
       to_software => to_software
     );
 
+  to_software.control.software <= software;
+  to_software.status <= (permitted => software_stepping, refused => refused);
   to_software.stop.stopped <= stopped;
   stop_begins <= emergency_stop and not stopped;
 
@@ -71,8 +85,31 @@ begin
       at_rest => at_rest
     );
 
-  step <= written_step when from_software.control.software = '1' else generated_step;
-  direction <= written_direction when from_software.control.software = '1' else generated_direction;
+  selects_software <= software and software_stepping;
+  step <= written_step when selects_software = '1' else generated_step;
+  direction <= written_direction when selects_software = '1' else generated_direction;
+
+  -- No edge is made or lost by it.
+  may_change <= software_stepping and generator_idle when written_step = generated_step else '0';
+
+  select_pins : process
+  begin
+    wait until rising_edge(bus_clk);
+    if from_software.status_written and from_software.status.refused then
+      refused <= '0';
+    end if;
+    if from_software.control_written = '1' and from_software.control.software /= software then
+      if may_change then
+        software <= from_software.control.software;
+      else
+        refused <= '1';
+      end if;
+    end if;
+    if reset then
+      software <= '0';
+      refused <= '0';
+    end if;
+  end process;
 
   drive : process
   begin

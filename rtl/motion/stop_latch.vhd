@@ -26,10 +26,12 @@ entity stop_latch is
     software_stop : in std_ulogic;
     -- Without effect on a brake that is on already.
     software_brake : in std_ulogic;
-    -- Without effect while emergency_stop is high.
+    -- Without effect while emergency_stop is high, and together with another stop or brake.
     acknowledge : in std_ulogic;
     -- The brake's ramp is at its end.
     standing : in std_ulogic;
+    -- The brake has no ramp: what would brake stops at once.
+    no_ramp : in std_ulogic;
 
     -- A stop has been asked for in this clock: the moment to latch positions and time.
     hit : out std_ulogic;
@@ -41,6 +43,8 @@ entity stop_latch is
     stop_begins : out std_ulogic;
     -- A stop waits for its acknowledgement.
     stopped : out std_ulogic := '0';
+    -- From the clock of the hit until the acknowledgement: no segment is accepted.
+    closed : out std_ulogic;
     cause : out stop_cause_t := stop_cause_none;
     -- An end stop has just changed.
     watching : out std_ulogic
@@ -51,6 +55,10 @@ architecture rtl of stop_latch is
 
   signal end_stops_before : std_ulogic_vector(7 downto 0) := x"00";
   signal wanted, changed : std_ulogic_vector(7 downto 0);
+  -- End stops that are as the segment does not want them.
+  signal met : std_ulogic_vector(7 downto 0);
+  -- Those that began the brake that is on, and have kept their level since.
+  signal began_brake : std_ulogic_vector(7 downto 0) := x"00";
   signal hits : std_ulogic_vector(7 downto 0);
   signal end_stop_hit : std_ulogic;
   signal at_once, along_ramp : std_ulogic;
@@ -61,37 +69,44 @@ begin
 
   wanted <= end_stops xor (7 downto 0 => stop_on.on_release);
   changed <= end_stops xor end_stops_before;
-  hits <= x"00" when active = '0' else
+  met <= x"00" when active = '0' else
     wanted and stop_on.mask and (changed or (7 downto 0 => not stop_on.on_change));
-  end_stop_hit <= (or hits) and not braking;
+  -- The switch that brakes may stay triggered; any other, and this one once more, ends all motion.
+  hits <= met when braking = '0' else met and not (began_brake and not changed);
+  end_stop_hit <= or hits;
 
   at_once <= emergency_stop or watchdog_expired or software_stop or
-    (end_stop_hit and not stop_on.brakes) or (braking and (standing or not active));
-  along_ramp <= (end_stop_hit and stop_on.brakes) or software_brake;
+    (end_stop_hit and (braking or not stop_on.brakes)) or (braking and (standing or not active)) or
+    (no_ramp and (end_stop_hit or software_brake or braking));
+  along_ramp <= end_stop_hit or software_brake;
 
   stop <= at_once or stopped;
   stop_begins <= at_once and not stopped;
   hit <= (at_once or along_ramp) and not (braking or stopped);
+  closed <= at_once or along_ramp or braking or stopped;
 
   latch : process
   begin
     wait until rising_edge(clk);
     end_stops_before <= end_stops;
+    began_brake <= began_brake and not changed;
     if hit then
       braking <= not at_once;
+      began_brake <= hits;
       cause <= (
         end_stops => hits, emergency_input => emergency_stop, software => software_stop,
         watchdog => watchdog_expired, software_brake => software_brake);
     elsif stop_begins then
       -- What cuts a ramp short is a cause as well.
       braking <= '0';
-      cause.emergency_input <= emergency_stop;
-      cause.software <= software_stop;
-      cause.watchdog <= watchdog_expired;
+      cause.end_stops <= cause.end_stops or hits;
+      cause.emergency_input <= cause.emergency_input or emergency_stop;
+      cause.software <= cause.software or software_stop;
+      cause.watchdog <= cause.watchdog or watchdog_expired;
     end if;
     if stop_begins then
       stopped <= '1';
-    elsif acknowledge and not emergency_stop then
+    elsif acknowledge and not (emergency_stop or software_stop or software_brake) then
       stopped <= '0';
     end if;
     if reset then

@@ -7,7 +7,9 @@ use ieee.numeric_std.all;
 
 use work.step_generator_pkg.all;
 
--- Each clock: phase += rate; rate += acceleration; acceleration += jerk; a carry of phase is a tick.
+-- Each clock: phase += rate; rate += acceleration; acceleration += jerk; a carry of phase is a tick. None of
+-- them wraps but the phase: the rate ends at the floor and at 1/2, the acceleration within a jerk of its
+-- 64 bits.
 -- The rate is at most 1/2, so two ticks are at least two clocks apart: what depends on the tick before
 -- is worked out in the clock between. The end of a segment passes the rest of its phase to the next one.
 --
@@ -90,10 +92,13 @@ architecture rtl of time_base is
   signal phase_sum : unsigned(63 downto 0);
   signal carry : std_ulogic;
   signal next_rate : unsigned(63 downto 0);
+  signal acceleration_change, next_acceleration : signed(63 downto 0);
+  signal acceleration_fits : std_ulogic;
   signal may_start : std_ulogic;
   signal may_tick, take_with_tick, take_from_rest : std_ulogic;
   -- The longest leaps that rate and floor permit.
   signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
+  signal leap_of_jerk : leap_t;
 
   -- What a leap makes of a change per clock.
   function doubled(value : unsigned(63 downto 0); times : leap_t) return unsigned is
@@ -123,6 +128,17 @@ architecture rtl of time_base is
       return one;
     end if;
     return other;
+  end function;
+
+  -- The longest leap that a change can be shifted by. What is too large for it is far beyond any machine.
+  function longest(change : signed(63 downto 0)) return leap_t is
+  begin
+    if change(62) /= change(63) then
+      return to_unsigned(0, 2);
+    elsif change(61) /= change(63) then
+      return to_unsigned(1, 2);
+    end if;
+    return to_unsigned(2, 2);
   end function;
 
   -- A rate below the floor is held at it.
@@ -156,6 +172,13 @@ begin
   next_rate <= integrated(rate,
     doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
 
+  -- It stays where the change would take it out of its range.
+  acceleration_change <= signed(doubled(unsigned(jerk), leap_of_jerk));
+  leap_of_jerk <= shorter(leap, longest(jerk));
+  next_acceleration <= acceleration + acceleration_change;
+  acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
+    next_acceleration(63) = acceleration(63) else '0';
+
   leap_of_head <= longest(head.rate(63 downto 58));
   leap_of_rate <= longest(rate(63 downto 58));
   leap_of_floor <= longest('0' & rate_floor(30 downto 26));
@@ -183,7 +206,9 @@ begin
     if active and advance and (not carry or axes_ready) then
       phase <= phase_sum;
       rate <= next_rate;
-      acceleration <= acceleration + signed(doubled(unsigned(jerk), leap));
+      if acceleration_fits then
+        acceleration <= next_acceleration;
+      end if;
     end if;
 
     if take then

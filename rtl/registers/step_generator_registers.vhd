@@ -34,7 +34,6 @@ architecture rtl of step_generator_registers is
   signal status_word : std_ulogic_vector(31 downto 0);
   signal errors_word : std_ulogic_vector(31 downto 0);
   signal motor_enable_word : std_ulogic_vector(31 downto 0);
-  signal motor_enable_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal rate_floor_word : std_ulogic_vector(31 downto 0);
   signal override_word : std_ulogic_vector(31 downto 0);
   signal override_stored : std_ulogic_vector(31 downto 0) := x"00010000";
@@ -88,6 +87,7 @@ architecture rtl of step_generator_registers is
   signal axis_stalls_7_word : std_ulogic_vector(31 downto 0);
   signal control_written : std_ulogic := '0';
   signal command_written : std_ulogic := '0';
+  signal motor_enable_written : std_ulogic := '0';
   signal rate_floor_written : std_ulogic := '0';
   signal segment_flags_written : std_ulogic := '0';
   signal segment_line_ticks_written : std_ulogic := '0';
@@ -172,11 +172,11 @@ begin
     when request.address(11 downto 2) = 0 else (others => '0');
   control_word <= std_ulogic_vector(to_software.control.queue_threshold) & "0000000000000" & to_software.control.stop_interrupt_enable & to_software.control.queue_interrupt_enable & to_software.control.run
     when request.address(11 downto 2) = 1 else (others => '0');
-  status_word <= "00000000" & std_ulogic_vector(to_software.status.free) & std_ulogic_vector(to_software.status.level) & "00" & to_software.status.waiting & to_software.status.braking & to_software.status.held & to_software.status.stopped & to_software.status.idle & to_software.status.moving
+  status_word <= "00000000" & std_ulogic_vector(to_software.status.free) & std_ulogic_vector(to_software.status.level) & '0' & to_software.status.positions_lost & to_software.status.waiting & to_software.status.braking & to_software.status.held & to_software.status.stopped & to_software.status.idle & to_software.status.moving
     when request.address(11 downto 2) = 3 else (others => '0');
-  errors_word <= "000000000000000000000000000" & to_software.errors.position & to_software.errors.while_stopped & to_software.errors.illegal & to_software.errors.incomplete & to_software.errors.queue_full
+  errors_word <= "0000000000000000000000000" & to_software.errors.disabled & to_software.errors.settings & to_software.errors.position & to_software.errors.while_stopped & to_software.errors.illegal & to_software.errors.incomplete & to_software.errors.queue_full
     when request.address(11 downto 2) = 4 else (others => '0');
-  motor_enable_word <= "000000000000000000000000" & motor_enable_stored(7 downto 0)
+  motor_enable_word <= "000000000000000000000000" & to_software.motor_enable.axes
     when request.address(11 downto 2) = 5 else (others => '0');
   rate_floor_word <= '0' & std_ulogic_vector(to_software.rate_floor.rate)
     when request.address(11 downto 2) = 6 else (others => '0');
@@ -329,9 +329,6 @@ begin
   store : process
   begin
     wait until rising_edge(clk);
-    if writing = '1' and register_index = 5 then
-      motor_enable_stored <= written_data;
-    end if;
     if writing = '1' and register_index = 7 then
       override_stored <= written_data;
     end if;
@@ -345,7 +342,6 @@ begin
       watchdog_stored <= written_data;
     end if;
     if reset then
-      motor_enable_stored <= x"00000000";
       override_stored <= x"00010000";
       override_slope_stored <= x"000006B6";
       brake_slope_stored <= x"000006B6";
@@ -360,6 +356,8 @@ begin
       (request.address(11 downto 2) ?= 1);
     command_written <= access_begins and known and request.write and
       (request.address(11 downto 2) ?= 2);
+    motor_enable_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 5);
     rate_floor_written <= access_begins and known and request.write and
       (request.address(11 downto 2) ?= 6);
     segment_flags_written <= access_begins and known and request.write and
@@ -449,6 +447,7 @@ begin
     if reset then
       control_written <= '0';
       command_written <= '0';
+      motor_enable_written <= '0';
       rate_floor_written <= '0';
       segment_flags_written <= '0';
       segment_line_ticks_written <= '0';
@@ -509,7 +508,9 @@ begin
   from_software.command.start <= written_data(5);
   from_software.command.brake <= written_data(6);
   from_software.command.feed_watchdog <= written_data(7);
-  from_software.motor_enable.axes <= motor_enable_stored(7 downto 0);
+  from_software.command.positions_known <= written_data(8);
+  from_software.motor_enable_written <= motor_enable_written;
+  from_software.motor_enable.axes <= written_data(7 downto 0);
   from_software.rate_floor_written <= rate_floor_written;
   from_software.rate_floor.rate <= unsigned(written_data(30 downto 0));
   from_software.override.scale <= unsigned(override_stored(17 downto 0));

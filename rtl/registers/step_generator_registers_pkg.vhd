@@ -33,6 +33,7 @@ package step_generator_registers_pkg is
     start : std_ulogic;
     brake : std_ulogic;
     feed_watchdog : std_ulogic;
+    positions_known : std_ulogic;
   end record;
 
   -- What the step generator is doing.
@@ -43,6 +44,7 @@ package step_generator_registers_pkg is
     held : std_ulogic;
     braking : std_ulogic;
     waiting : std_ulogic;
+    positions_lost : std_ulogic;
     level : unsigned(7 downto 0);
     free : unsigned(7 downto 0);
   end record;
@@ -54,14 +56,16 @@ package step_generator_registers_pkg is
     illegal : std_ulogic;
     while_stopped : std_ulogic;
     position : std_ulogic;
+    settings : std_ulogic;
+    disabled : std_ulogic;
   end record;
 
-  -- Enable pins of the motor drivers.
+  -- Enable pins of the motor drivers. Switched off only while no segment is executed or queued; the emergency stop input switches all off at once, and they stay so until the stop is acknowledged and this is written again.
   type step_generator_motor_enable_t is record
     axes : std_ulogic_vector(7 downto 0);
   end record;
 
-  -- The tick rate is never integrated below this.
+  -- The tick rate is never integrated below this. Written only when idle, and never 0.
   type step_generator_rate_floor_t is record
     rate : unsigned(30 downto 0);
   end record;
@@ -140,7 +144,7 @@ package step_generator_registers_pkg is
     word : unsigned(31 downto 0);
   end record;
 
-  -- Change of the acceleration per clock, high word.
+  -- Change of the acceleration per clock, high word. The acceleration stays where the change would take it out of its 64 bits.
   type step_generator_segment_jerk_high_t is record
     word : unsigned(31 downto 0);
   end record;
@@ -156,7 +160,7 @@ package step_generator_registers_pkg is
     any : unsigned(31 downto 0);
   end record;
 
-  -- Width of the step pulse and of the pause after it, per axis.
+  -- Width of the step pulse and of the pause after it, per axis. Written only when idle.
   type step_generator_pulse_guard_t is record
     high : unsigned(11 downto 0);
     low : unsigned(11 downto 0);
@@ -164,7 +168,7 @@ package step_generator_registers_pkg is
   end record;
   type step_generator_pulse_guard_array_t is array (0 to 7) of step_generator_pulse_guard_t;
 
-  -- Distance between a change of direction and the steps, per axis.
+  -- Distance between a change of direction and the steps, per axis. Written only when idle.
   type step_generator_direction_guard_t is record
     setup : unsigned(11 downto 0);
     hold : unsigned(11 downto 0);
@@ -250,6 +254,7 @@ package step_generator_registers_pkg is
     command : step_generator_command_t;
     command_written : std_ulogic;
     motor_enable : step_generator_motor_enable_t;
+    motor_enable_written : std_ulogic;
     rate_floor : step_generator_rate_floor_t;
     rate_floor_written : std_ulogic;
     override : step_generator_override_t;
@@ -291,6 +296,7 @@ package step_generator_registers_pkg is
     control : step_generator_control_t;
     status : step_generator_status_t;
     errors : step_generator_errors_t;
+    motor_enable : step_generator_motor_enable_t;
     rate_floor : step_generator_rate_floor_t;
     scale : step_generator_scale_t;
     position : step_generator_position_array_t;

@@ -25,18 +25,20 @@ architecture rtl of step_pins_registers is
   signal access_begins : std_ulogic;
   signal answered, writing : std_ulogic := '0';
   -- Of what is known only: the bits above are 0.
-  signal register_index : unsigned(1 downto 0) := (others => '0');
+  signal register_index : unsigned(2 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal control_word : std_ulogic_vector(31 downto 0);
-  signal control_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal step_word : std_ulogic_vector(31 downto 0);
   signal step_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal direction_word : std_ulogic_vector(31 downto 0);
   signal direction_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal stop_word : std_ulogic_vector(31 downto 0);
+  signal status_word : std_ulogic_vector(31 downto 0);
+  signal control_written : std_ulogic := '0';
   signal stop_written : std_ulogic := '0';
+  signal status_written : std_ulogic := '0';
 
 begin
 
@@ -54,7 +56,7 @@ begin
     if access_begins then
       response.data <= read_word;
       written_data <= request.data;
-      register_index <= request.address(3 downto 2);
+      register_index <= request.address(4 downto 2);
     end if;
     if reset then
       answered <= '0';
@@ -66,11 +68,11 @@ begin
   -- Whole words only.
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
-  readable <= '1' when request.address(11 downto 2) <= 3 else '0';
+  readable <= '1' when request.address(11 downto 2) <= 4 else '0';
 
-  writable <= '1' when request.address(11 downto 2) <= 3 else '0';
+  writable <= '1' when request.address(11 downto 2) <= 4 else '0';
 
-  control_word <= "0000000000000000000000000000000" & control_stored(0)
+  control_word <= "0000000000000000000000000000000" & to_software.control.software
     when request.address(11 downto 2) = 0 else (others => '0');
   step_word <= "000000000000000000000000" & step_stored(7 downto 0)
     when request.address(11 downto 2) = 1 else (others => '0');
@@ -78,18 +80,18 @@ begin
     when request.address(11 downto 2) = 2 else (others => '0');
   stop_word <= "0000000000000000000000000000000" & to_software.stop.stopped
     when request.address(11 downto 2) = 3 else (others => '0');
+  status_word <= "000000000000000000000000000000" & to_software.status.refused & to_software.status.permitted
+    when request.address(11 downto 2) = 4 else (others => '0');
 
   read_word <= control_word
     or step_word
     or direction_word
-    or stop_word;
+    or stop_word
+    or status_word;
 
   store : process
   begin
     wait until rising_edge(clk);
-    if writing = '1' and register_index = 0 then
-      control_stored <= written_data;
-    end if;
     if writing = '1' and register_index = 1 then
       step_stored <= written_data;
     end if;
@@ -97,7 +99,6 @@ begin
       direction_stored <= written_data;
     end if;
     if reset then
-      control_stored <= x"00000000";
       step_stored <= x"00000000";
       direction_stored <= x"00000000";
     end if;
@@ -106,16 +107,26 @@ begin
   tell_events : process
   begin
     wait until rising_edge(clk);
+    control_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 0);
     stop_written <= access_begins and known and request.write and
       (request.address(11 downto 2) ?= 3);
+    status_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 4);
     if reset then
+      control_written <= '0';
       stop_written <= '0';
+      status_written <= '0';
     end if;
   end process;
 
-  from_software.control.software <= control_stored(0);
+  from_software.control_written <= control_written;
+  from_software.control.software <= written_data(0);
   from_software.step.pins <= step_stored(7 downto 0);
   from_software.direction.pins <= direction_stored(7 downto 0);
   from_software.stop_written <= stop_written;
   from_software.stop.stopped <= written_data(0);
+  from_software.status_written <= status_written;
+  from_software.status.permitted <= written_data(0);
+  from_software.status.refused <= written_data(1);
 end architecture;

@@ -9,7 +9,7 @@ package step_pins_registers_pkg is
 
   constant step_pins_address : unsigned(31 downto 0) := x"F0008000";
 
-  -- Who drives the pins. To be changed only while nothing moves.
+  -- Who drives the pins. Changed only where the chip permits software stepping (status.permitted), while the step generator is idle and no step pin would change; refused otherwise.
   type step_pins_control_t is record
     software : std_ulogic;
   end record;
@@ -29,16 +29,27 @@ package step_pins_registers_pkg is
     stopped : std_ulogic;
   end record;
 
+  -- Whether software may drive the pins.
+  type step_pins_status_t is record
+    permitted : std_ulogic;
+    refused : std_ulogic;
+  end record;
+
   type step_pins_from_software_t is record
     control : step_pins_control_t;
+    control_written : std_ulogic;
     step : step_pins_step_t;
     direction : step_pins_direction_t;
     stop : step_pins_stop_t;
     stop_written : std_ulogic;
+    status : step_pins_status_t;
+    status_written : std_ulogic;
   end record;
 
   type step_pins_to_software_t is record
+    control : step_pins_control_t;
     stop : step_pins_stop_t;
+    status : step_pins_status_t;
   end record;
 
 end package;

@@ -32,6 +32,7 @@ architecture simulation of axis_stepper_tb is
   signal step : std_ulogic;
   signal direction : std_ulogic;
   signal busy : std_ulogic;
+  signal working : std_ulogic;
   signal position : position_t;
   signal set_position : std_ulogic := '0';
   signal new_position : position_t := (others => '0');
@@ -49,7 +50,7 @@ begin
       begin_line => begin_line, steps => steps,
       backward => backward, ahead => ahead, behind => behind, line_ticks => line_ticks, due => due,
       ready => ready, tick => tick, step => step, direction => direction, busy => busy,
-      position => position, set_position => set_position, new_position => new_position,
+      working => working, position => position, set_position => set_position, new_position => new_position,
       stalls => stalls);
 
   monitor : entity work.pulse_monitor
@@ -58,6 +59,27 @@ begin
       direction => direction,
       position => position, set_position => set_position, new_position => new_position,
       pulses => pulses);
+
+  -- Without work, and two clocks after a line or a tick, an edge of the clock changes nothing that is seen.
+  watch_work : process
+    variable seen, before : std_ulogic_vector(4 downto 0);
+    variable quiet_clocks : natural := 0;
+    variable had_work : std_ulogic := '1';
+  begin
+    wait until rising_edge(clk);
+    seen := step & direction & ready & busy & working;
+    no_change_without_work : assert had_work = '1' or quiet_clocks < 2 or seen = before
+      report "changes without work" severity failure;
+    before := seen;
+    had_work := working;
+    quiet_clocks := 0 when (begin_line or tick or reset) = '1' else quiet_clocks + 1;
+    if busy then
+      a_pulse_is_work : assert working = '1' severity failure;
+    end if;
+    if quiet_clocks > 30 and guard.direction_setup < 10 and guard.high < 10 then
+      work_has_an_end : assert working = '0' report "works for ever" severity failure;
+    end if;
+  end process;
 
   test : process
     variable random : random_source_t;
@@ -151,6 +173,44 @@ begin
       report "the second tick was delayed by " & to_string(to_integer(stalls - stalls_before))
       severity failure;
 
+    -- A tick without a step is not delayed, whatever the guard still forbids.
+    set_guard(20, 20, 20, 20);
+    clocks(60);
+    start_line(1, 3, direction);
+    stalls_before := stalls;
+    pulses_before := pulses;
+    for i in 1 to 3 loop
+      make_tick;
+    end loop;
+    assert stalls = stalls_before and pulses = pulses_before + 1
+      report "a tick without a step was delayed" severity failure;
+    clocks(60);
+
+    -- Busy for the pulse and the pause after it: another could rise in the clock in which this has ended.
+    for high in 1 to 4 loop
+      for low in 1 to 4 loop
+        for falling_counts in 0 to 1 loop
+          set_guard(high, low, 9, 9);
+          both_edges <= '1' when falling_counts = 1 else '0';
+          clocks(1);
+          made := 0;
+          for toggles in 0 to falling_counts loop
+            start_line(1, 1, direction);
+            make_tick;
+            while busy = '1' loop
+              made := made + 1;
+              clocks(1);
+            end loop;
+          end loop;
+          count := high + low - 1 - falling_counts;
+          assert made = count
+            report "busy for " & to_string(made) & " clocks instead of " & to_string(count)
+            severity failure;
+          clocks(20);
+        end loop;
+      end loop;
+    end loop;
+
     -- A direction that turns back in time is not turned at all.
     clocks(20);
     assert direction = '1' severity failure;
@@ -234,6 +294,37 @@ begin
     set_position <= '0';
     clocks(1);
     assert position = -1000 severity failure;
+
+    -- A reset ends a pulse, its pause, every guard time and a turn at once, and counts from 0.
+    for case_of_reset in 1 to 4 loop
+      set_guard(20, 20, 20, 20);
+      clocks(30);
+      start_line(2, 2, '1');
+      make_tick;
+      due <= '1';
+      case case_of_reset is
+        when 1 => clocks(2);
+        when 2 => clocks(25);
+        when 3 =>
+          due <= '0';
+          start_line(1, 1, '0');
+        when others => clocks(45);
+      end case;
+      due <= '0';
+      reset <= '1';
+      wait until rising_edge(clk);
+      reset <= '0';
+      wait for 1 ns;
+      assert step = '0' and direction = '0' and busy = '0' and working = '0' and ready = '1'
+        report "not at rest after reset " & to_string(case_of_reset) severity failure;
+      assert position = 0 and stalls = 0
+        report "counts after reset " & to_string(case_of_reset) severity failure;
+      start_line(1, 1, '0');
+      make_tick;
+      assert stalls = 0 and position = 1
+        report "a guard time outlasts reset " & to_string(case_of_reset) severity failure;
+      clocks(50);
+    end loop;
 
     finish;
   end process;

@@ -22,6 +22,7 @@ architecture simulation of end_stops_tb is
   constant polarity : unsigned(31 downto 0) := end_stops_address + 8;
   constant enable : unsigned(31 downto 0) := end_stops_address + 12;
 
+  signal oscillator : std_ulogic := '0';
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
@@ -29,15 +30,56 @@ architecture simulation of end_stops_tb is
   signal switches : std_ulogic_vector(7 downto 0) := x"00";
   signal triggered : std_ulogic_vector(7 downto 0);
 
+  -- A second one gets no edge of its clocks that may be left out: at rest, and without an access.
+  signal resting_clk, resting_bus_clk : std_ulogic := '0';
+  signal rested_response : bus_response_t;
+  signal rested_triggered : std_ulogic_vector(7 downto 0);
+  signal at_rest : std_ulogic;
+  signal seen_switches : std_ulogic_vector(7 downto 0) := x"00";
+  signal edge_is_left_out, bus_edge_is_left_out : std_ulogic := '0';
+
 begin
 
-  clk <= not clk after clock_period / 2;
+  oscillator <= not oscillator after clock_period / 2;
+  clk <= oscillator;
+  resting_clk <= oscillator and not edge_is_left_out;
+  resting_bus_clk <= oscillator and not bus_edge_is_left_out;
 
   end_stops : entity work.end_stops
     port map (
       clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
       switches => switches, triggered => triggered);
+
+  rested : entity work.end_stops
+    port map (
+      clk => resting_clk, bus_clk => resting_bus_clk,
+      reset => reset, request => request, response => rested_response,
+      switches => switches, triggered => rested_triggered, at_rest => at_rest);
+
+  leave_out_edges : process
+    constant access_clocks : positive := 4;
+    variable clocks_without_access : natural := 0;
+  begin
+    wait until rising_edge(clk);
+    seen_switches <= switches;
+    clocks_without_access := 0 when (request.strobe or reset) = '1' else clocks_without_access + 1;
+    wait until falling_edge(clk);
+    wait for clock_period / 4;
+    edge_is_left_out <= '0';
+    if at_rest = '1' and switches = seen_switches then
+      edge_is_left_out <= '1';
+    end if;
+    bus_edge_is_left_out <= '1' when clocks_without_access > access_clocks and request.strobe = '0'
+      and reset = '0' else '0';
+  end process;
+
+  compare : process
+  begin
+    wait until falling_edge(clk);
+    rest_changes_nothing : assert rested_triggered = triggered and rested_response = response
+      report "triggered " & to_hstring(rested_triggered) & " after a rest" severity error;
+  end process;
 
   check : process
     -- Clocks from a pin to the output, besides the filter's: two to synchronise, one to judge.
@@ -121,11 +163,18 @@ begin
     switches <= x"0C";
     wait_clocks(50);
     check_status(x"0C", x"0C", x"00");
+    wait_clocks(50);
+    comes_to_rest_with_its_inputs : assert at_rest report "never at rest" severity error;
 
+    -- What comes from a pin is synchronized first.
+    switches <= x"00";
+    check_status(x"0C", x"0C", x"00");
+    wait_clocks(50);
+    check_status(x"00", x"00", x"04");
     reset <= '1';
     wait_clocks(1);
     reset <= '0';
-    nothing_is_triggered_after_reset : assert triggered = x"00" report to_hstring(triggered)
+    reset_takes_effect_at_once : assert triggered = x"00" report to_hstring(triggered)
       severity error;
     std.env.finish;
   end process;

@@ -30,6 +30,7 @@ architecture simulation of feed_override_tb is
   signal leap : leap_t;
   signal scale : scale_t;
   signal standing : std_ulogic;
+  signal working : std_ulogic;
 
   -- Base clocks done, and how many the scale has owed, both while moving; the latter in 2^-32.
   signal done : natural := 0;
@@ -46,7 +47,24 @@ begin
       clk => clk, reset => reset, moving => moving, target => target, slope => slope,
       accelerating => accelerating, decelerating => decelerating, braking => braking,
       brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
-      advance => advance, leap => leap, scale => scale, standing => standing);
+      advance => advance, leap => leap, scale => scale, standing => standing, working => working);
+
+  -- Without work, and with the inputs as they are for three clocks, an edge of the clock changes nothing.
+  watch_work : process
+    variable inputs, inputs_before : std_ulogic_vector(89 downto 0) := (others => '0');
+    variable outputs, outputs_before : std_ulogic_vector(37 downto 0) := (others => '0');
+    variable quiet_clocks : natural := 0;
+  begin
+    wait until rising_edge(clk);
+    inputs := reset & moving & std_ulogic_vector(target) & std_ulogic_vector(slope) & accelerating
+      & decelerating & braking & std_ulogic_vector(brake_slope) & stalled & std_ulogic_vector(longest_leap);
+    outputs := advance & std_ulogic_vector(leap) & std_ulogic_vector(scale) & standing;
+    nothing_changes_without_work : assert quiet_clocks < 3 or outputs = outputs_before
+      report "changes without work" severity failure;
+    quiet_clocks := quiet_clocks + 1 when working = '0' and inputs = inputs_before else 0;
+    inputs_before := inputs;
+    outputs_before := outputs;
+  end process;
 
   count : process
   begin
@@ -132,6 +150,16 @@ begin
       clocks(1);
     end loop;
     assert done = 100 severity failure;
+    assert working = '0' report "works at a scale of 1" severity failure;
+    moving <= '0';
+    clocks(3);
+    assert working = '0' report "works at rest" severity failure;
+    target <= to_unsigned(40000, 18);
+    clocks(3);
+    assert working = '0' report "works at rest" severity failure;
+    moving <= '1';
+    clocks(3);
+    assert working = '1' severity failure;
 
     -- Any constant scale, with and without stalls: 1000 clocks of it are owed and done.
     for run in 1 to 60 loop
@@ -254,6 +282,35 @@ begin
     target <= to_unsigned(65530, 18);
     clocks(2);
     assert scale = (to_unsigned(65530, 18) & x"0000") severity failure;
+
+    -- A reset in motion: the scale is 1, nothing is owed, no leap is left.
+    for from in 0 to 3 loop
+      rest_at(3 * 65536 - from * 60000);
+      moving <= '1';
+      clocks(20 + from);
+      reset <= '1';
+      target <= to_unsigned(65536, 18);
+      clocks(1);
+      assert scale = scale_of_one and advance = '0' and leap = 0 and standing = '0' severity failure;
+      reset <= '0';
+      clear <= true;
+      clocks(1);
+      clear <= false;
+      longest_leap <= "10";
+      done_before := done;
+      for i in 1 to 20 loop
+        clocks(1);
+        assert advance = '1' and leap = 0 and working = '0'
+          report "owed from before a reset" severity failure;
+      end loop;
+    end loop;
+    rest_at(0);
+    moving <= '1';
+    clocks(5);
+    assert standing = '1' severity failure;
+    reset <= '1';
+    clocks(1);
+    assert standing = '0' and scale = scale_of_one severity failure;
 
     finish;
   end process;

@@ -80,6 +80,15 @@ begin
     clocks(1);
     moving <= '1';
     expect_expiry;
+    moving <= '1';
+    wait until rising_edge(clk);
+    wait for 1 ns;
+    assert expired = '1' report "did not expire" severity failure;
+    -- From the first clock of a reset on it has not.
+    reset <= '1';
+    clocks(3);
+    reset <= '0';
+    moving <= '0';
     limit <= to_unsigned(0, 32);
     clocks(1);
     moving <= '1';

@@ -22,11 +22,12 @@ entity pulse_monitor is
     new_position : in position_t;
     -- Steps, whatever their direction: rising edges, with `both_edges` falling ones too.
     pulses : out natural;
-    -- Clocks since the pins did it last, for the invariants of proofs.
-    since_rise : out natural range 0 to 8191 := 8191;
-    since_fall : out natural range 0 to 8191 := 8191;
-    since_step : out natural range 0 to 8191 := 8191;
-    since_turn : out natural range 0 to 8191 := 8191
+    -- Clocks since the pins did it last, for the invariants of proofs. A new guard counts from the next edge
+    -- on: those before have kept the old one, and are long ago.
+    since_rise : out natural range 0 to 8191;
+    since_fall : out natural range 0 to 8191;
+    since_step : out natural range 0 to 8191;
+    since_turn : out natural range 0 to 8191
   );
 end entity;
 
@@ -35,6 +36,11 @@ architecture rtl of pulse_monitor is
   constant long_ago : natural := 8191;
   subtype age_t is natural range 0 to long_ago;
 
+  signal rise_age, fall_age, step_age, turn_age : age_t := long_ago;
+  signal guard_known : std_ulogic := '0';
+  signal last_guard : guard_t := guard_after_reset;
+  signal last_both_edges : std_ulogic := '0';
+  signal guard_is_new : std_ulogic;
   signal last_step : std_ulogic := '0';
   signal last_direction : std_ulogic := '0';
   signal rises : std_ulogic;
@@ -63,6 +69,13 @@ begin
 
   pulses <= counted_pulses;
 
+  guard_is_new <= '0' when guard_known = '0' or (guard = last_guard and both_edges = last_both_edges) else
+    '1';
+  since_rise <= long_ago when guard_is_new = '1' else rise_age;
+  since_fall <= long_ago when guard_is_new = '1' else fall_age;
+  since_step <= long_ago when guard_is_new = '1' else step_age;
+  since_turn <= long_ago when guard_is_new = '1' else turn_age;
+
   rises <= step and not last_step;
   falls <= not step and last_step;
   steps <= rises or (falls and both_edges);
@@ -76,22 +89,25 @@ begin
     wait until rising_edge(clk);
     last_step <= step;
     last_direction <= direction;
-    since_rise <= older(since_rise);
-    since_fall <= older(since_fall);
-    since_step <= older(since_step);
-    since_turn <= older(since_turn);
+    guard_known <= '1';
+    last_guard <= guard;
+    last_both_edges <= both_edges;
+    rise_age <= older(since_rise);
+    fall_age <= older(since_fall);
+    step_age <= older(since_step);
+    turn_age <= older(since_turn);
     if rises then
-      since_rise <= 1;
+      rise_age <= 1;
     end if;
     if falls then
-      since_fall <= 1;
+      fall_age <= 1;
     end if;
     if steps then
-      since_step <= 1;
+      step_age <= 1;
       counted_pulses <= counted_pulses + 1;
     end if;
     if turns then
-      since_turn <= 1;
+      turn_age <= 1;
     end if;
     counted_position <= expected_position;
     if set_position then
@@ -101,10 +117,10 @@ begin
     if reset then
       last_step <= '0';
       last_direction <= '0';
-      since_rise <= long_ago;
-      since_fall <= long_ago;
-      since_step <= long_ago;
-      since_turn <= long_ago;
+      rise_age <= long_ago;
+      fall_age <= long_ago;
+      step_age <= long_ago;
+      turn_age <= long_ago;
       counted_position <= (others => '0');
       counted_pulses <= 0;
     end if;

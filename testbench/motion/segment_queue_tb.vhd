@@ -18,7 +18,8 @@ architecture simulation of segment_queue_tb is
 
   constant axes : positive := 2;
   constant depth : positive := 5;
-  constant segments : positive := 400;
+  -- No multiple of the depth, so that a flush finds the queue within a round.
+  constant segments : positive := 402;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
@@ -35,10 +36,10 @@ architecture simulation of segment_queue_tb is
   signal may_take : boolean := false;
   signal taken : natural := 0;
 
-  -- Word of a lane of the n-th segment, different everywhere, in its upper half too.
+  -- Word of a lane of the n-th segment, different everywhere; ticks and steps have 31 bits.
   function word(segment : natural; lane : lane_t) return std_ulogic_vector is
     constant half : std_ulogic_vector(15 downto 0) :=
-      std_ulogic_vector(to_unsigned(segment * 64 + lane, 16));
+      std_ulogic_vector(to_unsigned((segment * 7919 + lane * 40503) mod 2 ** 15, 16));
     constant both : std_ulogic_vector(31 downto 0) := half & half;
   begin
     return both;
@@ -78,6 +79,8 @@ begin
         assert head.stop_on.on_change = word(taken, flags_lane)(10) severity failure;
         assert head.stop_on.on_release = word(taken, flags_lane)(11) severity failure;
         assert head.stop_on.brakes = word(taken, flags_lane)(12) severity failure;
+        assert head.continues_line = word(taken, flags_lane)(8) severity failure;
+        assert head.ends_motion = word(taken, flags_lane)(9) severity failure;
         assert head.waits_for_start = word(taken, flags_lane)(13) severity failure;
         assert head.ahead = x"0" & word(taken, flags_lane)(27 downto 24) severity failure;
         assert head.behind = x"0" & word(taken, flags_lane)(31 downto 28) severity failure;
@@ -107,7 +110,8 @@ begin
         write <= (valid => '1', lane => lane, data => word(number, lane));
         wait until rising_edge(clk);
       end loop;
-      write.valid <= '0';
+      -- Nothing is written any more, whatever the other wires say.
+      write <= (valid => '0', lane => ticks_lane, data => x"00000BAD");
       append <= '1';
       wait until rising_edge(clk);
       append <= '0';
@@ -154,6 +158,16 @@ begin
     write_segment(segments);
     wait until taken = segments + 1 for 1 us;
     assert taken = segments + 1 severity failure;
+
+    -- A reset leaves nothing either, nor the highest level.
+    may_take <= false;
+    write_segment(0);
+    write_segment(0);
+    reset <= '1';
+    wait until rising_edge(clk);
+    reset <= '0';
+    wait for 1 ns;
+    assert level = 0 and max_level = 0 and head_valid = '0' and full = '0' severity failure;
 
     finish;
   end process;

@@ -76,7 +76,7 @@ begin
     port map (
       clk => clk, always_clk => clk, bus_clk => clk, reset => reset, guards => guards,
       both_edges => both_edges,
-      rate_floor => to_unsigned(2 ** 20, 31), run => '1', start => start,
+      rate_floor => to_unsigned(2 ** 20, 31), enabled => (others => '1'), run => '1', start => start,
       software_start => '0', waiting => waiting,
       override => override, override_slope => x"00100000", brake_slope => x"00200000",
       scale => scale, held => held, watchdog_limit => x"00000000", feed_watchdog => '0',

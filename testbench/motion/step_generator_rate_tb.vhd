@@ -48,7 +48,8 @@ begin
     port map (
       clk => clk, always_clk => clk, bus_clk => clk, reset => reset,
       guards => (others => shortest),
-      both_edges => both_edges, rate_floor => to_unsigned(1, 31), run => run, start => '0',
+      both_edges => both_edges, rate_floor => to_unsigned(1, 31), enabled => (others => '1'), run => run,
+      start => '0',
       software_start => '0', waiting => open, override => to_unsigned(65536, 18),
       override_slope => (others => '0'), brake_slope => (others => '0'), scale => open, held => open,
       write => write, commit => commit, refused => refused, flush => '0', level => level,

@@ -26,6 +26,7 @@ architecture simulation of step_generator_tb is
   constant status : natural := 16#00C#;
   constant errors : natural := 16#010#;
   constant motor_enable : natural := 16#014#;
+  constant rate_floor : natural := 16#018#;
   constant segment_flags : natural := 16#030#;
   constant segment_line_ticks : natural := 16#034#;
   constant segment_ticks : natural := 16#038#;
@@ -123,8 +124,22 @@ begin
     wait until rising_edge(clk);
     assert enable = "10" severity failure;
 
+    -- No steps without a driver.
+    write_segment(x"00000005");
+    expect(errors, x"00000040");
+    write(command, x"00000010");
+    write(motor_enable, x"00000003");
+
     write_segment(x"00000005");
     expect(status, x"00070100");
+    -- What is queued keeps its drivers, and settings stay.
+    write(motor_enable, x"00000002");
+    expect(errors, x"00000020");
+    write(command, x"00000010");
+    write(rate_floor, x"00001234");
+    expect(errors, x"00000020");
+    write(command, x"00000010");
+    assert enable = "11" severity failure;
     assert moving = '0' severity failure;
     write(control, x"00000007");
     wait until moving = '1' for 1 us;
@@ -145,11 +160,19 @@ begin
     emergency_stop <= '1';
     wait until rising_edge(clk);
     emergency_stop <= '0';
+    assert enable = "00" report "a driver is enabled in an emergency" severity failure;
     wait until stop_interrupt = '1' for 1 us;
     assert stop_interrupt = '1' severity failure;
     write_segment(x"00000005");
     expect(errors, x"00000008");
+    write(motor_enable, x"00000003");
+    expect(errors, x"00000028");
     write(command, x"00000004");
+    expect(status, x"00080042");
+    assert enable = "00" severity failure;
+    write(motor_enable, x"00000003");
+    assert enable = "11" severity failure;
+    write(command, x"00000100");
     expect(status, x"00080002");
     assert x_pulses = 5 severity failure;
 

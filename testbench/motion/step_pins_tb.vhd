@@ -22,14 +22,20 @@ architecture simulation of step_pins_tb is
   constant step_register : unsigned(31 downto 0) := step_pins_address + 4;
   constant direction_register : unsigned(31 downto 0) := step_pins_address + 8;
   constant stop : unsigned(31 downto 0) := step_pins_address + 12;
+  constant status : unsigned(31 downto 0) := step_pins_address + 16;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
   signal response : bus_response_t;
   signal emergency_stop : std_ulogic := '0';
+  signal software_stepping : std_ulogic := '0';
+  signal generator_idle : std_ulogic := '1';
   signal generated_step, generated_direction : pins_t := (others => '0');
   signal step, direction : pins_t;
+  signal at_rest : std_ulogic;
+  -- The generator has the pins, or they change hands: its edges are not looked at.
+  signal software_steps_now : boolean := false;
 
 begin
 
@@ -39,8 +45,21 @@ begin
     generic map (axes => axes)
     port map (
       clk => clk, bus_clk => clk, reset => reset, request => request, response => response,
-      emergency_stop => emergency_stop, generated_step => generated_step,
-      generated_direction => generated_direction, step => step, direction => direction);
+      software_stepping => software_stepping, emergency_stop => emergency_stop,
+      generated_step => generated_step, generated_direction => generated_direction,
+      generator_idle => generator_idle, step => step, direction => direction, at_rest => at_rest);
+
+  watch_emergency : process
+    variable stopped_before : std_ulogic := '0';
+    variable step_before : pins_t := (others => '0');
+  begin
+    wait until rising_edge(clk);
+    no_step_rises_from_the_next_clock_on : assert not software_steps_now or stopped_before = '0'
+      or (step and not step_before) = (step'range => '0')
+      report to_string(step) & " after " & to_string(step_before) severity error;
+    stopped_before := emergency_stop;
+    step_before := step;
+  end process;
 
   check : process
     variable seed_1, seed_2 : positive := 3;
@@ -75,6 +94,23 @@ begin
     wait_clocks(2);
     reset <= '0';
 
+    -- A stray store does not take the pins from the generator: software needs the strap for that.
+    wait until rising_edge(clk);
+    write(control, 1);
+    bus_read(clk, request, response, control, word);
+    a_stray_store_selects_nothing : assert word = x"00000000" severity error;
+    write(step_register, pins_t'(others => '1'));
+    generated_step <= "01010";
+    wait_clocks(2);
+    a_stray_store_takes_no_pin : assert step = "01010" severity error;
+    wait until rising_edge(clk);
+    bus_read(clk, request, response, status, word);
+    the_refusal_is_told : assert word = x"00000002" severity error;
+    write(status, 2);
+    write(control, 0);
+    bus_read(clk, request, response, status, word);
+    a_store_without_effect_is_not_refused : assert word = x"00000000" severity error;
+
     -- Without being asked, software's registers reach no pin, and the generator's pins pass at once.
     wait_clocks(1);
     write(step_register, pins_t'(others => '1'));
@@ -88,9 +124,44 @@ begin
       the_generator_turns : assert direction = generated_direction severity error;
     end loop;
 
-    -- Software's pins, whatever the generator does, all in one clock.
+    -- With the strap they change hands only where nothing moves and no pin would change.
+    software_stepping <= '1';
+    generated_step <= "00100";
     write(step_register, 0);
     write(control, 1);
+    bus_read(clk, request, response, control, word);
+    no_edge_is_lost : assert word = x"00000000" severity error;
+    generated_step <= (others => '0');
+    generator_idle <= '0';
+    write(control, 1);
+    bus_read(clk, request, response, control, word);
+    nothing_changes_in_motion : assert word = x"00000000" severity error;
+    bus_read(clk, request, response, status, word);
+    the_refusals_are_told : assert word = x"00000003" severity error;
+    write(status, 0);
+    bus_read(clk, request, response, status, word);
+    zero_forgets_nothing : assert word = x"00000003" severity error;
+    write(status, 2);
+    -- Nor where a pin would rise by it, of software's more than of the generator's.
+    generator_idle <= '1';
+    write(step_register, 2#00110#);
+    generated_step <= "00100";
+    write(control, 1);
+    bus_read(clk, request, response, control, word);
+    no_edge_is_made : assert word = x"00000000" severity error;
+    generated_step <= (others => '0');
+    write(step_register, 0);
+    wait_clocks(1);
+    wait until rising_edge(clk);
+    write(status, 2);
+    generator_idle <= '1';
+    write(control, 1);
+    bus_read(clk, request, response, status, word);
+    it_may_change_at_rest : assert word = x"00000001" severity error;
+    bus_read(clk, request, response, control, word);
+    software_has_them : assert word = x"00000001" severity error;
+
+    -- Software's pins, whatever the generator does, all in one clock.
     for i in 1 to 200 loop
       generated_step <= random_pins;
       generated_direction <= random_pins;
@@ -143,11 +214,100 @@ begin
     tells_that_it_is_over : assert word = x"00000000" severity error;
 
     -- The generator is not stopped here: it has a stop latch of its own.
+    write(step_register, 0);
+    generated_step <= (others => '0');
+    wait_clocks(3);
+    wait until rising_edge(clk);
     write(control, 0);
     emergency_stop <= '1';
     generated_step <= "10101";
     wait_clocks(2);
     generator_passes : assert step = "10101" severity error;
+    emergency_stop <= '0';
+    generated_step <= (others => '0');
+    wait until rising_edge(clk);
+    write(stop, 1);
+
+    -- An emergency in any clock of a write that raises pins.
+    write(control, 1);
+    for delay in 0 to 6 loop
+      write(step_register, 0);
+      write(stop, 1);
+      wait_clocks(4);
+      software_steps_now <= true;
+      wait_clocks(1);
+      emergency_stop <= '1' after delay * 10 ns;
+      wait until rising_edge(clk);
+      write(step_register, 2#11111#);
+      wait_clocks(8);
+      emergency_stop <= '0';
+      software_steps_now <= false;
+      wait until rising_edge(clk);
+    end loop;
+    write(step_register, 0);
+    write(stop, 1);
+    wait_clocks(4);
+
+    -- Without the strap the pins are the generator's, whatever was chosen with it.
+    wait until rising_edge(clk);
+    write(step_register, 2#01100#);
+    write(direction_register, 2#00011#);
+    wait_clocks(4);
+    is_software_s : assert step = "01100" and direction = "00011" severity error;
+    software_stepping <= '0';
+    generated_step <= "10000";
+    generated_direction <= "01000";
+    wait_clocks(1);
+    is_the_generator_s : assert step = "10000" and direction = "01000" severity error;
+    software_stepping <= '1';
+    wait_clocks(1);
+    is_software_s_again : assert step = "01100" and direction = "00011" severity error;
+
+    -- It rests but for the first clock of an emergency.
+    wait_clocks(40);
+    rests : assert at_rest = '1' severity error;
+    emergency_stop <= '1';
+    wait for 1 ns;
+    is_awake_for_an_emergency : assert at_rest = '0' severity error;
+    wait_clocks(40);
+    rests_while_it_lasts : assert at_rest = '1' severity error;
+    emergency_stop <= '0';
+    wait_clocks(40);
+    rests_when_it_is_over : assert at_rest = '1' severity error;
+
+    -- A reset gives the pins back, forgets the stop, a refusal, and what software drove.
+    wait until rising_edge(clk);
+    write(control, 0);
+    bus_read(clk, request, response, status, word);
+    is_refused_with_pins_high : assert word = x"00000003" severity error;
+    wait until falling_edge(clk);
+    reset <= '1';
+    wait_clocks(1);
+    reset <= '0';
+    is_the_generator_s_after_reset : assert step = "10000" and direction = "01000" severity error;
+    wait until rising_edge(clk);
+    bus_read(clk, request, response, control, word);
+    control_is_reset : assert word = x"00000000" severity error;
+    bus_read(clk, request, response, status, word);
+    no_refusal_is_left : assert word = x"00000001" severity error;
+    bus_read(clk, request, response, stop, word);
+    no_stop_is_left : assert word = x"00000000" severity error;
+    generated_step <= (others => '0');
+    write(control, 1);
+    wait_clocks(1);
+    no_pin_is_left : assert step = "00000" and direction = "00000" severity error;
+    -- Also in the clocks of the reset itself, as soon as it is seen.
+    wait until rising_edge(clk);
+    write(step_register, 2#11111#);
+    write(direction_register, 2#11111#);
+    wait_clocks(4);
+    reset <= '1';
+    wait until rising_edge(clk);
+    wait for 1 ns;
+    reset <= '0';
+    generated_step <= "00000";
+    is_low_after_a_reset : assert step = "00000" severity error;
+    wait_clocks(4);
     report "step_pins_tb passed";
     std.env.finish;
   end process;

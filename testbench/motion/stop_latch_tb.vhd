@@ -26,12 +26,15 @@ architecture simulation of stop_latch_tb is
   signal software_brake : std_ulogic := '0';
   signal acknowledge : std_ulogic := '0';
   signal standing : std_ulogic := '0';
+  signal no_ramp : std_ulogic := '0';
   signal hit : std_ulogic;
   signal braking : std_ulogic;
   signal stop : std_ulogic;
   signal stop_begins : std_ulogic;
   signal stopped : std_ulogic;
+  signal closed : std_ulogic;
   signal cause : stop_cause_t;
+  signal watching : std_ulogic;
 
 begin
 
@@ -42,8 +45,9 @@ begin
       clk => clk, reset => reset, active => active, stop_on => stop_on, end_stops => end_stops,
       emergency_stop => emergency_stop, watchdog_expired => watchdog_expired,
       software_stop => software_stop, software_brake => software_brake,
-      acknowledge => acknowledge, standing => standing, hit => hit, braking => braking,
-      stop => stop, stop_begins => stop_begins, stopped => stopped, cause => cause);
+      acknowledge => acknowledge, standing => standing, no_ramp => no_ramp, hit => hit,
+      braking => braking, stop => stop, stop_begins => stop_begins, stopped => stopped,
+      closed => closed, cause => cause, watching => watching);
 
   test : process
     procedure settle is
@@ -162,17 +166,17 @@ begin
     assert cause.end_stops = x"04" severity failure;
     acknowledge_it;
 
-    -- A brake is hit at once, and stops when time stands still. More end stops do not matter.
+    -- A brake is hit at once, and stops when time stands still. Its own switches may stay triggered.
     stop_on <= (mask => x"FF", on_change => '0', on_release => '0', brakes => '1');
     active <= '1';
     settle;
-    assert hit = '1' and stop = '0' severity failure;
+    assert hit = '1' and stop = '0' and closed = '1' severity failure;
     clock;
-    end_stops <= x"FF";
     stop_on.brakes <= '0';
     for i in 1 to 5 loop
       settle;
-      assert braking = '1' and hit = '0' and stop = '0' and stopped = '0' severity failure;
+      assert braking = '1' and hit = '0' and stop = '0' and stopped = '0' and closed = '1'
+        severity failure;
       clock;
     end loop;
     standing <= '1';
@@ -184,6 +188,58 @@ begin
     assert stopped = '1' and braking = '0' and cause = (end_stops => x"06", others => '0')
       severity failure;
     acknowledge_it;
+    assert closed = '0' severity failure;
+
+    -- Another switch ends it, also one that would brake, and so does the same once more.
+    stop_on.brakes <= '1';
+    active <= '1';
+    end_stops <= x"02";
+    clock;
+    end_stops <= x"12";
+    settle;
+    assert stop_begins = '1' and hit = '0' severity failure;
+    clock;
+    active <= '0';
+    assert stopped = '1' and cause = (end_stops => x"12", others => '0') severity failure;
+    acknowledge_it;
+    active <= '1';
+    end_stops <= x"02";
+    clock;
+    end_stops <= x"00";
+    clock;
+    assert braking = '1' and stop = '0' severity failure;
+    end_stops <= x"02";
+    settle;
+    assert stop_begins = '1' severity failure;
+    clock;
+    active <= '0';
+    acknowledge_it;
+
+    -- Without a ramp there is no brake.
+    no_ramp <= '1';
+    active <= '1';
+    settle;
+    assert stop_begins = '1' and hit = '1' severity failure;
+    clock;
+    active <= '0';
+    end_stops <= x"00";
+    acknowledge_it;
+    software_brake <= '1';
+    settle;
+    assert stop_begins = '1' and hit = '1' severity failure;
+    clock;
+    software_brake <= '0';
+    acknowledge_it;
+    no_ramp <= '0';
+
+    -- In one word with its acknowledgement a stop wins.
+    software_stop <= '1';
+    clock;
+    acknowledge_it;
+    assert stopped = '1' severity failure;
+    software_stop <= '0';
+    acknowledge_it;
+    assert stopped = '0' severity failure;
 
     -- Software's brake ends with the motion, where that is over before the ramp.
     stop_on <= stop_condition_none;
@@ -216,6 +272,123 @@ begin
       severity failure;
     acknowledge_it;
     assert stop = '0' severity failure;
+
+    -- Whatever cuts a brake short is reported, in addition to what began it.
+    for cut in 1 to 3 loop
+      active <= '1';
+      software_brake <= '1';
+      clock;
+      software_brake <= '0';
+      clock;
+      if cut = 1 then
+        watchdog_expired <= '1';
+      elsif cut = 2 then
+        software_stop <= '1';
+      else
+        watchdog_expired <= '1';
+        software_stop <= '1';
+        emergency_stop <= '1';
+      end if;
+      settle;
+      assert stop_begins = '1' and hit = '0' severity failure;
+      clock;
+      watchdog_expired <= '0';
+      software_stop <= '0';
+      emergency_stop <= '0';
+      active <= '0';
+      settle;
+      assert stopped = '1' and braking = '0' severity failure;
+      assert cause.end_stops = x"00" and cause.software_brake = '1'
+        and (cause.watchdog = '1') = (cut /= 2) and (cause.software = '1') = (cut /= 1)
+        and (cause.emergency_input = '1') = (cut = 3)
+        report "causes after cut " & to_string(cut) severity failure;
+      acknowledge_it;
+    end loop;
+
+    -- A change of any end stop is watched, for the clock in which it comes.
+    for input in end_stops'range loop
+      end_stops(input) <= not end_stops(input);
+      settle;
+      assert watching = '1' severity failure;
+      clock;
+      assert watching = '0' severity failure;
+      clock;
+      assert watching = '0' severity failure;
+    end loop;
+    end_stops <= x"00";
+    clock;
+
+    -- The next segment of a brake asks for another switch: it stops, though it was triggered before.
+    stop_on <= (mask => x"02", on_change => '0', on_release => '0', brakes => '1');
+    end_stops <= x"12";
+    active <= '1';
+    clock;
+    clock;
+    assert braking = '1' and stop = '0' severity failure;
+    stop_on.mask <= x"12";
+    settle;
+    assert stop_begins = '1' severity failure;
+    clock;
+    assert cause.end_stops = x"12" severity failure;
+    active <= '0';
+    acknowledge_it;
+    -- Or for the release of the switch that brakes.
+    stop_on.mask <= x"02";
+    active <= '1';
+    clock;
+    clock;
+    assert braking = '1' and stop = '0' severity failure;
+    stop_on.on_release <= '1';
+    end_stops <= x"10";
+    settle;
+    assert stop_begins = '1' severity failure;
+    clock;
+    active <= '0';
+    stop_on <= stop_condition_none;
+    acknowledge_it;
+
+    -- That there is no ramp stops nothing by itself, but every brake, also one that is on.
+    active <= '1';
+    no_ramp <= '1';
+    settle;
+    assert stop = '0' and closed = '0' severity failure;
+    clock;
+    no_ramp <= '0';
+    software_brake <= '1';
+    clock;
+    software_brake <= '0';
+    clock;
+    assert braking = '1' and stop = '0' severity failure;
+    no_ramp <= '1';
+    settle;
+    assert stop_begins = '1' severity failure;
+    clock;
+    no_ramp <= '0';
+    active <= '0';
+    assert stopped = '1' severity failure;
+
+    -- In one word with its acknowledgement a brake wins, too.
+    software_brake <= '1';
+    acknowledge_it;
+    software_brake <= '0';
+    assert stopped = '1' severity failure;
+
+    -- A reset ends stop and brake.
+    reset <= '1';
+    clock;
+    reset <= '0';
+    settle;
+    assert stopped = '0' and stop = '0' and closed = '0' severity failure;
+    active <= '1';
+    software_brake <= '1';
+    clock;
+    assert braking = '1' severity failure;
+    software_brake <= '0';
+    reset <= '1';
+    clock;
+    reset <= '0';
+    settle;
+    assert braking = '0' and stop = '0' and closed = '0' severity failure;
 
     finish;
   end process;

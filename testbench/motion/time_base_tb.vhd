@@ -4,6 +4,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use ieee.math_real.all;
 
 library std;
 use std.env.finish;
@@ -20,8 +21,8 @@ architecture simulation of time_base_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal advance : std_ulogic := '1';
-  signal leap : leap_t := (others => '0');
+  signal advance : std_ulogic;
+  signal leap : leap_t;
   signal longest_leap : leap_t;
   signal run : std_ulogic := '0';
   signal start : std_ulogic := '0';
@@ -35,7 +36,7 @@ architecture simulation of time_base_tb is
     rate => (others => '0'), acceleration => (others => '0'), jerk => (others => '0'));
   signal take : std_ulogic;
   signal due : std_ulogic;
-  signal axes_ready : std_ulogic := '1';
+  signal axes_ready : std_ulogic;
   signal tick : std_ulogic;
   signal stalled : std_ulogic;
   signal active : std_ulogic;
@@ -44,6 +45,13 @@ architecture simulation of time_base_tb is
   signal segments : count_t;
   signal underruns : count_t;
   signal stalls : count_t;
+  signal accelerating, decelerating : std_ulogic;
+
+  -- The longest leap that the random part takes, where the base permits it.
+  signal wanted_leap : natural range 0 to 2 := 0;
+  signal leaps_by_itself : boolean := false;
+  signal fixed_advance, random_advance, fixed_axes_ready, random_axes_ready : std_ulogic := '1';
+  signal fixed_leap, random_leap : leap_t := (others => '0');
 
   -- Counted here.
   signal ticks : natural := 0;
@@ -54,6 +62,20 @@ architecture simulation of time_base_tb is
 begin
 
   clk <= not clk after 10 ns;
+  leap <= random_leap when leaps_by_itself else fixed_leap;
+  advance <= random_advance when leaps_by_itself else fixed_advance;
+  axes_ready <= random_axes_ready when leaps_by_itself else fixed_axes_ready;
+
+  disturb : process
+    variable seed_1, seed_2 : positive := 11;
+    variable chance : real;
+  begin
+    wait until rising_edge(clk) and leaps_by_itself;
+    uniform(seed_1, seed_2, chance);
+    random_advance <= '0' when chance < 0.15 else '1';
+    uniform(seed_1, seed_2, chance);
+    random_axes_ready <= '0' when chance < 0.25 else '1';
+  end process;
 
   base : entity work.time_base
     port map (
@@ -62,6 +84,7 @@ begin
       run => run, start => start, stop => stop, rate_floor => rate_floor,
       head_valid => head_valid, head => head, take => take, due => due,
       axes_ready => axes_ready, tick => tick, stalled => stalled, active => active,
+      accelerating => accelerating, decelerating => decelerating,
       stop_on => stop_on, waiting => waiting, segments => segments, underruns => underruns,
       stalls => stalls);
 
@@ -74,6 +97,80 @@ begin
       ticks <= ticks + 1;
       clocks_between_ticks <= since_tick;
       since_tick <= 1;
+    end if;
+  end process;
+
+  -- What the header of the entity says of a clock, in real numbers: ticks, ticks per clock, and so on.
+  follow : process
+    constant unit : real := 2.0 ** (-84);
+    -- Roundings: of this model, and those that the header gives.
+    constant tolerance : real := 1.0e-9;
+    variable phase, rate, acceleration, jerk, sum, change, factor, floor_rate : real := 0.0;
+    variable was_positive, was_negative, is_moving, is_due : boolean := false;
+
+    function to_real (value : signed(63 downto 0)) return real is
+    begin
+      return real(to_integer(value(63 downto 32))) * 2.0 ** 32
+        + real(to_integer(unsigned(value(31 downto 16)))) * 2.0 ** 16
+        + real(to_integer(unsigned(value(15 downto 0))));
+    end function;
+    -- Of a whole tick.
+    function to_real (value : unsigned(63 downto 0)) return real is
+    begin
+      return real(to_integer(value(63 downto 40))) * 2.0 ** (-24)
+        + real(to_integer(value(39 downto 16))) * 2.0 ** (-48)
+        + real(to_integer(value(15 downto 0))) * 2.0 ** (-64);
+    end function;
+  begin
+    wait until rising_edge(clk);
+    tells_what_the_rate_does : assert not is_moving or
+      ((accelerating = '1') = was_positive and (decelerating = '1') = was_negative)
+      report "accelerating " & to_string(accelerating) & " decelerating " & to_string(decelerating)
+        & " at " & to_string(acceleration) & " after leaps of " & to_string(to_integer(leap))
+        & " by " & to_string(jerk)
+      severity failure;
+    is_stalled_by_an_axis : assert stalled = (due and not axes_ready) severity failure;
+    ticks_when_due : assert tick = (due and axes_ready) severity failure;
+
+    was_positive := acceleration > 0.0;
+    was_negative := acceleration < 0.0;
+    floor_rate := real(to_integer(rate_floor)) * 2.0 ** (-32);
+    is_moving := active = '1';
+    if active = '1' and advance = '1' and stop = '0' then
+      factor := 2.0 ** to_integer(leap);
+      sum := phase + factor * rate;
+      is_due := due = '1';
+      ticks_at_its_instant : assert (sum >= 1.0) = is_due or abs (sum - 1.0) < tolerance
+        report "at " & to_string(sum) & " ticks due is " & to_string(due) severity failure;
+      if not is_due or axes_ready = '1' then
+        phase := sum - 1.0 when is_due else sum;
+        rate := rate + factor * acceleration * unit;
+        rate := realmax(realmin(rate, 0.5), floor_rate);
+        change := jerk;
+        for i in 1 to to_integer(leap) loop
+          if change * 2.0 < 2.0 ** 63 and change * 2.0 >= -2.0 ** 63 then
+            change := change * 2.0;
+          end if;
+        end loop;
+        if acceleration + change < 2.0 ** 63 and acceleration + change >= -2.0 ** 63 then
+          acceleration := acceleration + change;
+        end if;
+      end if;
+    end if;
+    if take = '1' then
+      if active = '0' then
+        phase := 0.0;
+      end if;
+      rate := realmax(to_real(head.rate), floor_rate);
+      acceleration := to_real(head.acceleration);
+      jerk := to_real(head.jerk);
+    end if;
+    keeps_the_rate_within_a_half : assert longest_leap = 0 or not (active = '1' or take = '1')
+      or rate * 2.0 ** to_integer(longest_leap) <= 0.5
+      report "leap of " & to_string(to_integer(longest_leap)) & " at " & to_string(rate) severity failure;
+    takes_with_a_tick_or_from_rest : assert take = '0' or active = '0' or tick = '1' severity failure;
+    if leaps_by_itself then
+      random_leap <= longest_leap when longest_leap < wanted_leap else to_unsigned(wanted_leap, 2);
     end if;
   end process;
 
@@ -106,6 +203,38 @@ begin
     variable ticks_before : natural;
     variable ticks_in_between : natural;
     variable began : natural;
+    variable seed_1, seed_2 : positive := 7;
+    variable random_acceleration : signed(63 downto 0);
+    variable ends : std_ulogic;
+
+    -- At a rate in 64ths.
+    function leap_below (rate : natural) return natural is
+    begin
+      if rate < 7 then
+        return 2;
+      elsif rate < 15 then
+        return 1;
+      end if;
+      return 0;
+    end function;
+
+    impure function random (below : positive) return natural is
+      variable number : real;
+    begin
+      uniform(seed_1, seed_2, number);
+      return natural(floor(number * real(below)));
+    end function;
+
+    -- Of any size up to 2^`bits`, of both signs.
+    impure function random_change (bits : natural) return signed is
+      variable value : signed(63 downto 0);
+    begin
+      value := signed(std_ulogic_vector'(std_ulogic_vector(to_unsigned(random(2 ** 16), 16))
+        & std_ulogic_vector(to_unsigned(random(2 ** 24), 24))
+        & std_ulogic_vector(to_unsigned(random(2 ** 24), 24))));
+      return shift_right(value, 63 - bits);
+    end function;
+
     type naturals_t is array (natural range <>) of natural;
     variable clocks_at_leap : naturals_t(0 to 2);
   begin
@@ -159,15 +288,15 @@ begin
     -- Standing axes and standing time delay, and nothing is lost.
     ticks_before := ticks;
     offer(4, half);
-    axes_ready <= '0';
+    fixed_axes_ready <= '0';
     clocks(20);
     assert ticks = ticks_before severity failure;
     assert stalls = 18 report to_string(to_integer(stalls)) & " stalls" severity failure;
-    axes_ready <= '1';
-    advance <= '0';
+    fixed_axes_ready <= '1';
+    fixed_advance <= '0';
     clocks(20);
     assert ticks = ticks_before severity failure;
-    advance <= '1';
+    fixed_advance <= '1';
     wait_for_rest;
     assert ticks = ticks_before + 4 severity failure;
 
@@ -237,7 +366,7 @@ begin
     rate_floor <= to_unsigned(1, 31);
     for leaps in 0 to 2 loop
       ticks_before := ticks;
-      leap <= to_unsigned(leaps, 2);
+      fixed_leap <= to_unsigned(leaps, 2);
       offer(100, half / 64, '1', x"0400000000000000");
       began := clock_number;
       clocks(2);
@@ -252,22 +381,126 @@ begin
       report to_string(clocks_at_leap(0)) & " " & to_string(clocks_at_leap(1)) & " " &
         to_string(clocks_at_leap(2))
       severity failure;
-    leap <= "00";
+    fixed_leap <= "00";
     for sixty_fourths in 1 to 32 loop
       offer(100, to_unsigned(sixty_fourths, 6) & (57 downto 0 => '0'));
       clocks(2);
-      if sixty_fourths < 7 then
-        assert longest_leap = 2 severity failure;
-      elsif sixty_fourths < 15 then
-        assert longest_leap = 1 severity failure;
-      else
-        assert longest_leap = 0 severity failure;
-      end if;
+      assert longest_leap = leap_below(sixty_fourths) severity failure;
       wait_for_rest;
     end loop;
     rate_floor <= (28 => '1', others => '0');
     wait for 1 ns;
     assert longest_leap = 0 report "the floor is at 1/4, the leap too long" severity failure;
+    rate_floor <= to_unsigned(1, 31);
+
+    -- In the clock of the take the head decides, whatever the rate was.
+    for sixty_fourths in 1 to 32 loop
+      offer(2, to_unsigned(33 - sixty_fourths, 6) & (57 downto 0 => '0'));
+      wait_for_rest;
+      head.rate <= to_unsigned(sixty_fourths, 6) & (57 downto 0 => '0');
+      head.ticks <= to_unsigned(2, 31);
+      head_valid <= '1';
+      wait until rising_edge(clk) and take = '1';
+      assert longest_leap = leap_below(sixty_fourths) severity failure;
+      head_valid <= '0';
+      wait_for_rest;
+    end loop;
+    -- And so does the floor, where it is higher.
+    offer(1, half / 32);
+    wait_for_rest;
+    for sixty_fourths in 0 to 31 loop
+      rate_floor <= to_unsigned(sixty_fourths, 5) & (25 downto 0 => '1');
+      wait for 1 ns;
+      assert longest_leap = leap_below(sixty_fourths) severity failure;
+    end loop;
+
+    -- Ramps of every shape, with leaps, stalls and pauses: `follow` looks at each clock.
+    leaps_by_itself <= true;
+    for i in 1 to 300 loop
+      wanted_leap <= random(3);
+      if random(4) = 0 then
+        rate_floor <= shift_right(to_unsigned(random(2 ** 30), 30) & '1', random(24));
+      else
+        rate_floor <= to_unsigned(1 + random(2 ** 24), 31);
+      end if;
+      head.jerk <= random_change(random(64)) when random(3) /= 0 else (others => '0');
+      random_acceleration := random_change(40 + random(24)) when random(5) /= 0 else (others => '0');
+      ends := '0' when random(2) = 0 else '1';
+      offer(1 + random(30),
+        shift_right(to_unsigned(random(2 ** 24), 24) & (39 downto 0 => '1'), 1 + random(7)),
+        ends, random_acceleration);
+      clocks(random(30));
+      -- To its end, or to the next segment; a slow one is stopped.
+      for k in 1 to 150 loop
+        exit when active = '0' or random(100) = 0;
+        clocks(1);
+      end loop;
+      if active = '1' and (rate_floor < 2 ** 24 or random(4) = 0) then
+        stop <= '1';
+        clocks(1);
+        stop <= '0';
+      end if;
+    end loop;
+    wait until rising_edge(clk) and active = '0';
+    leaps_by_itself <= false;
+    head.jerk <= (others => '0');
+
+    -- A rate that would fall below 0 in one clock is held at the floor, too: the tick comes in time.
+    rate_floor <= to_unsigned(6144, 31);
+    fixed_leap <= "10";
+    offer(1, shift_right(x"FE00000000000000", 10), '1', x"8000000000000000");
+    wait until rising_edge(clk) and active = '0' for 1 ms;
+    assert active = '0' report "stands still at the floor" severity failure;
+    rate_floor <= to_unsigned(1, 31);
+
+    -- A jerk so large that a leap of it does not fit is taken with a shorter one.
+    for size in 1 to 9 loop
+      for leaps in 0 to 2 loop
+        for signs in 0 to 3 loop
+          fixed_leap <= to_unsigned(leaps, 2);
+          random_acceleration := shift_left(to_signed(size, 64), 59);
+          head.jerk <= random_acceleration when signs mod 2 = 0 else -random_acceleration;
+          random_acceleration := x"A000000000000000" when signs / 2 = 0 else x"5FFFFFFF00000000";
+          offer(100, half / 8, '1', random_acceleration);
+          clocks(12);
+          stop <= '1';
+          clocks(1);
+          stop <= '0';
+          clocks(2);
+        end loop;
+      end loop;
+    end loop;
+    fixed_leap <= "00";
+    head.jerk <= (others => '0');
+
+    -- An acceleration near its bounds stays there, and does not change its sign.
+    rate_floor <= to_unsigned(1000, 31);
+    for sign in 0 to 1 loop
+      head.jerk <= x"1100000000000000" when sign = 0 else x"EF00000000000000";
+      random_acceleration := x"6000000000000000" when sign = 0 else x"A000000000000000";
+      offer(200, quarter / 64, '1', random_acceleration);
+      clocks(1000);
+      assert (accelerating = '1') = (sign = 0) and (decelerating = '1') = (sign = 1) severity failure;
+      stop <= '1';
+      clocks(1);
+      stop <= '0';
+    end loop;
+    head.jerk <= (others => '0');
+    rate_floor <= to_unsigned(1, 31);
+
+    -- A reset ends the segment and forgets what was counted.
+    offer(100, quarter, '0');
+    fixed_axes_ready <= '0';
+    clocks(20);
+    assert segments /= 0 and underruns /= 0 and stalls /= 0 and active = '1' severity failure;
+    reset <= '1';
+    clocks(1);
+    reset <= '0';
+    fixed_axes_ready <= '1';
+    wait for 1 ns;
+    assert segments = 0 and underruns = 0 and stalls = 0 and active = '0' severity failure;
+    clocks(20);
+    assert active = '0' and segments = 0 severity failure;
 
     finish;
   end process;

@@ -9,6 +9,7 @@
 #include <Vstep_generator.h>
 
 #include "drivers/registers/step_generator_registers.hpp"
+#include "platform/bus.hpp"
 #include "tests/drivers/pulse_recorder.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
@@ -32,6 +33,7 @@ class StepGeneratorFixture : public testing::Test {
 
   void use(const drivers::GuardTimings& guard) {
     generator_.configure({guard, guard, guard, guard}, no_floor);
+    platform::write(registers::step_generator::MotorEnable{.axes = 0b11111});
   }
 
   // A whole line at a constant rate.

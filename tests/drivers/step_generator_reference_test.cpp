@@ -51,6 +51,8 @@ void expect_same_registers(const StepGeneratorReference& reference) {
   EXPECT_EQ(platform::read<registers::MaxLevel>().segments, counters.max_level);
   EXPECT_EQ(platform::read<registers::Scale>().scale, reference.scale() >> 16u);
   EXPECT_EQ(platform::read<registers::Status>().stopped, reference.stopped());
+  EXPECT_EQ(platform::read<registers::Status>().positions_lost, reference.positions_lost());
+  EXPECT_EQ(platform::read<registers::MotorEnable>().axes, reference.motors());
   EXPECT_EQ(platform::read<registers::Errors>().encode(), reference.errors());
   EXPECT_EQ(platform::read<registers::StopCause>().encode(), reference.stop_cause());
   EXPECT_EQ(joined(platform::read<registers::StopTimeLow>().clocks,

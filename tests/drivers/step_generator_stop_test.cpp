@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stops by edge and level, at once and along the brake's ramp; the watchdog; starts in common.
+#include "platform/bus.hpp"
 #include "tests/drivers/step_generator_fixture.hpp"
 
 namespace {
@@ -99,6 +100,114 @@ TEST_F(StepGeneratorStopTest, stops_at_once_when_the_emergency_stop_comes_while_
   const auto stop = generator_.stop_state();
   EXPECT_TRUE(stop.stopped && stop.emergency_input && stop.software_brake);
   EXPECT_LT(stop.positions[0], at_stop[0]);
+}
+
+TEST_F(StepGeneratorStopTest, stops_at_once_at_another_end_stop_while_braking) {
+  generator_.set_slopes(slope, slope);
+  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
+  segment.stop_mask = 0b11;
+  segment.stop_brakes = true;
+  append(segment);
+  chip_.clock(5000);
+  chip_->end_stops = 0b01;
+  chip_.clock(500);
+  EXPECT_TRUE(generator_.stop_state().braking);
+  chip_->end_stops = 0b11;
+  const auto at_second_hit = pulses_.counts();
+  chip_.clock(clocks_to_rest);
+  EXPECT_EQ(pulses_.counts(), at_second_hit);
+  const auto stop = generator_.stop_state();
+  EXPECT_TRUE(stop.stopped);
+  EXPECT_EQ(stop.end_stops, 0b11);
+  EXPECT_LT(stop.positions[0], at_second_hit[0]);
+}
+
+TEST_F(StepGeneratorStopTest, stops_at_once_where_the_switch_that_brakes_is_hit_again) {
+  generator_.set_slopes(slope, slope);
+  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
+  segment.stop_mask = 0b1;
+  segment.stop_brakes = true;
+  append(segment);
+  chip_.clock(5000);
+  chip_->end_stops = 0b1;
+  chip_.clock(500);
+  chip_->end_stops = 0;
+  chip_.clock(500);
+  EXPECT_TRUE(generator_.stop_state().braking);
+  chip_->end_stops = 0b1;
+  const auto at_second_hit = pulses_.counts();
+  chip_.clock(clocks_to_rest);
+  EXPECT_EQ(pulses_.counts(), at_second_hit);
+}
+
+TEST_F(StepGeneratorStopTest, stops_at_an_end_stop_while_software_brakes) {
+  generator_.set_slopes(slope, slope);
+  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
+  segment.stop_mask = 0b100;
+  append(segment);
+  chip_.clock(5000);
+  generator_.brake();
+  chip_.clock(500);
+  chip_->end_stops = 0b100;
+  const auto at_hit = pulses_.counts();
+  chip_.clock(clocks_to_rest);
+  EXPECT_EQ(pulses_.counts(), at_hit);
+  const auto stop = generator_.stop_state();
+  EXPECT_TRUE(stop.stopped && stop.software_brake);
+  EXPECT_EQ(stop.end_stops, 0b100);
+}
+
+TEST_F(StepGeneratorStopTest, stops_at_once_where_the_brake_has_no_slope) {
+  generator_.set_slopes(slope, 0);
+  append(line({2000, 0, 0, 0}, rate(0.01)));
+  chip_.clock(5000);
+  generator_.brake();
+  chip_.clock(3);
+  const auto at_brake = pulses_.counts();
+  chip_.clock(500000);
+  EXPECT_EQ(pulses_.counts(), at_brake);
+  EXPECT_TRUE(generator_.stop_state().stopped);
+
+  // Taken away while it brakes.
+  generator_.acknowledge_stop();
+  generator_.set_slopes(slope, slope);
+  append(line({2000, 0, 0, 0}, rate(0.01)));
+  chip_.clock(5000);
+  generator_.brake();
+  chip_.clock(500);
+  EXPECT_TRUE(generator_.stop_state().braking);
+  generator_.set_slopes(slope, 0);
+  chip_.clock(3);
+  EXPECT_TRUE(generator_.stop_state().stopped);
+}
+
+TEST_F(StepGeneratorStopTest, takes_nothing_from_the_hit_until_the_acknowledgement) {
+  generator_.set_slopes(slope, slope);
+  append(line({2000, 0, 0, 0}, rate(0.01)));
+  chip_.clock(5000);
+  generator_.brake();
+  chip_.clock(3);
+  EXPECT_TRUE(generator_.stop_state().braking);
+  EXPECT_FALSE(generator_.append(line({1000, 0, 0, 0})));
+  platform::write(registers::step_generator::SegmentCommit{});
+  EXPECT_TRUE(platform::read<registers::step_generator::Errors>().while_stopped);
+  EXPECT_EQ(generator_.queued_segments(), 0);
+  EXPECT_TRUE(generator_.stop_state().braking);
+}
+
+TEST_F(StepGeneratorStopTest, stays_stopped_where_one_word_stops_and_acknowledges) {
+  using registers::step_generator::Command;
+  for (const Command word : {Command{.stop = true, .acknowledge_stop = true},
+                             Command{.acknowledge_stop = true, .brake = true}}) {
+    generator_.stop();
+    chip_.clock(3);
+    platform::write(word);
+    chip_.clock(3);
+    EXPECT_TRUE(generator_.stop_state().stopped);
+    generator_.acknowledge_stop();
+    chip_.clock(3);
+    EXPECT_FALSE(generator_.stop_state().stopped);
+  }
 }
 
 TEST_F(StepGeneratorStopTest, stops_at_a_change_only_if_that_is_asked_for) {

@@ -288,6 +288,7 @@ TEST_F(StepGeneratorTest, forgets_the_queue_but_finishes_the_segment_when_flushe
 }
 
 TEST_F(StepGeneratorTest, enables_motors_one_by_one) {
+  platform::write(registers::step_generator::MotorEnable{.axes = 0});
   generator_.enable_motor(Axis::y, true);
   generator_.enable_motor(Axis::e, true);
   EXPECT_EQ(chip_->enable, 0b1010);

@@ -43,6 +43,7 @@ class Scene {
  public:
   Scene(const std::filesystem::path& file, const drivers::GuardTimings& guard) : out_(file) {
     generator_.configure({guard, guard, guard, guard}, 1);
+    platform::write(registers::MotorEnable{.axes = 0b11111});
     generator_.permit_motion(false);
     chip_.after_clock = [this] { watch(); };
   }

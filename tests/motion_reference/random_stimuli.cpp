@@ -56,18 +56,24 @@ class Player {
   }
 
   void write_settings(std::uint32_t seed) {
-    const std::uint32_t longest = seed % 3 == 0 ? 1 : seed % 16 == 1 ? 120 : 12;
-    const auto guard = [this, longest] { return longest == 1 ? below(2) : 1 + below(longest); };
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      put(axis, registers::PulseGuard{
-                    .high = guard(), .low = guard(), .both_edges = seed % 4 == 0 && chance(50)});
-      put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
-    }
+    longest_guard_ = seed % 3 == 0 ? 1 : seed % 16 == 1 ? 120 : 12;
+    both_edges_ = seed % 4 == 0;
+    for (std::size_t axis = 0; axis < axes; ++axis) put_guards(axis);
+    put(registers::MotorEnable{all_motors});
     put(registers::RateFloor{std::uint32_t{1} << (21 + below(7))});
     put(registers::OverrideSlope{random_slope()});
     put(registers::BrakeSlope{random_slope()});
     if (seed % 5 == 0) put(registers::Watchdog{2000 + below(30000)});
     put(registers::Control{.run = true});
+  }
+
+  void put_guards(std::size_t axis) {
+    const auto guard = [this] {
+      return longest_guard_ == 1 ? below(2) : 1 + below(longest_guard_);
+    };
+    put(axis, registers::PulseGuard{
+                  .high = guard(), .low = guard(), .both_edges = both_edges_ && chance(50)});
+    put(axis, registers::DirectionGuard{.setup = guard(), .hold = guard()});
   }
 
   std::uint32_t random_slope() { return static_cast<std::uint32_t>(random_()) >> below(13); }
@@ -96,11 +102,16 @@ class Player {
   // start comes with them, or when somebody waits for it.
   void change_inputs() {
     const std::uint32_t start = chance(50) ? 0x200u : 0;
-    const std::uint32_t value = start | (inputs_closed_ ? 0 : chance(5) ? 0x100u : 1u << below(8));
+    const std::uint32_t value = start | (inputs_closed_ ? 0
+                                         : chance(5)    ? 0x100u
+                                         : chance(30)   ? below(256)
+                                                        : 1u << below(8));
     inputs_closed_ = !inputs_closed_;
     note({run_.reference.now(), Stimulus::Kind::inputs, 0, value});
     next_inputs_ = run_.reference.now() + (inputs_closed_ ? 1 + below(200) : 5000 + below(80000));
-    if (chance(5)) next_inputs_ = run_.reference.now() + 1 + below(20);
+    if (chance(5) || (inputs_bounce_ = chance(inputs_bounce_ ? 80 : 10))) {
+      next_inputs_ = run_.reference.now() + 1 + below(20);
+    }
   }
 
   void use_the_bus() {
@@ -119,6 +130,8 @@ class Player {
       put_override();
     } else if (run_.reference.stopped() && chance(20)) {
       put(registers::Command{.acknowledge_stop = true, .clear_errors = chance(50)});
+    } else if (run_.reference.motors() != all_motors && chance(10)) {
+      put(registers::MotorEnable{chance(80) ? all_motors : below(all_motors + 1)});
     } else if (segments_left_ == 0) {
       if (!running_) put(registers::Control{.run = running_ = true});
       next_write_ = run_.reference.now() + 50;
@@ -135,12 +148,12 @@ class Player {
   }
 
   void something_rare() {
-    switch (below(9)) {
+    switch (below(12)) {
       case 0:
         put(registers::Command{.flush = true, .snapshot = true});
         break;
       case 1:
-        put(registers::Command{.stop = true});
+        put(registers::Command{.stop = true, .acknowledge_stop = chance(30)});
         break;
       case 2:
         put(registers::Command{.snapshot = true, .clear_errors = true});
@@ -152,11 +165,23 @@ class Player {
         put(registers::Control{.run = running_ = false});
         break;
       case 5:
-        put(registers::Command{.brake = true, .feed_watchdog = chance(50)});
+        if (chance(30)) put(registers::BrakeSlope{chance(30) ? 0 : random_slope()});
+        put(registers::Command{
+            .acknowledge_stop = chance(20), .brake = true, .feed_watchdog = chance(50)});
         break;
       case 6:
       case 7:
         put_override();
+        break;
+      case 8:
+        put_guards(below(axes));
+        break;
+      case 9:
+        put(registers::RateFloor{chance(30) ? 0 : std::uint32_t{1} << (21 + below(7))});
+        break;
+      case 10:
+        put(registers::MotorEnable{below(all_motors + 1)});
+        if (chance(50)) put(registers::Command{.positions_known = true});
         break;
       default:
         put(registers::Control{.run = running_ = true});
@@ -242,14 +267,18 @@ class Player {
     put(High{static_cast<std::uint32_t>(value >> 32u)});
   }
 
+  static constexpr std::uint32_t all_motors = (1u << axes) - 1;
+
   std::mt19937 random_;
+  std::uint32_t longest_guard_ = 1;
+  bool both_edges_ = false;
   std::size_t segments_left_;
   RandomRun run_;
   Pins last_pins_{};
   std::deque<Write> writes_;
   std::uint64_t next_write_ = 4;
   std::uint64_t next_inputs_ = 3000;
-  bool inputs_closed_ = false;
+  bool inputs_closed_ = false, inputs_bounce_ = false;
   bool running_ = true;
   std::uint32_t override_ = 65536;
   std::uint32_t line_left_ = 0;

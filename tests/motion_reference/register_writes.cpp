@@ -11,7 +11,8 @@ namespace {
 namespace registers = ::registers::step_generator;
 
 constexpr std::uint64_t fetch_clocks = 2;
-constexpr std::uint32_t position_error = 16;
+constexpr std::uint32_t position_error = 16, settings_error = 32;
+constexpr std::uint32_t emergency_bit = 0x100;
 
 std::uint64_t at_least_one(std::uint32_t clocks) { return std::max(clocks, 1u); }
 
@@ -30,7 +31,9 @@ void StepGeneratorReference::obey(const Write& write) {
   if (address == registers::Control::address) {
     run_ = registers::Control::decode(value).run;
   } else if (address == registers::RateFloor::address) {
-    rate_floor_ = std::uint64_t{registers::RateFloor::decode(value).rate} << 32u;
+    set_rate_floor(registers::RateFloor::decode(value).rate);
+  } else if (address == registers::MotorEnable::address) {
+    switch_motors(registers::MotorEnable::decode(value).axes);
   } else if (address == registers::Command::address) {
     if (registers::Command::decode(value).clear_errors) errors_ = 0;
   } else if (address == registers::Override::address) {
@@ -44,15 +47,10 @@ void StepGeneratorReference::obey(const Write& write) {
   } else if (address == registers::SegmentCommit::address) {
     commit();
   } else if (const auto axis = index_in<registers::PulseGuard>(address); axis < axes) {
-    const auto guard = registers::PulseGuard::decode(value);
-    axis_[axis].guard.high = at_least_one(guard.high);
-    axis_[axis].guard.low = at_least_one(guard.low);
-    axis_[axis].guard.both_edges = guard.both_edges;
+    set_pulse_guard(axis_[axis], value);
   } else if (const auto axis_of_direction = index_in<registers::DirectionGuard>(address);
              axis_of_direction < axes) {
-    const auto guard = registers::DirectionGuard::decode(value);
-    axis_[axis_of_direction].guard.setup = at_least_one(guard.setup);
-    axis_[axis_of_direction].guard.hold = at_least_one(guard.hold);
+    set_direction_guard(axis_[axis_of_direction], value);
   } else if (const auto axis_of_position = index_in<registers::Position>(address);
              axis_of_position < axes) {
     set_position(axis_of_position, value);
@@ -67,7 +65,7 @@ void StepGeneratorReference::obey(const Write& write) {
 }
 
 void StepGeneratorReference::commit() {
-  if (stopped_) {
+  if (refuses_segments_) {
     errors_ |= static_cast<std::uint32_t>(Refusal::while_stopped);
   } else if (queue_was_full_) {
     errors_ |= static_cast<std::uint32_t>(Refusal::queue_full);
@@ -75,12 +73,68 @@ void StepGeneratorReference::commit() {
     errors_ |= static_cast<std::uint32_t>(Refusal::incomplete);
   } else if (!draft_.executable()) {
     errors_ |= static_cast<std::uint32_t>(Refusal::illegal);
+  } else if (!driven(draft_.segment())) {
+    errors_ |= static_cast<std::uint32_t>(Refusal::disabled);
   } else {
     const Segment segment = draft_.segment();
+    if (!segment.continues_line) line_steps_ = segment.steps;
     line_left_ = (segment.continues_line ? line_left_ : segment.line_ticks) - segment.ticks;
     queue_.push_back({segment, now_ + fetch_clocks});
   }
   draft_.forget();
+}
+
+bool StepGeneratorReference::driven(const Segment& segment) const {
+  const auto& steps = segment.continues_line ? line_steps_ : segment.steps;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    if (steps[axis] != 0 && (motors_ >> axis & 1u) == 0) return false;
+  }
+  return true;
+}
+
+void StepGeneratorReference::set_rate_floor(std::uint32_t rate) {
+  if (idle() && rate != 0) {
+    rate_floor_ = std::uint64_t{rate} << 32u;
+  } else {
+    errors_ |= settings_error;
+  }
+}
+
+// A new guard counts from the next step and turn on: those before have kept the old one.
+void StepGeneratorReference::set_pulse_guard(Axis& axis, std::uint32_t value) {
+  const auto guard = registers::PulseGuard::decode(value);
+  if (!idle() || (axis.high && guard.both_edges != axis.guard.both_edges)) {
+    errors_ |= settings_error;
+    return;
+  }
+  axis.guard.high = at_least_one(guard.high);
+  axis.guard.low = at_least_one(guard.low);
+  axis.guard.both_edges = guard.both_edges;
+  axis.stepped.reset();
+  axis.turned.reset();
+}
+
+void StepGeneratorReference::set_direction_guard(Axis& axis, std::uint32_t value) {
+  if (!idle()) {
+    errors_ |= settings_error;
+    return;
+  }
+  const auto guard = registers::DirectionGuard::decode(value);
+  axis.guard.setup = at_least_one(guard.setup);
+  axis.guard.hold = at_least_one(guard.hold);
+  axis.stepped.reset();
+  axis.turned.reset();
+}
+
+void StepGeneratorReference::switch_motors(std::uint32_t wanted) {
+  wanted &= (1u << axes) - 1;
+  const bool in_motion = moving() || !queue_.empty();
+  const bool cut = motors_cut_ || (inputs_ & emergency_bit) != 0;
+  if ((in_motion && (motors_ & ~wanted) != 0) || (cut && wanted != 0)) {
+    errors_ |= settings_error;
+  } else {
+    motors_ = wanted;
+  }
 }
 
 void StepGeneratorReference::set_position(std::size_t axis, std::uint32_t value) {

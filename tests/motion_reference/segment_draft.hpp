@@ -33,7 +33,8 @@ enum class Refusal : std::uint8_t {
   queue_full = 1,
   incomplete = 2,
   illegal = 4,
-  while_stopped = 8
+  while_stopped = 8,
+  disabled = 64
 };
 
 // Words may be written in any order, but the flags first, and line_ticks before ticks and steps.

@@ -55,7 +55,11 @@ StepGeneratorReference::Positions StepGeneratorReference::positions() const {
 }
 
 bool StepGeneratorReference::idle() const {
-  const auto finished = [this](const Axis& axis) { return now_ + 1 >= free_again(axis); };
+  const auto finished = [this](const Axis& axis) {
+    return now_ + 1 >= free_again(axis) && axis.backward == axis.wanted_backward &&
+           (!axis.stepped || now_ + 1 >= *axis.stepped + axis.guard.hold) &&
+           (!axis.turned || now_ + 1 >= *axis.turned + axis.guard.setup);
+  };
   return !active_ && queue_.empty() && std::ranges::all_of(axis_, finished);
 }
 
@@ -88,27 +92,32 @@ bool StepGeneratorReference::waiting() const {
 StepGeneratorReference::Commands StepGeneratorReference::commands() const {
   const bool command = current_ && current_->address == registers::Command::address;
   const auto bits = registers::Command::decode(command ? current_->value : 0);
-  return {bits.flush,    bits.stop,  bits.brake,        bits.acknowledge_stop,
-          bits.snapshot, bits.start, bits.feed_watchdog};
+  return {bits.flush,    bits.stop,  bits.brake,         bits.acknowledge_stop,
+          bits.snapshot, bits.start, bits.feed_watchdog, bits.positions_known};
 }
 
 std::uint32_t StepGeneratorReference::end_stops_hit() const {
   if (!active_) return 0;
   std::uint32_t ends = active_->stop_on_release ? ~inputs_ : inputs_;
   if (active_->stop_on_change) ends &= inputs_ ^ inputs_before_;
+  // What brakes already may stay as it is.
+  if (braking_) ends &= ~(brakers_ & ~(inputs_ ^ inputs_before_));
   return ends & active_->stop_mask & end_stop_bits;
 }
 
 void StepGeneratorReference::clock() {
   const Commands asked = commands();
   const std::uint32_t hits = end_stops_hit();
-  const bool end_stop = hits != 0 && !braking_;
+  const bool end_stop = hits != 0;
   const std::uint32_t immediate = (inputs_ & emergency_bit) | (asked.stop ? software_bit : 0) |
                                   (watchdog_expired_ ? watchdog_bit : 0);
   const bool braked = braking_ && (!active_ || pace_.standing());
-  const bool at_once = immediate != 0 || (end_stop && !active_->stop_brakes) || braked;
   const bool along_ramp = end_stop || asked.brake;
+  const bool at_once = immediate != 0 || (end_stop && (braking_ || !active_->stop_brakes)) ||
+                       braked || (no_ramp_ && (along_ramp || braking_));
   const bool stop = stopped_ || at_once;
+  refuses_segments_ = stop || along_ramp || braking_;
+  no_ramp_ = pace_.brake_slope == 0;
 
   // Decided on the state of this clock, then done.
   const bool full = queue_.size() == queue_depth;
@@ -131,7 +140,9 @@ void StepGeneratorReference::clock() {
   turn_axes();
   if (tick) make_tick();
   if (moving && !stop && (!due || tick)) integrate(leap);
+  if (asked.positions_known) positions_lost_ = false;
   if (current_) obey(*current_);
+  cut_motors_off(stopped_);
   if (last) {
     if (!head_ready() && !active_->ends_motion) ++counters_.underruns;
     active_.reset();
@@ -142,16 +153,19 @@ void StepGeneratorReference::clock() {
   if (asked.flush) forget_queue();
 
   if (asked.snapshot) snapshot_ = {positions_now, now_};
+  brakers_ &= ~(inputs_ ^ inputs_before_);
   if ((at_once || along_ramp) && !braking_ && !stopped_) {
+    brakers_ = hits;
     stop_moment_ = {positions_now, now_};
     stop_cause_ = hits | immediate | (asked.brake ? brake_bit : 0);
     braking_ = !at_once;
   } else if (at_once && !stopped_) {
-    stop_cause_ |= immediate;
+    stop_cause_ |= hits | immediate;
   }
   if (at_once && !stopped_) {
     begin_stop();
-  } else if (asked.acknowledge_stop && (inputs_ & emergency_bit) == 0) {
+  } else if (asked.acknowledge_stop && !asked.stop && !asked.brake &&
+             (inputs_ & emergency_bit) == 0) {
     stopped_ = false;
   }
   inputs_before_ = inputs_;
@@ -203,7 +217,16 @@ void StepGeneratorReference::integrate(std::uint64_t leap) {
   const Wide change = (Wide(static_cast<std::int64_t>(acceleration_)) >> 20) * Wide(leap);
   const Wide rate = Wide(rate_) + change;
   rate_ = static_cast<std::uint64_t>(std::clamp(rate, Wide(rate_floor_), Wide(half)));
-  acceleration_ += leap * static_cast<std::uint64_t>(active_->jerk);
+  // Neither the change nor the acceleration leaves its 64 bits.
+  const Wide jerk = active_->jerk;
+  std::uint64_t times = leap;
+  while (times > 1 && jerk * Wide(times) != static_cast<std::int64_t>(jerk * Wide(times)))
+    times /= 2;
+  const Wide more = jerk * Wide(times);
+  const Wide acceleration = Wide(static_cast<std::int64_t>(acceleration_)) + more;
+  if (acceleration == static_cast<std::int64_t>(acceleration)) {
+    acceleration_ = static_cast<std::uint64_t>(acceleration);
+  }
 }
 
 void StepGeneratorReference::take() {
@@ -232,6 +255,13 @@ void StepGeneratorReference::begin_stop() {
   active_.reset();
   phase_ = 0;
   forget_queue();
+}
+
+void StepGeneratorReference::cut_motors_off(bool stopped) {
+  if (!stopped) motors_cut_ = false;
+  if ((inputs_ & emergency_bit) == 0) return;
+  motors_ = 0;
+  motors_cut_ = positions_lost_ = true;
 }
 
 void StepGeneratorReference::watch(bool moving, bool fed) {

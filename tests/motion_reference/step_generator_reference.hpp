@@ -48,6 +48,8 @@ class StepGeneratorReference {
   bool waiting() const;
   std::uint64_t scale() const { return pace_.scale(); }
   std::uint32_t errors() const { return errors_; }
+  std::uint32_t motors() const { return motors_; }
+  bool positions_lost() const { return positions_lost_; }
   std::uint32_t stop_cause() const { return stop_cause_; }
   const Moment& stop_moment() const { return stop_moment_; }
   const Moment& snapshot() const { return snapshot_; }
@@ -70,7 +72,7 @@ class StepGeneratorReference {
     std::optional<std::uint64_t> stepped, turned;
   };
   struct Commands {
-    bool flush, stop, brake, acknowledge_stop, snapshot, start, feed_watchdog;
+    bool flush, stop, brake, acknowledge_stop, snapshot, start, feed_watchdog, positions_known;
   };
   struct Queued {
     Segment segment;
@@ -93,6 +95,14 @@ class StepGeneratorReference {
   void obey(const Write& write);
   void commit();
   void set_position(std::size_t axis, std::uint32_t value);
+  void set_rate_floor(std::uint32_t rate);
+  void set_pulse_guard(Axis& axis, std::uint32_t value);
+  void set_direction_guard(Axis& axis, std::uint32_t value);
+  void switch_motors(std::uint32_t wanted);
+  // What the emergency stop does to the motors, `stopped` before it.
+  void cut_motors_off(bool stopped);
+  // All steps of it have a driver.
+  bool driven(const Segment& segment) const;
   void forget_queue();
   void begin_stop();
   void watch(bool moving, bool fed);
@@ -104,9 +114,15 @@ class StepGeneratorReference {
   std::array<Axis, axes> axis_{};
   std::uint64_t rate_floor_ = std::uint64_t{8590} << 32u;
   bool run_ = false;
+  // Of the drivers, bit = axis.
+  std::uint32_t motors_ = 0;
+  // By an emergency that waits for its acknowledgement.
+  bool motors_cut_ = false;
+  bool positions_lost_ = false;
 
   SegmentDraft draft_;
   std::uint64_t line_left_ = 0;  // of the last committed line
+  std::array<std::uint64_t, axes> line_steps_{};
   std::deque<Queued> queue_;
   bool queue_was_full_ = false;  // in the clock before, by which writes are judged
   std::uint64_t next_ready_ = 0;
@@ -116,7 +132,10 @@ class StepGeneratorReference {
   std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0, acceleration_before_ = 0;
 
   Pace pace_;
-  bool braking_ = false;
+  bool braking_ = false, no_ramp_ = false;
+  // End stops that began the brake, and are as they were then.
+  std::uint32_t brakers_ = 0;
+  bool refuses_segments_ = false;
   // Clocks of motion since software was last heard of, and how many of them are too many (0: none).
   std::uint64_t unheard_ = 0, watchdog_limit_ = 0;
   bool watchdog_expired_ = false;

@@ -66,7 +66,7 @@ struct Command {
   bool flush{};
   // Software's emergency stop: no step after this clock, queue flushed.
   bool stop{};
-  // Permit motion again after a stop; without effect while the emergency stop input is active.
+  // Permit motion again after a stop; without effect while the emergency stop input is active, and together with stop or brake.
   bool acknowledge_stop{};
   // Latch the positions of all axes and the time of one clock.
   bool snapshot{};
@@ -74,10 +74,12 @@ struct Command {
   bool clear_errors{};
   // Begin the segment that waits for its start; not remembered if none waits.
   bool start{};
-  // Come to rest along the path by brake_slope, then stop as by `stop`.
+  // Come to rest along the path by brake_slope, then stop as by `stop`. Any end stop of the segment then stops at once, but for the one that began the brake, until it is released.
   bool brake{};
   // Software is alive: the time of the watchdog begins anew.
   bool feed_watchdog{};
+  // Clear status.positions_lost: software has found the axes again, or knows that it must.
+  bool positions_known{};
 
   static constexpr Command decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -89,6 +91,7 @@ struct Command {
       .start = ((word >> 5u) & 0x1u) != 0,
       .brake = ((word >> 6u) & 0x1u) != 0,
       .feed_watchdog = ((word >> 7u) & 0x1u) != 0,
+      .positions_known = ((word >> 8u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -99,7 +102,8 @@ struct Command {
            (clear_errors ? 1u : 0u) << 4u |
            (start ? 1u : 0u) << 5u |
            (brake ? 1u : 0u) << 6u |
-           (feed_watchdog ? 1u : 0u) << 7u;
+           (feed_watchdog ? 1u : 0u) << 7u |
+           (positions_known ? 1u : 0u) << 8u;
   }
 };
 
@@ -108,7 +112,7 @@ struct Status {
   static constexpr std::uint32_t address = base + 0xCu;
   // A segment is being executed.
   bool moving{};
-  // No segment is executed or queued, and every pulse is finished.
+  // No segment is executed or queued, every pulse is finished, and all guard times are over.
   bool idle{};
   // A stop waits for its acknowledgement.
   bool stopped{};
@@ -118,6 +122,8 @@ struct Status {
   bool braking{};
   // At rest, with a next segment that waits for its start.
   bool waiting{};
+  // The emergency stop has taken the motors' current: they need not stand where their positions say. Until the command positions_known.
+  bool positions_lost{};
   // Segments in the queue.
   std::uint32_t level{};
   // Segments that can still be written.
@@ -131,6 +137,7 @@ struct Status {
       .held = ((word >> 3u) & 0x1u) != 0,
       .braking = ((word >> 4u) & 0x1u) != 0,
       .waiting = ((word >> 5u) & 0x1u) != 0,
+      .positions_lost = ((word >> 6u) & 0x1u) != 0,
       .level = ((word >> 8u) & 0xFFu),
       .free = ((word >> 16u) & 0xFFu),
     };
@@ -142,6 +149,7 @@ struct Status {
            (held ? 1u : 0u) << 3u |
            (braking ? 1u : 0u) << 4u |
            (waiting ? 1u : 0u) << 5u |
+           (positions_lost ? 1u : 0u) << 6u |
            (level & 0xFFu) << 8u |
            (free & 0xFFu) << 16u;
   }
@@ -156,10 +164,14 @@ struct Errors {
   bool incomplete{};
   // A segment was committed that cannot be executed: a number out of range, or an axis ahead and behind.
   bool illegal{};
-  // A segment was committed before a stop was acknowledged.
+  // A segment was committed from the clock on in which a stop or brake was asked for, before it was acknowledged.
   bool while_stopped{};
   // A position was written while the step generator was not idle.
   bool position{};
+  // Refused: pulse_guard, direction_guard or rate_floor while not idle; both_edges of a step pin that is high; a rate_floor of 0; a motor switched off while a segment is executed or queued, or on before an emergency stop was acknowledged.
+  bool settings{};
+  // A segment was committed with steps of an axis whose motor is off.
+  bool disabled{};
 
   static constexpr Errors decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -168,6 +180,8 @@ struct Errors {
       .illegal = ((word >> 2u) & 0x1u) != 0,
       .while_stopped = ((word >> 3u) & 0x1u) != 0,
       .position = ((word >> 4u) & 0x1u) != 0,
+      .settings = ((word >> 5u) & 0x1u) != 0,
+      .disabled = ((word >> 6u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -175,11 +189,13 @@ struct Errors {
            (incomplete ? 1u : 0u) << 1u |
            (illegal ? 1u : 0u) << 2u |
            (while_stopped ? 1u : 0u) << 3u |
-           (position ? 1u : 0u) << 4u;
+           (position ? 1u : 0u) << 4u |
+           (settings ? 1u : 0u) << 5u |
+           (disabled ? 1u : 0u) << 6u;
   }
 };
 
-// Enable pins of the motor drivers.
+// Enable pins of the motor drivers. Switched off only while no segment is executed or queued; the emergency stop input switches all off at once, and they stay so until the stop is acknowledged and this is written again.
 struct MotorEnable {
   static constexpr std::uint32_t address = base + 0x14u;
   // 1 = driver enabled; bit = axis.
@@ -195,7 +211,7 @@ struct MotorEnable {
   }
 };
 
-// The tick rate is never integrated below this.
+// The tick rate is never integrated below this. Written only when idle, and never 0.
 struct RateFloor {
   static constexpr std::uint32_t address = base + 0x18u;
   // In 2^-32 ticks per clock; 8590 after reset, 100 ticks/s at 50 MHz.
@@ -246,7 +262,7 @@ struct OverrideSlope {
 // How fast the scale falls to 0 in a stop by braking: a deceleration of tick rate times slope.
 struct BrakeSlope {
   static constexpr std::uint32_t address = base + 0x24u;
-  // In 2^-32 per clock. At 0 motion goes on to the end of what is queued.
+  // In 2^-32 per clock. At 0 what would brake stops at once.
   std::uint32_t slope{};
 
   static constexpr BrakeSlope decode([[maybe_unused]] std::uint32_t word) {
@@ -304,7 +320,7 @@ struct SegmentFlags {
   bool stop_on_change{};
   // The end stops of stop_mask count when released, not when triggered.
   bool stop_on_release{};
-  // The end stops of stop_mask brake by brake_slope; otherwise no step is made from their clock on.
+  // The end stops of stop_mask brake by brake_slope; otherwise, and where it brakes already, no step is made from their clock on.
   bool stop_brakes{};
   // Begin from rest, and only at a rising edge of the start input or at the command start.
   bool waits_for_start{};
@@ -455,7 +471,7 @@ struct SegmentJerkLow {
   }
 };
 
-// Change of the acceleration per clock, high word.
+// Change of the acceleration per clock, high word. The acceleration stays where the change would take it out of its 64 bits.
 struct SegmentJerkHigh {
   static constexpr std::uint32_t address = base + 0x50u;
   // Bits 63:32.
@@ -506,7 +522,7 @@ struct SegmentCommit {
   }
 };
 
-// Width of the step pulse and of the pause after it, per axis.
+// Width of the step pulse and of the pause after it, per axis. Written only when idle.
 struct PulseGuard {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
@@ -516,7 +532,7 @@ struct PulseGuard {
   std::uint32_t high{};
   // Least clocks that step stays low; 0 counts as 1. 50 after reset.
   std::uint32_t low{};
-  // The falling edge is a step too, for drivers set to that: high and low are then least times.
+  // The falling edge is a step too, for drivers set to that: high and low are then least times. Changed only while the step pin is low.
   bool both_edges{};
 
   static constexpr PulseGuard decode([[maybe_unused]] std::uint32_t word) {
@@ -533,7 +549,7 @@ struct PulseGuard {
   }
 };
 
-// Distance between a change of direction and the steps, per axis.
+// Distance between a change of direction and the steps, per axis. Written only when idle.
 struct DirectionGuard {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {

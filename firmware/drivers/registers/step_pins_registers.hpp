@@ -11,10 +11,10 @@ namespace registers::step_pins {
 
 inline constexpr std::uint32_t base = 0xF0008000u;
 
-// Who drives the pins. To be changed only while nothing moves.
+// Who drives the pins. Changed only where the chip permits software stepping (status.permitted), while the step generator is idle and no step pin would change; refused otherwise.
 struct Control {
   static constexpr std::uint32_t address = base + 0x0u;
-  // 1: the registers step and direction; 0: the step generator.
+  // 1: the registers step and direction; 0: the step generator, as after reset.
   bool software{};
 
   static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
@@ -72,6 +72,26 @@ struct Stop {
   }
   constexpr std::uint32_t encode() const {
     return (stopped ? 1u : 0u);
+  }
+};
+
+// Whether software may drive the pins.
+struct Status {
+  static constexpr std::uint32_t address = base + 0x10u;
+  // 1: the input software_stepping of the chip is high, as only a co-simulation has it. 0: the pins are the step generator's, whatever is written.
+  bool permitted{};
+  // 1: a change of control was refused; a write of 1 clears it.
+  bool refused{};
+
+  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .permitted = (word & 0x1u) != 0,
+      .refused = ((word >> 1u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (permitted ? 1u : 0u) |
+           (refused ? 1u : 0u) << 1u;
   }
 };
 

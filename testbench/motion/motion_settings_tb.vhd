@@ -1,0 +1,123 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Settings change only when idle, the kind of edges only of a pin that is low, the floor never to 0.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+library std;
+use std.env.finish;
+
+use work.bus_master_pkg.all;
+use work.bus_pkg.all;
+use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
+
+entity motion_settings_tb is
+end entity;
+
+architecture simulation of motion_settings_tb is
+
+  constant axes : positive := 2;
+  constant rate_floor_register : unsigned(31 downto 0) := step_generator_address + 16#018#;
+  constant pulse_guard : unsigned(31 downto 0) := step_generator_address + 16#078#;
+  constant direction_guard : unsigned(31 downto 0) := step_generator_address + 16#098#;
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal request : bus_request_t := bus_request_idle;
+  signal response : bus_response_t;
+  signal from_software : step_generator_from_software_t;
+  signal to_software : step_generator_to_software_t;
+  signal idle : std_ulogic := '1';
+  signal step : std_ulogic_vector(axes - 1 downto 0) := "00";
+  signal guards : guard_array_t(axes - 1 downto 0);
+  signal both_edges : std_ulogic_vector(axes - 1 downto 0);
+  signal rate_floor : unsigned(30 downto 0);
+  signal refused : std_ulogic;
+  signal refusals : natural := 0;
+
+begin
+
+  clk <= not clk after 10 ns;
+
+  registers : entity work.step_generator_registers
+    port map (
+      clk => clk, reset => reset, request => request, response => response,
+      from_software => from_software, to_software => to_software);
+
+  settings : entity work.motion_settings
+    generic map (axes => axes)
+    port map (
+      clk => clk, reset => reset, from_software => from_software, idle => idle, step => step,
+      guards => guards, both_edges => both_edges, rate_floor => rate_floor, refused => refused);
+
+  count : process
+  begin
+    wait until rising_edge(clk);
+    if refused then
+      refusals <= refusals + 1;
+    end if;
+  end process;
+
+  test : process
+    procedure write(address : unsigned(31 downto 0); data : word_t; refusal : boolean) is
+      variable before : natural;
+    begin
+      before := refusals;
+      bus_write(clk, request, response, address, data);
+      wait until rising_edge(clk);
+      wait until rising_edge(clk);
+      assert (refusals /= before) = refusal
+        report to_hstring(address) & " is " & to_hstring(data) severity failure;
+    end procedure;
+  begin
+    wait until rising_edge(clk);
+    reset <= '0';
+    wait until rising_edge(clk);
+    assert guards(1) = guard_after_reset and rate_floor = rate_floor_after_reset severity failure;
+
+    write(pulse_guard + 4, x"80030002", false);
+    write(direction_guard, x"00050004", false);
+    write(rate_floor_register, x"00000007", false);
+    assert guards(1).high = 2 and guards(1).low = 3 and both_edges = "10" severity failure;
+    assert guards(0).direction_setup = 4 and guards(0).direction_hold = 5 severity failure;
+    assert guards(0).high = 50 and rate_floor = 7 severity failure;
+
+    idle <= '0';
+    write(pulse_guard + 4, x"00030003", true);
+    write(direction_guard, x"00060006", true);
+    write(rate_floor_register, x"00000008", true);
+    assert guards(1).high = 2 and both_edges = "10" and guards(0).direction_setup = 4 and
+      rate_floor = 7 severity failure;
+    -- Of axes that this build does not have nothing is asked.
+    write(pulse_guard + 8, x"00030003", false);
+
+    idle <= '1';
+    write(rate_floor_register, x"00000000", true);
+    assert rate_floor = 7 severity failure;
+    step <= "10";
+    write(pulse_guard + 4, x"00030003", true);
+    write(pulse_guard + 4, x"80040004", false);
+    write(pulse_guard, x"80040004", false);
+    assert guards(1).high = 4 and both_edges = "11" severity failure;
+    step <= "00";
+    write(pulse_guard + 4, x"00050005", false);
+    assert guards(1).high = 5 and both_edges = "01" severity failure;
+    -- To both edges as little as from both to one.
+    step <= "11";
+    write(pulse_guard + 4, x"80060006", true);
+    assert guards(1).high = 5 and both_edges = "01" severity failure;
+    step <= "00";
+
+    reset <= '1';
+    wait until rising_edge(clk);
+    wait for 1 ns;
+    for axis in guards'range loop
+      assert guards(axis) = guard_after_reset severity failure;
+    end loop;
+    assert both_edges = "00" and rate_floor = rate_floor_after_reset severity failure;
+    finish;
+  end process;
+
+end architecture;
