@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heater gates: duties, the watchdog that must be fed, limits that lock, and what has tripped.
+// The heater gates and their supply: duties, the watchdog that must be fed, limits that lock, what
+// has tripped.
 #include "drivers/heater_control.hpp"
 
 #include <algorithm>
@@ -15,9 +16,18 @@ namespace registers = ::registers::heater_control;
 constexpr std::int64_t cycles_per_tick = 1024;
 
 // Rounded down, so that a time-out is never longer than asked for; at most what the register holds.
-std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock) {
+std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock, std::int64_t most = 0xF'FFFF) {
   const std::int64_t ticks = time.count() * clock.count() / (1'000 * cycles_per_tick);
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ticks, 0, 0xF'FFFF));
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ticks, 0, most));
+}
+
+// What the hardware has then is as good as the value: a program that was loaded over another finds
+// the other's limits, which were measured a little differently.
+bool lock(std::uint32_t address, std::uint32_t value) {
+  constexpr int tolerance_shift = 5;
+  platform::bus_write(address, value);
+  const std::uint32_t found = platform::bus_read(address);
+  return (found > value ? found - value : value - found) <= value >> tolerance_shift;
 }
 
 }  // namespace
@@ -33,13 +43,40 @@ void HeaterControl::set_slot(units::Microseconds slot) {
       .cycles = static_cast<std::uint32_t>(std::clamp<std::int64_t>(cycles, 1, 0xFF'FFFF))});
 }
 
-void HeaterControl::lock_limits(std::size_t channel, const thermal::CountLimits& limits) {
-  platform::write(channel, registers::MinimumCount{.cycles = limits.minimum});
-  platform::write(channel, registers::MaximumCount{.cycles = limits.maximum});
+bool HeaterControl::lock_limits(std::size_t channel, const HeaterLimits& limits) {
+  // All, also where one is refused: each that is locked protects.
+  const bool minimum = lock(registers::MinimumCount::address_of(channel), limits.counts.minimum);
+  const bool maximum = lock(registers::MaximumCount::address_of(channel), limits.counts.maximum);
+  const bool hot = lock(registers::HotCount::address_of(channel), limits.hot);
+  const bool settle =
+      lock(registers::Settle::address_of(channel), ticks_of(limits.settle, clock_, 0xFF'FFFF));
+  return minimum && maximum && hot && settle;
 }
 
-void HeaterControl::feed() {
-  platform::write(registers::Feed{.key = static_cast<std::uint32_t>(registers::Feed::Key::alive)});
+void HeaterControl::feed(FeedKey key) {
+  using Key = registers::Feed::Key;
+  platform::write(registers::Feed{
+      .key = static_cast<std::uint32_t>(key == FeedKey::first ? Key::first : Key::second)});
+}
+
+void HeaterControl::close_supply() {
+  platform::write(
+      registers::Supply{.key = static_cast<std::uint32_t>(registers::Supply::Key::close)});
+}
+
+void HeaterControl::open_supply() {
+  platform::write(
+      registers::Supply{.key = static_cast<std::uint32_t>(registers::Supply::Key::open)});
+}
+
+SupplyStatus HeaterControl::supply() const {
+  const auto supply = platform::read<registers::Supply>();
+  return {.closed = supply.closed,
+          .refused = supply.refused,
+          .trip_opened = supply.trip_opened,
+          .watchdog_opened = supply.watchdog_opened,
+          .emergency_stop_opened = supply.emergency_stop_opened,
+          .veto_opened = supply.veto_opened};
 }
 
 void HeaterControl::set_duty(std::size_t channel, std::uint16_t duty) {
@@ -50,7 +87,9 @@ HeaterStatus HeaterControl::status(std::size_t channel) const {
   const auto status = platform::read<registers::Status>(channel);
   return {.gate = status.gate,
           .permitted = status.permitted,
-          .limits_locked = status.minimum_locked && status.maximum_locked,
+          .limits_locked = status.minimum_locked && status.maximum_locked && status.hot_locked &&
+                           status.settle_locked,
+          .refused = status.refused,
           .tripped = status.tripped,
           .watchdog_trip = status.watchdog_trip,
           .sensor_invalid_trip = status.sensor_invalid_trip,
@@ -58,7 +97,8 @@ HeaterStatus HeaterControl::status(std::size_t channel) const {
           .too_hot_trip = status.too_hot_trip,
           .too_cold_trip = status.too_cold_trip,
           .limits_missing_trip = status.limits_missing_trip,
-          .emergency_stop_trip = status.emergency_stop_trip};
+          .emergency_stop_trip = status.emergency_stop_trip,
+          .heats_unasked_trip = status.heats_unasked_trip};
 }
 
 void HeaterControl::clear_trips(std::size_t channel) {

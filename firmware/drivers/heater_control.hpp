@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heater gates: duties, the watchdog that must be fed, limits that lock, and what has tripped.
+// The heater gates and their supply: duties, the watchdog that must be fed, limits that lock, what
+// has tripped.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ namespace drivers {
 struct HeaterStatus {
   bool gate{};  // open now
   bool permitted{};  // nothing forbids to heat
-  bool limits_locked{};
+  bool limits_locked{};  // all four
+  bool refused{};  // a write to a limit: it was locked, or the value out of the hardware's bounds
   bool tripped{};  // one of the following is latched
   bool watchdog_trip{};
   bool sensor_invalid_trip{};
@@ -22,7 +24,29 @@ struct HeaterStatus {
   bool too_cold_trip{};
   bool limits_missing_trip{};
   bool emergency_stop_trip{};
+  bool heats_unasked_trip{};
 };
+
+// What is written once for each channel.
+struct HeaterLimits {
+  thermal::CountLimits counts;
+  std::uint32_t hot{};  // count below which heat that is not asked for is a trip
+  units::Milliseconds settle{};  // how long a gate must be closed before rising heat is not its own
+};
+
+// The power of all heaters.
+struct SupplyStatus {
+  bool closed{};
+  bool refused{};  // the last wish to close it
+  // What has opened it since it was closed last.
+  bool trip_opened{};
+  bool watchdog_opened{};
+  bool emergency_stop_opened{};
+  bool veto_opened{};
+};
+
+// The watchdog wants both in turn, from places of the program that must both be alive.
+enum class FeedKey : std::uint8_t { first, second };
 
 class HeaterControl {
  public:
@@ -32,11 +56,22 @@ class HeaterControl {
   void set_timeouts(units::Milliseconds watchdog, units::Milliseconds sensor);
   // Shortest time that a modulated gate keeps its level.
   void set_slot(units::Microseconds slot);
-  // For good: a second call changes nothing until reset. Without limits no gate opens.
-  void lock_limits(std::size_t channel, const thermal::CountLimits& limits);
+  // For good: a second call changes nothing until reset. Without limits no gate opens. Locks the
+  // settings of the temperature converter too. False where they do not read back as written, within
+  // 3 %.
+  [[nodiscard]] bool lock_limits(std::size_t channel, const HeaterLimits& limits);
 
-  // The software is alive; to be called more often than the watchdog's time-out.
-  void feed();
+  // The software is alive. `first` at least a sixteenth of the watchdog's time-out after the last
+  // `first`, `second` once behind each `first`; anything else trips all channels. What counts as
+  // fed is the second.
+  void feed(FeedKey key);
+
+  // Gives the heaters power; refused unless all duties are 0, the watchdog is fed and nothing has
+  // tripped.
+  void close_supply();
+  void open_supply();
+  SupplyStatus supply() const;
+
   // Of 65535. Feed the watchdog first: a duty that is not allowed trips the channel.
   void set_duty(std::size_t channel, std::uint16_t duty);
   HeaterStatus status(std::size_t channel) const;

@@ -54,7 +54,15 @@ void TemperatureConverter::start(const ConverterSettings& settings) {
                          .more_charges = std::clamp<std::uint32_t>(settings.charges, 1, 256) - 1});
 }
 
-void TemperatureConverter::stop() { platform::write(registers::Control{}); }
+void TemperatureConverter::stop() {
+  auto control = platform::read<registers::Control>();
+  control.enable = false;
+  platform::write(control);
+}
+
+bool TemperatureConverter::refused_settings() const {
+  return platform::read<registers::SettingsLock>().refused;
+}
 
 thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const {
   // A conversion takes milliseconds, so that at most one ends between the two looks at the status.

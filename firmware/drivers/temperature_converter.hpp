@@ -14,7 +14,7 @@ struct ConverterSettings {
   bool references = true;  // the two reference resistors are there
   std::uint32_t charges = 16;  // per resistor and conversion, 1 to 256
   units::Microseconds discharge{};  // before each charge
-  units::Microseconds longest_charge{};  // then it is a time-out
+  units::Microseconds longest_charge{};  // then it is a time-out; at most 125 ms
   units::Microseconds pause{};  // between conversions
   std::uint8_t dither_cycles = 1;
   std::uint32_t short_limit{};  // a smaller thermistor count is a short
@@ -27,10 +27,13 @@ class TemperatureConverter {
 
   explicit constexpr TemperatureConverter(units::Hertz clock) : clock_(clock) {}
 
-  // Starts to convert all channels, without end.
+  // Starts to convert all channels, without end. Once a limit of a heater is locked the settings
+  // stay what they were.
   void start(const ConverterSettings& settings);
   // All pins high-impedance.
   void stop();
+  // A change of the locked settings was refused.
+  bool refused_settings() const;
 
   thermal::SensorReading reading(std::size_t channel) const;
 

@@ -53,6 +53,15 @@ architecture rtl of heater_control_registers is
   signal status_1_word : std_ulogic_vector(31 downto 0);
   signal status_2_word : std_ulogic_vector(31 downto 0);
   signal status_3_word : std_ulogic_vector(31 downto 0);
+  signal hot_count_0_word : std_ulogic_vector(31 downto 0);
+  signal hot_count_1_word : std_ulogic_vector(31 downto 0);
+  signal hot_count_2_word : std_ulogic_vector(31 downto 0);
+  signal hot_count_3_word : std_ulogic_vector(31 downto 0);
+  signal settle_0_word : std_ulogic_vector(31 downto 0);
+  signal settle_1_word : std_ulogic_vector(31 downto 0);
+  signal settle_2_word : std_ulogic_vector(31 downto 0);
+  signal settle_3_word : std_ulogic_vector(31 downto 0);
+  signal supply_word : std_ulogic_vector(31 downto 0);
   signal feed_written : std_ulogic := '0';
   signal watchdog_written : std_ulogic := '0';
   signal sensor_timeout_written : std_ulogic := '0';
@@ -65,6 +74,15 @@ architecture rtl of heater_control_registers is
   signal maximum_count_1_written : std_ulogic := '0';
   signal maximum_count_2_written : std_ulogic := '0';
   signal maximum_count_3_written : std_ulogic := '0';
+  signal hot_count_0_written : std_ulogic := '0';
+  signal hot_count_1_written : std_ulogic := '0';
+  signal hot_count_2_written : std_ulogic := '0';
+  signal hot_count_3_written : std_ulogic := '0';
+  signal settle_0_written : std_ulogic := '0';
+  signal settle_1_written : std_ulogic := '0';
+  signal settle_2_written : std_ulogic := '0';
+  signal settle_3_written : std_ulogic := '0';
+  signal supply_written : std_ulogic := '0';
 
 begin
 
@@ -95,9 +113,10 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3)
-      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 20) else '0';
+      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 29) else '0';
 
-  writable <= '1' when request.address(11 downto 2) <= 16 else '0';
+  writable <= '1' when request.address(11 downto 2) <= 16
+      or (request.address(11 downto 2) >= 21 and request.address(11 downto 2) <= 29) else '0';
 
   watchdog_word <= "000000000000" & std_ulogic_vector(to_software.watchdog.ticks)
     when request.address(11 downto 2) = 1 else (others => '0');
@@ -129,14 +148,32 @@ begin
     when request.address(11 downto 2) = 15 else (others => '0');
   maximum_count_3_word <= std_ulogic_vector(to_software.maximum_count(3).cycles)
     when request.address(11 downto 2) = 16 else (others => '0');
-  status_0_word <= "00000000000000000" & to_software.status(0).emergency_stop_trip & to_software.status(0).limits_missing_trip & to_software.status(0).too_cold_trip & to_software.status(0).too_hot_trip & to_software.status(0).sensor_stale_trip & to_software.status(0).sensor_invalid_trip & to_software.status(0).watchdog_trip & to_software.status(0).tripped & "000" & to_software.status(0).maximum_locked & to_software.status(0).minimum_locked & to_software.status(0).permitted & to_software.status(0).gate
+  status_0_word <= "0000000000000000" & to_software.status(0).heats_unasked_trip & to_software.status(0).emergency_stop_trip & to_software.status(0).limits_missing_trip & to_software.status(0).too_cold_trip & to_software.status(0).too_hot_trip & to_software.status(0).sensor_stale_trip & to_software.status(0).sensor_invalid_trip & to_software.status(0).watchdog_trip & to_software.status(0).tripped & to_software.status(0).refused & to_software.status(0).settle_locked & to_software.status(0).hot_locked & to_software.status(0).maximum_locked & to_software.status(0).minimum_locked & to_software.status(0).permitted & to_software.status(0).gate
     when request.address(11 downto 2) = 17 else (others => '0');
-  status_1_word <= "00000000000000000" & to_software.status(1).emergency_stop_trip & to_software.status(1).limits_missing_trip & to_software.status(1).too_cold_trip & to_software.status(1).too_hot_trip & to_software.status(1).sensor_stale_trip & to_software.status(1).sensor_invalid_trip & to_software.status(1).watchdog_trip & to_software.status(1).tripped & "000" & to_software.status(1).maximum_locked & to_software.status(1).minimum_locked & to_software.status(1).permitted & to_software.status(1).gate
+  status_1_word <= "0000000000000000" & to_software.status(1).heats_unasked_trip & to_software.status(1).emergency_stop_trip & to_software.status(1).limits_missing_trip & to_software.status(1).too_cold_trip & to_software.status(1).too_hot_trip & to_software.status(1).sensor_stale_trip & to_software.status(1).sensor_invalid_trip & to_software.status(1).watchdog_trip & to_software.status(1).tripped & to_software.status(1).refused & to_software.status(1).settle_locked & to_software.status(1).hot_locked & to_software.status(1).maximum_locked & to_software.status(1).minimum_locked & to_software.status(1).permitted & to_software.status(1).gate
     when request.address(11 downto 2) = 18 else (others => '0');
-  status_2_word <= "00000000000000000" & to_software.status(2).emergency_stop_trip & to_software.status(2).limits_missing_trip & to_software.status(2).too_cold_trip & to_software.status(2).too_hot_trip & to_software.status(2).sensor_stale_trip & to_software.status(2).sensor_invalid_trip & to_software.status(2).watchdog_trip & to_software.status(2).tripped & "000" & to_software.status(2).maximum_locked & to_software.status(2).minimum_locked & to_software.status(2).permitted & to_software.status(2).gate
+  status_2_word <= "0000000000000000" & to_software.status(2).heats_unasked_trip & to_software.status(2).emergency_stop_trip & to_software.status(2).limits_missing_trip & to_software.status(2).too_cold_trip & to_software.status(2).too_hot_trip & to_software.status(2).sensor_stale_trip & to_software.status(2).sensor_invalid_trip & to_software.status(2).watchdog_trip & to_software.status(2).tripped & to_software.status(2).refused & to_software.status(2).settle_locked & to_software.status(2).hot_locked & to_software.status(2).maximum_locked & to_software.status(2).minimum_locked & to_software.status(2).permitted & to_software.status(2).gate
     when request.address(11 downto 2) = 19 else (others => '0');
-  status_3_word <= "00000000000000000" & to_software.status(3).emergency_stop_trip & to_software.status(3).limits_missing_trip & to_software.status(3).too_cold_trip & to_software.status(3).too_hot_trip & to_software.status(3).sensor_stale_trip & to_software.status(3).sensor_invalid_trip & to_software.status(3).watchdog_trip & to_software.status(3).tripped & "000" & to_software.status(3).maximum_locked & to_software.status(3).minimum_locked & to_software.status(3).permitted & to_software.status(3).gate
+  status_3_word <= "0000000000000000" & to_software.status(3).heats_unasked_trip & to_software.status(3).emergency_stop_trip & to_software.status(3).limits_missing_trip & to_software.status(3).too_cold_trip & to_software.status(3).too_hot_trip & to_software.status(3).sensor_stale_trip & to_software.status(3).sensor_invalid_trip & to_software.status(3).watchdog_trip & to_software.status(3).tripped & to_software.status(3).refused & to_software.status(3).settle_locked & to_software.status(3).hot_locked & to_software.status(3).maximum_locked & to_software.status(3).minimum_locked & to_software.status(3).permitted & to_software.status(3).gate
     when request.address(11 downto 2) = 20 else (others => '0');
+  hot_count_0_word <= std_ulogic_vector(to_software.hot_count(0).cycles)
+    when request.address(11 downto 2) = 21 else (others => '0');
+  hot_count_1_word <= std_ulogic_vector(to_software.hot_count(1).cycles)
+    when request.address(11 downto 2) = 22 else (others => '0');
+  hot_count_2_word <= std_ulogic_vector(to_software.hot_count(2).cycles)
+    when request.address(11 downto 2) = 23 else (others => '0');
+  hot_count_3_word <= std_ulogic_vector(to_software.hot_count(3).cycles)
+    when request.address(11 downto 2) = 24 else (others => '0');
+  settle_0_word <= "00000000" & std_ulogic_vector(to_software.settle(0).ticks)
+    when request.address(11 downto 2) = 25 else (others => '0');
+  settle_1_word <= "00000000" & std_ulogic_vector(to_software.settle(1).ticks)
+    when request.address(11 downto 2) = 26 else (others => '0');
+  settle_2_word <= "00000000" & std_ulogic_vector(to_software.settle(2).ticks)
+    when request.address(11 downto 2) = 27 else (others => '0');
+  settle_3_word <= "00000000" & std_ulogic_vector(to_software.settle(3).ticks)
+    when request.address(11 downto 2) = 28 else (others => '0');
+  supply_word <= std_ulogic_vector(to_software.supply.key) & "00000000" & to_software.supply.veto_opened & to_software.supply.emergency_stop_opened & to_software.supply.watchdog_opened & to_software.supply.trip_opened & "00" & to_software.supply.refused & to_software.supply.closed
+    when request.address(11 downto 2) = 29 else (others => '0');
 
   read_word <= watchdog_word
     or sensor_timeout_word
@@ -156,7 +193,16 @@ begin
     or status_0_word
     or status_1_word
     or status_2_word
-    or status_3_word;
+    or status_3_word
+    or hot_count_0_word
+    or hot_count_1_word
+    or hot_count_2_word
+    or hot_count_3_word
+    or settle_0_word
+    or settle_1_word
+    or settle_2_word
+    or settle_3_word
+    or supply_word;
 
   store : process
   begin
@@ -212,6 +258,24 @@ begin
       (request.address(11 downto 2) ?= 15);
     maximum_count_3_written <= access_begins and known and request.write and
       (request.address(11 downto 2) ?= 16);
+    hot_count_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 21);
+    hot_count_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 22);
+    hot_count_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 23);
+    hot_count_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 24);
+    settle_0_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 25);
+    settle_1_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 26);
+    settle_2_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 27);
+    settle_3_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 28);
+    supply_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 29);
     if reset then
       feed_written <= '0';
       watchdog_written <= '0';
@@ -225,6 +289,15 @@ begin
       maximum_count_1_written <= '0';
       maximum_count_2_written <= '0';
       maximum_count_3_written <= '0';
+      hot_count_0_written <= '0';
+      hot_count_1_written <= '0';
+      hot_count_2_written <= '0';
+      hot_count_3_written <= '0';
+      settle_0_written <= '0';
+      settle_1_written <= '0';
+      settle_2_written <= '0';
+      settle_3_written <= '0';
+      supply_written <= '0';
     end if;
   end process;
 
@@ -258,4 +331,28 @@ begin
   from_software.maximum_count(2).cycles <= unsigned(written_data(31 downto 0));
   from_software.maximum_count_written(3) <= maximum_count_3_written;
   from_software.maximum_count(3).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count_written(0) <= hot_count_0_written;
+  from_software.hot_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count_written(1) <= hot_count_1_written;
+  from_software.hot_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count_written(2) <= hot_count_2_written;
+  from_software.hot_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count_written(3) <= hot_count_3_written;
+  from_software.hot_count(3).cycles <= unsigned(written_data(31 downto 0));
+  from_software.settle_written(0) <= settle_0_written;
+  from_software.settle(0).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle_written(1) <= settle_1_written;
+  from_software.settle(1).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle_written(2) <= settle_2_written;
+  from_software.settle(2).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle_written(3) <= settle_3_written;
+  from_software.settle(3).ticks <= unsigned(written_data(23 downto 0));
+  from_software.supply_written <= supply_written;
+  from_software.supply.closed <= written_data(0);
+  from_software.supply.refused <= written_data(1);
+  from_software.supply.trip_opened <= written_data(4);
+  from_software.supply.watchdog_opened <= written_data(5);
+  from_software.supply.emergency_stop_opened <= written_data(6);
+  from_software.supply.veto_opened <= written_data(7);
+  from_software.supply.key <= unsigned(written_data(31 downto 16));
 end architecture;

@@ -9,13 +9,14 @@ package heater_control_registers_pkg is
 
   constant heater_control_address : unsigned(31 downto 0) := x"F0006000";
 
-  -- Restarts the watchdog.
+  -- Feeds the watchdog, by two keys in turn. Anything else, the same key again or `first` too early trips all channels.
   type heater_control_feed_t is record
     key : unsigned(15 downto 0);
   end record;
-  constant heater_control_feed_key_alive : natural := 65261;
+  constant heater_control_feed_key_second : natural := 24301;
+  constant heater_control_feed_key_first : natural := 65261;
 
-  -- Time without a feed after which all gates close.
+  -- Time without a complete feed after which all gates close.
   type heater_control_watchdog_t is record
     ticks : unsigned(19 downto 0);
   end record;
@@ -30,7 +31,7 @@ package heater_control_registers_pkg is
     cycles : unsigned(23 downto 0);
   end record;
 
-  -- Clears the trips of channels whose duty is 0.
+  -- Clears the trips of channels whose duty is 0, and `refused` of all channels named.
   type heater_control_clear_t is record
     channels : std_ulogic_vector(3 downto 0);
     key : unsigned(15 downto 0);
@@ -43,7 +44,7 @@ package heater_control_registers_pkg is
   end record;
   type heater_control_duty_array_t is array (0 to 3) of heater_control_duty_t;
 
-  -- Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written.
+  -- Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written, and the converter's settings with it.
   type heater_control_minimum_count_t is record
     cycles : unsigned(31 downto 0);
   end record;
@@ -61,6 +62,9 @@ package heater_control_registers_pkg is
     permitted : std_ulogic;
     minimum_locked : std_ulogic;
     maximum_locked : std_ulogic;
+    hot_locked : std_ulogic;
+    settle_locked : std_ulogic;
+    refused : std_ulogic;
     tripped : std_ulogic;
     watchdog_trip : std_ulogic;
     sensor_invalid_trip : std_ulogic;
@@ -69,8 +73,34 @@ package heater_control_registers_pkg is
     too_cold_trip : std_ulogic;
     limits_missing_trip : std_ulogic;
     emergency_stop_trip : std_ulogic;
+    heats_unasked_trip : std_ulogic;
   end record;
   type heater_control_status_array_t is array (0 to 3) of heater_control_status_t;
+
+  -- Below this thermistor count heat that is not asked for is a trip. Locks when written.
+  type heater_control_hot_count_t is record
+    cycles : unsigned(31 downto 0);
+  end record;
+  type heater_control_hot_count_array_t is array (0 to 3) of heater_control_hot_count_t;
+
+  -- Time for which a gate must be closed before rising heat is not its own. Locks when written.
+  type heater_control_settle_t is record
+    ticks : unsigned(23 downto 0);
+  end record;
+  type heater_control_settle_array_t is array (0 to 3) of heater_control_settle_t;
+
+  -- The relay that gives all heaters their power. Open after reset; any trip, the watchdog or the emergency stop opens it until it is closed again.
+  type heater_control_supply_t is record
+    closed : std_ulogic;
+    refused : std_ulogic;
+    trip_opened : std_ulogic;
+    watchdog_opened : std_ulogic;
+    emergency_stop_opened : std_ulogic;
+    veto_opened : std_ulogic;
+    key : unsigned(15 downto 0);
+  end record;
+  constant heater_control_supply_key_open : natural := 3042;
+  constant heater_control_supply_key_close : natural := 49413;
 
   type heater_control_from_software_t is record
     feed : heater_control_feed_t;
@@ -87,6 +117,12 @@ package heater_control_registers_pkg is
     minimum_count_written : std_ulogic_vector(0 to 3);
     maximum_count : heater_control_maximum_count_array_t;
     maximum_count_written : std_ulogic_vector(0 to 3);
+    hot_count : heater_control_hot_count_array_t;
+    hot_count_written : std_ulogic_vector(0 to 3);
+    settle : heater_control_settle_array_t;
+    settle_written : std_ulogic_vector(0 to 3);
+    supply : heater_control_supply_t;
+    supply_written : std_ulogic;
   end record;
 
   type heater_control_to_software_t is record
@@ -95,6 +131,9 @@ package heater_control_registers_pkg is
     minimum_count : heater_control_minimum_count_array_t;
     maximum_count : heater_control_maximum_count_array_t;
     status : heater_control_status_array_t;
+    hot_count : heater_control_hot_count_array_t;
+    settle : heater_control_settle_array_t;
+    supply : heater_control_supply_t;
   end record;
 
 end package;

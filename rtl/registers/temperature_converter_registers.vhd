@@ -30,15 +30,10 @@ architecture rtl of temperature_converter_registers is
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal control_word : std_ulogic_vector(31 downto 0);
-  signal control_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal discharge_word : std_ulogic_vector(31 downto 0);
-  signal discharge_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal timeout_word : std_ulogic_vector(31 downto 0);
-  signal timeout_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal pause_word : std_ulogic_vector(31 downto 0);
-  signal pause_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal short_limit_word : std_ulogic_vector(31 downto 0);
-  signal short_limit_stored : std_ulogic_vector(31 downto 0) := x"00000000";
   signal status_0_word : std_ulogic_vector(31 downto 0);
   signal status_1_word : std_ulogic_vector(31 downto 0);
   signal status_2_word : std_ulogic_vector(31 downto 0);
@@ -59,6 +54,13 @@ architecture rtl of temperature_converter_registers is
   signal reference_high_1_word : std_ulogic_vector(31 downto 0);
   signal reference_high_2_word : std_ulogic_vector(31 downto 0);
   signal reference_high_3_word : std_ulogic_vector(31 downto 0);
+  signal settings_lock_word : std_ulogic_vector(31 downto 0);
+  signal control_written : std_ulogic := '0';
+  signal discharge_written : std_ulogic := '0';
+  signal timeout_written : std_ulogic := '0';
+  signal pause_written : std_ulogic := '0';
+  signal short_limit_written : std_ulogic := '0';
+  signal settings_lock_written : std_ulogic := '0';
 
 begin
 
@@ -88,19 +90,20 @@ begin
   -- Whole words only.
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
-  readable <= '1' when request.address(11 downto 2) <= 24 else '0';
+  readable <= '1' when request.address(11 downto 2) <= 25 else '0';
 
-  writable <= '1' when request.address(11 downto 2) <= 4 else '0';
+  writable <= '1' when request.address(11 downto 2) <= 4
+      or request.address(11 downto 2) = 25 else '0';
 
-  control_word <= "00000000" & control_stored(23 downto 16) & control_stored(15 downto 8) & "000000" & control_stored(1) & control_stored(0)
+  control_word <= "00000000" & std_ulogic_vector(to_software.control.more_charges) & std_ulogic_vector(to_software.control.dither_cycles) & "000000" & to_software.control.references & to_software.control.enable
     when request.address(11 downto 2) = 0 else (others => '0');
-  discharge_word <= "00000000" & discharge_stored(23 downto 0)
+  discharge_word <= "00000000" & std_ulogic_vector(to_software.discharge.cycles)
     when request.address(11 downto 2) = 1 else (others => '0');
-  timeout_word <= "00000000" & timeout_stored(23 downto 0)
+  timeout_word <= "00000000" & std_ulogic_vector(to_software.timeout.cycles)
     when request.address(11 downto 2) = 2 else (others => '0');
-  pause_word <= "00000000" & pause_stored(23 downto 0)
+  pause_word <= "00000000" & std_ulogic_vector(to_software.pause.cycles)
     when request.address(11 downto 2) = 3 else (others => '0');
-  short_limit_word <= short_limit_stored(31 downto 0)
+  short_limit_word <= std_ulogic_vector(to_software.short_limit.cycles)
     when request.address(11 downto 2) = 4 else (others => '0');
   status_0_word <= "0000000000000000" & std_ulogic_vector(to_software.status(0).conversions) & "00000" & std_ulogic_vector(to_software.status(0).state)
     when request.address(11 downto 2) = 5 else (others => '0');
@@ -142,6 +145,8 @@ begin
     when request.address(11 downto 2) = 23 else (others => '0');
   reference_high_3_word <= std_ulogic_vector(to_software.reference_high(3).cycles)
     when request.address(11 downto 2) = 24 else (others => '0');
+  settings_lock_word <= "000000000000000000000000000000" & to_software.settings_lock.refused & to_software.settings_lock.locked
+    when request.address(11 downto 2) = 25 else (others => '0');
 
   read_word <= control_word
     or discharge_word
@@ -167,41 +172,48 @@ begin
     or reference_high_0_word
     or reference_high_1_word
     or reference_high_2_word
-    or reference_high_3_word;
+    or reference_high_3_word
+    or settings_lock_word;
 
-  store : process
+  tell_events : process
   begin
     wait until rising_edge(clk);
-    if writing = '1' and register_index = 0 then
-      control_stored <= written_data;
-    end if;
-    if writing = '1' and register_index = 1 then
-      discharge_stored <= written_data;
-    end if;
-    if writing = '1' and register_index = 2 then
-      timeout_stored <= written_data;
-    end if;
-    if writing = '1' and register_index = 3 then
-      pause_stored <= written_data;
-    end if;
-    if writing = '1' and register_index = 4 then
-      short_limit_stored <= written_data;
-    end if;
+    control_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 0);
+    discharge_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 1);
+    timeout_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 2);
+    pause_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 3);
+    short_limit_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 4);
+    settings_lock_written <= access_begins and known and request.write and
+      (request.address(11 downto 2) ?= 25);
     if reset then
-      control_stored <= x"00000000";
-      discharge_stored <= x"00000000";
-      timeout_stored <= x"00000000";
-      pause_stored <= x"00000000";
-      short_limit_stored <= x"00000000";
+      control_written <= '0';
+      discharge_written <= '0';
+      timeout_written <= '0';
+      pause_written <= '0';
+      short_limit_written <= '0';
+      settings_lock_written <= '0';
     end if;
   end process;
 
-  from_software.control.enable <= control_stored(0);
-  from_software.control.references <= control_stored(1);
-  from_software.control.dither_cycles <= unsigned(control_stored(15 downto 8));
-  from_software.control.more_charges <= unsigned(control_stored(23 downto 16));
-  from_software.discharge.cycles <= unsigned(discharge_stored(23 downto 0));
-  from_software.timeout.cycles <= unsigned(timeout_stored(23 downto 0));
-  from_software.pause.cycles <= unsigned(pause_stored(23 downto 0));
-  from_software.short_limit.cycles <= unsigned(short_limit_stored(31 downto 0));
+  from_software.control_written <= control_written;
+  from_software.control.enable <= written_data(0);
+  from_software.control.references <= written_data(1);
+  from_software.control.dither_cycles <= unsigned(written_data(15 downto 8));
+  from_software.control.more_charges <= unsigned(written_data(23 downto 16));
+  from_software.discharge_written <= discharge_written;
+  from_software.discharge.cycles <= unsigned(written_data(23 downto 0));
+  from_software.timeout_written <= timeout_written;
+  from_software.timeout.cycles <= unsigned(written_data(23 downto 0));
+  from_software.pause_written <= pause_written;
+  from_software.pause.cycles <= unsigned(written_data(23 downto 0));
+  from_software.short_limit_written <= short_limit_written;
+  from_software.short_limit.cycles <= unsigned(written_data(31 downto 0));
+  from_software.settings_lock_written <= settings_lock_written;
+  from_software.settings_lock.locked <= written_data(0);
+  from_software.settings_lock.refused <= written_data(1);
 end architecture;

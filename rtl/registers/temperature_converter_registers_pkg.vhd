@@ -9,7 +9,7 @@ package temperature_converter_registers_pkg is
 
   constant temperature_converter_address : unsigned(31 downto 0) := x"F0005000";
 
-  -- How conversions are made; changes take effect with the next conversion.
+  -- How conversions are made. A change of settings, here or below, begins a new conversion; until it has ended the state is `never`. All but `enable` lock with the limits of the heaters.
   type temperature_converter_control_t is record
     enable : std_ulogic;
     references : std_ulogic;
@@ -74,20 +74,39 @@ package temperature_converter_registers_pkg is
   end record;
   type temperature_converter_reference_high_array_t is array (0 to 3) of temperature_converter_reference_high_t;
 
+  -- The settings are locked while any limit of a heater is: they are the scale of the limits.
+  type temperature_converter_settings_lock_t is record
+    locked : std_ulogic;
+    refused : std_ulogic;
+  end record;
+
   type temperature_converter_from_software_t is record
+    control : temperature_converter_control_t;
+    control_written : std_ulogic;
+    discharge : temperature_converter_discharge_t;
+    discharge_written : std_ulogic;
+    timeout : temperature_converter_timeout_t;
+    timeout_written : std_ulogic;
+    pause : temperature_converter_pause_t;
+    pause_written : std_ulogic;
+    short_limit : temperature_converter_short_limit_t;
+    short_limit_written : std_ulogic;
+    settings_lock : temperature_converter_settings_lock_t;
+    settings_lock_written : std_ulogic;
+  end record;
+
+  type temperature_converter_to_software_t is record
     control : temperature_converter_control_t;
     discharge : temperature_converter_discharge_t;
     timeout : temperature_converter_timeout_t;
     pause : temperature_converter_pause_t;
     short_limit : temperature_converter_short_limit_t;
-  end record;
-
-  type temperature_converter_to_software_t is record
     status : temperature_converter_status_array_t;
     age : temperature_converter_age_array_t;
     thermistor : temperature_converter_thermistor_array_t;
     reference_low : temperature_converter_reference_low_array_t;
     reference_high : temperature_converter_reference_high_array_t;
+    settings_lock : temperature_converter_settings_lock_t;
   end record;
 
 end package;

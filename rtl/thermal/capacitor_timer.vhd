@@ -28,16 +28,9 @@ entity capacitor_timer is
     seen_cycles : in cycles_t;
     -- Convert without end; otherwise all pins are high-impedance.
     enable : in std_ulogic;
-    -- The reference resistors are there.
-    references : in std_ulogic;
-    -- Charges per resistor, less one.
-    more_charges : in unsigned(7 downto 0);
-    dither_cycles : in unsigned(7 downto 0);
-    discharge_cycles : in unsigned(23 downto 0);
-    timeout_cycles : in unsigned(23 downto 0);
-    pause_cycles : in unsigned(23 downto 0);
-    -- A smaller thermistor count is a short.
-    short_limit : in unsigned(31 downto 0);
+    settings : in converter_settings_t;
+    -- The settings are new: forget what has been measured, and begin once more.
+    restart : in std_ulogic;
     -- Per resistor (bit numbers in thermal_pkg): high-impedance where not enabled.
     drive_enable : out std_ulogic_vector(resistors - 1 downto 0) := (others => '0');
     drive_level : out std_ulogic_vector(resistors - 1 downto 0) := (others => '0');
@@ -106,10 +99,10 @@ begin
   choose_limit : process (all)
   begin
     case phase is
-      when emptying => limit <= discharge_cycles;
+      when emptying => limit <= settings.discharge_cycles;
       when precharging => limit <= x"00" & (precharge_cycles - 1);
-      when charging => limit <= timeout_cycles;
-      when off | pausing | publishing => limit <= pause_cycles;
+      when charging => limit <= settings.timeout_cycles;
+      when off | pausing | publishing => limit <= settings.pause_cycles;
     end case;
   end process;
 
@@ -128,7 +121,7 @@ begin
       begin_phase(emptying);
       drive_level <= (others => '0');
       drive_enable <= only(thermistor);
-      if references then
+      if settings.references then
         drive_enable <= (others => '1');
       end if;
       discharging <= '1';
@@ -144,7 +137,7 @@ begin
     procedure start_resistor(index : resistor_t) is
     begin
       resistor <= index;
-      charges_left <= more_charges;
+      charges_left <= settings.more_charges;
       precharge_cycles <= (others => '0');
       sum <= (others => '0');
       empty_the_capacitor;
@@ -168,21 +161,21 @@ begin
         low_sum <= (others => '0');
         high_sum <= (others => '0');
         if enable then
-          start_resistor(first_resistor(references));
+          start_resistor(first_resistor(settings.references));
         end if;
 
       when pausing =>
         if elapsed >= limit then
           low_sum <= (others => '0');
           high_sum <= (others => '0');
-          start_resistor(first_resistor(references));
+          start_resistor(first_resistor(settings.references));
         end if;
 
       when emptying =>
         if elapsed >= limit then
           if sense then
             finish(temperature_converter_status_state_stuck);
-          elsif precharge_cycles /= 0 and references = '1' then
+          elsif precharge_cycles /= 0 and settings.references = '1' then
             begin_phase(precharging);
             charge_through(reference_high);
           else
@@ -202,7 +195,7 @@ begin
           -- The clocks in which `sense` read 0.
           next_sum := sum + elapsed;
           sum <= next_sum;
-          precharge_cycles <= precharge_cycles + dither_cycles;
+          precharge_cycles <= precharge_cycles + settings.dither_cycles;
           charges_left <= charges_left - 1;
           if charges_left /= 0 then
             empty_the_capacitor;
@@ -212,14 +205,14 @@ begin
           elsif resistor = reference_high then
             high_sum <= next_sum;
             start_resistor(thermistor);
-          elsif next_sum < short_limit then
+          elsif next_sum < settings.short_limit then
             finish(temperature_converter_status_state_shorted);
           else
             finish(temperature_converter_status_state_ok);
           end if;
         elsif elapsed >= limit then
           sum <= sum + elapsed + 1;
-          if resistor = thermistor and references = '1' then
+          if resistor = thermistor and settings.references = '1' then
             finish(temperature_converter_status_state_open);
           else
             finish(temperature_converter_status_state_time_out);
@@ -227,21 +220,24 @@ begin
         end if;
 
       when publishing =>
-        updated <= '1';
-        state <= to_unsigned(outcome, state'length);
-        thermistor_count <= sum;
-        reference_low_count <= low_sum;
-        reference_high_count <= high_sum;
+        -- Nothing new without `updated`, which is not said while disabled.
+        if enable then
+          updated <= '1';
+          state <= to_unsigned(outcome, state'length);
+          thermistor_count <= sum;
+          reference_low_count <= low_sum;
+          reference_high_count <= high_sum;
+        end if;
         begin_phase(pausing);
     end case;
 
-    if reset = '1' or enable = '0' then
+    if reset = '1' or restart = '1' or enable = '0' then
       phase <= off;
       drive_enable <= (others => '0');
       discharging <= '0';
       updated <= '0';
     end if;
-    if reset then
+    if reset or restart then
       state <= (others => '0');
       thermistor_count <= (others => '0');
       reference_low_count <= (others => '0');
@@ -253,7 +249,9 @@ begin
   -- Two pins of opposite levels would drive current through two resistors and spoil the measurement.
   -- psl pins_never_fight : assert always
   --   (not (or (drive_enable and drive_level)) or not (or (drive_enable and not drive_level)));
+  -- In the clock of a restart the pins are still those of the settings before.
   -- psl absent_references_are_never_driven_in_a_charge : assert always
-  --   (references = '1' or (drive_enable(reference_low) and drive_level(reference_low)) = '0');
+  --   (settings.references = '1' or restart = '1' or
+  --    (drive_enable(reference_low) and drive_level(reference_low)) = '0');
 
 end architecture;

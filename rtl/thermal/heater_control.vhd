@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Heater control: one guarded gate per heater, a watchdog over the software, limits that lock. Heater n is
--- guarded by sensor n. All of it works with the processor hung.
+-- Heater control: one guarded gate per heater, their common supply, a watchdog over the software, limits that
+-- lock. Heater n is guarded by sensor n. All of it works with the processor hung.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,7 +17,13 @@ entity heater_control is
     -- Watchdog and sensor time-out after reset.
     default_timeout_s : positive range 1 to 5 := 1;
     -- Software cannot make them longer than this.
-    maximum_timeout_s : positive range 1 to 5 := 3
+    maximum_timeout_s : positive range 1 to 5 := 3;
+    -- Shortest charge, in 2^-20 s, that a cut-off may ask for: 3.8 us, where the hottest machine at 300
+    -- degrees
+    -- (169 Ohm with the pin, 68 nF) has 8.0 us with nominal parts and 5.1 with the worst.
+    least_charge : positive range 1 to 64 := 4;
+    -- Software cannot make a settling time longer than this.
+    maximum_settle_s : positive range 1 to 150 := 120
   );
   port (
     -- Edges may be left out while `at_rest` is high, but for the one after a change of `emergency_stop`.
@@ -33,10 +39,18 @@ entity heater_control is
     response : out bus_response_t;
     -- From the temperature converter.
     readings : in sensor_reading_array_t(0 to channels - 1);
+    -- Charges of a conversion, less one: the scale of the counts. Stays while `limits_locked`.
+    more_charges : in unsigned(7 downto 0);
+    -- Some limit of some channel is set.
+    limits_locked : out std_ulogic;
     -- Closes all gates and trips all channels. Asynchronous.
     emergency_stop : in std_ulogic;
+    -- Something outside the chip forbids the supply, as a watch over its clock does. Asynchronous.
+    veto : in std_ulogic;
     gates : out std_ulogic_vector(channels - 1 downto 0);
-    -- A trip is latched on some channel.
+    -- The heaters' power is on: a relay or contactor in front of all gates.
+    supply : out std_ulogic;
+    -- A trip is latched on some channel, or something has opened the supply.
     interrupt : out std_ulogic := '0';
     at_rest : out std_ulogic
   );
@@ -60,13 +74,20 @@ architecture rtl of heater_control is
 
   signal watchdog_timeout : tick_count_t := (others => '0');
   signal sensor_timeout : tick_count_t := (others => '0');
-  -- Until the watchdog barks; 0 from reset on.
-  signal watchdog_ticks_left : tick_count_t := (others => '0');
-  signal watchdog_alive : std_ulogic := '0';
-  signal fed : std_ulogic;
+  signal watchdog_alive, watchdog_violated : std_ulogic;
+  signal first_key, second_key : std_ulogic;
+
+  -- Bounds of the limits for the present number of charges, a clock after it.
+  signal charges : unsigned(8 downto 0);
+  signal least_count, most_count : unsigned(31 downto 0) := (others => '0');
+  signal longest_settle : settle_t;
+  signal any_locked : std_ulogic_vector(channels - 1 downto 0);
+
+  signal close_supply, open_supply, all_at_rest : std_ulogic;
+  signal trip_opened, watchdog_opened, emergency_stop_opened, veto_opened : std_ulogic;
 
   signal clear : std_ulogic;
-  signal emergency_stop_synchronized, emergency_stop_settling : std_ulogic;
+  signal emergency_stop_synchronized, veto_synchronized, pins_settling : std_ulogic;
   signal reading_comes, alarm : std_ulogic;
   signal tripped : std_ulogic_vector(channels - 1 downto 0);
 
@@ -127,11 +148,11 @@ begin
     end loop;
   end process;
 
-  alarm <= tick_ends or slot_ends or reading_comes or emergency_stop_settling;
+  alarm <= tick_ends or slot_ends or reading_comes or pins_settling;
 
   -- A tick may end the watchdog's patience, which trips a channel, which interrupts.
   watch_rest : entity work.rest_watch
-    generic map (settling_clocks => 7)
+    generic map (settling_clocks => 9)
     port map (
       clk => clk,
       bus_clk => bus_clk,
@@ -141,13 +162,13 @@ begin
       alarm => alarm,
       at_rest => at_rest);
 
-  fed <= '1' when from_software.feed_written = '1'
-    and from_software.feed.key = heater_control_feed_key_alive else '0';
+  first_key <= '1' when from_software.feed.key = heater_control_feed_key_first else '0';
+  second_key <= '1' when from_software.feed.key = heater_control_feed_key_second else '0';
 
   clear <= '1' when from_software.clear_written = '1'
     and from_software.clear.key = heater_control_clear_key_clear_trips else '0';
 
-  watch_software : process
+  set_timeouts : process
   begin
     wait until rising_edge(clk);
     if from_software.watchdog_written then
@@ -158,63 +179,92 @@ begin
       sensor_timeout <= maximum_timeout when from_software.sensor_timeout.ticks > maximum_timeout
         else from_software.sensor_timeout.ticks;
     end if;
-    watchdog_alive <= '1' when watchdog_ticks_left /= 0 else '0';
-    if fed then
-      watchdog_ticks_left <= watchdog_timeout;
-    elsif tick = '1' and watchdog_ticks_left /= 0 then
-      watchdog_ticks_left <= watchdog_ticks_left - 1;
-    end if;
     if reset then
       watchdog_timeout <= default_timeout;
       sensor_timeout <= default_timeout;
-      watchdog_ticks_left <= (others => '0');
-      watchdog_alive <= '0';
     end if;
   end process;
+
+  watch_software : entity work.feed_watchdog
+    port map (
+      clk => clk,
+      reset => reset,
+      tick => tick,
+      timeout_ticks => watchdog_timeout,
+      fed => from_software.feed_written,
+      first_key => first_key,
+      second_key => second_key,
+      alive => watchdog_alive,
+      violated => watchdog_violated);
+
+  -- A change of settings is two clocks older than the next write to a limit, and none comes in its clock.
+  charges <= resize(more_charges, 9) + 1;
+  longest_settle <= resize(ticks_per_s * maximum_settle_s, longest_settle'length);
+  find_bounds : process
+  begin
+    wait until rising_edge(clk);
+    least_count <= resize(
+      resize(shift_right(clock_frequency_hz * to_unsigned(least_charge, 7), 20), 14) * charges, 32);
+    most_count <= clock_frequency_hz(26 downto 4) * charges;
+  end process;
+
+  limits_locked <= or any_locked;
 
   to_software.watchdog.ticks <= watchdog_timeout;
   to_software.sensor_timeout.ticks <= sensor_timeout;
 
   -- What it shows before real samples have come through makes no difference: the watchdog is not fed yet.
-  emergency_stop_pin : entity work.synchronizer
+  stop_pins : entity work.synchronizer
+    generic map (width => 2)
     port map (
       clk => clk,
-      asynchronous(0) => emergency_stop,
+      asynchronous => (0 => emergency_stop, 1 => veto),
       synchronous(0) => emergency_stop_synchronized,
-      settling => emergency_stop_settling);
+      synchronous(1) => veto_synchronized,
+      settling => pins_settling);
 
   each_channel : for channel in 0 to to_software.status'high generate
     present : if channel < channels generate
-      signal minimum_count : unsigned(31 downto 0) := (others => '1');
-      signal maximum_count : unsigned(31 downto 0) := (others => '0');
-      signal minimum_locked : std_ulogic := '0';
-      signal maximum_locked : std_ulogic := '0';
+      signal written : unsigned(31 downto 0);
+      signal minimum_count, maximum_count, hot_count : unsigned(31 downto 0);
+      signal settle_ticks : settle_t;
+      signal minimum_locked, maximum_locked, hot_locked, settle_locked, refused : std_ulogic;
       signal limits_set : std_ulogic;
       signal clear_this : std_ulogic;
+      signal heats_unasked : std_ulogic;
       signal permitted : std_ulogic;
       signal trips : heater_trips_t;
     begin
 
-      lock_limits : process
-      begin
-        wait until rising_edge(clk);
-        if from_software.minimum_count_written(channel) = '1' and minimum_locked = '0' then
-          minimum_count <= from_software.minimum_count(channel).cycles;
-          minimum_locked <= '1';
-        end if;
-        if from_software.maximum_count_written(channel) = '1' and maximum_locked = '0' then
-          maximum_count <= from_software.maximum_count(channel).cycles;
-          maximum_locked <= '1';
-        end if;
-        if reset then
-          minimum_count <= (others => '1');
-          maximum_count <= (others => '0');
-          minimum_locked <= '0';
-          maximum_locked <= '0';
-        end if;
-      end process;
+      -- One word goes to all registers.
+      written <= from_software.minimum_count(channel).cycles;
 
-      limits_set <= minimum_locked and maximum_locked;
+      limits : entity work.heater_limits
+        port map (
+          clk => clk,
+          reset => reset,
+          least_count => least_count,
+          most_count => most_count,
+          least_hot_count => shift_left(least_count, 3),
+          longest_settle => longest_settle,
+          written => written,
+          minimum_written => from_software.minimum_count_written(channel),
+          maximum_written => from_software.maximum_count_written(channel),
+          hot_written => from_software.hot_count_written(channel),
+          settle_written => from_software.settle_written(channel),
+          forget_refused => clear_this,
+          minimum_count => minimum_count,
+          maximum_count => maximum_count,
+          hot_count => hot_count,
+          settle_ticks => settle_ticks,
+          minimum_locked => minimum_locked,
+          maximum_locked => maximum_locked,
+          hot_locked => hot_locked,
+          settle_locked => settle_locked,
+          refused => refused);
+
+      limits_set <= minimum_locked and maximum_locked and hot_locked and settle_locked;
+      any_locked(channel) <= minimum_locked or maximum_locked or hot_locked or settle_locked;
       clear_this <= clear and from_software.clear.channels(channel);
 
       guard : entity work.heater_guard
@@ -225,6 +275,8 @@ begin
           slot_start => slot_start,
           duty => from_software.duty(channel).density,
           watchdog_alive => watchdog_alive,
+          watchdog_violated => watchdog_violated,
+          heats_unasked => heats_unasked,
           reading => readings(channel),
           sensor_timeout_ticks => sensor_timeout,
           minimum_count => minimum_count,
@@ -236,15 +288,32 @@ begin
           permitted => permitted,
           trips => trips);
 
+      unasked : entity work.unasked_heat_watch
+        port map (
+          clk => clk,
+          reset => reset,
+          tick => tick,
+          gate => gates(channel),
+          reading => readings(channel),
+          limits_set => limits_set,
+          settle_ticks => settle_ticks,
+          hot_count => hot_count,
+          found => heats_unasked);
+
       tripped(channel) <= any_of(trips);
 
       to_software.minimum_count(channel).cycles <= minimum_count;
       to_software.maximum_count(channel).cycles <= maximum_count;
+      to_software.hot_count(channel).cycles <= hot_count;
+      to_software.settle(channel).ticks <= settle_ticks;
       to_software.status(channel) <= (
         gate => gates(channel),
         permitted => permitted,
         minimum_locked => minimum_locked,
         maximum_locked => maximum_locked,
+        hot_locked => hot_locked,
+        settle_locked => settle_locked,
+        refused => refused,
         tripped => tripped(channel),
         watchdog_trip => trips.watchdog,
         sensor_invalid_trip => trips.sensor_invalid,
@@ -252,20 +321,63 @@ begin
         too_hot_trip => trips.too_hot,
         too_cold_trip => trips.too_cold,
         limits_missing_trip => trips.limits_missing,
-        emergency_stop_trip => trips.emergency_stop);
+        emergency_stop_trip => trips.emergency_stop,
+        heats_unasked_trip => trips.heats_unasked);
     end generate;
 
     absent : if channel >= channels generate
       to_software.minimum_count(channel).cycles <= (others => '1');
       to_software.maximum_count(channel).cycles <= (others => '0');
+      to_software.hot_count(channel).cycles <= (others => '0');
+      to_software.settle(channel).ticks <= (others => '1');
       to_software.status(channel) <= (others => '0');
     end generate;
   end generate;
 
+  find_rest : process (all)
+  begin
+    all_at_rest <= '1';
+    for channel in from_software.duty'range loop
+      if from_software.duty(channel).density /= 0 then
+        all_at_rest <= '0';
+      end if;
+    end loop;
+  end process;
+
+  close_supply <= '1' when from_software.supply_written = '1'
+    and from_software.supply.key = heater_control_supply_key_close else '0';
+  open_supply <= '1' when from_software.supply_written = '1'
+    and from_software.supply.key = heater_control_supply_key_open else '0';
+
+  common_supply : entity work.heater_supply
+    port map (
+      clk => clk,
+      reset => reset,
+      close => close_supply,
+      open_again => open_supply,
+      all_at_rest => all_at_rest,
+      tripped => or tripped,
+      watchdog_alive => watchdog_alive,
+      emergency_stop => emergency_stop_synchronized,
+      veto => veto_synchronized,
+      closed => supply,
+      trip_opened => trip_opened,
+      watchdog_opened => watchdog_opened,
+      emergency_stop_opened => emergency_stop_opened,
+      veto_opened => veto_opened,
+      refused => to_software.supply.refused);
+
+  to_software.supply.closed <= supply;
+  to_software.supply.trip_opened <= trip_opened;
+  to_software.supply.watchdog_opened <= watchdog_opened;
+  to_software.supply.emergency_stop_opened <= emergency_stop_opened;
+  to_software.supply.veto_opened <= veto_opened;
+  to_software.supply.key <= (others => '0');
+
   report_trips : process
   begin
     wait until rising_edge(clk);
-    interrupt <= or tripped;
+    interrupt <= (or tripped) or trip_opened or watchdog_opened or emergency_stop_opened or veto_opened;
     if reset then
       interrupt <= '0';
     end if;

@@ -19,12 +19,16 @@ entity heater_guard is
     duty : in unsigned(15 downto 0);
     -- Software has fed the watchdog in time.
     watchdog_alive : in std_ulogic;
+    -- For one clock: it has been fed wrongly.
+    watchdog_violated : in std_ulogic;
+    -- For one clock: it gets hotter though the gate has long been closed.
+    heats_unasked : in std_ulogic;
     -- Of this heater's own sensor.
     reading : in sensor_reading_t;
     sensor_timeout_ticks : in tick_count_t;
     minimum_count : in unsigned(31 downto 0);
     maximum_count : in unsigned(31 downto 0);
-    -- Both limits have been set, and locked.
+    -- All limits have been set, and locked.
     limits_set : in std_ulogic;
     -- Synchronous to clk.
     emergency_stop : in std_ulogic;
@@ -57,7 +61,8 @@ begin
   requested <= '1' when duty /= 0 else '0';
 
   may_heat <= watchdog_alive and reading.valid and sensor_fresh and limits_set
-    and not too_hot and not too_cold and not emergency_stop and not any_of(latched);
+    and not too_hot and not too_cold and not watchdog_violated
+    and not heats_unasked and not emergency_stop and not any_of(latched);
 
   permitted <= may_heat;
   trips <= latched;
@@ -75,7 +80,7 @@ begin
     end if;
   end process;
 
-  -- A condition that fails closes the gate at once; it is latched when somebody wants to heat meanwhile.
+  -- A condition that fails closes the gate at once; most are latched only while heat is asked for.
   -- One faulty conversion is no trip, as long as a valid one follows within the sensor time-out.
   latch_trips : process
   begin
@@ -95,14 +100,19 @@ begin
       end if;
       if not limits_set then
         latched.limits_missing <= '1';
-      elsif reading.valid then
-        if too_hot then
-          latched.too_hot <= '1';
-        end if;
-        if too_cold then
-          latched.too_cold <= '1';
-        end if;
+      elsif reading.valid = '1' and too_cold = '1' then
+        latched.too_cold <= '1';
       end if;
+    end if;
+    -- Also at duty 0: a part that gets too hot at rest is heated by a fault.
+    if limits_set = '1' and reading.valid = '1' and too_hot = '1' then
+      latched.too_hot <= '1';
+    end if;
+    if watchdog_violated then
+      latched.watchdog <= '1';
+    end if;
+    if heats_unasked then
+      latched.heats_unasked <= '1';
     end if;
     if emergency_stop then
       latched.emergency_stop <= '1';

@@ -16,12 +16,15 @@ entity temperature_converter is
     channels : positive range 1 to 4 := 2
   );
   port (
-    -- Edges may be left out while `at_rest` is high, but for the one after a change of `sense`.
+    -- Edges may be left out while `at_rest` is high, but for those after a change of `sense` or
+    -- `limits_locked`.
     clk : in std_ulogic;
     -- The same clock, never left out.
     always_clk : in std_ulogic;
     -- The same clock for the registers; edges may be left out while no access is made.
     bus_clk : in std_ulogic;
+    -- Of `clk`; constant.
+    clock_frequency_hz : in unsigned(31 downto 0);
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
@@ -33,8 +36,11 @@ entity temperature_converter is
     discharging : out std_ulogic_vector(channels - 1 downto 0);
     -- Per channel: the capacitor is above the threshold of its pin. Asynchronous.
     sense : in std_ulogic_vector(channels - 1 downto 0);
-    -- To the heater control.
+    -- To the heater control, with the scale of the counts: charges of a conversion, less one.
     readings : out sensor_reading_array_t(0 to channels - 1);
+    more_charges : out unsigned(7 downto 0);
+    -- From the heater control: limits are set, so that their scale must stay.
+    limits_locked : in std_ulogic;
     at_rest : out std_ulogic
   );
 end entity;
@@ -43,6 +49,9 @@ architecture rtl of temperature_converter is
 
   signal from_software : temperature_converter_from_software_t;
   signal to_software : temperature_converter_to_software_t;
+
+  signal enable, restart, refused : std_ulogic;
+  signal settings : converter_settings_t;
 
   signal sense_synchronized : std_ulogic_vector(channels - 1 downto 0);
 
@@ -130,7 +139,7 @@ begin
     begin
 
       waking(channel) <= '1' when now_cycles = wake_cycles else '0';
-      moving(channel) <= changes or updated;
+      moving(channel) <= changes or updated or restart;
 
       timer : entity work.capacitor_timer
         port map (
@@ -139,14 +148,9 @@ begin
           seen_cycles => seen_cycles,
           changes => changes,
           wake_cycles => wake_cycles,
-          enable => from_software.control.enable,
-          references => from_software.control.references,
-          more_charges => from_software.control.more_charges,
-          dither_cycles => from_software.control.dither_cycles,
-          discharge_cycles => from_software.discharge.cycles,
-          timeout_cycles => from_software.timeout.cycles,
-          pause_cycles => from_software.pause.cycles,
-          short_limit => from_software.short_limit.cycles,
+          enable => enable,
+          settings => settings,
+          restart => restart,
           drive_enable => drive_enable(first_pin + resistors - 1 downto first_pin),
           drive_level => drive_level(first_pin + resistors - 1 downto first_pin),
           discharging => discharging(channel),
@@ -166,8 +170,10 @@ begin
         elsif tick = '1' and age /= (age'range => '1') then
           age <= age + 1;
         end if;
-        if reset then
+        if reset or restart then
           age <= (others => '1');
+        end if;
+        if reset then
           conversions <= (others => '0');
         end if;
       end process;
@@ -176,8 +182,9 @@ begin
       to_software.status(channel).conversions <= conversions;
       to_software.age(channel).ticks <= age;
 
-      readings(channel).updated <= updated;
-      readings(channel).valid <= '1' when state = temperature_converter_status_state_ok else '0';
+      readings(channel).updated <= updated or restart;
+      readings(channel).valid <= '1' when state = temperature_converter_status_state_ok
+        and restart = '0' else '0';
       readings(channel).count <= to_software.thermistor(channel).cycles;
     end generate;
 
@@ -189,6 +196,31 @@ begin
       to_software.reference_high(channel).cycles <= (others => '0');
     end generate;
   end generate;
+
+  set_up : entity work.converter_settings
+    port map (
+      clk => clk,
+      reset => reset,
+      clock_frequency_hz => clock_frequency_hz,
+      limits_locked => limits_locked,
+      from_software => from_software,
+      enable => enable,
+      settings => settings,
+      restart => restart,
+      refused => refused);
+
+  more_charges <= settings.more_charges;
+
+  to_software.control <= (
+    enable => enable,
+    references => settings.references,
+    dither_cycles => settings.dither_cycles,
+    more_charges => settings.more_charges);
+  to_software.discharge.cycles <= settings.discharge_cycles;
+  to_software.timeout.cycles <= settings.timeout_cycles;
+  to_software.pause.cycles <= settings.pause_cycles;
+  to_software.short_limit.cycles <= settings.short_limit;
+  to_software.settings_lock <= (locked => limits_locked, refused => refused);
 
   registers : entity work.temperature_converter_registers
     port map (

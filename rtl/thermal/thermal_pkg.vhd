@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What the temperature converter tells the heater control, wire by wire, without software in between.
+-- What temperature converter and heater control have in common, and what runs between them without software.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -25,11 +25,30 @@ package thermal_pkg is
   type sensor_reading_t is record
     -- '1' for the one clock in which the rest is new.
     updated : std_ulogic;
-    -- The conversion found nothing wrong.
+    -- It was made under the present settings throughout and found nothing wrong.
     valid : std_ulogic;
     -- Clocks of all charges through the thermistor: small is hot.
     count : unsigned(31 downto 0);
   end record;
+
+  -- How a conversion is made: the scale of all counts. Names and units as in the converter's registers.
+  type converter_settings_t is record
+    references : std_ulogic;
+    dither_cycles : unsigned(7 downto 0);
+    more_charges : unsigned(7 downto 0);
+    discharge_cycles : cycles_t;
+    timeout_cycles : cycles_t;
+    pause_cycles : cycles_t;
+    short_limit : unsigned(31 downto 0);
+  end record;
+
+  constant converter_settings_none : converter_settings_t := (
+    references => '0', dither_cycles => (others => '0'), more_charges => (others => '0'),
+    discharge_cycles => (others => '0'), timeout_cycles => (others => '0'),
+    pause_cycles => (others => '0'), short_limit => (others => '0'));
+
+  -- How long a gate has been closed, and must have been before rising heat is not its own.
+  subtype settle_t is unsigned(23 downto 0);
 
   type sensor_reading_array_t is array (natural range <>) of sensor_reading_t;
 
@@ -45,6 +64,7 @@ package thermal_pkg is
     too_cold : std_ulogic;
     limits_missing : std_ulogic;
     emergency_stop : std_ulogic;
+    heats_unasked : std_ulogic;
   end record;
 
   constant heater_trips_none : heater_trips_t := (others => '0');
@@ -58,7 +78,8 @@ package body thermal_pkg is
   function any_of(trips : heater_trips_t) return std_ulogic is
   begin
     return trips.watchdog or trips.sensor_invalid or trips.sensor_stale or trips.too_hot
-      or trips.too_cold or trips.limits_missing or trips.emergency_stop;
+      or trips.too_cold or trips.limits_missing or trips.emergency_stop
+      or trips.heats_unasked;
   end function;
 
 end package body;

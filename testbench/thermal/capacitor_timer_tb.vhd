@@ -34,6 +34,8 @@ architecture simulation of capacitor_timer_tb is
   signal state : unsigned(2 downto 0);
   signal thermistor_count, reference_low_count, reference_high_count : unsigned(31 downto 0);
 
+  signal restart : std_ulogic := '0';
+
   signal thermistor_ohms : real := 1_000.0;
   signal stuck_high, stuck_low : std_ulogic := '0';
   -- Pins that were ever driven since it was cleared.
@@ -53,10 +55,11 @@ begin
   timer : entity work.capacitor_timer
     port map (
       clk => clk, reset => reset, seen_cycles => seen_cycles, enable => enable,
-      references => references,
-      more_charges => to_unsigned(charges - 1, 8), dither_cycles => dither_cycles,
-      discharge_cycles => discharge_cycles, timeout_cycles => timeout_cycles,
-      pause_cycles => to_unsigned(10, 24), short_limit => short_limit,
+      settings => (
+        references => references, more_charges => to_unsigned(charges - 1, 8), dither_cycles => dither_cycles,
+        discharge_cycles => discharge_cycles, timeout_cycles => timeout_cycles,
+        pause_cycles => to_unsigned(10, 24), short_limit => short_limit),
+      restart => restart,
       drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
       sense => sense, updated => updated, state => state, thermistor_count => thermistor_count,
       reference_low_count => reference_low_count, reference_high_count => reference_high_count);
@@ -165,6 +168,15 @@ begin
     expect(temperature_converter_status_state_time_out, "a pin at 0");
     stuck_low <= '0';
     expect(temperature_converter_status_state_ok, "all well again");
+
+    -- New settings begin a new conversion, and the one before them does not count.
+    restart <= '1';
+    wait until rising_edge(clk);
+    restart <= '0';
+    wait until rising_edge(clk);
+    forgets_at_a_restart : assert state = 0 and thermistor_count = 0 and drive_enable = "000"
+      report "a restart leaves something" severity error;
+    measures(1_000.0, 10.0);
 
     -- One resistor alone: it has to empty the capacitor too.
     references <= '0';

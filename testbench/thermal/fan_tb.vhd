@@ -103,6 +103,18 @@ begin
     reset <= '1';
     wait_clocks(2);
     goes_off_at_reset : assert level = '0' report "on in reset" severity error;
+    reset <= '0';
+
+    -- A reset ends the slot under way, however long it is.
+    bus_write(clk, request, response, period, 16#FFFFFF#);
+    wait_clocks(2 * slots);
+    reset <= '1';
+    wait_clocks(1);
+    reset <= '0';
+    bus_write(clk, request, response, period, 1);
+    bus_write(clk, request, response, duty, slots);
+    wait_clocks(2 * slots + 100);
+    runs_soon_after_a_reset : assert level = '1' report "still off" severity error;
     std.env.finish;
   end process;
 

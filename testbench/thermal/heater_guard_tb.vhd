@@ -20,6 +20,7 @@ architecture simulation of heater_guard_tb is
   signal tick, slot_start : std_ulogic := '0';
   signal duty : unsigned(15 downto 0) := (others => '0');
   signal watchdog_alive : std_ulogic := '1';
+  signal watchdog_violated, heats_unasked : std_ulogic := '0';
   signal reading : sensor_reading_t := sensor_reading_none;
   signal sensor_timeout_ticks : tick_count_t := to_unsigned(20, tick_count_bits);
   signal minimum_count : unsigned(31 downto 0) := to_unsigned(1_000, 32);
@@ -39,7 +40,8 @@ begin
   guard : entity work.heater_guard
     port map (
       clk => clk, reset => reset, tick => tick, slot_start => slot_start, duty => duty,
-      watchdog_alive => watchdog_alive, reading => reading,
+      watchdog_alive => watchdog_alive, watchdog_violated => watchdog_violated,
+      heats_unasked => heats_unasked, reading => reading,
       sensor_timeout_ticks => sensor_timeout_ticks, minimum_count => minimum_count,
       maximum_count => maximum_count, limits_set => limits_set, emergency_stop => emergency_stop,
       clear => clear, gate => gate, permitted => permitted, trips => trips);
@@ -49,16 +51,20 @@ begin
   watch_gate : process
     variable ticks_since_valid : natural := 1_000_000;
     variable safe_before : boolean := false;
+    variable reset_before : std_ulogic := '0';
   begin
     wait until rising_edge(clk);
     opens_only_when_safe : assert gate = '0' or safe_before report "open" severity error;
+    a_reset_clears_trips : assert reset_before = '0' or trips = heater_trips_none
+      report "tripped in reset" severity error;
+    reset_before := reset;
     if gate then
       clocks_open <= clocks_open + 1;
     end if;
     safe_before := watchdog_alive = '1' and reading.valid = '1' and limits_set = '1'
       and emergency_stop = '0' and reading.count >= minimum_count and reading.count <= maximum_count
       and ticks_since_valid < sensor_timeout_ticks and duty /= 0 and reset = '0'
-      and trips = heater_trips_none;
+      and watchdog_violated = '0' and heats_unasked = '0' and trips = heater_trips_none;
     if reading.updated = '1' and reading.valid = '1' then
       ticks_since_valid := 0;
     elsif tick then
@@ -125,6 +131,7 @@ begin
       watchdog_alive <= '1';
       limits_set <= '1';
       emergency_stop <= '0';
+      duty <= (others => '1');
       convert(10_000);
       clear <= '1';
       wait_clocks(10);
@@ -200,6 +207,29 @@ begin
     emergency_stop <= '1';
     expect_only(expected, "emergency stop");
 
+    -- For one clock, and at duty 0 too.
+    for at_rest in boolean loop
+      expected := heater_trips_none;
+      expected.watchdog := '1';
+      if at_rest then
+        duty <= (others => '0');
+      end if;
+      watchdog_violated <= '1';
+      wait_clocks(1);
+      watchdog_violated <= '0';
+      expect_only(expected, "wrong feed");
+
+      expected := heater_trips_none;
+      expected.heats_unasked := '1';
+      if at_rest then
+        duty <= (others => '0');
+      end if;
+      heats_unasked <= '1';
+      wait_clocks(1);
+      heats_unasked <= '0';
+      expect_only(expected, "heats unasked");
+    end loop;
+
     expected := heater_trips_none;
     expected.sensor_stale := '1';
     pass_ticks(19);
@@ -208,13 +238,16 @@ begin
     expect_only(expected, "silent sensor");
 
     -- One faulty conversion closes the gate for as long as it is the newest, and is no trip.
-    convert(10_000, valid => '0');
-    wait_clocks(2);
-    closes_at_once : assert gate = '0' and trips = heater_trips_none
-      report "a faulty conversion" severity error;
-    convert(10_000);
-    wait_clocks(2);
-    goes_on : assert gate = '1' report "does not go on" severity error;
+    for faulty in 0 to 2 loop
+      -- Whatever it counted: within the limits, too hot, too cold.
+      convert(10_000 - (faulty mod 2) * 9_999 + (faulty / 2) * 50_000, valid => '0');
+      wait_clocks(2);
+      closes_at_once : assert gate = '0' and trips = heater_trips_none
+        report "a faulty conversion" severity error;
+      convert(10_000);
+      wait_clocks(2);
+      goes_on : assert gate = '1' report "does not go on" severity error;
+    end loop;
     expected := heater_trips_none;
     expected.sensor_invalid := '1';
     for i in 1 to 20 loop
@@ -235,6 +268,23 @@ begin
     emergency_stop <= '0';
     clear_trips;
 
+    -- Too hot is remembered at duty 0 too: the part gets hot without being asked to.
+    clear_trips;
+    convert(999);
+    wait_clocks(3);
+    too_hot_at_rest : assert trips.too_hot = '1' report "forgets that it was too hot" severity error;
+    convert(10_000);
+    clear_trips;
+
+    -- Without limits nothing is too hot.
+    limits_set <= '0';
+    convert(999);
+    wait_clocks(3);
+    knows_no_limit : assert trips = heater_trips_none report "tripped without limits" severity error;
+    convert(10_000);
+    limits_set <= '1';
+    wait_clocks(1);
+
     -- Everything at once, at random: watch_gate and the properties of the guard judge.
     open_before := clocks_open;
     for i in 1 to random_clocks loop
@@ -242,6 +292,8 @@ begin
       watchdog_alive <= not random_bit(0.01);
       limits_set <= not random_bit(0.01);
       emergency_stop <= random_bit(0.003);
+      watchdog_violated <= random_bit(0.003);
+      heats_unasked <= random_bit(0.003);
       clear <= random_bit(0.3);
       if random < 0.1 then
         duty <= to_unsigned(integer(random * 65_535.0) * integer(random), 16);

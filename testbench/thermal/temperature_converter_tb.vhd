@@ -22,6 +22,7 @@ architecture simulation of temperature_converter_tb is
   constant status : unsigned(31 downto 0) := temperature_converter_address + 20;
   constant age : unsigned(31 downto 0) := temperature_converter_address + 36;
   constant thermistors : unsigned(31 downto 0) := temperature_converter_address + 52;
+  constant settings_lock : unsigned(31 downto 0) := temperature_converter_address + 100;
   constant high_references : unsigned(31 downto 0) := temperature_converter_address + 84;
 
   signal clk : std_ulogic := '0';
@@ -31,8 +32,11 @@ architecture simulation of temperature_converter_tb is
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
   signal discharging, sense : std_ulogic_vector(1 downto 0);
   signal readings : sensor_reading_array_t(0 to 1);
+  signal more_charges : unsigned(7 downto 0);
+  signal limits_locked : std_ulogic := '0';
   signal hotend_ohms : real := 1_000.0;
   signal bed_ohms : real := 5_000.0;
+  signal bed_stuck_high, bed_stuck_low : std_ulogic := '0';
 
   type naturals_t is array (0 to 1) of natural;
   signal conversions : naturals_t := (0, 0);
@@ -44,7 +48,9 @@ begin
   converter : entity work.temperature_converter
     port map (
       clk => clk, always_clk => clk, bus_clk => clk,
+      clock_frequency_hz => to_unsigned(100_000_000, 32),
       reset => reset, request => request, response => response,
+      more_charges => more_charges, limits_locked => limits_locked,
       drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
       sense => sense, readings => readings);
 
@@ -58,13 +64,14 @@ begin
     generic map (clocks_per_ohm => 0.0272)
     port map (
       clk => clk, drive_enable => drive_enable(5 downto 3), drive_level => drive_level(5 downto 3),
-      thermistor_ohms => bed_ohms, sense => sense(1));
+      thermistor_ohms => bed_ohms, stuck_high => bed_stuck_high, stuck_low => bed_stuck_low,
+      sense => sense(1));
 
   count_conversions : process
   begin
     wait until rising_edge(clk);
     for channel in conversions'range loop
-      if readings(channel).updated then
+      if readings(channel).updated = '1' and readings(channel).valid = '1' then
         conversions(channel) <= conversions(channel) + 1;
       end if;
     end loop;
@@ -134,6 +141,18 @@ begin
     wait_clocks(20_000);
     read_state(1, temperature_converter_status_state_open);
     is_told_invalid : assert readings(1).valid = '0' report "valid" severity error;
+    bed_stuck_low <= '1';
+    wait_clocks(20_000);
+    read_state(1, temperature_converter_status_state_time_out);
+    a_time_out_is_invalid : assert readings(1).valid = '0' report "valid" severity error;
+    bed_stuck_low <= '0';
+    bed_stuck_high <= '1';
+    wait_clocks(20_000);
+    read_state(1, temperature_converter_status_state_stuck);
+    a_stuck_pin_is_invalid : assert readings(1).valid = '0' report "valid" severity error;
+    bed_stuck_high <= '0';
+    wait_clocks(20_000);
+    read_state(1, temperature_converter_status_state_open);
     bed_before := conversions(0);
     wait_clocks(100_000);
     goes_on_at_its_pace : assert abs (conversions(0) - bed_before - hotend_before) <= 1
@@ -142,9 +161,70 @@ begin
     read_state(0, temperature_converter_status_state_ok);
     read_state(2, temperature_converter_status_state_never);
 
+    -- A change of settings makes what was measured under others worth nothing.
+    wait until rising_edge(clk) and readings(0).updated = '1';
+    bus_write(clk, request, response, control, 16#0007_0103#);
+    wait_clocks(3);
+    is_void_at_a_change : assert readings(0).valid = '0' report "valid" severity error;
+    read_state(0, temperature_converter_status_state_never);
+    read(age);
+    has_no_age_then : assert unsigned(word) = 2 ** tick_count_bits - 1 report to_hstring(word) severity error;
+    says_its_charges : assert more_charges = 7 report to_string(to_integer(more_charges)) severity error;
+    wait_clocks(40_000);
+    read_state(0, temperature_converter_status_state_ok);
+
+    -- A charge may take an eighth of a second at most.
+    bus_write(clk, request, response, timeout, 16#FF_FFFF#);
+    read(timeout);
+    has_a_built_in_maximum : assert unsigned(word) = 12_500_000 report to_hstring(word) severity error;
+    bus_write(clk, request, response, timeout, 5_000);
+    wait_clocks(40_000);
+
+    -- Locked settings stay, whatever is written, and through the converter's own reset.
+    wait until rising_edge(clk) and readings(0).updated = '1';
+    limits_locked <= '1';
+    wait_clocks(1);
+    wait for 1 ns;
+    is_void_at_the_lock : assert readings(0).valid = '0' report "valid" severity error;
+    wait_clocks(40_000);
+    read_state(0, temperature_converter_status_state_ok);
+    read(settings_lock);
+    says_locked : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
+    bus_write(clk, request, response, control, 16#0007_0103#);
+    read(settings_lock);
+    takes_the_same_once_more : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
+    for index in 0 to 4 loop
+      bus_write(clk, request, response, control + 4 * index, 16#00FF_0203#);
+      read(settings_lock);
+      names_what_it_refuses : assert word(1 downto 0) = "11" report to_hstring(word) severity error;
+      bus_write(clk, request, response, settings_lock, 2);
+      read(settings_lock);
+      forgets_when_asked : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
+    end loop;
+    goes_on_through_it : assert readings(0).valid = '1' report "not valid" severity error;
+    reset <= '1';
+    wait_clocks(3);
+    reset <= '0';
+    wait_clocks(3);
+    for channel in 0 to 1 loop
+      read_state(channel, temperature_converter_status_state_never);
+      counts_from_0_again : assert unsigned(word) = 0 report to_hstring(word) severity error;
+    end loop;
+    read(control);
+    keeps_all_but_enable : assert unsigned(word) = 16#0007_0102# report to_hstring(word) severity error;
+    read(discharge);
+    keeps_the_discharge : assert unsigned(word) = 200 report to_hstring(word) severity error;
+    read(timeout);
+    keeps_the_time_out : assert unsigned(word) = 5_000 report to_hstring(word) severity error;
+    bus_write(clk, request, response, control, 16#0007_0103#);
+    read(control);
+    enable_is_free : assert unsigned(word) = 16#0007_0103# report to_hstring(word) severity error;
+    wait_clocks(40_000);
+    read_state(0, temperature_converter_status_state_ok);
+
     -- Age goes on in ticks when conversions stop.
     wait until rising_edge(clk) and readings(0).updated = '1';
-    bus_write(clk, request, response, control, 0);
+    bus_write(clk, request, response, control, 16#0007_0102#);
     wait_clocks(50 * tick_cycles);
     read(age);
     ages_in_ticks : assert unsigned(word) = 50 report to_hstring(word) severity error;

@@ -23,6 +23,7 @@ using thermal::SensorState;
 struct Converter {
   explicit Converter(double clock_hz)
       : hertz(clock_hz), driver(units::Hertz(static_cast<std::uint32_t>(clock_hz))) {
+    chip->clock_frequency_hz = static_cast<std::uint32_t>(clock_hz);
     chip.after_clock = [this] {
       const double now = static_cast<double>(chip.now()) / hertz;
       for (unsigned i = 0; i < inputs.size(); ++i) {

@@ -11,13 +11,14 @@ namespace registers::heater_control {
 
 inline constexpr std::uint32_t base = 0xF0006000u;
 
-// Restarts the watchdog.
+// Feeds the watchdog, by two keys in turn. Anything else, the same key again or `first` too early trips all channels.
 struct Feed {
   static constexpr std::uint32_t address = base + 0x0u;
   enum class Key : std::uint32_t {
-    alive = 65261,
+    second = 24301,
+    first = 65261,
   };
-  // Must be `alive`; anything else is ignored.
+  // `first` not before a sixteenth of the watchdog's time since the last `first`; `second`, which restarts the watchdog, at any time behind it.
   std::uint32_t key{};
 
   static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
@@ -30,7 +31,7 @@ struct Feed {
   }
 };
 
-// Time without a feed after which all gates close.
+// Time without a complete feed after which all gates close.
 struct Watchdog {
   static constexpr std::uint32_t address = base + 0x4u;
   // In units of 1024 clocks, cut to the maximum that is built in; about a second after reset.
@@ -78,7 +79,7 @@ struct Slot {
   }
 };
 
-// Clears the trips of channels whose duty is 0.
+// Clears the trips of channels whose duty is 0, and `refused` of all channels named.
 struct Clear {
   static constexpr std::uint32_t address = base + 0x10u;
   enum class Key : std::uint32_t {
@@ -120,13 +121,13 @@ struct Duty {
   }
 };
 
-// Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written.
+// Smallest thermistor count at which the channel may heat: the cut-off temperature. Locks when written, and the converter's settings with it.
 struct MinimumCount {
   static constexpr std::size_t count = 4;
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x24u + 4u * static_cast<std::uint32_t>(index);
   }
-  // Clocks, as the temperature converter counts them; the largest number after reset.
+  // Clocks, as the temperature converter counts them; the largest number after reset. Below the built-in floor (4 * 2^-20 s for each charge) a write is refused and locks nothing.
   std::uint32_t cycles{};
 
   static constexpr MinimumCount decode([[maybe_unused]] std::uint32_t word) {
@@ -145,7 +146,7 @@ struct MaximumCount {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x34u + 4u * static_cast<std::uint32_t>(index);
   }
-  // Clocks, as the temperature converter counts them; 0 after reset.
+  // Clocks, as the temperature converter counts them; 0 after reset. Above a sixteenth of a second for each charge a write is refused and locks nothing.
   std::uint32_t cycles{};
 
   static constexpr MaximumCount decode([[maybe_unused]] std::uint32_t word) {
@@ -172,22 +173,30 @@ struct Status {
   bool minimum_locked{};
   // The maximum count is set, until reset.
   bool maximum_locked{};
+  // The hot count is set, until reset.
+  bool hot_locked{};
+  // The settling time is set, until reset.
+  bool settle_locked{};
+  // A write to a limit was refused: it was locked, or the value out of bounds.
+  bool refused{};
   // One of the trips below is latched: the gate stays closed.
   bool tripped{};
-  // Software did not feed the watchdog in time.
+  // Software did not feed the watchdog in time while the channel was asked to heat, or fed it wrongly.
   bool watchdog_trip{};
   // The sensor gave faulty conversions only for longer than the sensor time-out.
   bool sensor_invalid_trip{};
   // The sensor gave no conversion for longer than the sensor time-out.
   bool sensor_stale_trip{};
-  // The thermistor count fell below the minimum.
+  // The thermistor count fell below the minimum, whether heat was asked for or not.
   bool too_hot_trip{};
   // The thermistor count rose above the maximum.
   bool too_cold_trip{};
-  // Heating was asked for before both limits were set.
+  // Heating was asked for before all four limits were set.
   bool limits_missing_trip{};
   // The emergency stop input was active.
   bool emergency_stop_trip{};
+  // It got hotter while the gate had been closed for the settling time: the transistor or its wiring is broken.
+  bool heats_unasked_trip{};
 
   static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -195,6 +204,9 @@ struct Status {
       .permitted = ((word >> 1u) & 0x1u) != 0,
       .minimum_locked = ((word >> 2u) & 0x1u) != 0,
       .maximum_locked = ((word >> 3u) & 0x1u) != 0,
+      .hot_locked = ((word >> 4u) & 0x1u) != 0,
+      .settle_locked = ((word >> 5u) & 0x1u) != 0,
+      .refused = ((word >> 6u) & 0x1u) != 0,
       .tripped = ((word >> 7u) & 0x1u) != 0,
       .watchdog_trip = ((word >> 8u) & 0x1u) != 0,
       .sensor_invalid_trip = ((word >> 9u) & 0x1u) != 0,
@@ -203,6 +215,7 @@ struct Status {
       .too_cold_trip = ((word >> 12u) & 0x1u) != 0,
       .limits_missing_trip = ((word >> 13u) & 0x1u) != 0,
       .emergency_stop_trip = ((word >> 14u) & 0x1u) != 0,
+      .heats_unasked_trip = ((word >> 15u) & 0x1u) != 0,
     };
   }
   constexpr std::uint32_t encode() const {
@@ -210,6 +223,9 @@ struct Status {
            (permitted ? 1u : 0u) << 1u |
            (minimum_locked ? 1u : 0u) << 2u |
            (maximum_locked ? 1u : 0u) << 3u |
+           (hot_locked ? 1u : 0u) << 4u |
+           (settle_locked ? 1u : 0u) << 5u |
+           (refused ? 1u : 0u) << 6u |
            (tripped ? 1u : 0u) << 7u |
            (watchdog_trip ? 1u : 0u) << 8u |
            (sensor_invalid_trip ? 1u : 0u) << 9u |
@@ -217,7 +233,90 @@ struct Status {
            (too_hot_trip ? 1u : 0u) << 11u |
            (too_cold_trip ? 1u : 0u) << 12u |
            (limits_missing_trip ? 1u : 0u) << 13u |
-           (emergency_stop_trip ? 1u : 0u) << 14u;
+           (emergency_stop_trip ? 1u : 0u) << 14u |
+           (heats_unasked_trip ? 1u : 0u) << 15u;
+  }
+};
+
+// Below this thermistor count heat that is not asked for is a trip. Locks when written.
+struct HotCount {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x54u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // Clocks, as the temperature converter counts them; 0 after reset. Below eight times the floor of `minimum_count` a write is refused and locks nothing.
+  std::uint32_t cycles{};
+
+  static constexpr HotCount decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .cycles = word,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return cycles;
+  }
+};
+
+// Time for which a gate must be closed before rising heat is not its own. Locks when written.
+struct Settle {
+  static constexpr std::size_t count = 4;
+  static constexpr std::uint32_t address_of(std::size_t index) {
+    return base + 0x64u + 4u * static_cast<std::uint32_t>(index);
+  }
+  // In units of 1024 clocks; the largest number after reset. Above two minutes a write is refused and locks nothing.
+  std::uint32_t ticks{};
+
+  static constexpr Settle decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .ticks = (word & 0xFFFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (ticks & 0xFFFFFFu);
+  }
+};
+
+// The relay that gives all heaters their power. Open after reset; any trip, the watchdog or the emergency stop opens it until it is closed again.
+struct Supply {
+  static constexpr std::uint32_t address = base + 0x74u;
+  enum class Key : std::uint32_t {
+    open = 3042,
+    close = 49413,
+  };
+  // The heaters have power.
+  bool closed{};
+  // It was not closed when asked, because a duty was not 0 or a cause lasted.
+  bool refused{};
+  // A trip of a channel opened it.
+  bool trip_opened{};
+  // The watchdog opened it.
+  bool watchdog_opened{};
+  // The emergency stop opened it.
+  bool emergency_stop_opened{};
+  // The watch over the clock, or whatever else the board has, opened it.
+  bool veto_opened{};
+  // Written: `close` closes it where all duties are 0 and no cause lasts, `open` opens it; anything else is ignored. Read: 0.
+  std::uint32_t key{};
+
+  static constexpr Supply decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .closed = (word & 0x1u) != 0,
+      .refused = ((word >> 1u) & 0x1u) != 0,
+      .trip_opened = ((word >> 4u) & 0x1u) != 0,
+      .watchdog_opened = ((word >> 5u) & 0x1u) != 0,
+      .emergency_stop_opened = ((word >> 6u) & 0x1u) != 0,
+      .veto_opened = ((word >> 7u) & 0x1u) != 0,
+      .key = ((word >> 16u) & 0xFFFFu),
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (closed ? 1u : 0u) |
+           (refused ? 1u : 0u) << 1u |
+           (trip_opened ? 1u : 0u) << 4u |
+           (watchdog_opened ? 1u : 0u) << 5u |
+           (emergency_stop_opened ? 1u : 0u) << 6u |
+           (veto_opened ? 1u : 0u) << 7u |
+           (key & 0xFFFFu) << 16u;
   }
 };
 

@@ -11,7 +11,7 @@ namespace registers::temperature_converter {
 
 inline constexpr std::uint32_t base = 0xF0005000u;
 
-// How conversions are made; changes take effect with the next conversion.
+// How conversions are made. A change of settings, here or below, begins a new conversion; until it has ended the state is `never`. All but `enable` lock with the limits of the heaters.
 struct Control {
   static constexpr std::uint32_t address = base + 0x0u;
   // Convert all channels without end. When 0, all charge pins are high-impedance.
@@ -58,7 +58,7 @@ struct Discharge {
 // Longest time that one charge may take.
 struct Timeout {
   static constexpr std::uint32_t address = base + 0x8u;
-  // In clocks.
+  // In clocks; cut to the maximum that is built in, an eighth of a second.
   std::uint32_t cycles{};
 
   static constexpr Timeout decode([[maybe_unused]] std::uint32_t word) {
@@ -117,7 +117,7 @@ struct Status {
     stuck = 4,
     time_out = 5,
   };
-  // never: no conversion yet; open: only the thermistor timed out; stuck: the pin reads 1 after the discharge; time_out: no charge arrives at all.
+  // never: no conversion with these settings yet; open: only the thermistor timed out; stuck: the pin reads 1 after the discharge; time_out: no charge arrives at all.
   std::uint32_t state{};
   // Counts conversions, modulo 256. Unchanged after reading the counts, they belong together.
   std::uint32_t conversions{};
@@ -207,6 +207,26 @@ struct ReferenceHigh {
   }
   constexpr std::uint32_t encode() const {
     return cycles;
+  }
+};
+
+// The settings are locked while any limit of a heater is: they are the scale of the limits.
+struct SettingsLock {
+  static constexpr std::uint32_t address = base + 0x64u;
+  // The settings cannot be changed.
+  bool locked{};
+  // A write that would have changed a locked setting was refused; written 1 it is forgotten.
+  bool refused{};
+
+  static constexpr SettingsLock decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      .locked = (word & 0x1u) != 0,
+      .refused = ((word >> 1u) & 0x1u) != 0,
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return (locked ? 1u : 0u) |
+           (refused ? 1u : 0u) << 1u;
   }
 };
 
