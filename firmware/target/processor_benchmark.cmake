@@ -23,6 +23,8 @@ function(add_processor_benchmarks suffix)
     target_compile_options(${code} PRIVATE ${${work}_options})
     add_image(${work}_benchmark${suffix} ${code} benchmark_frame_code${suffix}
       firmware_code${suffix})
+    # The processor's model has 64 KiB.
+    target_link_options(${work}_benchmark${suffix}.elf PRIVATE -Wl,--defsym=memory_bytes=0x10000)
     list(APPEND built ${code})
     list(APPEND linked ${work}_benchmark${suffix}.elf)
   endforeach()

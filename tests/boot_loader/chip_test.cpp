@@ -105,7 +105,7 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
 TEST(boot_loader_chip, the_firmware_greets_soon_after_reset_and_sooner_to_a_host_that_speaks) {
   Bench bench;
   const unsigned silent = bench.milliseconds_to("start\n", 200);
-  EXPECT_LE(silent, 40u);
+  EXPECT_LE(silent, 50u);
   EXPECT_GE(silent, 10u);  // the loader's window
   bench.reset();
   bench.run(0.001);  // in which the loader sets up the line
@@ -113,7 +113,8 @@ TEST(boot_loader_chip, the_firmware_greets_soon_after_reset_and_sooner_to_a_host
   const unsigned spoken_to = bench.milliseconds_to("start\n", 200);
   EXPECT_LE(spoken_to + 8, silent);
   bench.send("M105\n");
-  EXPECT_LT(bench.milliseconds_to("ok T:", 200), 100u);
+  // With the first reading, which takes as long as a cold sensor charges.
+  EXPECT_LT(bench.milliseconds_to("ok T:", 1500), 1000u);
 }
 
 TEST(boot_loader_chip, a_program_takes_the_firmwares_place_with_heat_off) {
@@ -165,7 +166,7 @@ TEST(boot_loader_chip, after_an_aborted_load_nothing_starts_until_a_whole_progra
 TEST(boot_loader_chip, a_program_that_would_overwrite_the_loader_leaves_the_firmware_running) {
   Bench bench;
   bench.milliseconds_to("start\n", 200);
-  EXPECT_THROW(loading::load(bench, small_program(0xF001)), LoadFailed);
+  EXPECT_THROW(loading::load(bench, small_program(0x17001)), LoadFailed);
   // It was not begun, so the firmware goes on after the next reset.
   bench.reset();
   EXPECT_LT(bench.milliseconds_to("start\n", 200), 200u);
