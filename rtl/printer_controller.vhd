@@ -19,8 +19,8 @@ use work.uart_registers_pkg.all;
 
 entity printer_controller is
   generic (
-    -- RAM for the firmware with its data and stack; a power of two, 32 KiB to 256 KiB.
-    memory_size_bytes : positive := 65536;
+    -- RAM for the firmware with its data and stack: 32 to 256 KiB, a power of two or three quarters of one.
+    memory_size_bytes : positive := 98304;
     -- X Y Z E0 E1.
     axes : positive range 1 to 8 := 5;
     -- Segments that wait in the step generator; a power of two.
@@ -45,6 +45,8 @@ entity printer_controller is
     peripheral_clk : in std_ulogic;
     -- Its frequency: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
+    -- Software may drive the step and direction pins: '0' on a board, chosen for each run in co-simulation.
+    software_stepping : in std_ulogic;
     -- Synchronous.
     reset : in std_ulogic;
     -- Serial line, idle high; asynchronous.
@@ -66,6 +68,9 @@ entity printer_controller is
     sensor_discharging : out std_ulogic_vector(heaters - 1 downto 0);
     sensor_sense : in std_ulogic_vector(heaters - 1 downto 0);
     heater_gate : out std_ulogic_vector(heaters - 1 downto 0);
+    -- Relay or contactor in front of all heaters, active high; something outside forbids it, asynchronous.
+    heater_supply : out std_ulogic;
+    heater_supply_veto : in std_ulogic := '0';
     fan_gate : out std_ulogic;
     -- A lamp: heat has been cut off until software clears the cause.
     fault : out std_ulogic;
@@ -114,6 +119,7 @@ architecture rtl of printer_controller is
   signal interrupts : std_ulogic_vector(15 downto 0);
 
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
+  signal generator_idle : std_ulogic;
 
   -- Each clock has its own, so that nothing behind the registers of a clock at rest is driven by another.
   signal reset_registered, processor_reset, axes_reset, peripheral_reset : std_ulogic := '1';
@@ -126,10 +132,13 @@ architecture rtl of printer_controller is
   signal motion_start_synchronized : std_ulogic_vector(0 downto 0);
   signal motion_start_settling : std_ulogic;
   signal readings : sensor_reading_array_t(0 to heaters - 1);
+  signal more_charges : unsigned(7 downto 0);
+  signal limits_locked : std_ulogic;
 
   -- Nothing but a register stands behind an input pin: timing is simple on a board, and the model has no
   -- logic to evaluate when an input changes between clocks.
   signal clock_frequency : unsigned(31 downto 0) := (others => '0');
+  signal software_stepping_registered : std_ulogic := '0';
 
 begin
 
@@ -151,6 +160,7 @@ begin
   begin
     wait until rising_edge(axes_clk);
     axes_reset <= reset or chip_reset;
+    software_stepping_registered <= software_stepping;
   end process;
 
   register_peripheral_inputs : process
@@ -315,9 +325,11 @@ begin
       reset => axes_reset,
       request => requests(step_pins_slave),
       response => responses(step_pins_slave),
+      software_stepping => software_stepping_registered,
       emergency_stop => emergency_stop_synchronized(0),
       generated_step => generated_step,
       generated_direction => generated_direction,
+      generator_idle => generator_idle,
       step => step,
       direction => direction,
       at_rest => step_pins_rest
@@ -331,6 +343,7 @@ begin
       clk => peripheral_clk,
       always_clk => clk,
       bus_clk => bus_clk,
+      clock_frequency_hz => clock_frequency,
       reset => peripheral_reset,
       request => requests(temperature_converter_slave),
       response => responses(temperature_converter_slave),
@@ -339,6 +352,8 @@ begin
       discharging => sensor_discharging,
       sense => sensor_sense,
       readings => readings,
+      more_charges => more_charges,
+      limits_locked => limits_locked,
       at_rest => converter_rests
     );
 
@@ -355,8 +370,12 @@ begin
       request => requests(heater_control_slave),
       response => responses(heater_control_slave),
       readings => readings,
+      more_charges => more_charges,
+      limits_locked => limits_locked,
       emergency_stop => emergency_stop,
+      veto => heater_supply_veto,
       gates => heater_gate,
+      supply => heater_supply,
       interrupt => heater_interrupt,
       at_rest => heater_control_rests
     );
@@ -390,6 +409,7 @@ begin
       direction => generated_direction,
       enable => motor_enable,
       moving => open,
+      idle => generator_idle,
       queue_interrupt => queue_interrupt,
       stop_interrupt => stop_interrupt,
       at_rest => axes_rest

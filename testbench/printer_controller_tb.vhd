@@ -35,7 +35,8 @@ begin
     generic map (axes => axes, heaters => heaters)
     port map (
       clk => clk, processor_clk => clk, bus_clk => clk, axes_clk => clk, peripheral_clk => clk,
-      clock_frequency_hz => to_unsigned(50_000_000, 32), reset => reset, receive => receive,
+      clock_frequency_hz => to_unsigned(50_000_000, 32), software_stepping => '0',
+      reset => reset, receive => receive,
       transmit => transmit, step => step,
       direction => direction, motor_enable => motor_enable, end_stop => end_stop,
       emergency_stop => emergency_stop, motion_start => receive, sensor_drive_enable => sensor_drive_enable,

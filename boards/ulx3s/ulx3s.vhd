@@ -31,6 +31,8 @@ entity ulx3s is
     end_stop : in std_ulogic_vector(7 downto 0);
     -- Hotend, bed.
     heater_gate : out std_ulogic_vector(1 downto 0);
+    -- Relay or contactor in front of all heaters.
+    heater_supply : out std_ulogic;
     fan_gate : out std_ulogic;
     -- Three resistors of each sensor, driven or left open, and its capacitor's level.
     sensor_resistor : out std_logic_vector(5 downto 0);
@@ -54,18 +56,58 @@ architecture rtl of ulx3s is
     );
   end component;
 
+  -- output_register.v: a register in the pad, low or high after configuration.
+  component output_register is
+    port (
+      clk : in std_ulogic;
+      level : in std_ulogic;
+      pin : out std_ulogic
+    );
+  end component;
+
+  component output_register_high is
+    port (
+      clk : in std_ulogic;
+      level : in std_ulogic;
+      pin : out std_ulogic
+    );
+  end component;
+
+  -- internal_oscillator.v
+  component internal_oscillator is
+    port (
+      clk : out std_ulogic
+    );
+  end component;
+
   constant clock_frequency_hz : positive := 50_000_000;
 
   signal clk, locked : std_ulogic;
   signal reset_done : std_ulogic_vector(15 downto 0) := (others => '0');
-  signal motor_enable : std_ulogic_vector(4 downto 0);
+  -- The chip's pins, a clock before the board's.
+  signal step_level, direction_level, motor_enable : std_ulogic_vector(4 downto 0);
+  signal heater_level : std_ulogic_vector(1 downto 0);
+  signal fan_level : std_ulogic;
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
+  signal watch_clk, supply_closed, supply_veto : std_ulogic;
   signal fault, sleeping : std_ulogic;
 
 begin
 
   clock : component clock_50mhz
     port map (clk_25mhz => clk_25mhz, clk => clk, locked => locked);
+
+  oscillator : component internal_oscillator
+    port map (clk => watch_clk);
+
+  -- A clock that stands still opens the supply within 64 clocks of the oscillator, 0.03 ms.
+  watch_clock : entity work.clock_watch
+    port map (
+      clk => clk,
+      watch_clk => watch_clk,
+      wanted => supply_closed,
+      closed => heater_supply,
+      veto => supply_veto);
 
   wait_for_clock : process
   begin
@@ -82,11 +124,12 @@ begin
       axes_clk => clk,
       peripheral_clk => clk,
       clock_frequency_hz => to_unsigned(clock_frequency_hz, 32),
+      software_stepping => '0',
       reset => not reset_done(15),
       receive => ftdi_txd,
       transmit => ftdi_rxd,
-      step => step,
-      direction => direction,
+      step => step_level,
+      direction => direction_level,
       motor_enable => motor_enable,
       end_stop => end_stop,
       emergency_stop => emergency_stop,
@@ -95,8 +138,10 @@ begin
       sensor_drive_level => drive_level,
       sensor_discharging => open,
       sensor_sense => sensor_sense,
-      heater_gate => heater_gate,
-      fan_gate => fan_gate,
+      heater_gate => heater_level,
+      heater_supply => supply_closed,
+      heater_supply_veto => supply_veto,
+      fan_gate => fan_level,
       fault => fault,
       tck => tck,
       tms => tms,
@@ -110,7 +155,23 @@ begin
       peripherals_at_rest => open
     );
 
-  motor_enable_n <= not motor_enable;
+  -- What drives power leaves the chip from registers in the pads, all a clock later: step and direction keep
+  -- their distance whatever the layout.
+  each_axis : for axis in step'range generate
+    step_register : component output_register
+      port map (clk => clk, level => step_level(axis), pin => step(axis));
+    direction_register : component output_register
+      port map (clk => clk, level => direction_level(axis), pin => direction(axis));
+    enable_register : component output_register_high
+      port map (clk => clk, level => not motor_enable(axis), pin => motor_enable_n(axis));
+  end generate;
+  each_heater : for heater in heater_gate'range generate
+    gate_register : component output_register
+      port map (clk => clk, level => heater_level(heater), pin => heater_gate(heater));
+  end generate;
+  fan_register : component output_register
+    port map (clk => clk, level => fan_level, pin => fan_gate);
+
   drive_resistors : for pin in sensor_resistor'range generate
     sensor_resistor(pin) <= drive_level(pin) when drive_enable(pin) else 'Z';
   end generate;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "Vulx3s.h"
+#include "Vulx3s___024root.h"
 
 namespace tests {
 
@@ -17,6 +18,8 @@ namespace {
 // ulx3s.vhd: from the first clock on with a locked loop.
 constexpr int reset_clocks = 16;
 constexpr unsigned fault_lamp = 0, awake_lamp = 1;
+// 50 MHz against half of 2.4: the oscillator changes its level so seldom.
+constexpr unsigned oscillator_clocks = 10;
 constexpr unsigned all_axes = (1U << sim::axis_count) - 1;
 
 }  // namespace
@@ -36,6 +39,10 @@ NetlistChip::~NetlistChip() {
 }
 
 void NetlistChip::clock() {
+  if (++oscillator_phase_ == oscillator_clocks) {
+    oscillator_phase_ = 0;
+    model_->rootp->ulx3s__DOT__oscillator_0__DOT__level ^= 1;
+  }
   model_->clk_25mhz = 1;
   model_->eval();
   model_->clk_25mhz = 0;
@@ -61,6 +68,7 @@ OutputPins NetlistChip::sampled_outputs() const {
                        std::uint64_t{model.ftdi_rxd} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
+                       std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |
                        std::uint64_t{model.led >> fault_lamp & 1U} << OutputPins::fault_bit |
                        std::uint64_t{model.tdo} << OutputPins::jtag_bit;
   for (unsigned channel = 0; channel < sim::sensor_count; ++channel) {

@@ -39,6 +39,7 @@ class NetlistChip : public sim::Chip {
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Vulx3s> model_;
   sim::ProcessorStatistics processor_;
+  unsigned oscillator_phase_ = 0;
 };
 
 }  // namespace tests

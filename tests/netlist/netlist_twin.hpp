@@ -8,6 +8,7 @@
 
 namespace tests {
 
+// The board's pins for power and steps come from registers in the pads: a clock after the model's.
 // The program is written into the model's memory only; the netlist has its own.
 class NetlistTwin : public Twins {
  public:
@@ -19,10 +20,13 @@ class NetlistTwin : public Twins {
   }
 
  private:
+  void advance(sim::Clock limit) override;
   sim::OutputPins expected_outputs() const override;
 
   sim::VerilatedChip model_;
   NetlistChip netlist_;
+  // The model's pins in the clock before.
+  sim::OutputPins earlier_;
 };
 
 }  // namespace tests

@@ -113,12 +113,19 @@ TEST_F(Mistake, a_gate_on_a_pin_of_the_radio_module_is_found) {
 }
 
 TEST_F(Mistake, a_resistor_that_is_missing_or_too_weak_outside_is_found) {
-  replace(signals, "heater_gate,out,down,8,slow,3.3,down,4700",
-          "heater_gate,out,down,8,slow,3.3,down,10000");
-  replace(signals, "motor_enable_n,out,up,4,slow,3.3,up,4700",
-          "motor_enable_n,out,up,4,slow,3.3,,");
+  replace(signals, "heater_gate,out,down,8,slow,pad,3.3,down,4700",
+          "heater_gate,out,down,8,slow,pad,3.3,down,10000");
+  replace(signals, "motor_enable_n,out,up,4,slow,pad,3.3,up,4700",
+          "motor_enable_n,out,up,4,slow,pad,3.3,,");
   EXPECT_THAT(shortcomings(), Contains("heater_gate[1] has a wrong resistor outside"));
   EXPECT_THAT(shortcomings(), Contains("motor_enable_n[0] needs another resistor outside"));
+}
+
+TEST_F(Mistake, an_output_without_its_register_in_the_pad_is_found) {
+  replace(signals, "step,out,none,8,slow,pad", "step,out,none,8,slow,");
+  EXPECT_THAT(shortcomings(), Contains("step[3] has its register elsewhere"));
+  replace(signals, "sensor_sense,in,none,,,", "sensor_sense,in,none,,,pad");
+  EXPECT_THAT(shortcomings(), Contains(HasSubstr("a register is in the pad of an output")));
 }
 
 }  // namespace

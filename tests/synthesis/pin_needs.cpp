@@ -33,6 +33,9 @@ struct Kind {
   int most_drive_ma = 0;
   // What holds the signal while the FPGA does not: up, down, or nothing.
   std::string_view outside{};
+  // What drives power, or must keep its distance to another signal, comes from a register in its
+  // pad.
+  bool registered = false;
 };
 
 constexpr Kind oscillator{"in", "NONE"};
@@ -40,9 +43,11 @@ constexpr Kind rests_high{"in", "UP"};
 constexpr Kind rests_low{"in", "DOWN"};
 constexpr Kind fail_safe{"in", "UP", 0, 0, "up"};
 constexpr Kind on_the_board{"out", "NONE", 4, 8};
-constexpr Kind over_a_cable{"out", "NONE", 8, 8};
-constexpr Kind held_high{"out", "UP", 4, 8, "up"};
-constexpr Kind held_low{"out", "DOWN", 8, 8, "down"};
+constexpr Kind over_a_cable{"out", "NONE", 8, 8, "", true};
+constexpr Kind held_high{"out", "UP", 4, 8, "up", true};
+constexpr Kind held_low{"out", "DOWN", 8, 8, "down", true};
+// Must open without the clock that a register in the pad would need.
+constexpr Kind opens_without_a_clock{"out", "DOWN", 8, 8, "down"};
 constexpr Kind sensor_drive{"out", "NONE", sensor_drive_ma, 16};
 constexpr Kind sensor_input{"in", "NONE"};
 
@@ -63,6 +68,7 @@ constexpr std::array needs{Need{"clk_25mhz", oscillator},
                            Need{"direction", over_a_cable},
                            Need{"motor_enable_n", held_high},
                            Need{"heater_gate", held_low},
+                           Need{"heater_supply", opens_without_a_clock},
                            Need{"fan_gate", held_low},
                            Need{"sensor_resistor", sensor_drive},
                            Need{"sensor_sense", sensor_input},
@@ -106,7 +112,7 @@ class Check {
     if (entity_port->second != need->kind.direction) say(port, "has the wrong direction");
     check_buffer(port, pin, need->kind);
     check_place(port, pin);
-    check_outside(port, need->kind.outside);
+    check_table(port, need->kind.outside, need->kind.registered);
   }
 
   void check_buffer(const std::string& port, const ConstrainedPin& pin, const Kind& kind) {
@@ -141,8 +147,9 @@ class Check {
   }
 
   // The resistor outside holds its level against the strongest pull of an FPGA without contents.
-  void check_outside(const std::string& port, std::string_view wanted) {
+  void check_table(const std::string& port, std::string_view wanted, bool registered) {
     const Row* signal = row_with(signals_, "port", signal_of(port));
+    if ((signal->at("register") == "pad") != registered) say(port, "has its register elsewhere");
     if (signal->at("outside") != wanted) return say(port, "needs another resistor outside");
     if (wanted.empty()) return;
     const double ohms = std::stod("0" + signal->at("outside_ohms"));

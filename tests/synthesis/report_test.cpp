@@ -110,6 +110,64 @@ TEST_F(SynthesisReport, is_too_slow_below_the_wanted_clock) {
   EXPECT_FALSE(read_report(folder_, folder_, Family::ecp5).fast_enough());
 }
 
+constexpr const char* layout_with_pins = R"({
+  "fmax": {"clk": {"achieved": 60.0, "constraint": 50.0}},
+  "utilization": {
+    "IOLOGIC": {"available": 128, "used": 12}, "SIOLOGIC": {"available": 69, "used": 6},
+    "TRELLIS_COMB": {"available": 80000, "used": 14000},
+    "TRELLIS_FF": {"available": 80000, "used": 6000},
+    "DP16KD": {"available": 200, "used": 34},
+    "MULT18X18D": {"available": 150, "used": 5}},
+  "critical_paths": [
+    {"from": "<async>", "to": "posedge clk", "path": [
+      {"delay": 1.5, "from": {"cell": "i", "port": "O"}, "to": {"cell": "a", "port": "M"}},
+      {"delay": 2.5, "from": {"cell": "a", "port": "M"}, "to": {"cell": "a", "port": "M"}}]},
+    {"from": "posedge clk", "to": "<async>", "path": [
+      {"delay": 9.0, "from": {"cell": "b", "port": "Q"}, "to": {"cell": "o", "port": "I"}}]},
+    {"from": "<async>", "to": "<async>", "path": [
+      {"delay": 99.0, "from": {"cell": "i", "port": "O"}, "to": {"cell": "o", "port": "I"}}]}]
+})";
+
+TEST_F(SynthesisReport, compares_the_pins_with_the_constraints) {
+  write(cells, layout_with_pins);
+  EXPECT_TRUE(read_report(folder_, folder_, Family::ecp5).pins_are_good());
+  const auto good = [this](const char* wanted) {
+    std::ofstream(folder_ / "pins.json") << wanted;
+    return read_report(folder_, folder_, Family::ecp5).pins_are_good();
+  };
+  EXPECT_TRUE(
+      good(R"({"pad_registers": 18, "input_to_register_ns": 4, "register_to_output_ns": 9.0})"));
+  EXPECT_FALSE(
+      good(R"({"pad_registers": 19, "input_to_register_ns": 4, "register_to_output_ns": 9.0})"));
+  EXPECT_FALSE(
+      good(R"({"pad_registers": 18, "input_to_register_ns": 3.9, "register_to_output_ns": 9.0})"));
+  EXPECT_FALSE(
+      good(R"({"pad_registers": 18, "input_to_register_ns": 4, "register_to_output_ns": 8.9})"));
+  const Report report = read_report(folder_, folder_, Family::ecp5);
+  EXPECT_NE(as_table(report).find("registers in pads            18; 18 are wanted"),
+            std::string::npos)
+      << as_table(report);
+  EXPECT_EQ(nlohmann::json::parse(as_json(report)).at("pins").at("input_to_register_ns"), 4.0);
+}
+
+TEST_F(SynthesisReport, asks_of_every_clock_what_it_must_reach) {
+  const std::string two = layout;
+  const std::string one = R"("fmax": {"clk": {"achieved": 60.0, "constraint": 50.0})";
+  const auto with = [&](const char* other) {
+    std::string text = two;
+    text.replace(text.find(one), one.size(), one + ", " + other);
+    write(cells, text);
+    return read_report(folder_, folder_, Family::ecp5);
+  };
+  const Report good = with(R"("a_watch": {"achieved": 200.0, "constraint": 2.4})");
+  EXPECT_EQ(good.wanted_mhz, 50);
+  EXPECT_EQ(good.fastest_mhz, 60);
+  EXPECT_TRUE(good.fast_enough());
+  const Report slow = with(R"("a_watch": {"achieved": 2.0, "constraint": 2.4})");
+  EXPECT_FALSE(slow.fast_enough());
+  EXPECT_NE(as_table(slow).find("too slow: clock a_watch"), std::string::npos);
+}
+
 TEST_F(SynthesisReport, refuses_a_report_that_lacks_something) {
   write("{}", layout);
   EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);

@@ -11,10 +11,11 @@ mkdir -p "$directory/verilated"
 cd "$directory"
 
 # Nets of one bit each, because a vector of which one bit follows from another looks like a loop to Verilator, and is
-# slow; short names, of which the model is made in half the time; block RAMs are called block_ram_0, ... for tests that
-# reach their contents. Nothing is optimised: all cells stay.
+# slow; short names, of which the model is made in half the time; block RAMs are called block_ram_0, ... and oscillators
+# oscillator_0, ... for tests that reach into them. Nothing is optimised: all cells stay.
 yosys -q -p "read_json $netlist; hierarchy -top $entity; delete t:\$scopeinfo; splitnets; rename -hide;
-  rename -enumerate -pattern block_ram_% t:DP16KD; rename -enumerate; write_verilog -noattr pins.v" > cells.log 2>&1 || { tail -n 20 cells.log; exit 1; }
+  rename -enumerate -pattern block_ram_% t:DP16KD;
+  rename -enumerate -pattern oscillator_% t:OSCG; rename -enumerate; write_verilog -noattr pins.v" > cells.log 2>&1 || { tail -n 20 cells.log; exit 1; }
 # Of Yosys' models those that simulate fast.
 awk '/^module (PFUMX|L6MUX21|CCU2C|TRELLIS_FF|TRELLIS_DPR16X4) *\(/ { inside = 1 }
   inside { print }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # What synthesize_board.sh has left in NETLIST_DIRECTORY on an ECP5: netlist -> (nextpnr) -> layout -> (ecppack) ->
-# bitstream, with report.json in the directory.
+# bitstream, with report.json in the directory, and in pins.json what the constraints ask of the pins' times.
 # Usage: place_board.sh PROJECT BOARD NETLIST_DIRECTORY DEVICE SEED DIRECTORY
 set -euo pipefail
 project=$1 board=$2 netlist=$3/netlist.json device=$4 seed=$5 directory=$6
@@ -13,7 +13,7 @@ weights=(--placer-heap-timingweight 80)
 
 mkdir -p "$directory"
 cd "$directory"
-rm -f report.json "$board.bit"
+rm -f report.json pins.json "$board.bit"
 
 # A board that is none has no pins.
 if [ ! -f "$project/boards/$board/connections.csv" ]; then
@@ -25,6 +25,19 @@ fi
 
 "$project/tools/hardware/write_constraints.sh" "$project" "$board" > pins.lpf
 cat pins.lpf "$project/constraints/$board.lpf" > board.lpf
+
+# nextpnr has no constraints for these: tools/synthesis compares them with its report.
+awk -F, '
+  FNR == 1 { file += 1; next }
+  file == 1 { longest[$1] = $2; next }
+  file == 2 { registered[$1] = $6 == "pad"; next }
+  { signal = $1; sub(/\[.*/, "", signal); registers += registered[signal] }
+  END {
+    printf "{\"pad_registers\": %d, \"input_to_register_ns\": %s, \"register_to_output_ns\": %s}\n",
+      registers, longest["input_to_register"], longest["register_to_output"]
+  }
+' "$project/constraints/delays.csv" "$project/constraints/signals.csv" \
+  "$project/boards/$board/connections.csv" > pins.json
 
 place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
   --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${weights[@]}" --timing-allow-fail

@@ -16,10 +16,17 @@ rm -f netlist.json cells.json
 # The firmware becomes the initial contents of the memory, one file per lane of bytes.
 riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
 od -An -v -tx1 -w4 work/firmware.bin |
-  awk '{ for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/lane" lane ".hex" }'
-sed -E 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
+  awk -v lower="$(sed -nE 's/^ *reg \[7:0\] lanes_n1_bytes\[([0-9]+):0\].*/\1/p' work/chip.v)" '{
+    bank = NR <= lower + 1 ? "" : "upper_"
+    for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/" bank "lane" lane ".hex"
+  }'
+# A memory of one bank has none of the upper one.
+for lane in 1 2 3 4; do touch "work/upper_lane$lane.hex"; done
+sed -E -e 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
+  -e 's/^( *)reg \[7:0\] (two_banks_(upper_lane)s_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/\3\4.hex", \2);/' \
   work/chip.v > work/synthesis.v
-[ "$(grep -c readmemh work/synthesis.v)" = 4 ] ||
+banks=$(grep -cE 'reg \[7:0\] (two_banks_upper_)?lanes_n1_bytes' work/chip.v)
+[ "$(grep -c readmemh work/synthesis.v)" = $((4 * banks)) ] ||
   { echo "failed: the memory has other names than rtl/memory/README.md says" >&2; exit 1; }
 
 # Yosys knows no delays of the block RAM, and so makes logic short where it need not be. In the netlist that
@@ -82,7 +89,7 @@ awk -v wire=$wire '
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
-  read_verilog -sv work/with_ways.v $(find "$project/boards" -path "*/$board/*.v");
+  read_verilog -sv work/with_ways.v $(find "$project/boards" -path "*/$board/*.v" -printf '%p ');
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;

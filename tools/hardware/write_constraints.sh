@@ -13,11 +13,12 @@ awk -F, '
   FNR == 1 { file += 1; next }
   file == 1 {
     if ($1 in pull) fail("two rows for " $1)
-    if (NF != 9) fail("9 columns are wanted for " $1)
-    if (!one_of($2, "in out") || !one_of($3, "none up down") || $6 == "") fail("what does " $1 " need?")
+    if (NF != 10) fail("10 columns are wanted for " $1)
+    if (!one_of($2, "in out") || !one_of($3, "none up down") || $7 == "") fail("what does " $1 " need?")
     if ($2 == "in" ? $4 $5 != "" : !one_of($4, "4 8 12 16") || !one_of($5, "slow fast"))
       fail("drive and slew are for outputs, and for all of them: " $1)
-    pull[$1] = $3; drive[$1] = $4; slew[$1] = $5; volts[$1] = $6
+    if ($6 != "" && ($6 != "pad" || $2 != "out")) fail("a register is in the pad of an output: " $1)
+    pull[$1] = $3; drive[$1] = $4; slew[$1] = $5; volts[$1] = $7
     next
   }
   file == 2 { bank_volts[$1] = $2; next }

@@ -123,7 +123,8 @@ void add_options(CLI::App& job, Options& options) {
       ->type_name("DIR")
       ->capture_default_str();
   job.footer(
-      "Exit status: 0 the bitstream is there and fast enough, 1 it is too slow, 2 a tool failed.");
+      "Exit status: 0 the bitstream is there and fast enough, 1 the clock or a pin is too slow, "
+      "2 a tool failed.");
 }
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
@@ -164,7 +165,10 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   std::ofstream(directory / "synthesis.json") << as_json(report);
   fmt::print("{}", as_table(report));
   fmt::print("  report, logs and, for a board, the bitstream in {}\n", directory.string());
-  return report.fast_enough();
+  if (!report.pins_are_good()) {
+    fmt::print(stderr, "failed: the pins are not as constraints/signals.csv and delays.csv ask\n");
+  }
+  return report.fast_enough() && report.pins_are_good();
 }
 
 }  // namespace synthesis

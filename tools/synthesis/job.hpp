@@ -26,7 +26,8 @@ void add_options(CLI::App& job, Options& options);
 
 // `firmware` is the ELF file that becomes the memory's contents. Writes the netlist, BOARD.bit and
 // synthesis.json of the fastest placement, and a folder for each placement, into the directory.
-// False where the clock is too slow for the board's. Throws std::runtime_error where a tool fails.
+// False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
+// tool fails.
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware);
 

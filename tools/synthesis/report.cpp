@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -87,11 +88,53 @@ std::vector<Hop> slowest_path(const json& report, const std::string& clock) {
   return hops;
 }
 
+double wanted_of(const json& clock) { return clock.at("constraint"); }
+
+// The longest of the paths between pins and registers, which nextpnr gives one of each direction.
+double longest_ns(const json& report, bool from_pins) {
+  double longest = 0;
+  for (const json& path : report.at("critical_paths")) {
+    const bool from = path.at("from") == "<async>", to = path.at("to") == "<async>";
+    if (from != from_pins || to == from_pins) continue;
+    double sum = 0;
+    for (const json& hop : path.at("path")) sum += hop.at("delay").get<double>();
+    longest = std::max(longest, sum);
+  }
+  return longest;
+}
+
+// An ECP5 has two kinds of pads with registers.
+int pad_registers_of(const json& utilization) {
+  int used = 0;
+  for (const char* kind : {"IOLOGIC", "SIOLOGIC"}) {
+    if (utilization.contains(kind)) used += utilization.at(kind).at("used").get<int>();
+  }
+  return used;
+}
+
+PinTimes wanted_pins_of(const json& pins) {
+  return {.pad_registers = pins.at("pad_registers"),
+          .input_to_register_ns = pins.at("input_to_register_ns"),
+          .register_to_output_ns = pins.at("register_to_output_ns")};
+}
+
+json as_object(const PinTimes& pins) {
+  return {{"pad_registers", pins.pad_registers},
+          {"input_to_register_ns", pins.input_to_register_ns},
+          {"register_to_output_ns", pins.register_to_output_ns}};
+}
+
 json as_object(const Usage& usage) {
   return {{"used", usage.used}, {"available", usage.available}};
 }
 
 }  // namespace
+
+bool Report::pins_are_good() const {
+  return !wanted_pins || (pins.pad_registers == wanted_pins->pad_registers &&
+                          pins.input_to_register_ns <= wanted_pins->input_to_register_ns &&
+                          pins.register_to_output_ns <= wanted_pins->register_to_output_ns);
+}
 
 Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& folder,
                    Family family) {
@@ -113,14 +156,25 @@ Report read_report(const std::filesystem::path& netlist, const std::filesystem::
     if (utilization.contains(names.multipliers)) {
       report.multipliers = usage_of(utilization, names.multipliers);
     }
-    if (layout.at("fmax").size() != 1) {
-      throw std::runtime_error(
-          fmt::format("there are {} clocks and not one", layout.at("fmax").size()));
+    const json& clocks = layout.at("fmax");
+    if (clocks.empty()) throw std::runtime_error("there is no clock");
+    // The design's own is the one of which most is wanted.
+    auto clock = clocks.begin();
+    for (auto other = clocks.begin(); other != clocks.end(); ++other) {
+      if (wanted_of(other.value()) > wanted_of(clock.value())) clock = other;
+      if (other.value().at("achieved").get<double>() < wanted_of(other.value())) {
+        report.slow_clocks.push_back(other.key());
+      }
     }
-    const auto clock = layout.at("fmax").begin();
-    report.wanted_mhz = clock.value().at("constraint");
+    report.wanted_mhz = wanted_of(clock.value());
     report.fastest_mhz = clock.value().at("achieved");
     report.critical_path = slowest_path(layout, clock.key());
+    report.pins = {.pad_registers = pad_registers_of(utilization),
+                   .input_to_register_ns = longest_ns(layout, true),
+                   .register_to_output_ns = longest_ns(layout, false)};
+    if (std::filesystem::exists(folder / "pins.json")) {
+      report.wanted_pins = wanted_pins_of(read(folder / "pins.json"));
+    }
   } catch (const json::exception& error) {
     throw std::runtime_error(fmt::format("{}: {}", folder.string(), error.what()));
   }
@@ -151,6 +205,10 @@ std::string as_json(const Report& report) {
                  {"margin_percent", report.margin_percent()},
                  {"critical_path", path}};
   if (report.memory_bytes) object["memory_bytes"] = *report.memory_bytes;
+  if (report.wanted_pins) {
+    object["pins"] = as_object(report.pins);
+    object["wanted_pins"] = as_object(*report.wanted_pins);
+  }
   return object.dump(2) + "\n";
 }
 
@@ -172,6 +230,9 @@ std::string as_table(const Report& report) {
   row(names.multiplier, report.multipliers);
   text += fmt::format("  {:<24}{:>7.1f} MHz; {:.0f} MHz are wanted: {:+.0f} %\n", "fastest clock",
                       report.fastest_mhz, report.wanted_mhz, report.margin_percent());
+  for (const std::string& clock : report.slow_clocks) {
+    text += fmt::format("  too slow: clock {}\n", clock);
+  }
   if (report.placements.size() > 1) {
     text += "  of the placements        ";
     for (const Placement& placement : report.placements) {
@@ -182,6 +243,15 @@ std::string as_table(const Report& report) {
   if (!report.critical_path.empty()) {
     text += fmt::format("  slowest path from {}\n                 to {}\n",
                         report.critical_path.front().from, report.critical_path.back().to);
+  }
+  if (const auto& wanted = report.wanted_pins) {
+    text += fmt::format(
+        "  registers in pads       {:>7}; {} are wanted\n"
+        "  pin to register         {:>7.1f} ns; at most {:.1f}\n"
+        "  register to pin         {:>7.1f} ns; at most {:.1f}\n",
+        report.pins.pad_registers, wanted->pad_registers, report.pins.input_to_register_ns,
+        wanted->input_to_register_ns, report.pins.register_to_output_ns,
+        wanted->register_to_output_ns);
   }
   return text;
 }

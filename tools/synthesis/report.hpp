@@ -31,6 +31,15 @@ struct Placement {
   double fastest_mhz = 0;
 };
 
+// What lies between the pins and the registers next to them. nextpnr counts it from pad to
+// register, without the buffer in the pad.
+struct PinTimes {
+  // Outputs whose register lies in the pad.
+  int pad_registers = 0;
+  double input_to_register_ns = 0;
+  double register_to_output_ns = 0;
+};
+
 struct Report {
   std::string board;
   std::string device;
@@ -48,17 +57,26 @@ struct Report {
   // Of 18 kbit on an ECP5, of 4 on an iCE40.
   Usage block_rams;
   Usage multipliers;
+  // Of the fastest of the design's clocks.
   double wanted_mhz = 0;
   double fastest_mhz = 0;
   std::vector<Hop> critical_path;
+  PinTimes pins;
+  // So many registers, and no longer times. Of a board only.
+  std::optional<PinTimes> wanted_pins;
 
-  bool fast_enough() const { return fastest_mhz >= wanted_mhz; }
+  // Of all clocks, those that are slower than they must be.
+  std::vector<std::string> slow_clocks;
+
+  bool fast_enough() const { return fastest_mhz >= wanted_mhz && slow_clocks.empty(); }
+  bool pins_are_good() const;
   // How much faster than wanted the clock could be, in percent.
   double margin_percent() const { return (fastest_mhz / wanted_mhz - 1) * 100; }
 };
 
 // Reads `cells.json` (yosys stat -json) in the netlist's folder and `report.json` (nextpnr
-// --report) in the layout's. Throws std::runtime_error where something is missing.
+// --report) and, of a board, `pins.json` (place_board.sh) in the layout's. Throws
+// std::runtime_error where something is missing.
 Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& layout,
                    Family family);
 std::string as_json(const Report& report);
