@@ -20,17 +20,23 @@ constexpr units::Milliseconds sensor_timeout{1'000};
 // The hardware cuts off beyond the software's own limits, so that the fault has its proper name
 // first.
 constexpr units::Millicelsius cut_off_margin{10'000};
+// Hot enough that no neighbour makes it so is a part below so many times the count of its cut-off:
+// above 150 degrees with the hotend's limit, above 60 with the bed's.
+constexpr std::uint32_t hot_factor = 8;
+// Behind the heat that was still on its way to the sensor; a bed is slow.
+constexpr units::Milliseconds hotend_settle{15'000};
+constexpr units::Milliseconds bed_settle{60'000};
 constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
 
 // A bed is slow: Marlin's WATCH_BED_TEMP_PERIOD and THERMAL_PROTECTION_BED_HYSTERESIS.
-constexpr thermal::ProtectionSettings bed_protection{.watch_period = units::Milliseconds{60'000},
-                                                     .unasked_settle = units::Milliseconds{60'000}};
+constexpr thermal::ProtectionSettings bed_protection{.watch_period = units::Milliseconds{60'000}};
 
 thermal::HeaterSettings settings_of(const HeaterDescription& heater) {
   thermal::HeaterSettings settings;
   settings.minimum = heater.min;
   settings.maximum = heater.max;
   settings.gains = heater.gains;
+  settings.model = &heater.model;
   return settings;
 }
 
@@ -85,27 +91,57 @@ void HeatTask::start() {
                                             thermal::Sensor::short_limit(bed_table_, circuit_))});
   control_.set_slot(gate_slot);
   control_.set_timeouts(watchdog_timeout, sensor_timeout);
-  control_.feed();
 }
 
 void HeatTask::update(Now now) {
   if (last_update_ && now.milliseconds - *last_update_ < thermal::HeaterLoop::period) return;
   last_update_ = now.milliseconds;
-  control_.feed();
+  watch_supply();
   for (Part& part : parts_) update(part, now);
+  control_.feed(drivers::FeedKey::first);
+  second_key_is_due_ = true;
+}
+
+void HeatTask::complete_feed() {
+  if (!second_key_is_due_) return;
+  second_key_is_due_ = false;
+  control_.feed(drivers::FeedKey::second);
+}
+
+// Closed once, when some heater has its limits and nothing is asked for; what opens it then is a
+// fault.
+void HeatTask::watch_supply() {
+  const bool closed = control_.supply().closed;
+  if (supply_closed_ && !closed) hardware_fault_ = "Error:Heater supply cut off";
+  supply_closed_ = supply_closed_ || closed;
+  if (supply_closed_ || !hardware_fault_.empty()) return;
+  bool some_locked = false;
+  for (Part& part : parts_) {
+    some_locked = some_locked || part.limits_locked;
+    control_.clear_trips(part.description.heater_channel);
+  }
+  if (some_locked) control_.close_supply();
+}
+
+// A reading that is ok says how capacitor and threshold are, and so what the limits are in counts.
+void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
+  const HeaterDescription& heater = part.description;
+  const auto limits =
+      part.sensor.limits(heater.min - cut_off_margin, heater.max + cut_off_margin, reading);
+  if (!limits) return;
+  const bool is_bed = &part == &this->part(Heater::bed);
+  part.limits_locked =
+      control_.lock_limits(heater.heater_channel, {.counts = *limits,
+                                                   .hot = hot_factor * limits->minimum,
+                                                   .settle = is_bed ? bed_settle : hotend_settle});
+  if (!part.limits_locked) hardware_fault_ = "Error:Heater limits refused";
 }
 
 void HeatTask::update(Part& part, Now now) {
   const std::size_t gate = part.description.heater_channel;
   const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
-  if (!part.limits_locked && reading.state == thermal::SensorState::ok) {
-    const auto limits = part.sensor.limits(part.description.min - cut_off_margin,
-                                           part.description.max + cut_off_margin, reading);
-    if (limits) {
-      control_.lock_limits(gate, *limits);
-      part.limits_locked = true;
-    }
-  }
+  if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok)
+    lock_limits(part, reading);
   const bool was_heating = part.loop.duty() != 0;
   const bool tripped = control_.status(gate).tripped;
   if (tripped && was_heating) part.loop.report_cut_off();
@@ -114,14 +150,21 @@ void HeatTask::update(Part& part, Now now) {
   // What tripped while nothing was asked for (before the first conversion, say) is forgotten with
   // the first wish for heat; what still holds trips again at once.
   if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
-  control_.set_duty(gate, part.limits_locked ? duty : thermal::Duty{0});
+  control_.set_duty(gate, part.limits_locked && supply_closed_ ? duty : thermal::Duty{0});
 }
 
 void HeatTask::shut_down() {
+  control_.open_supply();
+  second_key_is_due_ = false;
   for (Part& part : parts_) {
     part.loop.set_target(thermal::HeaterLoop::off);
     control_.set_duty(part.description.heater_channel, 0);
   }
+}
+
+void HeatTask::set_cooling(const thermal::Cooling& cooling) {
+  loop(Heater::hotend).set_cooling(cooling);
+  loop(Heater::bed).set_cooling({.fan = cooling.fan});
 }
 
 void HeatTask::set_target(Heater heater, units::Millicelsius target) {

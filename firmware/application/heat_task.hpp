@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "application/machine_description.hpp"
 #include "application/tick_clock.hpp"
@@ -34,8 +35,14 @@ class HeatTask {
   void start();
   // Every pass of the loop; works every thermal::HeaterLoop::period.
   void update(Now now);
-  // For good: no heat, and the watchdog is not fed any more.
+  // At the end of a pass, after all tasks: the watchdog's second key, if update() has fed the
+  // first.
+  void complete_feed();
+  // For good: no heat, no supply, and the watchdog is not fed any more.
   void shut_down();
+
+  // What fan and filament take away from now on.
+  void set_cooling(const thermal::Cooling& cooling);
 
   // 0 is off. Cut to what the heater may be asked for.
   void set_target(Heater heater, units::Millicelsius target);
@@ -51,6 +58,8 @@ class HeatTask {
     thermal::Fault fault;
   };
   std::optional<NamedFault> fault() const;
+  // What the protecting hardware does not do as it should, for the host; empty where it does.
+  std::string_view hardware_fault() const { return hardware_fault_; }
 
  private:
   struct Part {
@@ -64,6 +73,8 @@ class HeatTask {
   Part& part(Heater heater) { return parts_[static_cast<std::size_t>(heater)]; }
   const Part& part(Heater heater) const { return parts_[static_cast<std::size_t>(heater)]; }
   void update(Part& part, Now now);
+  void lock_limits(Part& part, const thermal::SensorReading& reading);
+  void watch_supply();
 
   const MachineDescription& machine_;
   thermal::NominalCircuit circuit_;
@@ -73,6 +84,9 @@ class HeatTask {
   drivers::HeaterControl& control_;
   std::array<Part, 2> parts_;
   std::optional<units::Milliseconds> last_update_;
+  std::string_view hardware_fault_;
+  bool supply_closed_{};
+  bool second_key_is_due_{};
 };
 
 }  // namespace application

@@ -13,6 +13,7 @@ enum class Fault : std::uint8_t {
   sensor_stuck,  // the pin reads 1 with an empty capacitor
   sensor_time_out,  // the capacitor does not charge through any resistor
   sensor_stale,  // no conversion for too long
+  sensor_frozen,  // a small change of the heat does not show
   sensor_implausible,  // the references or the temperature cannot be true
   min_temperature,  // colder than the machine can be
   max_temperature,  // hotter than the machine may be
@@ -35,6 +36,8 @@ constexpr std::string_view name_of(Fault fault) {
       return "sensor does not charge";
     case Fault::sensor_stale:
       return "sensor silent";
+    case Fault::sensor_frozen:
+      return "thermistor frozen";
     case Fault::sensor_implausible:
       return "sensor implausible";
     case Fault::min_temperature:

@@ -5,6 +5,12 @@
 #include <algorithm>
 
 namespace thermal {
+namespace {
+
+// So near to the target a heater is settled enough to be probed.
+constexpr units::Millicelsius near{3'000};
+
+}  // namespace
 
 void HeaterLoop::set_target(units::Millicelsius target) {
   const units::Millicelsius settled = std::clamp(target, off, highest_target());
@@ -16,6 +22,7 @@ void HeaterLoop::set_target(units::Millicelsius target) {
 }
 
 Duty HeaterLoop::update(const Temperature& measured, units::Milliseconds now) {
+  watch_plausibility(measured, now);
   if (measured) {
     faulty_since_.reset();
     temperature_ = *measured;
@@ -25,6 +32,28 @@ Duty HeaterLoop::update(const Temperature& measured, units::Milliseconds now) {
   }
   last_update_ = now;
   return duty_;
+}
+
+void HeaterLoop::watch_plausibility(const Temperature& measured, units::Milliseconds now) {
+  const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
+  using Finding = Plausibility::Finding;
+  switch (plausibility_.update(measured ? std::optional(*measured) : std::nullopt, duty_,
+                               target_ != off, cooling_, elapsed)) {
+    case Finding::none:
+      break;
+    case Finding::heat_missing:
+      // What is off may cool down as it likes.
+      if (target_ != off) {
+        stop_with(protection_.holding() ? Fault::thermal_runaway : Fault::heating_failed);
+      }
+      break;
+    case Finding::heat_unasked:
+      stop_with(Fault::unasked_heat);
+      break;
+    case Finding::sensor_frozen:
+      if (target_ != off) stop_with(Fault::sensor_frozen);
+      break;
+  }
 }
 
 // One faulty conversion may be a disturbance: no heat meanwhile, and a fault if it lasts. A heater
@@ -41,11 +70,14 @@ Duty HeaterLoop::wait_for_sensor(Fault fault, units::Milliseconds now) {
 Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
   if (measured > settings_.maximum) stop_with(Fault::max_temperature);
   if (measured < settings_.minimum && target_ != off) stop_with(Fault::min_temperature);
-  if (const auto fault = protection_.update(target_, measured, duty_, now)) stop_with(*fault);
+  if (const auto fault = protection_.update(target_, measured, now)) stop_with(*fault);
   if (fault_ || target_ == off) return 0;
   arrival_.update(target_, measured, now);
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
-  return controller_.update(target_, measured, elapsed);
+  const Duty duty = controller_.update(target_, measured, elapsed);
+  const bool settled =
+      protection_.holding() && std::clamp(measured, target_ - near, target_ + near) == measured;
+  return plausibility_.probe(settled, duty);
 }
 
 void HeaterLoop::stop_with(Fault fault) {

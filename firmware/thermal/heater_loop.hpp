@@ -7,6 +7,7 @@
 #include "thermal/arrival.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/fault.hpp"
+#include "thermal/plausibility.hpp"
 #include "thermal/protection.hpp"
 #include "thermal/sensor.hpp"
 #include "units/quantity.hpp"
@@ -22,6 +23,7 @@ struct HeaterSettings {
   ControllerGains gains;
   ArrivalSettings arrival;
   ProtectionSettings protection;
+  const HeaterModel* model = &no_heater_model;  // must outlive the loop
 };
 
 class HeaterLoop {
@@ -33,13 +35,17 @@ class HeaterLoop {
       : settings_(settings),
         controller_(settings.gains),
         arrival_(settings.arrival),
-        protection_(settings.protection) {}
+        protection_(settings.protection),
+        plausibility_(*settings.model) {}
 
   // `off`, or a temperature, which is cut to highest_target(). No heat after a fault, whatever the
   // target.
   void set_target(units::Millicelsius target);
   units::Millicelsius target() const { return target_; }
   units::Millicelsius highest_target() const { return settings_.maximum - settings_.target_margin; }
+
+  // What cools from now on.
+  void set_cooling(const Cooling& cooling) { cooling_ = cooling; }
 
   // Call every `period` with what the sensor says; the duty is for the hardware.
   Duty update(const Temperature& measured, units::Milliseconds now);
@@ -63,6 +69,7 @@ class HeaterLoop {
 
  private:
   void stop_with(Fault fault);
+  void watch_plausibility(const Temperature& measured, units::Milliseconds now);
   Duty wait_for_sensor(Fault fault, units::Milliseconds now);
   Duty heat(units::Millicelsius measured, units::Milliseconds now);
 
@@ -70,6 +77,8 @@ class HeaterLoop {
   Controller controller_;
   Arrival arrival_;
   Protection protection_;
+  Plausibility plausibility_;
+  Cooling cooling_{};
   units::Millicelsius target_ = off;
   Duty duty_ = 0;
   std::optional<Fault> fault_;

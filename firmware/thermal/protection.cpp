@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watches that a heater and its sensor belong together: what heats must get hot, what is off must
-// not.
+// Watches that a heater and its sensor belong together: what heats must get hot and stay so.
 #include "thermal/protection.hpp"
-
-#include <algorithm>
 
 namespace thermal {
 
 void Protection::restart() { phase_ = Phase::off; }
 
 std::optional<Fault> Protection::update(units::Millicelsius target, units::Millicelsius measured,
-                                        Duty duty, units::Milliseconds now) {
-  if (const auto fault = watch_unasked_heat(measured, duty, now)) return fault;
+                                        units::Milliseconds now) {
   if (target <= units::Millicelsius(0)) {
     phase_ = Phase::off;
     return std::nullopt;
@@ -51,27 +47,6 @@ std::optional<Fault> Protection::watch_holding(units::Millicelsius target,
                                                units::Milliseconds now) {
   if (measured >= target - settings_.runaway_drop) last_held_ = now;
   if (now - last_held_ > settings_.runaway_period) return Fault::thermal_runaway;
-  return std::nullopt;
-}
-
-// Within each period, once the heat on its way has arrived, counted from the coolest point.
-std::optional<Fault> Protection::watch_unasked_heat(units::Millicelsius measured, Duty duty,
-                                                    units::Milliseconds now) {
-  if (duty != 0 || !idle_since_) {
-    idle_since_ = now;
-    return std::nullopt;
-  }
-  const units::Milliseconds idle = now - *idle_since_;
-  if (idle < settings_.unasked_settle) {
-    coolest_idle_ = measured;
-  } else if (measured > coolest_idle_ + settings_.unasked_rise) {
-    return Fault::unasked_heat;
-  } else if (idle >= settings_.unasked_settle + settings_.unasked_period) {
-    idle_since_ = now - settings_.unasked_settle;
-    coolest_idle_ = measured;
-  } else {
-    coolest_idle_ = std::min(coolest_idle_, measured);
-  }
   return std::nullopt;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watches that a heater and its sensor belong together: what heats must get hot, what is off must
-// not.
+// Watches that a heater and its sensor belong together: what heats must get hot and stay so.
 #pragma once
 
 #include <optional>
 
-#include "thermal/controller.hpp"
 #include "thermal/fault.hpp"
 #include "units/quantity.hpp"
 
@@ -17,9 +15,6 @@ struct ProtectionSettings {
   units::Milliseconds watch_period{20'000};  // within this time
   units::Millicelsius runaway_drop{4'000};  // once reached it may be so much colder
   units::Milliseconds runaway_period{40'000};  // for this long
-  units::Millicelsius unasked_rise{8'000};  // with the heater off it may rise so much
-  units::Milliseconds unasked_period{60'000};  // within this time
-  units::Milliseconds unasked_settle{10'000};  // after the heat that was still on its way
 };
 
 class Protection {
@@ -28,8 +23,10 @@ class Protection {
 
   // The target has changed.
   void restart();
-  // Target 0 is off. `duty` is what the heater was given since the last update.
-  std::optional<Fault> update(units::Millicelsius target, units::Millicelsius measured, Duty duty,
+  // The target has been reached since it was set.
+  bool holding() const { return phase_ == Phase::holding; }
+  // Target 0 is off.
+  std::optional<Fault> update(units::Millicelsius target, units::Millicelsius measured,
                               units::Milliseconds now);
 
  private:
@@ -39,16 +36,12 @@ class Protection {
                                      units::Milliseconds now);
   std::optional<Fault> watch_holding(units::Millicelsius target, units::Millicelsius measured,
                                      units::Milliseconds now);
-  std::optional<Fault> watch_unasked_heat(units::Millicelsius measured, Duty duty,
-                                          units::Milliseconds now);
 
   ProtectionSettings settings_;
   Phase phase_ = Phase::off;
   units::Millicelsius rise_goal_{};
   units::Milliseconds rise_deadline_{};
   units::Milliseconds last_held_{};
-  std::optional<units::Milliseconds> idle_since_;  // and nothing was wrong until then
-  units::Millicelsius coolest_idle_{};
 };
 
 }  // namespace thermal

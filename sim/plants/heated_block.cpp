@@ -29,6 +29,12 @@ void HeatedBlock::set_heater(double seconds, bool on) {
   on_ = on;
 }
 
+void HeatedBlock::set_supply(double seconds, bool closed) {
+  if (closed == supplied_) return;
+  advance(seconds);
+  supplied_ = closed;
+}
+
 void HeatedBlock::set_fan(double seconds, double speed) {
   if (speed == fan_speed_) return;
   advance(seconds);
@@ -48,11 +54,28 @@ void HeatedBlock::set_fault(double seconds, HeaterFault fault) {
   fault_ = fault;
 }
 
+void HeatedBlock::set_bead_fault(double seconds, BeadFault fault) {
+  bead_kelvin_ = sensor_celsius(seconds) - ambient_celsius_;
+  bead_fault_seconds_ = seconds;
+  bead_fault_ = fault;
+}
+
 double HeatedBlock::celsius(double seconds) const {
   return ambient_celsius_ + state_at(seconds)[1];
 }
 
 double HeatedBlock::sensor_celsius(double seconds) const {
+  const double since = seconds - bead_fault_seconds_;
+  switch (bead_fault_) {
+    case BeadFault::none:
+      break;
+    case BeadFault::frozen:
+      return ambient_celsius_ + bead_kelvin_;
+    case BeadFault::drifting:
+      return ambient_celsius_ + state_at(seconds)[2] - drift_kelvin_per_second * since;
+    case BeadFault::detached:
+      return ambient_celsius_ + bead_kelvin_ * std::exp(-since / bead_in_air_seconds);
+  }
   return ambient_celsius_ + state_at(seconds)[2];
 }
 
@@ -62,7 +85,7 @@ double HeatedBlock::heater_joules(double seconds) const {
 
 double HeatedBlock::watts() const {
   const bool heats = fault_ == HeaterFault::stuck_on || (fault_ == HeaterFault::none && on_);
-  return heats ? properties_.heater_watts : 0;
+  return heats && supplied_ ? properties_.heater_watts : 0;
 }
 
 double HeatedBlock::loss() const {

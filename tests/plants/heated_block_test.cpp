@@ -6,12 +6,13 @@
 
 #include <cmath>
 
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
+#include "tests/plants/described_heaters.hpp"
 
 namespace {
 
 plants::HeatedBlock hotend(double start = 22) {
-  return {machine::hotend_properties(40), machine::ambient_celsius, start};
+  return {tests::described_hotend(), machine::ambient_celsius, start};
 }
 
 TEST(heated_block, stays_at_the_temperature_of_its_surroundings) {
@@ -28,14 +29,14 @@ TEST(heated_block, heats_up_as_fast_as_a_mendel) {
 }
 
 TEST(heated_block, ends_where_loss_equals_power) {
-  const auto properties = machine::hotend_properties(40);
+  const auto properties = tests::described_hotend();
   plants::HeatedBlock block = hotend();
   block.set_heater(0, true);
   EXPECT_NEAR(block.celsius(20'000), 22 + 40 / properties.loss_watts_per_kelvin, 1e-6);
 }
 
 TEST(heated_block, keeps_energy) {
-  auto properties = machine::hotend_properties(40);
+  auto properties = tests::described_hotend();
   properties.loss_watts_per_kelvin = 0;
   plants::HeatedBlock block(properties, 22, 22);
   block.set_heater(1, true);
@@ -94,6 +95,21 @@ TEST(heated_block, does_what_its_transistor_does) {
   block.set_fault(60, plants::HeaterFault::stuck_off);
   block.set_heater(61, true);
   EXPECT_LT(block.celsius(600), 60);
+}
+
+TEST(heated_block, has_a_bead_that_freezes_drifts_or_falls_out) {
+  using plants::BeadFault;
+  const auto bead_after = [](BeadFault fault, double seconds) {
+    plants::HeatedBlock block = hotend(205);
+    block.set_heater(0, true);
+    block.set_bead_fault(10, fault);
+    return block.sensor_celsius(10 + seconds);
+  };
+  const double at_once = bead_after(BeadFault::none, 0);
+  EXPECT_EQ(bead_after(BeadFault::frozen, 30), at_once);
+  EXPECT_NEAR(bead_after(BeadFault::none, 30) - bead_after(BeadFault::drifting, 30), 30, 1e-9);
+  EXPECT_NEAR(bead_after(BeadFault::detached, 0), at_once, 1e-9);
+  EXPECT_NEAR(bead_after(BeadFault::detached, 60), machine::ambient_celsius, 1);
 }
 
 TEST(heated_block, feels_heat_late_at_the_sensor) {

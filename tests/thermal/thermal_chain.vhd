@@ -19,7 +19,8 @@ entity thermal_chain is
     sense : in std_ulogic_vector(1 downto 0);
     drive_enable : out std_ulogic_vector(5 downto 0);
     drive_level : out std_ulogic_vector(5 downto 0);
-    gates : out std_ulogic_vector(1 downto 0)
+    gates : out std_ulogic_vector(1 downto 0);
+    supply : out std_ulogic
   );
 end entity;
 
@@ -27,6 +28,8 @@ architecture rtl of thermal_chain is
 
   signal converter_request, heater_request : bus_request_t;
   signal converter_response, heater_response : bus_response_t;
+  signal more_charges : unsigned(7 downto 0);
+  signal limits_locked : std_ulogic;
   signal readings : sensor_reading_array_t(0 to 1);
 
 begin
@@ -44,16 +47,17 @@ begin
 
   converter : entity work.temperature_converter
     port map (
-      clk => clk, always_clk => clk, bus_clk => clk,
+      clk => clk, always_clk => clk, bus_clk => clk, clock_frequency_hz => clock_frequency_hz,
       reset => reset, request => converter_request, response => converter_response,
       drive_enable => drive_enable, drive_level => drive_level, discharging => open, sense => sense,
-      readings => readings);
+      readings => readings, more_charges => more_charges, limits_locked => limits_locked);
 
   heaters : entity work.heater_control
     port map (
       clk => clk, always_clk => clk, bus_clk => clk,
       clock_frequency_hz => clock_frequency_hz, reset => reset,
       request => heater_request, response => heater_response, readings => readings,
-      emergency_stop => '0', gates => gates, interrupt => open);
+      more_charges => more_charges, limits_locked => limits_locked, emergency_stop => '0', veto => '0',
+      gates => gates, supply => supply, interrupt => open);
 
 end architecture;

@@ -9,9 +9,11 @@
 #include "drivers/registers/heater_control_registers.hpp"
 #include "drivers/registers/temperature_converter_registers.hpp"
 #include "drivers/temperature_converter.hpp"
+#include "platform/bus.hpp"
 #include "sim/devices/thermistor_input.hpp"
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 #include "tests/drivers/verilated_bus.hpp"
+#include "tests/plants/described_heaters.hpp"
 #include "tests/thermal/ntc.hpp"
 #include "thermal/heater_loop.hpp"
 
@@ -59,9 +61,11 @@ struct Chain : testing::Test {
   // After each clock: cheap where no pin has changed.
   void connect() {
     const auto pins = static_cast<unsigned>(chip->drive_enable & 7) << 4 |
-                      static_cast<unsigned>(chip->drive_level & 7) << 1 | (chip->gates & 1U);
+                      static_cast<unsigned>(chip->drive_level & 7) << 1 | (chip->gates & 1U) |
+                      (chip->supply & 1U) << 7;
     if (pins == pins_before && chip.now() < next_look) return;
     pins_before = pins;
+    block.set_supply(now(), (chip->supply & 1) != 0);
     block.set_heater(now(), (chip->gates & 1) != 0);
     input.set_pins(now(), chip->drive_enable & 7, chip->drive_level & 7);
     chip->sense = input.sense(now());
@@ -70,15 +74,22 @@ struct Chain : testing::Test {
                     ? static_cast<std::uint64_t>(std::ceil(change))
                     : UINT64_MAX;
   }
+  void feed() {
+    control.feed(drivers::FeedKey::first);
+    control.feed(drivers::FeedKey::second);
+  }
   // One period of the firmware's task.
   void update() {
     const auto reading = converter.reading(0);
     const auto temperature = sensor.temperature(reading);
     if (!limits_locked && temperature) {
-      control.lock_limits(0, *sensor.limits(celsius(-5), celsius(285), reading));
-      limits_locked = true;
+      limits_locked =
+          control.lock_limits(0, {.counts = *sensor.limits(celsius(-5), celsius(285), reading),
+                                  .hot = sensor.limits(celsius(-5), celsius(140), reading)->minimum,
+                                  .settle = settle});
     }
-    control.feed();
+    feed();
+    if (limits_locked && !control.supply().closed) control.close_supply();
     if (control.status(0).tripped) loop.report_cut_off();
     const auto milliseconds = static_cast<std::int64_t>(now() * 1000);
     control.set_duty(0, loop.update(temperature, units::Milliseconds(milliseconds)));
@@ -95,7 +106,7 @@ struct Chain : testing::Test {
 
   tests::VerilatedPeripheral<Vthermal_chain> chip{registers::temperature_converter::base};
   HeaterPage heater_page{chip};
-  plants::HeatedBlock block{machine::hotend_properties(40), 22, start};
+  plants::HeatedBlock block{tests::described_hotend(), 22, start};
   devices::ThermistorInput input{{.thermistor = {100e3, 4066},
                                   .capacitor_farads = 73e-9,
                                   .reference_low_ohms = 470,
@@ -110,6 +121,7 @@ struct Chain : testing::Test {
   drivers::HeaterControl control{units::Hertz(clock_hz)};
   thermal::Sensor sensor{tests::ntc_table, tests::references};
   thermal::HeaterLoop loop{settings()};
+  static constexpr units::Milliseconds settle{1'000};
   bool limits_locked = false;
   double lowest = 1e9, highest = -1e9;
 };
@@ -140,7 +152,7 @@ TEST_F(Chain, cuts_off_by_itself_on_a_broken_sensor_while_software_insists) {
   control.set_duty(0, 20'000);
   const auto insist = [this](int tenths) {
     for (int i = 0; i < tenths; ++i) {
-      control.feed();
+      feed();
       chip.clock(clock_hz / 10);
     }
   };
@@ -155,17 +167,59 @@ TEST_F(Chain, cuts_off_by_itself_on_a_broken_sensor_while_software_insists) {
 
 TEST_F(Chain, cuts_off_by_itself_at_the_highest_temperature_while_software_insists) {
   run(0.2);
-  block = plants::HeatedBlock(machine::hotend_properties(600), 22, 200);
+  auto strong = tests::described_hotend();
+  strong.heater_watts = 600;
+  block = plants::HeatedBlock(strong, 22, 200);
   block.set_fault(now(), plants::HeaterFault::stuck_on);
-  control.set_duty(0, 1);
+  // Now and then the gate opens, so that heat is not unasked for.
+  control.set_duty(0, 200);
   double cut_off = 0;
-  for (int i = 0; i < 400 && cut_off == 0; ++i) {
-    control.feed();
-    chip.clock(clock_hz / 50);
+  for (int i = 0; i < 200 && cut_off == 0; ++i) {
+    feed();
+    chip.clock(clock_hz / 25);
     if (control.status(0).tripped) cut_off = block.sensor_celsius(now());
   }
   EXPECT_TRUE(control.status(0).too_hot_trip);
   EXPECT_NEAR(cut_off, 285, 6);
+}
+
+TEST_F(Chain, cuts_the_supply_when_a_closed_gate_heats) {
+  run(0.5);
+  loop.set_target(celsius(210));
+  run(3);
+  EXPECT_TRUE(control.supply().closed);
+  loop.set_target(thermal::HeaterLoop::off);
+  run(3);
+  EXPECT_TRUE(control.supply().closed) << "by the heat that was on its way";
+  const double before = block.celsius(now());
+  block.set_fault(now(), plants::HeaterFault::stuck_on);
+  highest = 0;
+  for (int i = 0; i < 150 && control.supply().closed; ++i) {
+    feed();
+    chip.clock(clock_hz / 10);
+  }
+  EXPECT_FALSE(control.supply().closed);
+  EXPECT_TRUE(control.status(0).heats_unasked_trip);
+  EXPECT_LT(block.celsius(now()), before + 15);
+}
+
+// Sixteen times the charges make a count sixteen times as large: what is too hot looked cold.
+TEST_F(Chain, keeps_its_limits_when_the_converter_is_set_otherwise) {
+  run(0.3);
+  ASSERT_TRUE(limits_locked);
+  block = plants::HeatedBlock(tests::described_hotend(), 22, 340);
+  platform::write(registers::temperature_converter::Control{
+      .enable = true, .references = true, .dither_cycles = 1, .more_charges = 255});
+  EXPECT_TRUE(converter.refused_settings());
+  bool opened = false;
+  for (int i = 0; i < 20; ++i) {
+    feed();
+    control.clear_trips(0);
+    control.set_duty(0, thermal::full_duty);
+    chip.clock(clock_hz / 20);
+    opened = opened || control.status(0).gate;
+  }
+  EXPECT_FALSE(opened) << "heats at " << block.sensor_celsius(now()) << " degrees";
 }
 
 }  // namespace

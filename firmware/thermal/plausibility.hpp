@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares what a heater is given with what its sensor shows: heat that goes missing is a sensor
+// that froze, drifts or has fallen out, or a heater that fails; unasked heat is a heater
+// that sticks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "thermal/controller.hpp"
+#include "thermal/heater_model.hpp"
+#include "thermal/probe.hpp"
+#include "units/quantity.hpp"
+
+namespace thermal {
+
+// slope = power * rise * duty - loss * (losses of the model), with both factors somewhere within
+// the tolerances of the description. Nothing is learnt that a fault could lead astray: of a grid of
+// heaters within the tolerances those are ruled out that are too strong or too weak for what was
+// measured, beyond draught and sag (parameter set estimation: Milanese, Vicino, Automatica 27,
+// 1991). Each has a sum of the rise that is missing, and one of the rise that it cannot explain; a
+// sum above the limit rules it out for ten minutes. No heater left: the sensor does not show what
+// is heated. With the duty at 0 whatever rises more than the heat that is still on its way explains
+// is summed up too.
+class Plausibility {
+ public:
+  enum class Finding : std::uint8_t { none, heat_missing, heat_unasked, sensor_frozen };
+
+  // The model must outlive it.
+  explicit constexpr Plausibility(const HeaterModel& model) : model_(&model), probe_(model) {}
+
+  // Every 100 ms or so. `duty` is what the heater was given since the last call, `elapsed` ago. No
+  // temperature where the conversion has failed. Not `wanted`: the heater is off, and may cool down
+  // as it likes.
+  Finding update(std::optional<units::Millicelsius> measured, Duty duty, bool wanted,
+                 const Cooling& cooling, units::Milliseconds elapsed);
+  // `duty` with the probe's rhythm.
+  Duty probe(bool settled, Duty duty) { return probe_.modulate(settled, duty); }
+
+ private:
+  static constexpr int steps = 9;  // of the grid, in both directions
+  // Against one heater of the grid, in mK.
+  struct Evidence {
+    std::int16_t missing{};
+    std::int16_t surplus{};
+  };
+
+  // Means of a window.
+  struct Window {
+    std::int32_t celsius{};  // thousandths
+    std::int32_t duty{};  // as it has come to the sensor
+    std::int32_t milliseconds{};
+  };
+  // Slopes in mK/s.
+  struct Slopes {
+    std::int32_t measured{};
+    std::int32_t heating{};  // by the model, at factor 1
+    std::int32_t still{};  // lost in still air
+    std::int32_t blown{};  // lost to the fan
+    std::int32_t melted{};  // lost to the filament
+  };
+
+  void begin_window();
+  Slopes slopes_until(const Window& now, const Cooling& cooling) const;
+  bool is_heat_missing(const Slopes& slopes, std::int32_t milliseconds);
+  bool is_heat_unasked(const Slopes& slopes, std::int32_t milliseconds);
+
+  const HeaterModel* model_;
+  Probe probe_;
+  std::array<Evidence, static_cast<std::size_t>(steps* steps)> heaters_{};
+  std::int32_t arriving_ = 0, felt_ = 0;  // duty after one lag and after both, 4 fractional bits
+  std::int32_t unasked_ = 0;  // mK
+  // Sums of the window under way, and how many updates it has.
+  Window sum_{};
+  std::int32_t updates_ = 0;
+  std::int32_t resting_ = 0;  // ms since heat was wanted
+  bool idle_ = true;  // the duty is 0 in this window
+  std::optional<Window> before_;
+};
+
+}  // namespace thermal

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// A thermistor that freezes, drifts or falls out, and a heater that sticks: found in time, before
+// the block is much hotter than wanted.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/thermal/closed_loop.hpp"
+
+namespace {
+
+using plants::BeadFault;
+using plants::HeaterFault;
+using tests::bed_settings;
+using tests::Bench;
+using tests::Course;
+using tests::hotend_settings;
+
+struct Find {
+  double seconds = -1;  // from the fault to its finding; negative: never
+  double highest = 0;  // true temperature of the block
+};
+
+// The fault comes when `is_time` says so, and has `patience` seconds to be found.
+template <class IsTime, class Break>
+Find find(Bench& bench, double target, double patience, IsTime is_time, Break break_it) {
+  double broken_at = -1;
+  Find result;
+  const double begin = bench.now();
+  const Course course = bench.run(target, 3'000, [&](double held) {
+    if (broken_at < 0 && is_time(held, bench.now() - begin)) {
+      broken_at = bench.now();
+      break_it(bench.block, broken_at);
+    }
+    return broken_at < 0 || bench.now() - broken_at < patience;
+  });
+  result.highest = course.highest;
+  if (broken_at >= 0 && course.fault) result.seconds = bench.now() - broken_at;
+  return result;
+}
+
+const auto bead = [](BeadFault fault) {
+  return [fault](plants::HeatedBlock& block, double now) { block.set_bead_fault(now, fault); };
+};
+const auto stick = [](plants::HeatedBlock& block, double now) {
+  block.set_fault(now, HeaterFault::stuck_on);
+};
+const auto held_for = [](double seconds) {
+  return [seconds](double held, double) { return held > seconds; };
+};
+
+void expect_found(const Find& found, double within, double below) {
+  EXPECT_GE(found.seconds, 0) << "never found";
+  EXPECT_LT(found.seconds, within);
+  EXPECT_LT(found.highest, below);
+  std::printf("found after %.1f s, block at most %.1f degrees\n", found.seconds, found.highest);
+}
+
+TEST(hotend_faults, finds_a_bead_that_freezes_while_it_heats_up) {
+  // Near the target, where Marlin's protections take it for held.
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 11);
+  const auto near = [&bench](double, double) {
+    return bench.block.sensor_celsius(bench.now()) > 202;
+  };
+  expect_found(find(bench, 205, 60, near, bead(BeadFault::frozen)), 20, 235);
+}
+
+TEST(hotend_faults, finds_a_bead_that_freezes_half_way) {
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 12);
+  const auto half_way = [](double, double seconds) { return seconds > 40; };
+  expect_found(find(bench, 205, 60, half_way, bead(BeadFault::frozen)), 20, 235);
+}
+
+TEST(hotend_faults, finds_a_bead_that_freezes_at_the_target) {
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 20);
+  expect_found(find(bench, 205, 300, held_for(30), bead(BeadFault::frozen)), 90, 235);
+}
+
+TEST(hotend_faults, finds_a_bead_that_drifts) {
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 13);
+  expect_found(find(bench, 205, 60, held_for(20), bead(BeadFault::drifting)), 20, 235);
+}
+
+TEST(hotend_faults, finds_a_bead_that_has_fallen_out) {
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 14);
+  expect_found(find(bench, 205, 60, held_for(20), bead(BeadFault::detached)), 20, 235);
+}
+
+TEST(hotend_faults, finds_a_heater_that_sticks) {
+  Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 15);
+  expect_found(find(bench, 205, 60, held_for(20), stick), 8, 235);
+}
+
+TEST(bed_faults, finds_a_heater_that_sticks) {
+  Bench bench(tests::described_bed(), bed_settings(), 8e6, 16);
+  expect_found(find(bench, 60, 600, held_for(60), stick), 90, 70);
+}
+
+TEST(bed_faults, finds_a_bead_that_freezes_while_it_heats_up) {
+  Bench bench(tests::described_bed(), bed_settings(), 8e6, 17);
+  const auto near = [&bench](double, double) {
+    return bench.block.sensor_celsius(bench.now()) > 57;
+  };
+  expect_found(find(bench, 60, 600, near, bead(BeadFault::frozen)), 90, 75);
+}
+
+TEST(bed_faults, finds_a_bead_that_freezes_at_the_target) {
+  Bench bench(tests::described_bed(), bed_settings(), 8e6, 21);
+  expect_found(find(bench, 60, 1'500, held_for(120), bead(BeadFault::frozen)), 400, 75);
+}
+
+TEST(bed_faults, finds_a_bead_that_drifts) {
+  Bench bench(tests::described_bed(), bed_settings(), 8e6, 18);
+  expect_found(find(bench, 60, 600, held_for(60), bead(BeadFault::drifting)), 20, 65);
+}
+
+TEST(bed_faults, finds_a_bead_that_has_fallen_out) {
+  Bench bench(tests::described_bed(), bed_settings(), 8e6, 19);
+  expect_found(find(bench, 60, 600, held_for(60), bead(BeadFault::detached)), 20, 65);
+}
+
+}  // namespace
