@@ -86,6 +86,9 @@ int main() {
   }
   // Full when motion begins.
   feeder.steps().configure(guards, 1);
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    feeder.steps().enable_motor(static_cast<units::Axis>(axis), true);
+  }
   feeder.steps().permit_motion(false);
   feeder.fill();
   feeder.steps().permit_motion(true);

@@ -2,10 +2,14 @@
 // The timer interrupt of the chip, and what keeps it out. Only in the image.
 #include "software_stepping/interrupts.hpp"
 
+#include <cstddef>
+
 #include "drivers/registers/timer_registers.hpp"
 #include "platform/bus.hpp"
-#include "platform/processor.hpp"
 #include "software_stepping/chip_stepper.hpp"
+
+// In tick.S.
+extern "C" const software_stepping::Ways tick_ways;
 
 namespace software_stepping {
 namespace {
@@ -13,21 +17,30 @@ namespace {
 constexpr std::uint32_t interrupts_enabled = 1u << 3;  // mstatus.MIE
 constexpr std::uint32_t timer_interrupt_enabled = 1u << 7;  // mie.MTIE
 
-// Calls attend() of the stepper; keeps every register but t0 itself, so that a tick that does not
-// call it saves few (interrupt_entry.S).
-[[gnu::always_inline]] inline void attend(Attention reason) {
-  register Attention argument asm("t0") = reason;
-  asm volatile("jal t1, attend_saving_all" : "+r"(argument) : : "t1", "memory");
-}
+// As tick.S counts them.
+static_assert(offsetof(Block, interval_fraction) == 12);
+static_assert(offsetof(Block, begins_line) == 32);
+static_assert(offsetof(Block, largest_change) == 48);
+static_assert(offsetof(Block, line) == 60);
+static_assert(offsetof(Line, steps) == 12);
+static_assert(offsetof(Line, errors) == 28);
+static_assert(offsetof(Line, direction) == 52);
+static_assert(offsetof(Tick, errors) == 8);
+static_assert(offsetof(Tick, deadline_high) == 32);
+static_assert(offsetof(Tick, trap_base) == 40);
 
 }  // namespace
 
 extern "C" {
 [[gnu::used]] constinit Counters software_stepping_counters;
+// Near the global pointer, where an instruction reaches it.
+[[gnu::used, gnu::section(".sdata.software_stepping")]] constinit Tick software_stepping_tick;
 }
 
+const Ways& ways() { return tick_ways; }
+
 Stepper& chip_stepper() {
-  static constinit Stepper stepper(software_stepping_counters);
+  static constinit Stepper stepper(software_stepping_tick, software_stepping_counters);
   return stepper;
 }
 
@@ -41,6 +54,18 @@ std::uint64_t long_clocks() {
     asm volatile("csrr %0, mcycleh" : "=r"(again));
   } while (high != again);
   return std::uint64_t{high} << 32 | low;
+}
+
+// The upper half is read first: where the lower one wraps in between, the answer comes with the
+// next call.
+bool has_come(std::uint64_t clock) {
+  std::uint32_t high;
+  asm volatile("csrr %0, mcycleh" : "=r"(high));
+  const auto clock_high = static_cast<std::uint32_t>(clock >> 32);
+  if (high != clock_high) return high > clock_high;
+  std::uint32_t low;
+  asm volatile("csrr %0, mcycle" : "=r"(low));
+  return low >= static_cast<std::uint32_t>(clock);
 }
 
 void begin_interrupts() {
@@ -62,10 +87,9 @@ WithoutInterrupts::~WithoutInterrupts() {
   asm volatile("csrs mstatus, %0" ::"r"(before_ & interrupts_enabled) : "memory");
 }
 
-extern "C" [[gnu::used]] void attend_to_stepper(Attention reason) { chip_stepper().attend(reason); }
+void registers_to_tick() { asm volatile("jal t0, registers_to_tick" ::: "t0", "memory"); }
+void tick_to_registers() { asm volatile("jal t0, tick_to_registers" ::: "t0", "memory"); }
 
-extern "C" [[gnu::used, gnu::interrupt("machine"), gnu::optimize("O3")]] void timer_interrupt() {
-  on_timer(chip_stepper().tick(), [](Attention reason) { attend(reason); });
-}
+extern "C" [[gnu::used]] void attend_to_stepper(Attention reason) { chip_stepper().attend(reason); }
 
 }  // namespace software_stepping

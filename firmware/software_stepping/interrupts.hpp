@@ -8,6 +8,8 @@ namespace software_stepping {
 
 // Clocks since reset: the timer's count, read without the bus.
 std::uint64_t long_clocks();
+// Whether so many have passed: with fewer clocks than long_clocks() takes.
+bool has_come(std::uint64_t clock);
 
 // Lets the timer interrupt in from now on, and sets the processor's clock counter to the timer's.
 void begin_interrupts();
@@ -22,5 +24,10 @@ class WithoutInterrupts {
  private:
   std::uint32_t before_{};  // whether they were let in
 };
+
+// What the interrupt has of the tick in registers goes to the memory, and what is there into the
+// registers. The interrupt must be kept out.
+void registers_to_tick();
+void tick_to_registers();
 
 }  // namespace software_stepping

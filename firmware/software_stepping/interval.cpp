@@ -3,8 +3,10 @@
 #include "software_stepping/interval.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "motion/scaled.hpp"
+#include "platform/division.hpp"
 
 namespace software_stepping {
 namespace {
@@ -70,7 +72,38 @@ std::int32_t positive_root(std::int32_t a, std::int32_t b) {
   return 0;
 }
 
+// 2^63 / divisor without a division: where ticks leave the program fewer clocks than one takes, it
+// would start over after each, for ever. 2^33 <= divisor < 2^47.
+std::uint64_t quotient_of_2_63(std::uint64_t divisor) {
+  const auto upper = static_cast<std::uint32_t>(divisor >> 15);
+  const auto shift = static_cast<unsigned>(std::countl_zero(upper));
+  const auto normal = static_cast<std::uint32_t>(divisor << shift >> 15);
+  const auto high = [](std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
+  };
+  // 1 / d for 1/2 <= d < 1 by Newton's method, from 48/17 - 32/17 d; with 30 bits behind the point.
+  constexpr auto constant = static_cast<std::uint32_t>((48ull << 30) / 17);
+  constexpr auto slope = static_cast<std::uint32_t>((32ull << 30) / 17);
+  std::uint32_t inverse = constant - high(slope, normal);
+  for (int i = 0; i < 3; ++i) inverse = high(inverse, (1u << 31) - high(inverse, normal)) << 2;
+  std::uint64_t quotient = std::uint64_t{inverse} >> (14 - shift);
+  auto rest = static_cast<std::int64_t>((std::uint64_t{1} << 63) - quotient * divisor);
+  for (; rest < 0; rest += static_cast<std::int64_t>(divisor)) --quotient;
+  for (; rest >= static_cast<std::int64_t>(divisor); rest -= static_cast<std::int64_t>(divisor)) {
+    ++quotient;
+  }
+  return quotient;
+}
+
+// At a constant rate, from 2^-13 ticks per clock on.
+Interval interval_at(std::uint64_t rate, Interval longest) {
+  const std::uint64_t halves = quotient_of_2_63(rate >> 18);
+  return std::min(longest, halves / 2 + halves % 2);
+}
+
 Interval first_interval(std::uint64_t rate, std::int64_t acceleration, Interval longest) {
+  constexpr std::uint64_t least_short_rate = std::uint64_t{1} << 51;
+  if (acceleration == 0 && rate >= least_short_rate) return interval_at(rate, longest);
   const Scaled size = Scaled::of(magnitude(acceleration), -acceleration_fraction_bits);
   // What a constant rate would take, and the change of the rate in that time, as a part of it.
   const Scaled constant =
@@ -89,17 +122,18 @@ Interval first_interval(std::uint64_t rate, std::int64_t acceleration, Interval 
 
 Interval next_interval(Interval interval, Ramp ramp, Interval longest) {
   if (ramp.mantissa == 0) return interval;
-  const Scaled clocks = Scaled::of(interval, -interval_fraction_bits);
-  const Scaled size =
-      Scaled::of(magnitude(ramp.mantissa), static_cast<int>(ramp.shift) - ramp_fraction_bits);
-  const std::uint64_t change = (size * clocks * clocks).floor(root_fraction_bits);
-  if (ramp.mantissa < 0 && change >= one) return longest;
-  // From rest e is 2; a segment cannot ask for more after its first tick.
-  constexpr std::uint64_t largest_change = std::uint64_t{5} << (root_fraction_bits - 1);
-  const auto half = static_cast<std::int32_t>(std::min(change, largest_change) / 2);
-  const std::int32_t a = ramp.mantissa < 0 ? -half : half;
-  const std::int32_t root = positive_root(a, one + a);
-  return root == 0 ? longest : std::min(longest, scaled_by_root(interval, root));
+  // The mean rate of the interval, and by how much that at its end differs.
+  const std::uint64_t mean = platform::divide(~std::uint64_t{0}, interval)
+                             << interval_fraction_bits;
+  constexpr int half_and_fraction_bits = interval_fraction_bits + 1;
+  constexpr int early_bits = 8;  // so that the product fits
+  const std::int64_t product = ramp.mantissa * static_cast<std::int64_t>(interval >> early_bits);
+  const std::int64_t change = (product >> (half_and_fraction_bits - early_bits)) << ramp.shift;
+  const std::uint64_t rate = mean + static_cast<std::uint64_t>(change);
+  if (change < 0 && rate > mean) return longest;
+  constexpr int acceleration_shift = acceleration_fraction_bits - ramp_fraction_bits;
+  return first_interval(rate, std::int64_t{ramp.mantissa} << (ramp.shift + acceleration_shift),
+                        longest);
 }
 
 }  // namespace software_stepping

@@ -27,10 +27,15 @@ void wake_by(WakeSource source, bool enabled) {
 // Only the timer interrupts the tasks; the others end wfi, for which they are enabled here alone.
 void sleep() {
   const auto& stepper = software_stepping::chip_stepper();
+  const std::uint32_t others = sources & ~timer;
   for (;;) {
     const software_stepping::WithoutInterrupts guarded;
-    if (stepper.stopped() || stepper.alarm_has_passed() || (pending() & sources & ~timer) != 0)
-      return;
+    if (stepper.stopped() || stepper.alarm_has_passed()) return;
+    if (others == 0) {
+      asm volatile("wfi" ::: "memory");
+      continue;
+    }
+    if ((pending() & others) != 0) return;
     asm volatile("csrw mie, %0" ::"r"(sources));
     asm volatile("wfi" ::: "memory");
     asm volatile("csrw mie, %0" ::"r"(timer));

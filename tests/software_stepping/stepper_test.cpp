@@ -95,7 +95,7 @@ std::vector<TickOf> ticks_of_model(const std::vector<Segment>& segments) {
 
 struct Motion {
   Counters counters;
-  Stepper stepper{counters};
+  Stepper stepper{world().tick, counters};
   std::vector<TickOf> ticks;
 
   explicit Motion(const Guard& guard) {
@@ -111,14 +111,10 @@ struct Motion {
         ASSERT_TRUE(stepper.append(segments[next])) << next;
         ++next;
       }
-      const bool is_tick = stepper.moving();
-      const std::uint32_t pins = stepper.tick().pins;
-      const std::uint32_t direction = world().direction;
-      const std::uint32_t left = stepper.tick().left;
       world().run(stepper, world().compare);
-      if (is_tick && left != 0) {
-        ticks.push_back({static_cast<double>(stepper.tick().rose), pins, direction});
-      }
+    }
+    for (const auto& made : world().ticks) {
+      ticks.push_back({static_cast<double>(made.clock), made.pins, made.direction});
     }
   }
 };
@@ -141,9 +137,9 @@ TEST(stepper, makes_the_steps_of_the_model_in_its_order) {
     if (testing::Test::HasFatalFailure()) return;
     const auto expected = ticks_of_model(segments);
     expect_same_ticks(run.ticks, expected);
-    EXPECT_EQ(run.counters.segments, segments.size());
-    EXPECT_EQ(run.counters.underruns, 0u);
-    EXPECT_EQ(run.counters.late_ticks, 0u);
+    EXPECT_EQ(run.stepper.counters().segments, segments.size());
+    EXPECT_EQ(run.stepper.counters().underruns, 0u);
+    EXPECT_EQ(run.stepper.counters().late_ticks, 0u);
     units::PerAxis<std::int64_t> positions{};
     for (const Segment& segment : segments) {
       if (segment.continues_line) continue;
@@ -196,7 +192,7 @@ TEST(stepper, keeps_the_guard_whatever_is_asked) {
       }
       const auto expected = ticks_of_model(segments);
       expect_same_ticks(run.ticks, expected);
-      EXPECT_GT(run.counters.delay_clocks, 0u);
+      EXPECT_GT(run.stepper.counters().delay_clocks, 0u);
     }
   }
 }
@@ -207,7 +203,7 @@ TEST(stepper, counts_ticks_that_it_cannot_make_in_time_and_makes_them_all) {
   Motion run({1, 1, 1, 1});
   run.execute({segment});
   EXPECT_EQ(world().pulses.axis(0).forward, 1000);
-  EXPECT_GT(run.counters.late_ticks, 900u);
+  EXPECT_GT(run.stepper.counters().late_ticks, 900u);
   EXPECT_EQ(run.stepper.positions()[0], 1000);
 }
 
@@ -231,7 +227,7 @@ TEST(stepper, refuses_what_it_cannot_execute) {
   EXPECT_TRUE(refused([](Segment& s) { s.ticks = 0; }));
   EXPECT_TRUE(refused([](Segment& s) { s.ticks = 6; }));
   EXPECT_TRUE(refused([](Segment& s) { s.steps[1] = -6; }));
-  EXPECT_TRUE(refused([](Segment& s) { s.line_ticks = 0x8000'0000; }));
+  EXPECT_TRUE(refused([](Segment& s) { s.line_ticks = 0x80'0000; }));
   EXPECT_TRUE(refused([](Segment& s) { s.rate = (std::uint64_t{1} << 63) + 1; }));
   EXPECT_TRUE(refused([](Segment& s) { s.jerk = 1; }));
   EXPECT_TRUE(refused([](Segment& s) { s.stop_brakes = true; }));
@@ -241,7 +237,7 @@ TEST(stepper, refuses_what_it_cannot_execute) {
   run.stepper.permit_motion(false);
   std::uint32_t taken = 0;
   while (run.stepper.append(good)) ++taken;
-  EXPECT_EQ(taken, Stepper::line_depth);
+  EXPECT_EQ(taken, Stepper::queue_depth);
   EXPECT_FALSE(run.stepper.moving());
   run.stepper.permit_motion(true);
   EXPECT_TRUE(run.stepper.moving());

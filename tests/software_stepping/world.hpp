@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "software_stepping/stepper.hpp"
 #include "tests/drivers/pulse_recorder.hpp"
@@ -16,8 +17,14 @@ struct World {
   std::uint32_t direction{};
   std::uint8_t triggered{};
   tests::PulseRecorder pulses;
-  // Clocks from the timer's deadline to the interrupt's first instruction.
-  std::uint64_t latency{software_stepping::shortest_latency_clocks};
+  software_stepping::Tick tick;
+  // Those that were made: the pins' raising edges, also of none.
+  struct MadeTick {
+    std::uint64_t clock{};
+    std::uint32_t pins{}, direction{};
+  };
+  std::vector<MadeTick> ticks;
+  std::uint32_t step_writes{};
 
   // The interrupts that come until then.
   void run(software_stepping::Stepper& stepper, std::uint64_t until);

@@ -39,7 +39,7 @@ std::vector<PrintingRates> measure_printing(const Figures& bare, const PrintingF
                                             const std::function<void(const std::string&)>& say) {
   std::vector<PrintingRates> rates;
   for (const LoopRates& loop : bare.loops) {
-    if (loop.guard_clocks != 1 || (scope.quick && loop.axes != 1)) continue;
+    if (loop.guard.high != no_driver.high || (scope.quick && loop.axes != 1)) continue;
     say(fmt::format("{}: highest rates, the whole firmware, {} {}", name_of(bare.stepping),
                     loop.axes, loop.axes == 1 ? "axis" : "axes"));
     PrintingRates& figure = rates.emplace_back(loop.axes);

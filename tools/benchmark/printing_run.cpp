@@ -148,6 +148,7 @@ std::string_view PrintingRun::fault(const Printing& printing) const {
 PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Description& description,
                          const Printing& printing, const Scope& scope, bool until_unclean) {
   sim::VerilatedChip chip(scope.clock_hz);
+  if (firmware.symbol("software_stepping_counters")) chip.permit_software_stepping();
   sim::load(firmware, chip);
   sim::Simulation simulation(chip, sim::ClockRate(scope.clock_hz));
   machine::Printer printer(

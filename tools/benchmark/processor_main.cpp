@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "sim/report/json_report.hpp"
+#include "sim/report/write_file.hpp"
 #include "tools/benchmark/processor_report.hpp"
 
 int main(int count, char** arguments) {

@@ -11,11 +11,11 @@ namespace {
 constexpr const char* lines = "lines of 500 ticks";
 constexpr const char* one_line = "one line";
 
-RatePair pair_of(const char* program, std::size_t axes, std::uint32_t guard, const char* motion,
-                 const Limits& hardware, const Limits& software) {
+RatePair pair_of(const char* program, std::size_t axes, const DriverGuard& guard,
+                 const char* motion, const Limits& hardware, const Limits& software) {
   RatePair pair{.name = {},
-                .text = fmt::format("{}, {} {}, guard {}, {}", program, axes,
-                                    axes == 1 ? "axis" : "axes", guard, motion),
+                .text = fmt::format("{}, {} {}, {}, {}", program, axes, axes == 1 ? "axis" : "axes",
+                                    guard.driver, motion),
                 .hardware = hardware,
                 .software = software};
   for (const char character : pair.text) {
@@ -28,7 +28,7 @@ RatePair pair_of(const char* program, std::size_t axes, std::uint32_t guard, con
 
 std::vector<RatePair> rate_pairs(const Comparison& comparison) {
   std::vector<RatePair> pairs;
-  const auto add = [&](const char* program, std::uint32_t guard, const auto& hardware,
+  const auto add = [&](const char* program, const DriverGuard& guard, const auto& hardware,
                        const auto& software) {
     pairs.push_back(pair_of(program, hardware.axes, guard, lines, hardware.lines, software.lines));
     pairs.push_back(
@@ -37,12 +37,12 @@ std::vector<RatePair> rate_pairs(const Comparison& comparison) {
   const auto& hardware_loops = comparison.figures[0].loops;
   const auto& software_loops = comparison.figures[1].loops;
   for (std::size_t i = 0; i < hardware_loops.size(); ++i) {
-    add("bare loop", hardware_loops[i].guard_clocks, hardware_loops[i], software_loops[i]);
+    add("bare loop", hardware_loops[i].guard, hardware_loops[i], software_loops[i]);
   }
   const auto& hardware_prints = comparison.printing[0];
   const auto& software_prints = comparison.printing[1];
   for (std::size_t i = 0; i < hardware_prints.size(); ++i) {
-    add("whole firmware", 1, hardware_prints[i], software_prints[i]);
+    add("whole firmware", no_driver, hardware_prints[i], software_prints[i]);
   }
   return pairs;
 }

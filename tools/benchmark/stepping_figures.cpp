@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::uint32_t train_hertz = 10'000;
 constexpr std::uint32_t train_baud = 1'000'000;
-// An A4988's 1 us at 50 MHz.
-constexpr std::uint32_t slow_guard_clocks = 50;
 constexpr std::uint32_t fewest_clocks = 2;
 constexpr double to_the_clock = 0;
 
@@ -27,16 +25,16 @@ class Measurement {
     return run_motion(program_, motion, scope_, demand);
   }
 
-  LoopRates rates(std::size_t count, std::uint32_t guard_clocks) const {
+  LoopRates rates(std::size_t count, const DriverGuard& guard) const {
     const Motion in_lines{.ticks_per_line = scope_.quick ? 200u : 500u,
                           .lines = scope_.quick ? 10u : 40u,
                           .axes = count,
-                          .guard_clocks = guard_clocks};
+                          .guard = guard};
     const Motion in_one{.ticks_per_line = scope_.quick ? 2'000u : 20'000u,
                         .lines = 1,
                         .axes = count,
-                        .guard_clocks = guard_clocks};
-    return {count, guard_clocks, limits(in_lines), limits(in_one)};
+                        .guard = guard};
+    return {count, guard, limits(in_lines), limits(in_one)};
   }
 
   JitterFigure jitter(double interval_clocks) const {
@@ -77,7 +75,7 @@ class Measurement {
       return {std::string(result.fault(motion)), result.largest_lateness_clocks};
     };
     return RateSearch(trial, scope_.tolerance_clocks(), to_the_clock)
-        .limits(std::max(fewest_clocks, 2 * motion.guard_clocks));
+        .limits(std::max(fewest_clocks, motion.guard.shortest_interval()));
   }
 
   const sim::ElfImage& program_;
@@ -91,11 +89,14 @@ Figures measure(Stepping stepping, const sim::ElfImage& program, const Scope& sc
   const Measurement measurement(program, scope);
   Figures figures;
   figures.stepping = stepping;
+  // What people have comes first.
+  std::vector<DriverGuard> guards(real_drivers.begin(), real_drivers.end());
+  guards.push_back(no_driver);
   for (const std::size_t count : {std::size_t{1}, axes}) {
-    for (const std::uint32_t guard : {1u, slow_guard_clocks}) {
-      if (scope.quick && guard != 1) continue;
-      say(fmt::format("{}: highest rates, {} {}, guard of {}", name_of(stepping), count,
-                      count == 1 ? "axis" : "axes", guard));
+    for (const DriverGuard& guard : guards) {
+      if (scope.quick && guard.high != no_driver.high && count == 1) continue;
+      say(fmt::format("{}: highest rates, {} {}, {}", name_of(stepping), count,
+                      count == 1 ? "axis" : "axes", guard.driver));
       const LoopRates& rates = figures.loops.emplace_back(measurement.rates(count, guard));
       say(fmt::format("  lines: {}; one line: {}", rates.lines.text(), rates.one_line.text()));
     }

@@ -16,7 +16,7 @@ namespace benchmarks {
 // The shortest intervals between ticks.
 struct LoopRates {
   std::size_t axes{};
-  std::uint32_t guard_clocks{};
+  DriverGuard guard;
   Limits lines;  // of 500 ticks one after the other
   Limits one_line;  // where software has no line to hand over
 };

@@ -41,20 +41,27 @@ std::array<std::uint32_t, axes> steps_of(const Motion& motion) {
 Order order_of(const Motion& motion) {
   const auto rate = static_cast<std::uint64_t>(std::ldexp(1.0L / motion.interval_clocks, 64));
   Order order;
-  order.guard_high = order.guard_low = motion.guard_clocks;
-  order.guard_setup = order.guard_hold = motion.guard_clocks;
+  order.guard_high = motion.guard.high;
+  order.guard_low = motion.guard.low;
+  order.guard_setup = motion.guard.setup;
+  order.guard_hold = motion.guard.hold;
   order.baud = motion.baud;
   // A quarter of the time that eight lines take, which is what the shorter queue holds.
   const double queue_clocks = 8 * motion.interval_clocks * motion.ticks_per_line;
   order.wake_clocks = static_cast<std::uint32_t>(std::clamp(queue_clocks / 4, 500.0, 400'000.0));
-  order.repetitions = motion.lines;
-  order.piece_count = 1;
-  benchmark::Piece& piece = order.pieces[0];
+  order.piece_count = motion.lines == 1 ? 1 : 2;
+  order.repetitions = motion.lines / order.piece_count;
   const auto steps = steps_of(motion);
-  for (std::size_t i = 0; i < axes; ++i) piece.steps[i] = static_cast<std::int32_t>(steps[i]);
-  piece.line_ticks = piece.ticks = motion.ticks_per_line;
-  piece.rate_low = static_cast<std::uint32_t>(rate);
-  piece.rate_high = static_cast<std::uint32_t>(rate >> 32);
+  for (std::uint32_t way = 0; way < order.piece_count; ++way) {
+    benchmark::Piece& piece = order.pieces[way];
+    for (std::size_t i = 0; i < axes; ++i) {
+      const auto forward = static_cast<std::int32_t>(steps[i]);
+      piece.steps[i] = way == 0 ? forward : -forward;
+    }
+    piece.line_ticks = piece.ticks = motion.ticks_per_line;
+    piece.rate_low = static_cast<std::uint32_t>(rate);
+    piece.rate_high = static_cast<std::uint32_t>(rate >> 32);
+  }
   return order;
 }
 
@@ -91,17 +98,22 @@ std::string_view Run::fault(const Motion& motion) const {
   if (!ended) return "not finished";
   for (std::size_t i = 0; i < axes; ++i) {
     if (pins[i].rises.size() != asked[i]) return "pulses missing";
-    if (!enough(pins[i].shortest_high, motion.guard_clocks) ||
-        !enough(pins[i].shortest_low, motion.guard_clocks)) {
+    const DriverGuard& guard = motion.guard;
+    if (!enough(pins[i].shortest_high, guard.high) || !enough(pins[i].shortest_low, guard.low) ||
+        !enough(pins[i].shortest_setup, guard.setup) ||
+        !enough(pins[i].shortest_hold, guard.hold)) {
       return "guard not kept";
     }
   }
+  // By the pins, whatever the program counts.
+  if (largest_lateness_clocks >= motion.interval_clocks) return "ticks late";
   return {};
 }
 
 Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
                const Demand& demand) {
   sim::VerilatedChip chip(scope.clock_hz);
+  if (program.symbol("software_stepping_counters")) chip.permit_software_stepping();
   sim::load(program, chip);
   const auto words = std::bit_cast<OrderWords>(order_of(motion));
   const std::uint32_t address = address_of(program, "benchmark_order");

@@ -10,6 +10,7 @@
 
 #include "firmware/benchmark/stepping.hpp"
 #include "sim/simulation/elf_image.hpp"
+#include "tools/benchmark/driver_guards.hpp"
 #include "tools/benchmark/pin_watch.hpp"
 #include "tools/benchmark/scope.hpp"
 
@@ -20,13 +21,13 @@ constexpr const char* name_of(Stepping stepping) {
   return stepping == Stepping::hardware ? "hardware" : "software";
 }
 
-// Lines at one rate, one after the other without a pause.
+// Lines at one rate, one after the other without a pause, back and forth.
 struct Motion {
   double interval_clocks{};  // between two ticks
   std::uint32_t ticks_per_line{};
   std::uint32_t lines{};
   std::size_t axes = 1;  // the first steps at each tick, the others at parts of them
-  std::uint32_t guard_clocks = 1;  // high, low, set-up, hold
+  DriverGuard guard = no_driver;
   std::uint32_t baud{};  // the serial line is saturated in both directions; 0: silent
 };
 
