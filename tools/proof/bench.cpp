@@ -20,7 +20,7 @@ Outcome run_bench(const Folders& folders, const fs::path& sources, const std::st
       run_process({"ghdl", "-r", "--std=08", "-fpsl", "--workdir=" + library.string(), bench,
                    "--assert-level=error"},
                   folder, log, limit);
-  // What fails while time goes by tells its time: "FILE:LINE:COLUMN:@TIME:(assertion failure): ..."
+  // What fails while time goes by gives its time: "FILE:LINE:COLUMN:@TIME:(assertion failure): ..."
   static const std::regex failure(R"(:@[0-9]+[a-z]+:.*)");
   const std::string text = text_of(log) + text_of(log.string() + ".err");
   Outcome outcome;

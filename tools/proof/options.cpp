@@ -7,13 +7,34 @@ namespace proof {
 void add_options(CLI::App& job, Options& options) {
   job.add_option("names", options.names, "proofs or mutations to try; all where none is given")
       ->type_name("NAME...");
-  job.add_flag("--quick", options.quick, "only the proofs that take seconds, and no mutations");
+  job.add_flag(
+      "--quick", options.quick,
+      "only the proofs that take seconds, and no mutations; of --mutants only the bench of the "
+      "file itself\nand the comparison of netlists");
   auto* only = job.add_flag_callback(
       "--mutations", [&options] { options.proofs = false; },
       "only the mutations: faults put into a copy of the sources, each of which must be found");
   job.add_flag_callback(
          "--no-mutations", [&options] { options.mutations = false; }, "only the proofs")
       ->excludes(only);
+  auto* mutants =
+      job.add_flag("--mutants", options.mutants,
+                   "systematic mutants of rtl/motion and rtl/thermal (NAME: a file or entity) on "
+                   "benches, proofs\n"
+                   "and comparison of netlists; what was found is kept in <build>/mutants");
+  mutants->excludes(only);
+  job.add_option("--sample", options.campaign.sample, "so many of the mutants, chosen by the seed")
+      ->needs(mutants)
+      ->check(CLI::PositiveNumber);
+  job.add_option("--seed", options.campaign.seed,
+                 "of the sample; without it, one made of the files' contents")
+      ->needs(mutants);
+  job.add_flag("--recorded", options.campaign.recorded,
+               "without those of which testbench/proofs/mutants says that they were not tried")
+      ->needs(mutants);
+  job.add_flag("--record", options.campaign.record,
+               "write the fate of every mutant into testbench/proofs/mutants")
+      ->needs(mutants);
   job.add_option("--json", options.json, "write the outcome")->type_name("FILE.json");
   job.add_option("--jobs", options.jobs, "how many at once; 0: one for each processor core")
       ->capture_default_str();
@@ -27,6 +48,9 @@ void add_options(CLI::App& job, Options& options) {
       "mutations.toml. A proof by induction holds for all times; a bounded one for its number of "
       "clocks\n"
       "after the start. Where one fails, a trace (VCD) is left in <build>/proofs/NAME.\n"
+      "Of --mutants, 97 % of those that are not equivalent must be killed, and each survivor be "
+      "listed\n"
+      "in testbench/proofs/mutants.\n"
       "Exit status: 0 everything holds and every mutation was caught, 1 not, 2 bad usage.");
 }
 

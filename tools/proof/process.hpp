@@ -12,13 +12,16 @@ namespace proof {
 struct ProcessResult {
   int exit_status{};  // 128 + signal where it was killed
   bool timed_out{};
+  double cpu_seconds{};  // of the program and the children that it waited for
 };
 
 // The program and all that it starts are killed at the limit, and where this program is
-// interrupted.
+// interrupted. Each process is also killed, with `timed_out`, when it has used so much processor
+// time (0: any), which does not depend on what else the machine does.
 ProcessResult run_process(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, const std::filesystem::path& log,
-                          std::chrono::seconds limit);
+                          std::chrono::seconds limit,
+                          std::chrono::seconds cpu_limit = std::chrono::seconds{0});
 
 // The text of a file; empty where it does not exist.
 std::string text_of(const std::filesystem::path& file);

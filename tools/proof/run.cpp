@@ -52,6 +52,14 @@ std::vector<Trial> chosen(const Options& options, const List& list) {
 
 bool prove(const Options& options, const std::filesystem::path& project,
            const std::filesystem::path& build) {
+  if (options.mutants) {
+    CampaignOptions campaign = options.campaign;
+    campaign.units = options.names;
+    campaign.json = options.json;
+    campaign.jobs = options.jobs;
+    campaign.quick = options.quick;
+    return run_campaign(campaign, project, build);
+  }
   const auto start = std::chrono::steady_clock::now();
   const Folders folders{project, build / "proofs"};
   std::vector<Trial> trials = chosen(options, read_list(folders.list()));

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/proof/campaign.hpp"
+
 namespace proof {
 
 struct Options {
@@ -17,6 +19,8 @@ struct Options {
   unsigned jobs = 0;  // 0: one for each processor core
   unsigned limit_seconds = 600;  // for each call of the solver
   std::filesystem::path json;
+  bool mutants = false;  // instead of all this: systematic mutants of the files in `names`
+  CampaignOptions campaign;
 };
 
 void add_options(CLI::App& job, Options& options);

@@ -81,7 +81,9 @@ Answer ask_sat(const SolverInput& input, const char* half, int depth, const fs::
       (input.file.parent_path() / "formal.il").string(), half, depth);
   const ProcessResult result = run_process({"yosys", "-p", script}, folder, log, limit);
   const std::string text = text_of(log);
-  if (text.find("model found for base case: FAIL!") != std::string::npos) {
+  // Yosys ends with an error, and what it wrote before is not always in the log.
+  if (text.find("model found for base case: FAIL!") != std::string::npos ||
+      text_of(log.string() + ".err").find("proof did fail") != std::string::npos) {
     return Answer::no;
   }
   return result.exit_status == 0 &&

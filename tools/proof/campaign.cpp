@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes the mutants, tries them on several processor cores, keeps what was found.
+#include "tools/proof/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "tools/proof/campaign_report.hpp"
+#include "tools/proof/findings.hpp"
+#include "tools/proof/mutant_judges.hpp"
+#include "tools/proof/process.hpp"
+
+namespace proof {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Unit {
+  std::string name;
+  std::string text;
+};
+
+std::vector<Unit> units_of(const fs::path& project) {
+  std::vector<Unit> units;
+  for (const char* folder : {"motion", "thermal"}) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(project / "rtl" / folder)) {
+      if (entry.path().extension() == ".vhd") {
+        files.push_back(entry.path());
+      }
+    }
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+      units.push_back({file.stem().string(), text_of(file)});
+    }
+  }
+  return units;
+}
+
+// Of the packages that a unit uses itself.
+std::vector<std::string> constants_near(const SourceTree& sources, const std::string& unit) {
+  std::vector<std::string> constants;
+  for (const std::string& name : sources.needs_of(unit)) {
+    if (name.ends_with("_pkg") && sources.has(name)) {
+      const std::vector<std::string> more = constants_of(sources.text_of(name));
+      constants.insert(constants.end(), more.begin(), more.end());
+    }
+  }
+  return constants;
+}
+
+// Tries one mutant after the other on its judges, the cheapest first.
+class Cascade {
+ public:
+  Cascade(Judges& judges, Findings& findings) : judges_(judges), findings_(findings) {}
+
+  // `quick`: on its own benches and by comparison alone.
+  MutantOutcome try_mutant(const Unit& unit, const Mutant& mutant, const fs::path& folder,
+                           bool quick) {
+    const auto start = std::chrono::steady_clock::now();
+    MutantOutcome outcome{unit.name, mutant, Fate::refused, "", false, 0};
+    // The first text that compiles counts.
+    for (std::size_t choice = 0; choice < mutant.texts.size(); ++choice) {
+      decide(unit, choice, folder, quick, outcome);
+      if (outcome.fate != Fate::refused) {
+        break;
+      }
+    }
+    outcome.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+  }
+
+ private:
+  static std::string changed(const Unit& unit, const std::string& woven, const Mutant& mutant,
+                             std::size_t choice) {
+    if (!woven.starts_with(std::string_view(unit.text).substr(0, mutant.end))) {
+      throw std::runtime_error(unit.name + ": the weaver changes more than the end");
+    }
+    return with_mutant(woven, mutant, choice);
+  }
+
+  template <typename Ask>
+  Judged ask(const std::string& key, const Ask& judge) {
+    if (const auto found = findings_.find(key)) {
+      return *found;
+    }
+    const Judged judged = judge();
+    findings_.add(key, judged);
+    return judged;
+  }
+
+  // Measured once for each text of the bench and what it needs.
+  double bench_seconds(const std::string& bench, const fs::path& folder) {
+    const std::string key = "time_" + judges_.key_of_bench(bench, {});
+    const Judged seconds = ask(key, [&] {
+      return Judged{Finding::passes, std::to_string(judges_.bench_seconds(bench, folder))};
+    });
+    judges_.know_seconds(bench, std::stod(seconds.detail));
+    return std::stod(seconds.detail);
+  }
+
+  // Returns true where this decides.
+  static bool takes(const Judged& judged, MutantOutcome& outcome) {
+    outcome.by = judged.detail;
+    switch (judged.finding) {
+      case Finding::passes:
+        outcome.fate = Fate::surviving;
+        return false;
+      case Finding::killed:
+        outcome.fate = Fate::killed;
+        return true;
+      case Finding::refused:
+        outcome.fate = Fate::refused;
+        return true;
+      case Finding::equivalent:
+        outcome.fate = Fate::proved_equivalent;
+        return true;
+    }
+    return true;
+  }
+
+  void decide(const Unit& unit, std::size_t choice, const fs::path& folder, bool quick,
+              MutantOutcome& outcome) {
+    const Variant variant{
+        unit.name, changed(unit, judges_.simulated().text_of(unit.name), outcome.mutant, choice),
+        changed(unit, judges_.synthesized().text_of(unit.name), outcome.mutant, choice)};
+    const auto ask_bench = [&](const std::string& bench) {
+      bench_seconds(bench, folder);
+      return takes(ask(judges_.key_of_bench(bench, variant),
+                       [&] { return judges_.ask_bench(bench, variant, folder); }),
+                   outcome);
+    };
+    const auto ask_proof = [&](const Proof& proof) {
+      return takes(ask(judges_.key_of_proof(proof, variant),
+                       [&] { return judges_.ask_proof(proof, variant, folder); }),
+                   outcome);
+    };
+    for (const std::string& bench : judges_.own_benches(unit.name)) {
+      if (ask_bench(bench)) {
+        return;
+      }
+    }
+    if (takes(ask(judges_.key_of_comparison(variant),
+                  [&] { return judges_.compare(variant, folder); }),
+              outcome)) {
+      return;
+    }
+    if (quick) {
+      return;
+    }
+    const std::string comparison = outcome.by;
+    const std::vector<Proof> proofs = judges_.proofs_of(unit.name);
+    // Short benches, proofs of the unit, long benches, proofs of what contains it.
+    std::vector<std::string> benches = judges_.other_benches(unit.name);
+    std::map<std::string, double> seconds;
+    for (const std::string& bench : benches) {
+      seconds[bench] = bench_seconds(bench, folder);
+    }
+    std::ranges::sort(benches, {}, [&seconds](const std::string& bench) { return seconds[bench]; });
+    constexpr double short_seconds = 5;
+    const auto is_killed_by_benches = [&](bool are_short) {
+      return std::ranges::any_of(benches, [&](const std::string& bench) {
+        return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
+      });
+    };
+    const auto is_killed_by_proofs = [&](bool are_own) {
+      return std::ranges::any_of(proofs, [&](const Proof& proof) {
+        return (proof.entity == unit.name) == are_own && ask_proof(proof);
+      });
+    };
+    if (!is_killed_by_benches(true) && !is_killed_by_proofs(true) && !is_killed_by_benches(false) &&
+        !is_killed_by_proofs(false)) {
+      outcome.by = comparison;
+    }
+  }
+
+  Judges& judges_;
+  Findings& findings_;
+};
+
+struct Task {
+  const Unit* unit;
+  Mutant mutant;
+};
+
+}  // namespace
+
+bool run_campaign(const CampaignOptions& options, const fs::path& project, const fs::path& build) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Unit> units = units_of(project);
+  const auto is_asked_for = [&options](const Unit& unit) {
+    return options.units.empty() ||
+           std::ranges::any_of(options.units, [&unit](const std::string& name) {
+             return fs::path(name).stem() == unit.name;
+           });
+  };
+  for (const std::string& name : options.units) {
+    if (std::ranges::none_of(
+            units, [&name](const Unit& unit) { return fs::path(name).stem() == unit.name; })) {
+      throw std::runtime_error(
+          fmt::format("{} is neither a file of rtl/motion or rtl/thermal nor an entity", name));
+    }
+  }
+  const fs::path lists = Folders{project, {}}.list() / "mutants";
+  const std::set<std::string> untried =
+      options.recorded ? untried_mutants(lists) : std::set<std::string>{};
+  std::vector<Task> tasks;
+  std::vector<std::string> made;
+  std::string contents;
+  const SourceTree sources({project / "rtl"});
+  for (const Unit& unit : units) {
+    for (Mutant& mutant : mutants_of(unit.text, unit.name, constants_near(sources, unit.name))) {
+      made.push_back(mutant.id);
+      if (is_asked_for(unit) && !untried.contains(mutant.id)) {
+        tasks.push_back({&unit, std::move(mutant)});
+      }
+    }
+    contents += is_asked_for(unit) ? unit.text : "";
+  }
+  constexpr int hexadecimal = 16;
+  const std::uint64_t seed =
+      options.seed.value_or(std::stoull(fingerprint(contents).substr(0, 16), nullptr, hexadecimal));
+  const std::vector<std::size_t> chosen =
+      sample_of(tasks.size(), static_cast<std::size_t>(options.sample), seed);
+  const bool is_sample = chosen.size() < tasks.size();
+
+  const fs::path work = fs::absolute(build) / "mutants";
+  const Folders folders{project, work / "sources"};
+  fs::create_directories(folders.work);
+  const std::map<std::string, Judgement> judgements = read_judgements(lists);
+  Judges judges(folders, read_list(folders.list()));
+  Findings findings(work / "findings.txt");
+  Cascade cascade(judges, findings);
+
+  std::vector<MutantOutcome> outcomes(chosen.size());
+  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
+  std::string failure;
+  std::mutex terminal;
+  const auto run = [&](unsigned worker) {
+    const fs::path folder = work / fmt::format("worker_{}", worker);
+    fs::create_directories(folder);
+    for (std::size_t i = next++; i < chosen.size(); i = next++) {
+      const Task& task = tasks[chosen[i]];
+      const auto judgement = judgements.find(task.mutant.id);
+      try {
+        // A sample is to be quick, and what is listed may survive: the rest is for a whole
+        // campaign.
+        const bool quick = options.quick || (is_sample && judgement != judgements.end());
+        outcomes[i] = cascade.try_mutant(*task.unit, task.mutant, folder, quick);
+      } catch (const std::exception& error) {
+        const std::scoped_lock lock(terminal);
+        failure = fmt::format("{}: {}", task.mutant.id, error.what());
+        next = chosen.size();
+        return;
+      }
+      if (judgement != judgements.end() && outcomes[i].fate == Fate::surviving) {
+        outcomes[i].is_listed = true;
+        if (judgement->second.kind == Judgement::Kind::equivalent) {
+          outcomes[i].fate = Fate::judged_equivalent;
+        }
+      }
+      const std::scoped_lock lock(terminal);
+      print_progress(outcomes[i], ++done, chosen.size());
+    }
+  };
+  const unsigned jobs =
+      options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < jobs; ++i) {
+      workers.emplace_back(run, i);
+    }
+  }
+  if (!failure.empty()) {
+    throw std::runtime_error(failure);
+  }
+
+  const std::vector<std::string> stale = stale_entries(judgements, made, outcomes);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const bool good = is_good(outcomes, stale, is_sample);
+  print_campaign(outcomes, stale, seconds);
+  if (!options.json.empty()) {
+    write_campaign(options.json, outcomes, stale, good, seconds);
+  }
+  if (options.record) {
+    record_campaign(lists, outcomes, made);
+  }
+  return good;
+}
+
+}  // namespace proof

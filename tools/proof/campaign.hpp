@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// `prove --mutants`: tries systematic faults on everything that could find them, cheapest first.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/proof/mutant_list.hpp"
+#include "tools/proof/mutants.hpp"
+
+namespace proof {
+
+enum class Fate {
+  killed,
+  refused,  // by compiler or synthesis: no fault that a chip could have, not counted
+  proved_equivalent,
+  judged_equivalent,  // by a person, with the reason
+  surviving,
+};
+
+const char* name_of(Fate fate);
+
+struct MutantOutcome {
+  std::string unit;
+  Mutant mutant;
+  Fate fate{};
+  std::string by;  // what killed it, or how it was decided
+  bool is_listed = false;  // as surviving
+  double seconds{};
+};
+
+struct Count {
+  int killed = 0;
+  int refused = 0;
+  int proved_equivalent = 0;
+  int judged_equivalent = 0;
+  int surviving = 0;
+
+  int counted() const { return killed + surviving; }
+  // Killed of those that are not equivalent, from 0 to 1; 1 where there are none.
+  double score() const { return counted() == 0 ? 1 : static_cast<double>(killed) / counted(); }
+};
+
+Count count(const std::vector<MutantOutcome>& outcomes, const std::string& unit = "");
+
+struct CampaignOptions {
+  std::vector<std::string> units;  // files or entities; empty: all of rtl/motion and rtl/thermal
+  int sample = 0;  // so many, chosen by the seed; 0: all
+  std::optional<std::uint64_t> seed;  // without one it is made of the files' contents
+  std::filesystem::path json;
+  bool quick =
+      false;  // only the benches of the file itself, and the comparison: to work on a bench
+  bool recorded = false;  // not those that testbench/proofs/mutants says were not tried
+  bool record = false;  // write the outcomes into testbench/proofs/mutants
+  unsigned jobs = 0;
+};
+
+// The numbers 0 .. all - 1, or `wanted` of them in rising order, the same for the same seed.
+std::vector<std::size_t> sample_of(std::size_t all, std::size_t wanted, std::uint64_t seed);
+
+// The entries that are not right any more: of mutants that are not made, and, among `outcomes`, of
+// such that are killed or refused. A proof of equivalence refutes none. One line for each.
+std::vector<std::string> stale_entries(const std::map<std::string, Judgement>& judgements,
+                                       const std::vector<std::string>& made,
+                                       const std::vector<MutantOutcome>& outcomes);
+
+// Whether that is good enough: nothing stale; of a sample every survivor is listed; otherwise at
+// least 97 % of those that are not equivalent are killed, over all and in no file a survivor that
+// is not listed.
+bool is_good(const std::vector<MutantOutcome>& outcomes, const std::vector<std::string>& stale,
+             bool is_sample);
+
+// Throws std::runtime_error for a name that is no file there, and for a list that is no good.
+bool run_campaign(const CampaignOptions& options, const std::filesystem::path& project,
+                  const std::filesystem::path& build);
+
+}  // namespace proof

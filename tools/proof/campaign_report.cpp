@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines, tables and files.
+#include "tools/proof/campaign_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+namespace proof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> units_of(const std::vector<MutantOutcome>& outcomes) {
+  std::vector<std::string> units;
+  for (const MutantOutcome& outcome : outcomes) {
+    if (units.empty() || units.back() != outcome.unit) {
+      units.push_back(outcome.unit);
+    }
+  }
+  return units;
+}
+
+void print_row(const std::string& name, const Count& count, double seconds) {
+  fmt::print("{:24} {:6} {:6} {:8} {:8} {:9} {:8.1f} % {:9.2f} s\n", name, count.counted(),
+             count.killed, count.proved_equivalent, count.judged_equivalent, count.surviving,
+             count.score() * 100, seconds);
+}
+
+Json json_of(const Count& count) {
+  return {{"killed", count.killed},
+          {"surviving", count.surviving},
+          {"proved_equivalent", count.proved_equivalent},
+          {"judged_equivalent", count.judged_equivalent},
+          {"refused", count.refused},
+          {"score", count.score()}};
+}
+
+double mean_seconds(const std::vector<MutantOutcome>& outcomes, const std::string& unit) {
+  double sum = 0;
+  int number = 0;
+  for (const MutantOutcome& outcome : outcomes) {
+    if (unit.empty() || outcome.unit == unit) {
+      sum += outcome.seconds;
+      ++number;
+    }
+  }
+  return number == 0 ? 0 : sum / number;
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  if (!stream.flush()) {
+    throw std::runtime_error("cannot write " + file.string());
+  }
+}
+
+}  // namespace
+
+void print_progress(const MutantOutcome& outcome, std::size_t done, std::size_t all) {
+  constexpr std::size_t interval = 100;
+  if (outcome.fate == Fate::surviving) {
+    fmt::print("SURVIVES{} ({}, {:.1f} s) {}\n", outcome.is_listed ? ", listed" : "", outcome.by,
+               outcome.seconds, outcome.mutant.id);
+  }
+  if (done % interval == 0) {
+    fmt::print("{} of {} mutants tried\n", done, all);
+  }
+  std::fflush(stdout);
+}
+
+void print_campaign(const std::vector<MutantOutcome>& outcomes,
+                    const std::vector<std::string>& stale, double seconds) {
+  fmt::print("{:24} {:>6} {:>6} {:>8} {:>8} {:>9} {:>10} {:>11}\n", "", "count", "killed",
+             "proved=", "judged=", "surviving", "score", "each");
+  for (const std::string& unit : units_of(outcomes)) {
+    print_row(unit, count(outcomes, unit), mean_seconds(outcomes, unit));
+  }
+  const Count all = count(outcomes);
+  print_row("all", all, mean_seconds(outcomes, ""));
+  for (const std::string& entry : stale) {
+    fmt::print("stale entry in testbench/proofs/mutants: {}\n", entry);
+  }
+  fmt::print("{} mutants, {} of them refused by compiler or synthesis and not counted, {:.1f} s\n",
+             outcomes.size(), all.refused, seconds);
+}
+
+void write_campaign(const std::filesystem::path& file, const std::vector<MutantOutcome>& outcomes,
+                    const std::vector<std::string>& stale, bool good, double seconds) {
+  Json json{{"result", good ? "good" : "not good"},
+            {"seconds", seconds},
+            {"all", json_of(count(outcomes))},
+            {"files", Json::object()},
+            {"stale", stale},
+            {"mutants", Json::array()}};
+  for (const std::string& unit : units_of(outcomes)) {
+    json["files"][unit] = json_of(count(outcomes, unit));
+  }
+  for (const MutantOutcome& outcome : outcomes) {
+    json["mutants"].push_back({{"mutant", outcome.mutant.id},
+                               {"operator", outcome.mutant.kind},
+                               {"fate", name_of(outcome.fate)},
+                               {"by", outcome.by},
+                               {"seconds", outcome.seconds}});
+  }
+  write(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+namespace {
+constexpr const char* not_tried = "not tried";
+}
+
+void record_campaign(const std::filesystem::path& folder,
+                     const std::vector<MutantOutcome>& outcomes,
+                     const std::vector<std::string>& made) {
+  std::filesystem::create_directories(folder);
+  std::map<std::string, const MutantOutcome*> tried;
+  for (const MutantOutcome& outcome : outcomes) {
+    tried[outcome.mutant.id] = &outcome;
+  }
+  const std::vector<std::string> units = units_of(outcomes);
+  std::set<std::string> to_write(units.begin(), units.end());
+  for (const std::string& id : made) {
+    const std::string unit = id.substr(0, id.find(':'));
+    if (!exists(folder / (unit + ".tsv"))) {
+      to_write.insert(unit);
+    }
+  }
+  for (const std::string& unit : to_write) {
+    std::string text;
+    for (const std::string& id : made) {
+      if (!id.starts_with(unit + ": ")) {
+        continue;
+      }
+      const auto found = tried.find(id);
+      const bool is_killed = found != tried.end() && found->second->fate == Fate::killed;
+      text += fmt::format("{}\t{}\t{}\n",
+                          found == tried.end() ? not_tried : name_of(found->second->fate),
+                          is_killed ? found->second->by : "", id);
+    }
+    write(folder / (unit + ".tsv"), text);
+  }
+}
+
+std::set<std::string> untried_mutants(const std::filesystem::path& folder) {
+  std::set<std::string> ids;
+  if (!exists(folder)) {
+    return ids;
+  }
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    std::ifstream stream(file.path());
+    const std::string start = fmt::format("{}\t\t", not_tried);
+    for (std::string line; file.path().extension() == ".tsv" && std::getline(stream, line);) {
+      if (line.starts_with(start)) {
+        ids.insert(line.substr(start.size()));
+      }
+    }
+  }
+  return ids;
+}
+
+}  // namespace proof

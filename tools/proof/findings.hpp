@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What judges found, kept in a file by all that it depends on, so that nothing is tried twice.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "tools/proof/mutant_judges.hpp"
+
+namespace proof {
+
+class Findings {
+ public:
+  explicit Findings(const std::filesystem::path& file);
+
+  std::optional<Judged> find(const std::string& key);
+  // Written at once: an interrupted campaign goes on where it was.
+  void add(const std::string& key, const Judged& judged);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, Judged> known_;
+  std::ofstream file_;
+};
+
+}  // namespace proof
