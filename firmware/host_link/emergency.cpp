@@ -15,20 +15,6 @@ constexpr std::uint8_t bit(Kind kind) {
 
 constexpr std::string_view action_prefix = "action:";
 
-// The code of an M command at the start of `text`, which is then moved behind it; 0 if there is
-// none.
-unsigned take_m_code(std::string_view& text) {
-  if (text.size() < 4 || (text[0] != 'M' && text[0] != 'm')) return 0;
-  std::size_t end = 1;
-  unsigned code = 0;
-  while (end < text.size() && is_digit(text[end]) && end < 6) {
-    code = code * 10 + static_cast<unsigned>(text[end++] - '0');
-  }
-  if (end < text.size() && (is_digit(text[end]) || text[end] == '.')) return 0;
-  text.remove_prefix(end);
-  return code;
-}
-
 std::string_view without_blanks(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   while (text.ends_with(' ')) text.remove_suffix(1);
@@ -60,6 +46,18 @@ std::uint8_t button_in(std::string_view parameters) {
 }
 
 }  // namespace
+
+std::uint32_t take_m_code(std::string_view& text) {
+  if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
+  std::size_t end = 1;
+  std::uint32_t code = 0;
+  while (end < text.size() && is_digit(text[end]) && end < 6) {
+    code = code * 10 + static_cast<std::uint32_t>(text[end++] - '0');
+  }
+  if (end < text.size() && (is_digit(text[end]) || text[end] == '.')) return 0;
+  text.remove_prefix(end);
+  return code;
+}
 
 std::optional<EmergencyCommand> emergency_in(std::string_view text) {
   if (text.starts_with("//")) return action_in(text);

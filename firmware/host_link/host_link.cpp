@@ -2,6 +2,8 @@
 // What becomes of each received line.
 #include "host_link/host_link.hpp"
 
+#include <algorithm>
+
 #include "host_link/line_number.hpp"
 
 namespace host_link {
@@ -11,16 +13,19 @@ constexpr units::Milliseconds session_memory{10'000};
 // So often is a host that waits for a lost reply woken; then it is taken to be gone or content.
 constexpr std::uint8_t rescues = 6;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // Commands that hosts send between numbered lines and that only ask: safe even if they are
 // remnants.
 bool only_asks(std::string_view text) {
-  for (const std::string_view query : {"M105", "M114", "M115", "M119", "M27"}) {
-    if (!text.starts_with(query)) continue;
-    return text.size() == query.size() || !is_digit(text[query.size()]);
+  switch (take_m_code(text)) {
+    case 27:
+    case 105:
+    case 114:
+    case 115:
+    case 119:
+      return true;
+    default:
+      return false;
   }
-  return false;
 }
 
 // May be executed as far as the link can tell.
@@ -48,6 +53,7 @@ ReceivedLine without_checksum(ReceivedLine line) {
 void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   now_ = now;
   if (bytes.empty()) return;
+  give_up_old_line(now);
   last_heard_ = now;
   last_exchange_ = now;
   for (const char byte : bytes) {
@@ -63,6 +69,13 @@ void HostLink::handle(const ReceivedLine& received) {
   if (trusted(line)) emergency = emergency_in(line.text);
   if (trusted(line) && !emergency && comes_from_a_person(line)) emergency = speed_in(line.text);
   if (emergency) emergencies_.put(*emergency);
+  if (line.torn) {
+    if (!line.framed() && !emergency && !line.text.empty() && !only_asks(line.text)) {
+      return notify(Notice::unfinished);
+    }
+    // In a numbered session that was said when the line was given up.
+    if (rescues_left_ == 0) say("echo:Line not finished, not executed");
+  }
   if (line.framed()) {
     handle_framed(line, emergency.has_value());
   } else {
@@ -86,12 +99,13 @@ void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
     ++statistics_.dropped;
     return;
   }
+  if (sets_numbering(line.text)) {
+    if (const auto number = number_set_by(line.text)) numbering_.restart_after(*number);
+  }
+  if (answer_ahead(line)) return;
   if (queue_.room() == 0) {
     if (emergency) return answer_ok(std::nullopt);
     return notify(Notice::queue_full);
-  }
-  if (sets_numbering(line.text)) {
-    if (const auto number = number_set_by(line.text)) numbering_.restart_after(*number);
   }
   accept(line, emergency);
 }
@@ -121,6 +135,10 @@ void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgem
         drop_owed_resend();
         return notify(Notice::too_long);
       }
+      if (answer_ahead(line)) {
+        numbering_.accepted(line, now_);
+        return drop_owed_resend();
+      }
       if (queue_.room() == 0) {
         if (!line.number) return notify(Notice::queue_full);
         ++statistics_.dropped;
@@ -144,6 +162,39 @@ void HostLink::accept(const ReceivedLine& line, bool emergency) {
   ++statistics_.accepted;
   if (queue_.size() == 0) last_busy_ = now_;  // the host's wait begins
   queue_.put(line.text, line.number, emergency);
+}
+
+bool HostLink::answer_ahead(const ReceivedLine& line) {
+  std::string_view text = line.text;
+  const std::uint32_t code = take_m_code(text);
+  if (paused_) {
+    const bool restarts = code == 110;
+    const bool begins = line.number && *line.number <= 1;
+    if (restarts || begins || code == 115) {
+      say("echo:Paused: M108 goes on, //action:cancel ends");
+    }
+    if (restarts) {
+      answer_ok(line.number);
+      return true;
+    }
+    if (code != 105 && code != 114 && code != 115) return false;
+  } else if (code != 105 || queue_.size() == 0 || !comes_from_a_person(line)) {
+    return false;
+  }
+  if (query_count_ == queries_.size()) return false;
+  queries_[query_count_++] = static_cast<std::uint8_t>(code);
+  return true;
+}
+
+std::optional<std::uint8_t> HostLink::query() const {
+  return query_count_ != 0 ? std::optional(queries_[0]) : std::nullopt;
+}
+
+bool HostLink::query_answered(std::string_view report) {
+  if (!put_ok(std::nullopt, report)) return false;
+  std::shift_left(queries_.begin(), queries_.end(), 1);
+  --query_count_;
+  return true;
 }
 
 // Hosts number the lines of a job, and send between them without number what a person asks for.
@@ -182,6 +233,7 @@ bool HostLink::finished(std::string_view report) {
 void HostLink::update(units::Milliseconds now, Activity activity) {
   if (activity != Activity::idle) work_goes_on();
   now_ = now;
+  paused_ = activity == Activity::paused_for_user;
   end_unfinished_line();
   if (numbering_.must_ask_again(now) && !resend_owed_) request_resend(LineError::none);
   rescue_waiting_host(activity);

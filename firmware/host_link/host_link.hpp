@@ -50,6 +50,13 @@ class HostLink {
   // is no room yet: nothing is sent then, the line stays in hand, call again after the next update.
   bool finished(std::string_view report = {});
 
+  // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
+  // each while the user is waited for, since its host may be one that has just come; and M105 from
+  // a person in the midst of a job.
+  std::optional<std::uint8_t> query() const;
+  // Sends its ok; as finished().
+  bool query_answered(std::string_view report = {});
+
   // Queues one reply line; the line end is added, bytes that a host cannot read become '?'. False
   // if there is no room yet: nothing is sent then.
   bool say(std::string_view line);
@@ -93,6 +100,7 @@ class HostLink {
   void handle_framed_unfinished(const ReceivedLine& line);
   void handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement);
   void accept(const ReceivedLine& line, bool emergency);
+  bool answer_ahead(const ReceivedLine& line);
   bool in_numbered_session() const;
   bool comes_from_a_person(const ReceivedLine& line) const;
   bool job_under_way() const;
@@ -107,6 +115,7 @@ class HostLink {
   void send_owed();
 
   void end_unfinished_line();
+  void give_up_old_line(units::Milliseconds now);
   void rescue_waiting_host(Activity activity);
   void keep_alive(Activity activity);
 
@@ -134,6 +143,9 @@ class HostLink {
   std::uint8_t planner_space_{};
   bool framed_seen_{};
   bool advanced_ok_{};
+  bool paused_{};  // the user is waited for
+  std::uint8_t query_count_{};
+  std::array<std::uint8_t, 4> queries_{};  // their codes; more wait as other lines do
   bool in_hand_{};
 };
 

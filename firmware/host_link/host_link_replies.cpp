@@ -8,10 +8,12 @@ namespace {
 
 // A framed line that rests is broken: at 9600 baud the gap between two bytes is 1 ms.
 constexpr units::Milliseconds framed_line_time_out{300};
-// An unnumbered one may be typed by hand, unless numbered lines have just been coming.
+// An unnumbered one may be typed by hand: no host rests in a line for more than some 100 ms (at
+// 9600 baud a byte takes 1 ms), no person for much longer from key to key, and the host that comes
+// next is hardly there sooner.
 constexpr units::Milliseconds plain_line_time_out{2000};
 constexpr units::Milliseconds rescue_interval{2000};
-// Kept free for the link's own replies: the largest, a resend request, has at most 95 bytes.
+// Kept free for the link's own replies: the largest, a resend request, has at most 69 bytes.
 constexpr std::size_t link_reserve = 96;
 
 constexpr std::uint8_t most_owed = 255;
@@ -106,21 +108,16 @@ bool HostLink::put_notice(std::size_t index) {
 }
 
 bool HostLink::put_resend() {
-  TextLine error;
+  // All three lines or none. The first has not the form of an error, since a host may end its print
+  // where one byte of that is damaged.
+  if (transmit_.room() < link_reserve) return false;
   if (error_owed_ != LineError::none) {
-    error.text("Error:").text(host_link::describe(error_owed_));
-    error.text(", Last Line: ").integer(written(numbering_.last()));
+    transmit_.put_line({"echo:", host_link::describe(error_owed_), ", asked for again"});
   }
   TextLine resend;
   resend.text("Resend: ").integer(numbering_.asked_for());
-  constexpr std::string_view ok = "ok";
-  const std::size_t line_ends = 3;
-  if (transmit_.room() < error.view().size() + resend.view().size() + ok.size() + line_ends) {
-    return false;
-  }
-  if (!error.view().empty()) transmit_.put_line({error.view()});
   transmit_.put_line({resend.view()});
-  transmit_.put_line({ok});
+  transmit_.put_line({"ok"});
   resend_owed_ = false;
   wait_for_room_ = false;
   numbering_.resend_sent(now_);
@@ -149,8 +146,15 @@ void HostLink::end_unfinished_line() {
     return;
   }
   if (rescues_left_ == 0 || silence < plain_line_time_out) return;
-  receiver_.take();
+  receiver_.give_up();
   notify(Notice::unfinished);
+}
+
+// What lies there since long is of a host that is gone. Where no numbered lines come nothing waits
+// for an answer, so that is said only now.
+void HostLink::give_up_old_line(units::Milliseconds now) {
+  if (!receiver_.unfinished() || receiver_.unfinished_is_framed()) return;
+  if (now - last_heard_ >= plain_line_time_out) receiver_.give_up();
 }
 
 // An ok or a Resend may be lost on its way, and a host without time-outs then waits for ever.

@@ -23,17 +23,17 @@ std::string_view describe(LineError error) {
     case LineError::wrong_checksum:
       return "checksum mismatch";
     case LineError::wrong_number:
-      return "Line Number is not Last Line Number+1";
+      return "not the next line number";
     case LineError::no_checksum:
-      return "No Checksum with line number";
+      return "no checksum";
     case LineError::too_long:
-      return "format error: line too long";
+      return "line too long";
     case LineError::unprintable:
-      return "format error: byte outside ASCII";
+      return "byte outside ASCII";
     case LineError::unfinished:
-      return "format error: line not finished";
+      return "line not finished";
     case LineError::spoilt:
-      return "format error: serial line disturbed";
+      return "serial line disturbed";
   }
   return "";
 }

@@ -25,8 +25,8 @@ enum class LineError : std::uint8_t {
   spoilt,
 };
 
-// What follows "Error:" and precedes ", Last Line: N". Marlin's words where Marlin has the case;
-// all contain a phrase by which OctoPrint knows that a resend follows and nothing is fatal.
+// What follows "echo:" and precedes ", asked for again". Not "Error:" as in Marlin: OctoPrint ends
+// a print at an Error line in which noise has changed the words that it knows.
 std::string_view describe(LineError error);
 
 enum class Verdict : std::uint8_t {
@@ -64,7 +64,6 @@ class LineNumbering {
   void asked_for_resend(units::Milliseconds now);
   void resend_sent(units::Milliseconds now);
 
-  LineNumber last() const { return last_; }
   // The next line of the numbering.
   LineNumber wanted() const;
   // What a resend request asks for: the wanted line, or the lost beginning of a new numbering.

@@ -43,6 +43,11 @@ ReceivedLine LineReceiver::take() {
   return line;
 }
 
+void LineReceiver::give_up() {
+  clear();
+  torn_ = true;
+}
+
 void LineReceiver::put_into_line(char byte) {
   if (length_ < max_line_length) buffer_[length_] = byte;
   if (byte == '*') {
@@ -76,6 +81,7 @@ ReceivedLine LineReceiver::read() const {
   line.too_long = length_ > max_line_length;
   line.unprintable = unprintable_;
   line.spoilt = spoilt_;
+  line.torn = torn_;
   std::string_view text(buffer_.data(), line.too_long ? max_line_length : length_);
   if (star_seen_) {
     const bool right = checksum_digits_ > 0 && !checksum_malformed_ &&
@@ -110,6 +116,7 @@ void LineReceiver::clear() {
   checksum_malformed_ = false;
   unprintable_ = false;
   spoilt_ = false;
+  torn_ = false;
 }
 
 }  // namespace host_link

@@ -29,6 +29,7 @@ struct ReceivedLine {
   bool too_long{};  // more than max_line_length: text is its beginning
   bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
   bool spoilt{};  // the uart saw an error in it
+  bool torn{};  // behind a line that was given up: it may be the rest of that
   // Number or checksum is there: the host keeps it for a resend.
   bool framed() const { return starts_with_n || checksum != Checksum::none; }
 };
@@ -40,6 +41,9 @@ class LineReceiver {
   bool put(char byte);
   // The line as far as it has come, which is then forgotten.
   ReceivedLine take();
+
+  // Forgets the line as far as it has come; what follows up to the next line end may be its rest.
+  void give_up();
 
   // The line in progress is broken, whatever its checksum says.
   void spoil() { spoilt_ = true; }
@@ -66,6 +70,7 @@ class LineReceiver {
   bool star_seen_{};
   bool unprintable_{};
   bool spoilt_{};
+  bool torn_{};
   bool after_carriage_return_{};
 };
 

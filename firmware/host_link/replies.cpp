@@ -55,10 +55,10 @@ TextLine position_report(const units::PerAxis<units::Position>& position,
 std::optional<TextLine> firmware_line(const FirmwareDescription& firmware, std::size_t index) {
   TextLine line;
   if (index == 0) {
-    // Cura takes the name up to a ';'.
-    line.text("FIRMWARE_NAME:").text(firmware.name).character(';');
+    // OctoPrint takes the name up to the next key, Cura up to the last ';'.
+    line.text("FIRMWARE_NAME:").text(firmware.name);
     if (!firmware.source_url.empty()) line.text(" SOURCE_CODE_URL:").text(firmware.source_url);
-    line.text(" PROTOCOL_VERSION:1.0 MACHINE_TYPE:").text(firmware.machine);
+    line.text(" PROTOCOL_VERSION:1.0; MACHINE_TYPE:").text(firmware.machine);
     return line.text(" EXTRUDER_COUNT:").integer(firmware.extruders);
   }
   if (index > firmware.capabilities.size()) return std::nullopt;

@@ -12,7 +12,7 @@ namespace host_link {
 
 class TransmitQueue {
  public:
-  static constexpr std::size_t capacity = 1024;  // bytes
+  static constexpr std::size_t capacity = 512;  // bytes
 
   std::size_t room() const { return capacity - size_; }
   bool empty() const { return size_ == 0; }

@@ -97,6 +97,7 @@ std::string Dialogue::step(const std::string& line) {
   const std::string argument = blank == std::string::npos ? "" : line.substr(blank + 1);
   if (verb == "<-") return expect_line(argument);
   if (verb == "=>") return expect_taken(argument);
+  if (verb == "??") return expect_query(argument);
   if (verb == "!!") return expect_emergency(argument);
   if (verb == "set") return set(argument);
   if (verb == "repeat") return repeat(argument);
@@ -112,6 +113,8 @@ std::string Dialogue::step(const std::string& line) {
     pass(std::stol(argument), Activity::paused_for_user);
   } else if (verb == "done") {
     if (!link_.finished(argument.empty() ? "" : " " + argument)) return "no room for the ok";
+  } else if (verb == "answer") {
+    if (!link_.query_answered(argument.empty() ? "" : " " + argument)) return "no room for the ok";
   } else if (verb == "say") {
     if (!link_.say(unescape(argument))) return "no room for the line";
   } else {
@@ -151,6 +154,12 @@ std::string Dialogue::expect_taken(const std::string& expected) {
     if (line->emergency) taken += " (acted on)";
   }
   return taken == expected ? "" : differs(expected, taken);
+}
+
+std::string Dialogue::expect_query(const std::string& expected) {
+  const auto code = link_.query();
+  const std::string happened = code ? std::to_string(*code) : "nothing";
+  return happened == expected ? "" : differs(expected, happened);
 }
 
 std::string Dialogue::expect_emergency(const std::string& expected) {
@@ -201,6 +210,8 @@ std::string Dialogue::leftovers() {
   collect();
   if (!lines_.empty()) return "unexpected reply \"" + lines_.front() + "\"";
   if (!partial_.empty()) return "half a reply \"" + partial_ + "\"";
+  const std::string query = expect_query("nothing");
+  if (!query.empty()) return query;
   const std::string emergency = expect_emergency("nothing");
   if (!emergency.empty()) return emergency;
   return expect_taken("nothing");

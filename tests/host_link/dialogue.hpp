@@ -19,6 +19,8 @@ namespace host_link::test {
 //   => 5 G1 X1       the firmware takes line 5 ("-" for a line without number)   => nothing
 //   done T:20.00     the firmware has finished it, with this report behind the ok
 //   say text         the firmware sends a line
+//   ?? 105           M105 is to be answered ahead of the lines that wait    ?? nothing
+//   answer T:20.00   the firmware does, with this report behind the ok
 //   !! kill          an emergency command is signalled   (kill, cancel, stop, prompt 3,
 //                    action pause, action resume, action cancel, speed 50)
 //   idle 300         milliseconds pass; also: busy 300, paused 300
@@ -35,6 +37,7 @@ class Dialogue {
   std::string repeat(const std::string& argument);
   std::string expect_line(const std::string& expected);
   std::string expect_taken(const std::string& expected);
+  std::string expect_query(const std::string& expected);
   std::string expect_emergency(const std::string& expected);
   std::string set(const std::string& argument);
   void send(const std::string& bytes);

@@ -37,6 +37,10 @@ std::optional<int> number_in(const std::string& text, bool last) {
   return std::stoi(std::string(begin, end));
 }
 
+bool contains_any(const std::string& text, std::initializer_list<const char*> parts) {
+  return std::ranges::any_of(parts, [&](const char* part) { return text.contains(part); });
+}
+
 class Printcore : public HostModel {
  public:
   using HostModel::HostModel;
@@ -93,15 +97,21 @@ class Octoprint : public HostModel {
 
   void hear(const std::string& line, Milliseconds now) override {
     heard_ = now;
+    if (ends_print(line)) ended_ = true;
     if (line.starts_with("ok")) {
       clear_ = true;
       simulate_ok_at_ = std::nullopt;
       return;
     }
     if (asks_for_resend(line)) {
-      // Older lines than its history has would end the job; here it then waits for another Resend.
+      // Older lines than its history has, and lines to come, end the job (next_ alone is ignored);
+      // here it then waits for another Resend.
       const auto number = number_in(line, false);
-      if (number && *number < next_ && *number >= std::max(0, next_ - history)) resend_ = *number;
+      if (number && *number < next_ && *number >= std::max(0, next_ - history)) {
+        resend_ = *number;
+      } else if (number != next_) {
+        ended_ = ended_ || line.find_first_of("0123456789") != std::string::npos;
+      }
       simulate_ok_at_ = now + 500;
       return;
     }
@@ -140,6 +150,16 @@ class Octoprint : public HostModel {
   static constexpr int history = 50;
   static constexpr Milliseconds time_out = 18'000;
 
+  // A reset of the printer, or an error that does not announce a Resend in words it knows.
+  static bool ends_print(const std::string& line) {
+    const std::string text = lower(line);
+    if (line == "start" || text.starts_with("fatal:") || text.contains("kill() called")) {
+      return true;
+    }
+    if (!line.starts_with("Error:") && !line.starts_with("!!")) return false;
+    return !contains_any(text, {"line number", "checksum", "format error", "expected line"});
+  }
+
   std::string line(int number) const {
     if (number == 0) return frame(0, "M110 N0", " ");
     return frame(number, job_[static_cast<std::size_t>(number - 1)], " ");
@@ -160,10 +180,16 @@ class Cura : public HostModel {
 
   void hear(const std::string& line, Milliseconds now) override {
     heard_ = now;
+    if (line.starts_with("!!")) ended_ = true;
     if (line.find("ok") != std::string::npos) ++allowed_;
     if (asks_for_resend(line)) {
+      // A line behind the last of the job is the job's end.
       const auto number = number_in(line, true);
-      if (number && *number <= static_cast<int>(job_.size())) next_ = *number;
+      if (number && *number <= static_cast<int>(job_.size())) {
+        next_ = *number;
+      } else {
+        ended_ = ended_ || number;
+      }
     }
   }
 

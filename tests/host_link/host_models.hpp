@@ -25,12 +25,15 @@ class HostModel {
   virtual bool done() const = 0;
   // The number of the job's first line.
   virtual int first_number() const = 0;
+  // It has heard something for which the real host gives up its print.
+  bool ended() const { return ended_; }
 
  protected:
   // The line as the host writes it, with number and checksum.
   static std::string frame(int number, std::string_view text, std::string_view separator);
 
   std::vector<std::string> job_;
+  bool ended_ = false;
 };
 
 // Printrun's printcore: a boolean that any ok and any Resend sets, no time-out at all, M105 polls

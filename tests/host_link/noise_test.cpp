@@ -66,6 +66,8 @@ class Firmware {
   explicit Firmware(std::uint64_t seed) : random_(seed) {}
 
   Activity run(HostLink& link, Milliseconds now, Outcome& outcome) {
+    while (link.query() && link.query_answered()) {
+    }
     if (busy_ && now >= busy_until_) busy_ = !link.finished();
     if (!busy_) {
       if (const auto line = link.next_line()) {

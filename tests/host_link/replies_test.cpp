@@ -90,7 +90,7 @@ TEST(replies, describe_the_firmware_line_by_line) {
   const FirmwareDescription firmware{"StepFabric 0.1.0", "", "Prusa Mendel", 1, capabilities};
   const std::string first = text(firmware_line(firmware, 0).value());
   EXPECT_EQ(first,
-            "FIRMWARE_NAME:StepFabric 0.1.0; PROTOCOL_VERSION:1.0 MACHINE_TYPE:Prusa Mendel "
+            "FIRMWARE_NAME:StepFabric 0.1.0 PROTOCOL_VERSION:1.0; MACHINE_TYPE:Prusa Mendel "
             "EXTRUDER_COUNT:1");
   EXPECT_EQ(text(firmware_line(firmware, 1).value()), "Cap:EMERGENCY_PARSER:1");
   EXPECT_EQ(text(firmware_line(firmware, 2).value()), "Cap:AUTOREPORT_TEMP:0");
