@@ -11,6 +11,7 @@ namespace application {
 namespace {
 
 constexpr units::Milliseconds count_period{100};
+constexpr units::Milliseconds cooling_period{1000};
 constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
 // How long the loop sleeps if nothing wakes it. Segments are handed over with 40 ms in hand.
@@ -80,6 +81,7 @@ bool Application::update() {
     transmit();
     motion_.refill();
     more = more || executor_.has_got_room();
+    note_cooling(now);
     heat_.update(now);
     look_for_faults();
     report(now);
@@ -89,6 +91,7 @@ bool Application::update() {
     }
   }
   transmit();
+  heat_.complete_feed();
   count(now);
   const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
   counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
@@ -162,10 +165,28 @@ void Application::act_on_emergencies() {
   }
 }
 
+// What fan and filament take away, which the heaters' model must know: about once a second.
+void Application::note_cooling(Now now) {
+  if (now.milliseconds < next_cooling_) return;
+  next_cooling_ = now.milliseconds + cooling_period;
+  constexpr std::int32_t most_steps = 2'000'000;  // more is a counter that has jumped
+  const auto steps =
+      static_cast<std::uint32_t>(motion_.steps()[units::index_of(units::Axis::e)].count());
+  const auto made = static_cast<std::int32_t>(steps - extruder_steps_);
+  extruder_steps_ = steps;
+  const std::int32_t steps_per_mm =
+      std::max<std::int32_t>(motion_.limits().of(units::Axis::e).steps_per_meter.count() / 1000, 1);
+  heat_.set_cooling({.fan = hardware_.fan.duty(),
+                     .filament = units::MicrometersPerSecond(
+                         std::clamp<std::int32_t>(made, 0, most_steps) * 1000 / steps_per_mm)});
+}
+
 void Application::look_for_faults() {
   if (halted_) return;
   if (const auto fault = heat_.fault()) {
     halt(text_of(*fault).view());
+  } else if (!heat_.hardware_fault().empty() && !motion_.emergency_input()) {
+    halt(heat_.hardware_fault());
   } else if (motion_.emergency_input()) {
     halt("Error:Emergency stop input");
   } else if (motion_.watchdog_stop()) {

@@ -38,6 +38,7 @@ class Application {
   void receive(Now now);
   void transmit();
   void act_on_emergencies();
+  void note_cooling(Now now);
   void look_for_faults();
   void report(Now now);
   void switch_off_idle_motors(Now now);
@@ -61,6 +62,8 @@ class Application {
   units::Milliseconds next_count_{};
   units::Milliseconds next_complaint_{};
   units::Milliseconds at_rest_since_{};
+  units::Milliseconds next_cooling_{};
+  std::uint32_t extruder_steps_{};
   host_link::TextLine fault_;
   bool halted_{};
 };

@@ -24,6 +24,7 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
 
 bool CommandExecutor::update(Now now) {
   follow_position_jump();
+  answer_queries();
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ != Stage::answering) {
     if (held_ && stage_ == Stage::begin) return false;
@@ -114,7 +115,16 @@ CommandExecutor::Progress CommandExecutor::proceed(Now now) {
       host_link::not_executed(gcode::describe(*parse_error_), parse_error_->position, text_));
 }
 
+// There is no card. What a host sends in order to store it is no print; M105 and M110 come from the
+// host itself.
+CommandExecutor::Progress CommandExecutor::refuse_without_card() { return refuse("No SD card"); }
+
+bool CommandExecutor::is_withheld() const {
+  return storing_ && !command_.is('M', 29) && !command_.is('M', 105) && !command_.is('M', 110);
+}
+
 CommandExecutor::Progress CommandExecutor::execute(Now now) {
+  if (is_withheld()) return refuse("No SD card until M29");
   switch (command_.letter) {
     case 'G':
       return execute_g(now);
@@ -129,6 +139,13 @@ CommandExecutor::Progress CommandExecutor::execute(Now now) {
 
 CommandExecutor::Progress CommandExecutor::execute_g(Now now) {
   if (command_.subcode != 0) return refuse_unknown();
+  // An axis that the machine does not have, say: the others must not go without it.
+  const bool homes = command_.code == 28;
+  if ((homes || command_.code <= 1 || command_.code == 92) &&
+      command_.has_besides(homes ? gcode::Command::set_of("XYZEORW")
+                                 : gcode::Command::set_of("XYZEF"))) {
+    return refuse("Unknown parameter");
+  }
   switch (command_.code) {
     case 0:
     case 1:
@@ -169,10 +186,22 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 18:
     case 84:
       return switch_motors(false);
+    case 23:
+      file_refused_ = true;
+      return refuse_without_card();
     case 24:
-      return say("//action:resume");
+      if (!file_refused_) return say("//action:resume");
+      if (refuse_without_card() == Progress::again) return Progress::again;
+      file_refused_ = false;
+      return Progress::done;
     case 25:
       return say("//action:pause");
+    case 28:
+      storing_ = true;
+      return refuse("No SD card until M29");
+    case 29:
+      storing_ = false;
+      return refuse_without_card();
     case 82:
       coordinates_.set_extruder_relative(false);
       return Progress::done;
@@ -182,7 +211,7 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 104:
       return set_temperature(Heater::hotend);
     case 105:
-      return report_temperature();
+      return report_temperature(now);
     case 106:
     case 107:
       return set_fan();
@@ -191,7 +220,7 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 114:
       return report_position();
     case 115:
-      return list_firmware();
+      return list_firmware(list_index_);
     case 118:
       return say_text();
     case 119:

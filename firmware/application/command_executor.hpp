@@ -37,7 +37,10 @@ class CommandExecutor {
   bool update(Now now);
 
   // M108, M410, M602, M876 and the host's actions, the moment they are received.
-  void cancel_wait() { wait_cancelled_ = true; }
+  void cancel_wait() {
+    if (held_) return hold(false);
+    wait_cancelled_ = true;
+  }
   void quick_stop();
   // M220 of a person in the midst of a job.
   void set_speed_at_once(std::int32_t percent);
@@ -134,8 +137,9 @@ class CommandExecutor {
 
   // report_commands.cpp
   Progress report_position();
-  Progress report_temperature();
-  Progress list_firmware();
+  Progress report_temperature(Now now);
+  Progress list_firmware(std::size_t& index);
+  void answer_queries();
   Progress list_end_stops();
   Progress say_text();
   Progress select_tool();
@@ -148,6 +152,8 @@ class CommandExecutor {
   // Says why nothing is done, as the whole of a command.
   Progress refuse(const host_link::TextLine& line);
   Progress refuse(std::string_view reason);
+  Progress refuse_without_card();
+  bool is_withheld() const;
 
   // A limit that is not of one axis, and the letter of its value.
   struct Setting {
@@ -179,6 +185,7 @@ class CommandExecutor {
   host_link::TextLine ok_report_;
   std::optional<Fatal> fatal_;
   std::size_t list_index_{};
+  std::size_t query_index_{};  // the same of a query that is answered ahead
   std::uint32_t position_jumps_{};
   Positions planned_{};  // machine coordinates of the end of the last move
   std::int32_t kept_speed_{100};  // M220 B
@@ -189,6 +196,8 @@ class CommandExecutor {
   bool held_{};
   std::size_t cancelled_lines_{};  // to be answered, not executed
   bool refused_{};
+  bool storing_{};  // between M28 and M29: there is no card, and nothing is executed
+  bool file_refused_{};  // of M23, which M24 would print
   bool notified_{};  // of the extrusion that this move leaves out
   units::Milliseconds busy_interval_{2000};
   units::Milliseconds report_interval_{};

@@ -9,6 +9,7 @@
 #include "drivers/guard_timings.hpp"
 #include "motion/limits.hpp"
 #include "thermal/controller.hpp"
+#include "thermal/heater_model.hpp"
 #include "thermal/thermistor_table.hpp"
 #include "units/axes.hpp"
 #include "units/quantity.hpp"
@@ -22,6 +23,7 @@ struct HeaterDescription {
   units::Millicelsius min{};  // colder reads as a broken sensor
   units::Millicelsius max{};  // hotter is a fault; targets stay below
   thermal::ControllerGains gains{};
+  thermal::HeaterModel model{};
 };
 
 // The circuit of the capacitor-charge temperature converter.
@@ -39,6 +41,7 @@ struct MachineDescription {
   bool advanced_ok{};  // tell the free places with each ok
   units::Milliseconds host_silence{};  // heaters off after it; 0 is never
   motion::Limits limits{};
+  units::PerAxis<units::Nanometers> homing_search{};  // from an unknown place, at most
   units::PerAxis<drivers::DriverChipTimings> drivers{};
   HeaterDescription hotend{};
   HeaterDescription bed{};

@@ -166,6 +166,7 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
       set_position(with_axis(planner_.position(), request.axis, request.position));
       ++position_jumps_;
       homed_.insert(request.axis);
+      located_.insert(request.axis);
       return;
     case Kind::fault:
       homing_fault_ = request.fault;
@@ -218,11 +219,25 @@ bool MotionTask::at_rest() const {
 
 void MotionTask::start_homing(units::AxisSet axes) {
   homing_fault_.reset();
-  homing_.start(axes, planner_.limits());
+  motion::Limits limits = planner_.limits();
+  for (const units::Axis axis : all_axes) {
+    if (!axes.contains(axis) || !limits.of(axis).homing) continue;
+    limits.of(axis).travel = located_.contains(axis) ? distance_to_end_stop(axis)
+                                                     : machine_.homing_search[index_of(axis)];
+    located_.remove(axis);
+  }
+  homing_.start(axes, limits);
+}
+
+units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
+  const motion::HomingParameters& homing = *limits().of(axis).homing;
+  const units::Nanometers above = planner_.position()[index_of(axis)].nearest() - homing.position;
+  return std::max(homing.towards_positive ? -above : above, units::Nanometers(0));
 }
 
 void MotionTask::quick_stop() {
   homing_.cancel();
+  located_ = {};  // a motor that stops dead may lose steps
   stopping_ = true;
   step_generator_.stop();
 }
@@ -241,6 +256,7 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
       motors_on_.insert(axis);
     } else {
       motors_on_.remove(axis);
+      located_.remove(axis);
     }
   }
 }
@@ -252,6 +268,7 @@ void MotionTask::set_limits(const motion::Limits& limits) {
 
 void MotionTask::set_steps_per_meter(const motion::Limits& limits) {
   const auto positions = planner_.position();
+  located_ = {};
   set_limits(limits);
   set_position(positions);
 }

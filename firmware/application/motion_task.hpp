@@ -88,6 +88,7 @@ class MotionTask {
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
   void begin_line();
+  units::Nanometers distance_to_end_stop(units::Axis axis) const;
   void set_position(const units::PerAxis<units::Position>& positions);
 
   const MachineDescription& machine_;
@@ -102,6 +103,7 @@ class MotionTask {
   std::optional<motion::Fault> homing_fault_;
   units::Axis homing_axis_{};
   units::AxisSet homed_;
+  units::AxisSet located_;  // homed, and since then nothing can have moved it but its own steps
   units::AxisSet motors_on_;
   std::uint32_t position_jumps_{};
   bool stopped_by_end_stop_{};

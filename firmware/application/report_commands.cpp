@@ -25,9 +25,34 @@ constexpr std::array<std::string_view, 3> end_stop_names{"x_min", "y_min", "z_mi
 
 }  // namespace
 
-CommandExecutor::Progress CommandExecutor::report_temperature() {
+// The first conversions take some 100 ms; before them a temperature would be 0.
+CommandExecutor::Progress CommandExecutor::report_temperature(Now now) {
+  constexpr units::Milliseconds longest_wait{1000};
+  const bool known =
+      heat_.loop(Heater::hotend).temperature() && heat_.loop(Heater::bed).temperature();
+  if (!known && now.milliseconds < longest_wait) return Progress::again;
   ok_report_ = host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed));
   return Progress::done;
+}
+
+// Ahead of the line in hand, which has perhaps to wait long.
+void CommandExecutor::answer_queries() {
+  while (const auto code = link_.query()) {
+    host_link::TextLine report;
+    switch (*code) {
+      case 105:
+        report =
+            host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed));
+        break;
+      case 114:
+        if (report_position() == Progress::again) return;
+        break;
+      default:
+        if (list_firmware(query_index_) == Progress::again) return;
+    }
+    if (!link_.query_answered(report.view())) return;
+    query_index_ = 0;
+  }
 }
 
 CommandExecutor::Progress CommandExecutor::report_position() { return say(position_line()); }
@@ -36,7 +61,7 @@ host_link::TextLine CommandExecutor::position_line() {
   return host_link::position_report(coordinates_.logical(), motion_.steps());
 }
 
-CommandExecutor::Progress CommandExecutor::list_firmware() {
+CommandExecutor::Progress CommandExecutor::list_firmware(std::size_t& index) {
   auto present = capabilities;
   present.back().present = machine_.advanced_ok;
   const host_link::FirmwareDescription firmware{.name = "StepFabric",
@@ -44,9 +69,9 @@ CommandExecutor::Progress CommandExecutor::list_firmware() {
                                                 .machine = machine_.name,
                                                 .extruders = 1,
                                                 .capabilities = present};
-  while (const auto line = host_link::firmware_line(firmware, list_index_)) {
+  while (const auto line = host_link::firmware_line(firmware, index)) {
     if (say(*line) == Progress::again) return Progress::again;
-    ++list_index_;
+    ++index;
   }
   return Progress::done;
 }

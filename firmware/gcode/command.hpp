@@ -37,6 +37,13 @@ class Command {
   // Parameters are asked for by their capital letter, whatever case the line has.
   bool has(char parameter) const { return (present_ & bit(parameter)) != 0; }
   bool has_parameters() const { return present_ != 0; }
+  // Letters as a set, for has_besides().
+  static consteval std::uint32_t set_of(std::string_view letters_of_set) {
+    std::uint32_t set = 0;
+    for (const char parameter : letters_of_set) set |= bit(parameter);
+    return set;
+  }
+  bool has_besides(std::uint32_t set) const { return (present_ & ~set) != 0; }
 
   // As it is written; empty where the parameter is absent or a flag without a number (G28 X).
   std::optional<Number> number(char parameter) const {

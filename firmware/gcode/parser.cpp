@@ -24,6 +24,7 @@ bool takes_text(const Command& command) {
   switch (command.code) {
     case 23:  // select a file
     case 28:  // write a file
+    case 29:  // end of that
     case 30:  // delete a file
     case 32:  // print a file
     case 33:  // long name of a file

@@ -8,9 +8,6 @@ namespace {
 
 using Kind = HomingRequest::Kind;
 
-// How much farther than the travel, in fifths of it, the end stop is looked for.
-constexpr std::int64_t search_fifths = 6;
-
 }  // namespace
 
 void Homing::start(units::AxisSet axes, const Limits& limits) {
@@ -28,7 +25,8 @@ HomingRequest Homing::update(const HomingObservation& observation) {
       return begin_axis(observation);
     case State::release:
       if (pressed(observation)) return fail(Fault::end_stop_stuck);
-      return approach();
+      // It has opened on the way back.
+      return approach(parameters().back_off * 2);
     case State::approach:
       if (!observation.stopped) return fail(Fault::end_stop_not_found);
       return move(State::back_off, -towards_end_stop(parameters().back_off),
@@ -50,7 +48,7 @@ HomingRequest Homing::begin_axis(const HomingObservation& observation) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     axis_ = static_cast<units::Axis>(i);
     if (!remaining_.contains(axis_) || !limits_.of(axis_).homing) continue;
-    if (!pressed(observation)) return approach();
+    if (!pressed(observation)) return approach(limits_.of(axis_).travel + parameters().back_off);
     return move(State::release, -towards_end_stop(parameters().back_off), parameters().slow_speed,
                 0);
   }
@@ -58,9 +56,8 @@ HomingRequest Homing::begin_axis(const HomingObservation& observation) {
   return {.kind = Kind::finished};
 }
 
-HomingRequest Homing::approach() {
-  const units::Nanometers farthest = limits_.of(axis_).travel * search_fifths / 5;
-  return move(State::approach, towards_end_stop(farthest), parameters().fast_speed, stop_mask());
+HomingRequest Homing::approach(units::Nanometers distance) {
+  return move(State::approach, towards_end_stop(distance), parameters().fast_speed, stop_mask());
 }
 
 HomingRequest Homing::move(State next, units::Nanometers distance,

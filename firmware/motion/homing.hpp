@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the end stops of the axes of one G28, one axis after another: fast, back off, slow.
-// An end stop that is already pressed is released first.
+// An end stop that is already pressed is released first. An end stop that never closes lets the
+// axis push on, so that no approach goes farther than it must.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +57,8 @@ class Homing {
   };
 
   // Begins with the axes of `axes` that have an end stop, in the order X, Y, Z. No axis: finished
-  // at the first update.
+  // at the first update. An end stop is at most the axis' travel away, and is looked for as far and
+  // once more its back-off.
   void start(units::AxisSet axes, const Limits& limits);
   // Forgets what it was doing (emergency stop, M410).
   void cancel() { state_ = State::idle; }
@@ -73,7 +75,7 @@ class Homing {
   bool pressed(const HomingObservation& observation) const;
   units::Nanometers towards_end_stop(units::Nanometers distance) const;
   HomingRequest begin_axis(const HomingObservation& observation);
-  HomingRequest approach();
+  HomingRequest approach(units::Nanometers distance);
   HomingRequest move(State next, units::Nanometers distance, units::MicrometersPerSecond speed,
                      std::uint8_t mask);
   HomingRequest fail(Fault fault);

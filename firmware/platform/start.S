@@ -37,10 +37,8 @@ _start:
   ebreak
 
 # Vectored traps: entry 0 is for exceptions, entry n for interrupt n; each is a word. The tasks run with
-# interrupts disabled and use them to end wfi only, so none of the others is expected either; except the
-# timer's in the image that makes the steps in software.
-  .weak timer_interrupt
-  .set timer_interrupt, trap
+# interrupts disabled and use them to end wfi only, so none of them is expected either. The image that
+# makes the steps in software has vectors of its own for the timer.
   # Its alignment must not move _start.
   .section .text.vectors, "ax"
   .balign 128
@@ -48,16 +46,13 @@ _start:
 vector_table:
   .option push
   .option norvc
-  .rept 7
-  j trap
-  .endr
-  j timer_interrupt
-  .rept 24
+  .rept 32
   j trap
   .endr
   .option pop
 
 # A trap is the end: the report gets a whole stack, because the old one may be what is broken.
+  .globl trap
 trap:
   mv a3, sp
   mv a4, ra

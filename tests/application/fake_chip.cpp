@@ -55,7 +55,7 @@ std::uint32_t FakeChip::duty_address(std::size_t channel) {
 
 std::uint32_t FakeChip::end_stops() const {
   if (!end_stops_work) return 0;
-  std::uint32_t triggered = 0;
+  std::uint32_t triggered = end_stops_stuck;
   for (std::size_t axis = 0; axis < 3; ++axis)
     triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
   return triggered;
@@ -146,12 +146,17 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return heat::Status{.permitted = true,
                         .minimum_locked = true,
                         .maximum_locked = true,
+                        .hot_locked = true,
+                        .settle_locked = true,
                         .tripped = heaters[i].tripped}
         .encode();
   }
+  if (address == heat::Supply::address) return heat::Supply{.closed = supply_closed()}.encode();
   if (const std::size_t i = index_of<sense::Status>(address); i < heaters.size()) {
     using State = sense::Status::State;
-    const auto state = heaters[i].open_sensor ? State::open : State::ok;
+    const auto state = time < first_reading     ? State::never
+                       : heaters[i].open_sensor ? State::open
+                                                : State::ok;
     return sense::Status{.state = static_cast<std::uint32_t>(state),
                          .conversions = static_cast<std::uint32_t>(time / (clock_hz / 16)) & 0xFFu}
         .encode();
@@ -174,12 +179,32 @@ void FakeChip::write(std::uint32_t address, std::uint32_t value) {
   if (address == registers::uart::Data::address) from_firmware.push_back(static_cast<char>(value));
   if (address == registers::fan::Duty::address) fan_duty = value;
   if (address == steps::MotorEnable::address) motors = value;
-  if (address == heat::Feed::address) ++watchdog_feeds;
+  if (address == heat::Feed::address) feed(value);
+  if (address == heat::Supply::address) switch_supply(heat::Supply::decode(value).key);
   if (address == steps::Command::address) command(value);
   if (address == steps::SegmentCommit::address) commit();
   if (const std::size_t axis = index_of<steps::Position>(address); axis < position.size()) {
     position[axis] = static_cast<std::int32_t>(value);
   }
+}
+
+void FakeChip::feed(std::uint32_t key) {
+  using Key = heat::Feed::Key;
+  const auto expected = second_key_is_next_ ? Key::second : Key::first;
+  if (key != static_cast<std::uint32_t>(expected)) ++wrong_watchdog_feeds;
+  second_key_is_next_ = !second_key_is_next_;
+  if (!second_key_is_next_) ++watchdog_feeds;
+}
+
+bool FakeChip::supply_closed() {
+  for (const Heater& heater : heaters) supply_closed_ = supply_closed_ && !heater.tripped;
+  return supply_closed_;
+}
+
+void FakeChip::switch_supply(std::uint32_t key) {
+  using Key = heat::Supply::Key;
+  if (key == static_cast<std::uint32_t>(Key::close)) supply_closed_ = true;
+  if (key == static_cast<std::uint32_t>(Key::open)) supply_closed_ = false;
 }
 
 void FakeChip::command(std::uint32_t value) {
@@ -281,8 +306,9 @@ void FakeChip::walk_to(std::int64_t line_tick) {
 void FakeChip::advance_heat(double seconds) {
   for (std::size_t i = 0; i < heaters.size(); ++i) {
     Heater& heater = heaters[i];
-    const double power = heater.tripped ? 0.0 : heater_duty(i) / 65'535.0;
-    heater.celsius += seconds * (power * heater.celsius_per_second_at_full_power -
+    const double power = supply_closed() && !heater.tripped ? heater_duty(i) / 65'535.0 : 0.0;
+    heater.arriving_power += (power - heater.arriving_power) * seconds / heater.lag_seconds;
+    heater.celsius += seconds * (heater.arriving_power * heater.celsius_per_second_at_full_power -
                                  heater.loss_per_second * (heater.celsius - room_c));
   }
 }

@@ -35,22 +35,33 @@ class FakeChip {
 
   struct Heater {
     double celsius{25.0};
-    double celsius_per_second_at_full_power{3.0};
-    double loss_per_second{0.004};  // of the difference to 25 degrees
+    double celsius_per_second_at_full_power{};
+    double loss_per_second{};  // of the difference to 25 degrees
+    double lag_seconds{};  // from the cartridge to the sensor
+    double arriving_power{};  // of 1
     bool open_sensor{};
     bool tripped{};
   };
-  std::array<Heater, 2> heaters{};
+  // As the default machine describes hotend and bed: power, capacity, losses, lags.
+  std::array<Heater, 2> heaters{
+      {{.celsius_per_second_at_full_power = 2.76, .loss_per_second = 0.0048, .lag_seconds = 2.5},
+       {.celsius_per_second_at_full_power = 0.222, .loss_per_second = 0.002, .lag_seconds = 6.7}}};
+  std::uint64_t first_reading{clock_hz / 20};  // of temperatures; there is none before
 
   // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
   std::array<std::int64_t, 4> mechanical{1000, 1000, 30'000, 0};
   bool end_stops_work{true};
+  std::uint32_t end_stops_stuck{};  // closed, wherever the axis is; bit = axis
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
   std::array<std::int32_t, 4> position{};  // the hardware's counters
   std::uint32_t motors{};
   std::uint32_t fan_duty{};
   std::uint32_t heater_duty(std::size_t channel) { return words_[duty_address(channel)]; }
-  std::uint32_t watchdog_feeds{};
+  std::uint32_t watchdog_feeds{};  // of both keys
+  std::uint32_t wrong_watchdog_feeds{};  // not the key that was due
+  // Gates and supply: no trip opens it without a heater's `tripped`.
+  bool supply_closed();
+  void open_supply() { supply_closed_ = false; }
   std::uint32_t motion_watchdog_feeds{};
   std::uint32_t underruns{};
   void stop_by_watchdog();
@@ -75,6 +86,8 @@ class FakeChip {
   std::uint32_t end_stops() const;
   void commit();
   void command(std::uint32_t value);
+  void feed(std::uint32_t key);
+  void switch_supply(std::uint32_t key);
   void advance_motion(std::uint32_t clocks);
   void walk_to(std::int64_t line_tick);
   void stop(std::uint32_t end_stops, bool software);
@@ -87,6 +100,8 @@ class FakeChip {
   std::int64_t line_tick_{};  // ticks of the line that are done
   double segment_time_{}, segment_time_left_{};  // clocks
   std::int64_t segment_end_tick_{};
+  bool supply_closed_{};
+  bool second_key_is_next_{};
   bool moving_{};
   bool stopped_{};
   bool stopped_by_software_{};

@@ -29,6 +29,7 @@ TEST(heat_commands, m109_tells_each_second_until_the_target_holds) {
   EXPECT_GT(reports, 20);
   EXPECT_NEAR(printer.chip.heaters[0].celsius, 100, 2);
   EXPECT_GT(printer.chip.watchdog_feeds, 100u);
+  EXPECT_EQ(printer.chip.wrong_watchdog_feeds, 0u);
 }
 
 TEST(heat_commands, m109_s_does_not_wait_for_cooling) {
@@ -51,6 +52,19 @@ TEST(heat_commands, m108_ends_the_wait) {
     oks += *line == "ok";
   }
   EXPECT_LT(printer.chip.heaters[1].celsius, 60);
+}
+
+TEST(heat_commands, the_supply_is_closed_before_heat_is_asked_for_and_its_loss_is_a_fault) {
+  Printer printer;
+  printer.run(0.5);
+  EXPECT_TRUE(printer.chip.supply_closed());
+  printer.talk("-> M104 S200\n<- ok");
+  printer.run(5);
+  printer.chip.open_supply();
+  printer.run(0.3);
+  printer.talk("<- Error:Heater supply cut off\n<- Error:Printer halted. kill() called!");
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  EXPECT_FALSE(printer.chip.supply_closed());
 }
 
 TEST(heat_commands, a_broken_thermistor_ends_everything) {

@@ -147,6 +147,55 @@ TEST(host_actions, cancel_ends_the_motion_and_answers_what_waits_without_executi
   EXPECT_LT(printer.mm(0), 30);
 }
 
+TEST(host_actions, a_pause_outlives_its_host_and_the_next_one_learns_how_to_go_on) {
+  Printer printer;
+  printer.talk("-> G28\n<- ok\n-> //action:pause\n<- ok");
+  // The host is gone, with these lines unanswered: as many as may wait.
+  for (int i = 1; i <= 8; ++i) printer.send("G1 F3000 X" + std::to_string(i));
+  printer.run(60);
+  printer.chip.from_firmware.clear();
+  // printcore, OctoPrint, Cura, each more often than lines may wait.
+  for (int i = 0; i < 10; ++i) {
+    printer.talk(R"(
+      -> M105
+      <* ok T:
+      -> N0 M110 N0*125
+      <- echo:Paused: M108 goes on, //action:cancel ends
+      <- ok
+      -> N1M115*7
+      <- echo:Paused: M108 goes on, //action:cancel ends
+      <* FIRMWARE_NAME:StepFabric
+    )");
+    for (auto line = printer.reply(); line != "ok"; line = printer.reply()) {
+      ASSERT_TRUE(line.has_value());
+    }
+    printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:0.00 E:0.00 Count\n<- ok");
+  }
+  EXPECT_EQ(printer.chip.position[0], 0);
+  printer.send("M108");
+  printer.run(10);
+  EXPECT_EQ(printer.mm(0), 8);
+}
+
+TEST(host_actions, a_prompt_outlives_its_host_too) {
+  Printer printer;
+  printer.send("M600");
+  printer.run(60);
+  printer.chip.from_firmware.clear();
+  printer.talk(R"(
+    -> N0 M110 N0*125
+    <- echo:Paused: M108 goes on, //action:cancel ends
+    <- ok
+    -> M105
+    <* ok T:
+    -> M108
+    <- //action:prompt_end
+    <- //action:resumed
+    <- ok
+    <- ok
+  )");
+}
+
 // From the line's end to its ok, and between signs of life on the way, in milliseconds.
 int longest_silence_ms(Printer& printer, std::string_view line) {
   printer.chip.from_firmware.clear();

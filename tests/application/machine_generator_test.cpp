@@ -86,6 +86,40 @@ TEST(machine_generator, names_references_to_nothing) {
               HasSubstr("axes.y.endstop: is the input of another"));
 }
 
+// Of a channel or an input the chip has only so many, and each serves one thing.
+TEST(machine_generator, names_channels_that_are_not_there_or_taken) {
+  EXPECT_THAT(complaint("heater_channel = 0", "heater_channel = 40"),
+              HasSubstr("hotend.heater_channel: is 40, but must be 0 to 3"));
+  EXPECT_THAT(complaint("sensor_channel = 1", "sensor_channel = 0"),
+              HasSubstr("bed.sensor_channel: is the channel of another heater"));
+  EXPECT_THAT(complaint("heater_channel = 1", "heater_channel = 0"),
+              HasSubstr("bed.heater_channel: is the channel of another heater"));
+}
+
+TEST(machine_generator, names_values_that_contradict_each_other) {
+  EXPECT_THAT(complaint("min_c = 5.0", "min_c = 275.0"),
+              HasSubstr("hotend.min_c: must be below max_c"));
+  EXPECT_THAT(complaint("min_extrusion_c = 170.0", "min_extrusion_c = 280.0"),
+              HasSubstr("hotend.min_extrusion_c: must not be above max_c"));
+  EXPECT_THAT(complaint("reference_low_ohms = 470.0", "reference_low_ohms = 10_000.0"),
+              HasSubstr("temperature_converter.reference_low_ohms: must be below"));
+  EXPECT_THAT(complaint("threshold_v = 1.65", "threshold_v = 3.3"),
+              HasSubstr("temperature_converter.threshold_v: must be below supply_v"));
+}
+
+// What only the simulation uses is judged as well: it is one file.
+TEST(machine_generator, names_a_heater_without_power) {
+  EXPECT_THAT(complaint("heater_watts = 40.0", "heater_watts = 0.0"),
+              HasSubstr("hotend.heater_watts: is 0, but must be"));
+}
+
+TEST(machine_generator, says_the_line_of_a_wrong_entry) {
+  EXPECT_THAT(complaint("baud = 250_000", "\n\nbaud = 0"),
+              HasSubstr("changed_machine.toml: line 11: serial.baud: is 0, but must be 1200 to"));
+  // Where an entry is missing, that of its table.
+  EXPECT_THAT(complaint("baud = 250_000", ""), HasSubstr("line 8: serial.baud: is missing"));
+}
+
 TEST(machine_generator, says_the_line_of_broken_toml) {
   EXPECT_THAT(complaint("[serial]", "[serial"), HasSubstr("line "));
 }

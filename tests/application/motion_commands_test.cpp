@@ -2,6 +2,8 @@
 // Moves, homing, coordinates and stops, as dialogues and as what the axes then have done.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {
@@ -18,6 +20,24 @@ void prepare(Printer& printer) {
     -> M104 S200
     <- ok
   )");
+}
+
+TEST(motion_commands, refuses_a_parameter_that_it_does_not_know) {
+  Printer printer;
+  printer.talk(R"(
+    -> G28 Q
+    <- echo:Unknown parameter, not executed: "G28 Q"
+    <- ok
+    -> G1 X5 U3
+    <- echo:Unknown parameter, not executed: "G1 X5 U3"
+    <- ok
+    -> G92 X0 A1
+    <- echo:Unknown parameter, not executed: "G92 X0 A1"
+    <- ok
+    -> G28 W
+    <- ok
+  )");
+  EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
 TEST(motion_commands, homes_every_axis_to_its_end_stop) {
@@ -65,13 +85,61 @@ TEST(motion_commands, halts_when_an_end_stop_is_never_found) {
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
+// How far Z is pushed beyond its end stop, which does not close any more, in mm; the fault ends
+// everything.
+double push_of_z(Printer& printer) {
+  printer.chip.end_stops_work = false;
+  printer.talk(R"(
+    -> G28 Z
+    <* Error:Homing failed on Z: 
+    <- Error:Printer halted. kill() called!
+  )");
+  const auto pushed = printer.chip.mechanical[z];
+  printer.send("G28 Z");
+  printer.run(5);
+  EXPECT_EQ(printer.chip.mechanical[z], pushed) << "pushes again";
+  std::printf("%lld steps beyond the end stop\n", static_cast<long long>(-pushed));
+  return static_cast<double>(-pushed) / 2560;
+}
+
+TEST(motion_commands, pushes_an_axis_no_farther_than_its_travel_and_a_margin) {
+  Printer printer;
+  printer.chip.mechanical[z] = 0;
+  EXPECT_LT(push_of_z(printer), 110 + 2.1);
+}
+
+TEST(motion_commands, pushes_an_axis_that_knows_where_it_is_no_farther_than_a_margin) {
+  Printer printer;
+  printer.talk("-> G28\n<- ok\n-> G1 Z10 F480\n<- ok\n-> M400\n<- ok");
+  EXPECT_LT(push_of_z(printer), 2.1);
+}
+
+TEST(motion_commands, does_not_know_where_an_axis_is_whose_motor_was_off) {
+  Printer printer;
+  printer.talk("-> G28\n<- ok\n-> G1 Z10 F480\n<- ok\n-> M84\n<- ok");
+  printer.chip.mechanical[z] += 80 * 2560;  // by hand
+  printer.talk("-> G28 Z\n<- ok");
+  EXPECT_LE(std::abs(printer.chip.mechanical[z]), 1);
+}
+
+TEST(motion_commands, an_end_stop_that_never_opens_pushes_nothing) {
+  Printer printer;
+  printer.chip.end_stops_stuck = 1u << z;
+  printer.talk(R"(
+    -> G28 Z
+    <* Error:Homing failed on Z: 
+    <- Error:Printer halted. kill() called!
+  )");
+  EXPECT_GE(printer.chip.mechanical[z], 30'000);
+}
+
 TEST(motion_commands, refuses_a_coordinate_without_a_number) {
   Printer printer;
   prepare(printer);
   const auto before = printer.chip.mechanical;
   printer.talk(R"(
     -> G1 Xabc Y10
-    <- echo:Number missing after X, not executed: "G1 Xabc Y10"
+    <- echo:Unknown parameter, not executed: "G1 Xabc Y10"
     <- ok
     -> G0 Z
     <- echo:Number missing after Z, not executed: "G0 Z"

@@ -73,6 +73,68 @@ TEST(report_commands, refuses_a_tool_that_is_not_there_aloud) {
   EXPECT_EQ(printer.chip.heater_duty(0), 0u);
 }
 
+// There is no card: what would be stored on it is not a print either.
+TEST(report_commands, executes_nothing_between_m28_and_m29) {
+  Printer printer;
+  printer.talk(R"(
+    -> M28 part.gco
+    <- echo:No SD card until M29, not executed: "M28 part.gco"
+    <- ok
+    -> G28
+    <- echo:No SD card until M29, not executed: "G28"
+    <- ok
+    -> M104 S200
+    <- echo:No SD card until M29, not executed: "M104 S200"
+    <- ok
+    -> M105
+    <* ok T:
+    -> M110 N3
+    <- ok
+    -> M29 part.gco
+    <- echo:No SD card, not executed: "M29 part.gco"
+    <- ok
+    -> M118 on
+    <- on
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.motors, 0u);
+  EXPECT_EQ(printer.counters.commands_refused, 4u);
+}
+
+TEST(report_commands, does_not_go_on_with_m24_where_m23_was_refused) {
+  Printer printer;
+  printer.talk(R"(
+    -> M23 part.gco
+    <- echo:No SD card, not executed: "M23 part.gco"
+    <- ok
+    -> M24
+    <- echo:No SD card, not executed: "M24"
+    <- ok
+    -> M24
+    <- //action:resume
+    <- ok
+  )");
+  EXPECT_EQ(printer.counters.commands_refused, 2u);
+}
+
+TEST(report_commands, reports_no_temperature_before_there_is_one) {
+  Printer printer;
+  printer.send("M105");
+  const auto answer = printer.reply();
+  ASSERT_TRUE(answer.has_value());
+  EXPECT_TRUE(answer->starts_with("ok T:25.")) << *answer;
+}
+
+TEST(report_commands, ends_its_name_where_octoprint_and_cura_do) {
+  Printer printer;
+  printer.send("M115");
+  const auto line = printer.reply();
+  ASSERT_TRUE(line.has_value());
+  // OctoPrint takes what stands before the next key, Cura what stands before the last semicolon.
+  EXPECT_TRUE(line->starts_with("FIRMWARE_NAME:StepFabric PROTOCOL_VERSION:")) << *line;
+  EXPECT_TRUE(line->contains(';')) << *line;
+}
+
 TEST(report_commands, enters_the_boot_loader_at_rest_where_there_is_one) {
   Printer printer;
   printer.talk(R"(
@@ -143,7 +205,7 @@ TEST(report_commands, numbered_lines_and_resends_reach_the_executor) {
     -> N0 M110 N0*125
     <- ok
     -> N1 M118 one*96
-    <* Error:checksum mismatch, Last Line: 0
+    <* echo:checksum mismatch, asked for again
     <- Resend: 1
     <- ok
   )");

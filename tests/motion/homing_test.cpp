@@ -88,7 +88,7 @@ TEST(homing, approaches_fast_backs_off_and_approaches_slowly) {
   EXPECT_EQ(carriages.home(axes, mendel()).kind, Kind::finished);
   ASSERT_EQ(carriages.requests.size(), 5u);
   const auto& fast = carriages.requests[0].move;
-  EXPECT_EQ(fast.distance, units::Nanometers(-240 * mm));
+  EXPECT_EQ(fast.distance, units::Nanometers(-205 * mm));
   EXPECT_EQ(fast.speed, units::MicrometersPerSecond(50'000));
   EXPECT_EQ(fast.stop_mask, 1);
   const auto& back = carriages.requests[1].move;
@@ -131,6 +131,29 @@ TEST(homing, gives_up_when_the_end_stop_is_never_found) {
   EXPECT_EQ(last.axis, Axis::y);
   EXPECT_THAT(carriages.homed(), testing::ElementsAre(Axis::x));
   EXPECT_EQ(carriages.position[2], 70 * mm);
+}
+
+TEST(homing, pushes_no_farther_than_the_travel_and_a_back_off) {
+  for (const std::int64_t travel : {0, 30, 200}) {
+    motion::Limits limits = mendel();
+    limits.of(Axis::x).travel = units::Nanometers(travel * mm);
+    Carriages carriages;
+    carriages.broken[0] = true;
+    carriages.position[0] = 0;
+    units::AxisSet axes;
+    axes.insert(Axis::x);
+    EXPECT_EQ(carriages.home(axes, limits).fault, Fault::end_stop_not_found);
+    EXPECT_EQ(carriages.position[0], -(travel + 5) * mm);
+  }
+}
+
+TEST(homing, goes_no_farther_than_twice_the_back_off_after_a_release) {
+  Carriages carriages;
+  carriages.position[0] = -1 * mm;
+  units::AxisSet axes;
+  axes.insert(Axis::x);
+  carriages.home(axes, mendel());
+  EXPECT_EQ(carriages.requests[1].move.distance, units::Nanometers(-10 * mm));
 }
 
 TEST(homing, gives_up_when_the_end_stop_does_not_open) {
