@@ -185,6 +185,8 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
     fail(fmt::format("the chip restarted during {}", place()));
   } else if (text.starts_with("//")) {
     take_action(now, std::string_view(text).substr(2));
+  } else if (text.starts_with("echo:") && text.ends_with(", asked for again")) {
+    last_error_ = reply;
   } else if (text.starts_with("echo:") && !in_flight_.empty()) {
     refused_ =
         refused_ || contains_any(text, {"unknown command", "not executed", "invalid extruder"});

@@ -3,7 +3,9 @@
 #include "sim/devices/pseudo_terminal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -26,6 +28,18 @@ constexpr std::size_t line_buffer_bytes = 64;
 // dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
 
+// Which symlink of this user it is: file system, inode, time of its making, target. Empty where
+// there is none, or another user's.
+std::string identity_of_link(const std::filesystem::path& path) {
+  struct stat found{};
+  std::error_code error;
+  if (lstat(path.c_str(), &found) != 0 || !S_ISLNK(found.st_mode) || found.st_uid != geteuid()) {
+    return {};
+  }
+  return fmt::format("{} {} {}.{} {}", found.st_dev, found.st_ino, found.st_ctim.tv_sec,
+                     found.st_ctim.tv_nsec, std::filesystem::read_symlink(path, error).string());
+}
+
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
@@ -40,8 +54,13 @@ PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, SerialLine& li
       poll_interval_(rate.clocks(poll_interval_seconds) + 1),
       chip_baud_(baud),
       host_baud_(baud) {
-  make_slave();
-  make_link();
+  try {
+    make_slave();
+    make_link();
+  } catch (...) {
+    release();
+    throw;
+  }
   line_.set_listener(*this);
   next_wake_ = poll_interval_;
 }
@@ -65,25 +84,37 @@ void PseudoTerminal::make_slave() {
   set_raw(master_, chip_baud_);
 }
 
+// Nothing but what a process of this user made here and could not remove gives way. The lock's note
+// says which one that is.
 void PseudoTerminal::make_link() {
-  if (std::filesystem::exists(std::filesystem::symlink_status(link_)) &&
-      !std::filesystem::is_symlink(link_)) {
-    close(master_);
-    throw std::runtime_error(link_.string() + " exists and is not a symlink");
+  const std::string stale = lock_.note_left_behind();
+  if (!stale.empty() && identity_of_link(link_) == stale) {
+    std::filesystem::remove(link_);
   }
-  // Renamed into its place, so that a host never finds it missing.
-  const std::filesystem::path fresh = link_.string() + ".new";
-  std::filesystem::remove(fresh);
-  std::filesystem::create_symlink(slave_path_, fresh);
-  std::filesystem::rename(fresh, link_);
+  // Does not follow and does not replace what stands there.
+  if (symlink(slave_path_.c_str(), link_.c_str()) != 0) {
+    const int error = errno;
+    if (error == EEXIST) {
+      throw std::runtime_error(link_.string() +
+                               " exists already, and is not a symlink that a `serve` of yours has "
+                               "left behind: remove it or choose another path");
+    }
+    throw std::system_error(error, std::generic_category(), link_.string());
+  }
+  identity_ = identity_of_link(link_);
+  lock_.note(identity_);
 }
 
-PseudoTerminal::~PseudoTerminal() {
-  std::error_code ignored;
-  if (std::filesystem::read_symlink(link_, ignored) == slave_path_) {
+PseudoTerminal::~PseudoTerminal() { release(); }
+
+void PseudoTerminal::release() {
+  if (!identity_.empty() && identity_of_link(link_) == identity_) {
+    std::error_code ignored;
     std::filesystem::remove(link_, ignored);
   }
-  close(master_);
+  if (master_ >= 0) {
+    close(master_);
+  }
 }
 
 void PseudoTerminal::wake(sim::Clock now) {

@@ -17,8 +17,8 @@ namespace devices {
 class PseudoTerminal : public sim::Device, public ByteListener {
  public:
   // The wire runs at `baud` until a host chooses otherwise. Throws std::system_error where no
-  // pseudo-terminal can be made, and std::runtime_error where `link` is there already and is no
-  // symlink, or leads to another pseudo-terminal that is still served.
+  // pseudo-terminal can be made, and std::runtime_error where anything stands at `link` but the
+  // symlink of a process of this user that was killed, or where that one is still served.
   PseudoTerminal(const std::filesystem::path& link, SerialLine& line, sim::ClockRate rate,
                  std::uint32_t baud);
   ~PseudoTerminal() override;
@@ -42,6 +42,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
  private:
   void make_slave();
   void make_link();
+  void release();
   void take_from_host(sim::Clock now);
   void host_came(sim::Clock now);
   void host_left(sim::Clock now);
@@ -49,6 +50,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void flush();
 
   std::filesystem::path link_;
+  std::string identity_;  // of the symlink that was made
   PathLock lock_;
   SerialLine& line_;
   sim::Clock poll_interval_;

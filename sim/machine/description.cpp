@@ -1,58 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a machine description from TOML and says exactly which entry is missing.
+// Takes from a machine description what the simulation needs, after the judgement that the
+// firmware's generator passes on it.
 #include "sim/machine/description.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
 #include <string_view>
 #include <toml++/toml.hpp>
+
+#include "machine_generator/header.hpp"
+#include "machine_generator/reader.hpp"
 
 namespace machine {
 
 namespace {
 
-// One place in the file, that knows its name for messages.
+// One place in a file that has been checked: what is read is there, has its type and its range.
 class Entry {
  public:
-  Entry(toml::node_view<const toml::node> node, std::string name)
-      : node_(node), name_(std::move(name)) {}
+  explicit Entry(toml::node_view<const toml::node> node) : node_(node) {}
 
-  Entry operator[](std::string_view key) const {
-    return {node_[key], name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key)};
-  }
+  Entry operator[](std::string_view key) const { return Entry(node_[key]); }
   explicit operator bool() const { return static_cast<bool>(node_); }
 
-  double number() const { return positive(required(node_.value<double>(), "a number")); }
+  double number() const { return node_.value<double>().value(); }
   std::uint64_t whole_number() const {
-    const std::int64_t value = required(node_.value<std::int64_t>(), "a whole number");
-    if (value < 0) {
-      fail("is negative");
-    }
-    return static_cast<std::uint64_t>(value);
+    return static_cast<std::uint64_t>(node_.value<std::int64_t>().value());
   }
-  std::string text() const { return required(node_.value<std::string>(), "a text"); }
+  std::string text() const { return node_.value<std::string>().value(); }
 
  private:
-  [[noreturn]] void fail(std::string_view what) const {
-    throw std::runtime_error(fmt::format("{} {}", name_, what));
-  }
-  template <class Value>
-  Value required(const std::optional<Value>& value, std::string_view kind) const {
-    if (!value) {
-      fail(fmt::format("{} {}", node_ ? "is not" : "is missing:", kind));
-    }
-    return *value;
-  }
-  double positive(double value) const {
-    if (!(value > 0)) {
-      fail("is not above 0");
-    }
-    return value;
-  }
-
   toml::node_view<const toml::node> node_;
-  std::string name_;
 };
 
 AxisDescription axis_of(const Entry& root, char letter) {
@@ -75,12 +51,23 @@ AxisDescription axis_of(const Entry& root, char letter) {
   return axis;
 }
 
+plants::HeatedBlockProperties block_of(const Entry& heater) {
+  const Entry model = heater["model"];
+  return {.heater_watts = heater["heater_watts"].number(),
+          .path = {.heater_joules_per_kelvin = model["heater_j_per_k"].number(),
+                   .heater_to_block_watts_per_kelvin = model["heater_to_block_w_per_k"].number(),
+                   .block_joules_per_kelvin = model["block_j_per_k"].number(),
+                   .sensor_lag_seconds = model["sensor_lag_s"].number()},
+          .loss_watts_per_kelvin = model["loss_w_per_k"].number(),
+          .fan_loss_watts_per_kelvin = model["fan_loss_w_per_k"].number()};
+}
+
 HeaterDescription heater_of(const Entry& root, std::string_view name) {
   const Entry entry = root[name];
   const Entry thermistor = root["thermistors"][entry["thermistor"].text()];
   return {entry["sensor_channel"].whole_number(),
           entry["heater_channel"].whole_number(),
-          entry["heater_watts"].number(),
+          block_of(entry),
           entry["max_c"].number(),
           thermistor["resistance_25c_ohms"].number(),
           thermistor["beta_k"].number()};
@@ -89,29 +76,23 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
 }  // namespace
 
 Description read_description(const std::filesystem::path& file) {
-  try {
-    const toml::table table = toml::parse_file(file.string());
-    const Entry root(toml::node_view<const toml::node>(table), "");
-    Description description;
-    description.name = root["name"].text();
-    description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
-    for (std::size_t i = 0; i < axis_count; ++i) {
-      description.axes[i] = axis_of(root, axis_letters[i]);
-    }
-    description.hotend = heater_of(root, "hotend");
-    description.bed = heater_of(root, "bed");
-    const Entry converter = root["temperature_converter"];
-    description.converter = {converter["capacitor_nf"].number(),
-                             converter["reference_low_ohms"].number(),
-                             converter["reference_high_ohms"].number(),
-                             converter["supply_v"].number(), converter["threshold_v"].number()};
-    return description;
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(
-        fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
+  machine_generator::check(file);
+  const toml::table table = machine_generator::Reader::parse(file);
+  const Entry root{toml::node_view<const toml::node>(table)};
+  Description description;
+  description.name = root["name"].text();
+  description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    description.axes[i] = axis_of(root, axis_letters[i]);
   }
+  description.hotend = heater_of(root, "hotend");
+  description.bed = heater_of(root, "bed");
+  const Entry converter = root["temperature_converter"];
+  description.converter = {converter["capacitor_nf"].number(),
+                           converter["reference_low_ohms"].number(),
+                           converter["reference_high_ohms"].number(),
+                           converter["supply_v"].number(), converter["threshold_v"].number()};
+  return description;
 }
 
 }  // namespace machine

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "sim/devices/motor_driver.hpp"
+#include "sim/plants/heated_block.hpp"
 
 namespace machine {
 
@@ -29,7 +30,7 @@ struct AxisDescription {
 struct HeaterDescription {
   std::size_t sensor_channel{};
   std::size_t heater_channel{};
-  double heater_watts{};
+  plants::HeatedBlockProperties block;
   double max_c{};
   double resistance_25c_ohms{};
   double beta_k{};
@@ -52,7 +53,8 @@ struct Description {
   ConverterDescription converter;
 };
 
-// Throws std::runtime_error with the file, the name of the entry and what is wrong with it.
+// Throws std::runtime_error with the file, the line and name of the entry and what is wrong with
+// it: what the firmware cannot be built for is not simulated.
 Description read_description(const std::filesystem::path& file);
 
 }  // namespace machine

@@ -15,6 +15,7 @@ namespace {
 
 using devices::EndStopFault;
 using devices::SensorFault;
+using plants::BeadFault;
 using plants::HeaterFault;
 
 constexpr std::array sensor_faults{
@@ -22,6 +23,9 @@ constexpr std::array sensor_faults{
     std::pair{std::string_view("short"), SensorFault::shorted},
     std::pair{std::string_view("stuck-high"), SensorFault::sense_stuck_high},
     std::pair{std::string_view("stuck-low"), SensorFault::sense_stuck_low}};
+constexpr std::array bead_faults{std::pair{std::string_view("frozen"), BeadFault::frozen},
+                                 std::pair{std::string_view("drifting"), BeadFault::drifting},
+                                 std::pair{std::string_view("detached"), BeadFault::detached}};
 constexpr std::array heater_faults{
     std::pair{std::string_view("heater-stuck-on"), HeaterFault::stuck_on},
     std::pair{std::string_view("heater-stuck-off"), HeaterFault::stuck_off}};
@@ -56,6 +60,12 @@ bool add_heat_fault(FaultPlan& plan, Heated where, std::string_view name, double
       return true;
     }
   }
+  for (const auto& [known, fault] : bead_faults) {
+    if (name == known) {
+      plan.beads.push_back({seconds, where, fault});
+      return true;
+    }
+  }
   for (const auto& [known, fault] : heater_faults) {
     if (name == known) {
       plan.heaters.push_back({seconds, where, fault});
@@ -84,6 +94,7 @@ bool add_end_stop_fault(FaultPlan& plan, std::string_view text) {
 std::string_view fault_forms() {
   return "  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS "
          "hotend-stuck-low@SECONDS\n"
+         "  hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down) hotend-detached@SECONDS\n"
          "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with "
          "bed-\n"
          "  x-end-stop-never-closes x-end-stop-never-opens, and the same with y- and z-\n"

@@ -22,6 +22,11 @@ struct TimedSensorFault {
   Heated where{};
   devices::SensorFault fault{};
 };
+struct TimedBeadFault {
+  double seconds{};
+  Heated where{};
+  plants::BeadFault fault{};
+};
 struct TimedHeaterFault {
   double seconds{};
   Heated where{};
@@ -30,6 +35,7 @@ struct TimedHeaterFault {
 
 struct FaultPlan {
   std::vector<TimedSensorFault> sensors;
+  std::vector<TimedBeadFault> beads;
   std::vector<TimedHeaterFault> heaters;
   std::array<devices::EndStopFault, 3> end_stops{};  // x y z
   double corrupted_bytes = 0;  // share of the bytes to the chip
@@ -38,7 +44,7 @@ struct FaultPlan {
 // The forms, one line each, for help texts.
 std::string_view fault_forms();
 
-// Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`,
+// Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`, `hotend-frozen@60`,
 // `x-end-stop-never-closes`, `serial=0.001`. Throws std::invalid_argument with the possible forms.
 void add_fault(FaultPlan& plan, std::string_view text);
 

@@ -8,7 +8,7 @@
 
 #include "sim/machine/board_signals.hpp"
 #include "sim/machine/printer_parts.hpp"
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 
 namespace machine {
 
@@ -61,17 +61,17 @@ devices::ThermistorInputProperties properties_of(const HeaterDescription& heater
 }  // namespace
 
 Printer::HeatedPart::HeatedPart(const HeaterDescription& description,
-                                const plants::HeatedBlockProperties& properties,
                                 const ConverterDescription& converter, double start_c,
                                 std::uint64_t seed, sim::Simulation& simulation)
-    : block(properties, ambient_celsius, start_c),
+    : block(description.block, ambient_celsius, start_c),
       thermistor(
           properties_of(description, converter, seed),
           [this](double seconds) { return block.sensor_celsius(seconds); }, seed),
       gate(description.heater_channel, simulation.rate(), block),
       sensor(description.sensor_channel, simulation.rate(), thermistor,
              simulation.chip().inputs()) {
-  simulation.attach(gate, sim::OutputPins::heater_pin(description.heater_channel));
+  simulation.attach(gate, {sim::OutputPins::heater_pin(description.heater_channel).word |
+                           sim::OutputPins::heater_supply_pin().word});
   simulation.attach(sensor, sim::OutputPins::sensor_pins(description.sensor_channel));
 }
 
@@ -81,10 +81,10 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
       simulation_(simulation),
       serial_line_(simulation.rate(), options.baud, simulation.chip().inputs(),
                    {options.faults.corrupted_bytes, options.seed}),
-      hotend_(description.hotend, hotend_properties(description.hotend.heater_watts),
-              description.converter, options.hotend_start_c, options.seed + 1, simulation),
-      bed_(description.bed, bed_properties(description.bed.heater_watts), description.converter,
-           options.bed_start_c, options.seed + 2, simulation),
+      hotend_(description.hotend, description.converter, options.hotend_start_c, options.seed + 1,
+              simulation),
+      bed_(description.bed, description.converter, options.bed_start_c, options.seed + 2,
+           simulation),
       fan_(simulation.rate(),
            [this](double seconds, double speed) {
              hotend_.block.set_fan(seconds, speed);

@@ -47,10 +47,8 @@ class Printer {
 
  private:
   struct HeatedPart {
-    HeatedPart(const HeaterDescription& description,
-               const plants::HeatedBlockProperties& properties,
-               const ConverterDescription& converter, double start_c, std::uint64_t seed,
-               sim::Simulation& simulation);
+    HeatedPart(const HeaterDescription& description, const ConverterDescription& converter,
+               double start_c, std::uint64_t seed, sim::Simulation& simulation);
     plants::HeatedBlock block;
     devices::ThermistorInput thermistor;
     devices::HeaterGate gate;

@@ -60,6 +60,12 @@ class Printer::Saboteur : public sim::Device {
         fault.seconds = std::numeric_limits<double>::infinity();
       }
     }
+    for (TimedBeadFault& fault : plan_.beads) {
+      if (is_due(fault.seconds, seconds, next)) {
+        part(fault.where).block.set_bead_fault(seconds, fault.fault);
+        fault.seconds = std::numeric_limits<double>::infinity();
+      }
+    }
     for (TimedHeaterFault& fault : plan_.heaters) {
       if (is_due(fault.seconds, seconds, next)) {
         part(fault.where).block.set_fault(seconds, fault.fault);

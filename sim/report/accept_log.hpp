@@ -21,6 +21,8 @@ class AcceptLog {
   void put(const AcceptedLine& line);
   // What has been put is in the file: a program may read it while the printer runs.
   void flush() { stream_.flush(); }
+  // The disk has not taken everything.
+  bool failed() const { return !stream_; }
   // Throws std::runtime_error where the disk did not take all rows.
   void close();
 

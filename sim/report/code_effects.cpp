@@ -32,6 +32,8 @@ constexpr std::array harmless_g{
 
 constexpr std::array moving_m{
     Range{6, 6},  // tool change
+    Range{23, 24},  // selects and prints a file of the card
+    Range{28, 29},  // what is between them is stored, not executed
     Range{32, 32},  // prints a file of the card
     Range{44, 46},  // calibration (Prusa)
     Range{48, 48},  // tries the probe

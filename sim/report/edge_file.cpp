@@ -4,22 +4,35 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <iterator>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace report {
 
 namespace {
 constexpr std::string_view axis_names = "xyze";
+
+[[noreturn]] void fail(fmt::format_string<std::string, std::string> text,
+                       const std::filesystem::path& file, int error) {
+  throw std::runtime_error(
+      fmt::format(text, file.string(), std::generic_category().message(error)));
 }
+
+}  // namespace
 
 EdgeFile::EdgeFile(const std::filesystem::path& file)
     : path_(file), file_(std::fopen(file.c_str(), "w")) {
   if (!file_) {
-    throw std::runtime_error(fmt::format("cannot write {}", file.string()));
+    fail("cannot write {}: {}", file, errno);
   }
-  std::fputs("cycle,axis,direction,position\n", file_.get());
+  // Written at once: a full disk is noticed before the job.
+  if (std::fputs("cycle,axis,direction,position\n", file_.get()) < 0 ||
+      std::fflush(file_.get()) != 0) {
+    fail("cannot write {}: {}", file, errno);
+  }
 }
 
 void EdgeFile::stepped(const devices::StepEdge& edge) {
@@ -29,14 +42,17 @@ void EdgeFile::stepped(const devices::StepEdge& edge) {
   fmt::memory_buffer row;
   fmt::format_to(std::back_inserter(row), "{},{},{},{}\n", edge.clock, axis_names[edge.axis],
                  edge.direction, edge.position);
-  std::fwrite(row.data(), 1, row.size(), file_.get());
+  if (std::fwrite(row.data(), 1, row.size(), file_.get()) != row.size() && error_ == 0) {
+    error_ = errno;
+  }
 }
 
 void EdgeFile::close() {
-  const bool written = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
-  file_.reset();
-  if (!written) {
-    throw std::runtime_error(fmt::format("cannot write all of {}", path_.string()));
+  if (std::fclose(file_.release()) != 0 && error_ == 0) {
+    error_ = errno;
+  }
+  if (failed()) {
+    fail("cannot write all of {}: {}", path_, error_);
   }
 }
 

@@ -12,10 +12,12 @@ namespace report {
 
 class EdgeFile : public devices::StepListener {
  public:
-  // Throws std::runtime_error where the file cannot be written.
+  // Throws std::runtime_error where the file cannot be written, also for want of room.
   explicit EdgeFile(const std::filesystem::path& file);
 
   void stepped(const devices::StepEdge& edge) override;
+  // The disk has not taken everything.
+  bool failed() const { return error_ != 0; }
   // Throws std::runtime_error where the disk did not take everything.
   void close();
 
@@ -25,6 +27,7 @@ class EdgeFile : public devices::StepListener {
   };
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
+  int error_ = 0;  // the first, of errno
 };
 
 }  // namespace report

@@ -2,8 +2,6 @@
 // The firmware's words and its ring of accepted lines, read between two clocks.
 #include "sim/report/firmware_watch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -23,6 +21,9 @@ constexpr std::uint32_t length_offset = 132;  // with `numbered` in the byte abo
 // The firmware overwrites a slot only in a later pass of its loop, and a pass with a line to take
 // costs more instructions than this.
 constexpr sim::Clock interval_clocks = 1'000;
+// Of the code, in one look: all of it within 0.2 million clocks, which is less than the time from
+// the first bytes of another program to its start.
+constexpr std::size_t words_per_look = 64;
 
 std::uint32_t block_of(const sim::ElfImage& firmware) {
   const std::optional<std::uint32_t> address = firmware.symbol("statistics");
@@ -36,6 +37,22 @@ std::uint32_t block_of(const sim::ElfImage& firmware) {
 
 FirmwareWatch::FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chip)
     : chip_(chip), block_(block_of(firmware)) {
+  for (const sim::ElfConstants& constants : firmware.constants) {
+    // Behind the block lies the boot loader, which is no part of the program.
+    if (constants.address >= block_) continue;
+    for (const sim::ElfSegment& segment : firmware.segments) {
+      const std::uint64_t end =
+          std::min<std::uint64_t>(std::uint64_t{constants.address} + constants.size_bytes,
+                                  segment.address + segment.bytes.size());
+      for (std::uint64_t at = (std::uint64_t{constants.address} + 3) / 4 * 4;
+           at >= segment.address && at + 4 <= end; at += 4) {
+        CodeWord code{static_cast<std::uint32_t>(at), 0};
+        for (std::uint32_t i = 0; i < 4; ++i)
+          code.value |= std::uint32_t{segment.bytes[at - segment.address + i]} << (8 * i);
+        code_.push_back(code);
+      }
+    }
+  }
   next_wake_ = interval_clocks;
 }
 
@@ -58,40 +75,77 @@ AcceptedLine FirmwareWatch::line(std::uint32_t index) const {
   return line;
 }
 
-void FirmwareWatch::begin_anew() { accepted_ = executed_ = refused_ = 0; }
+bool FirmwareWatch::is_unchanged(const CodeWord& code) const {
+  return chip_.read_memory(code.address) == code.value;
+}
+
+bool FirmwareWatch::firmware_is_in_memory() const {
+  return std::ranges::all_of(code_, [this](const CodeWord& code) { return is_unchanged(code); });
+}
+
+void FirmwareWatch::begin_anew() { accepted_ = executed_ = refused_ = resends_ = 0; }
+
+void FirmwareWatch::compare_some(sim::Clock now) {
+  if (code_.empty()) return;
+  bool equal = true;
+  for (std::size_t i = 0; i < std::min(words_per_look, code_.size()) && equal; ++i) {
+    equal = is_unchanged(code_[next_compared_]);
+    next_compared_ = (next_compared_ + 1) % code_.size();
+  }
+  // One difference is enough to lose it; to have it again takes all of the code.
+  const bool there = firmware_is_there_ ? equal : equal && firmware_is_in_memory();
+  if (there == firmware_is_there_) return;
+  firmware_is_there_ = there;
+  other_programs_ += there ? 0 : 1;
+  begin_anew();
+  if (on_program) on_program(now, there);
+}
+
+void FirmwareWatch::report_accepted(sim::Clock now) {
+  const std::uint32_t accepted = word(Word::lines_accepted);
+  if (accepted - accepted_ > ring_slots) {
+    ++gaps_;
+    accepted_ = accepted;
+  }
+  for (; accepted_ != accepted; ++accepted_) {
+    const AcceptedLine taken = line(accepted_);
+    if (on_accepted) {
+      on_accepted(now, taken);
+    }
+  }
+}
+
+void FirmwareWatch::report_finished(sim::Clock now, std::uint32_t& reported, Word count) {
+  const std::uint32_t finished = word(count);
+  if (finished - reported > ring_slots) {
+    ++gaps_;
+    reported = finished;
+  }
+  for (; reported != finished; ++reported) {
+    if (on_finished) {
+      on_finished(now, count == Word::commands_executed);
+    }
+  }
+}
 
 void FirmwareWatch::wake(sim::Clock now) {
   next_wake_ = now + interval_clocks;
-  const std::uint32_t version = word(Word::version);
-  if (version == 0) {
+  compare_some(now);
+  if (!firmware_is_there_) return;
+  if (word(Word::version) < least_version) {
     begin_anew();  // not started yet; or started again, by the boot loader
     return;
   }
-  if (version < least_version) {
-    throw std::runtime_error("this firmware does not tell which lines it accepts");
+  resends_ = word(Word::resends);
+  try {
+    report_accepted(now);
+  } catch (const std::out_of_range&) {
+    // The ring is where no memory is: a wild store, or a debugger.
+    ++gaps_;
+    accepted_ = word(Word::lines_accepted);
   }
-  const std::uint32_t accepted = word(Word::lines_accepted);
-  if (accepted - accepted_ > ring_slots) {
-    throw std::runtime_error(
-        fmt::format("{} accepted lines came between two looks", accepted - accepted_));
-  }
-  for (; accepted_ != accepted; ++accepted_) {
-    if (on_accepted) {
-      on_accepted(now, line(accepted_));
-    }
-  }
-  for (const std::uint32_t executed = word(Word::commands_executed); executed_ != executed;
-       ++executed_) {
-    if (on_finished) {
-      on_finished(now, true);
-    }
-  }
-  for (const std::uint32_t refused = word(Word::commands_refused); refused_ != refused;
-       ++refused_) {
-    if (on_finished) {
-      on_finished(now, false);
-    }
-  }
+  report_finished(now, executed_, Word::commands_executed);
+  report_finished(now, refused_, Word::commands_refused);
 }
 
 }  // namespace report

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -145,19 +144,6 @@ std::string to_json(const Results& results) {
   json["messages"] = messages_json(results);
   json["messages_dropped"] = results.messages_dropped;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  std::error_code error;
-  if (!file.parent_path().empty()) {
-    std::filesystem::create_directories(file.parent_path(), error);
-  }
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-  }
 }
 
 }  // namespace report

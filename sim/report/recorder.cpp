@@ -149,7 +149,12 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
       cycles > 0 ? 100.0 * (1.0 - static_cast<double>(processor.sleeping_clocks) / cycles) : 0.0;
   results.instructions = processor.instructions;
   if (firmware.symbol("statistics")) {
-    results.longest_pass_clocks = FirmwareWatch(firmware, chip).longest_pass_clocks();
+    const FirmwareWatch watch(firmware, chip);
+    if (watch.firmware_is_in_memory()) {
+      results.longest_pass_clocks = watch.longest_pass_clocks();
+    } else {
+      results.firmware.stack_peak_bytes = 0;  // of another program nothing is known
+    }
   }
   results.serial_bytes_corrupted = printer_.serial_line().bytes_corrupted();
   results.messages = messages_.messages();
@@ -172,6 +177,8 @@ Courses Recorder::courses() const {
   }
   return courses;
 }
+
+bool Recorder::edges_failed() const { return edges_ && edges_->failed(); }
 
 void Recorder::close_edges() {
   if (edges_) {

@@ -38,6 +38,8 @@ class Recorder : public devices::HostListener {
   Courses courses() const;
   // Throws std::runtime_error where the disk did not take all edges.
   void close_edges();
+  // The disk has not taken all edges; close_edges() says why.
+  bool edges_failed() const;
 
  private:
   AxisResult axis_result(std::size_t axis) const;

@@ -73,6 +73,8 @@ struct Results {
   double processor_saturated_seconds{};  // of those, in which it hardly slept
   std::uint64_t instructions{};
   std::uint64_t longest_pass_clocks{};  // of the firmware's loop, from waking up to sleeping
+  std::uint64_t other_programs{};  // that took the firmware's place
+  std::uint64_t gaps{};  // in what is known of the lines that the firmware took
   std::uint64_t serial_bytes_corrupted{};
   std::vector<Message> messages;
   std::uint64_t messages_dropped{};

@@ -61,6 +61,17 @@ void judge(Results& results) {
     problems.push_back(fmt::format("{} line{} that should move or heat refused by the chip", count,
                                    plural(count)));
   }
+  if (const std::uint64_t count = results.other_programs; count > 0) {
+    problems.push_back(
+        fmt::format("another program took the firmware's place ({} time{}): which "
+                    "lines it took is not known",
+                    count, plural(count)));
+  }
+  if (const std::uint64_t count = results.gaps; count > 0) {
+    problems.push_back(
+        fmt::format("lines that the firmware took are not known ({} gap{} in its counts)", count,
+                    plural(count)));
+  }
   // Where a print was stopped on its way, what it was on its way to cannot be known.
   const bool stopped = results.outcome == Outcome::stopped;
   if (const std::uint64_t count = results.points_missed; count > 0 && !stopped) {

@@ -166,6 +166,7 @@ void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
   const auto size = static_cast<std::uint32_t>(header.sh_size);
   if ((header.sh_flags & SHF_WRITE) == 0) {
     image.sizes.text_bytes += size;
+    image.constants.push_back({static_cast<std::uint32_t>(header.sh_addr), size});
   } else if (header.sh_type != SHT_NOBITS) {
     image.sizes.data_bytes += size;
   } else if (!stack) {
@@ -175,13 +176,15 @@ void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
 
 constexpr std::uint32_t memory_start = 0x8000'0000;
 
-// The first address behind the chip's memory, the size of which is a power of 2.
+// The first address behind the chip's memory, the size of which is a multiple of this.
+constexpr std::uint32_t memory_unit = 1024;
+
 std::uint64_t memory_end(const Chip& chip) {
-  std::uint32_t size = 1;
+  std::uint32_t size = memory_unit;
   try {
     while (size != 0) {
-      size *= 2;
       chip.read_memory(memory_start + size);
+      size += memory_unit;
     }
   } catch (const std::out_of_range&) {
   }

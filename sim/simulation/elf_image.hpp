@@ -24,11 +24,18 @@ struct ElfSizes {
   std::uint32_t bss_bytes{};  // variables that start as zero, without the stack
 };
 
+// Bytes of a segment that the program does not write: code or constants.
+struct ElfConstants {
+  std::uint32_t address{};
+  std::uint32_t size_bytes{};
+};
+
 struct ElfImage {
   std::vector<ElfSegment> segments;
   ElfSizes sizes;
   std::uint32_t entry{};
   std::map<std::string, std::uint32_t> symbols;
+  std::vector<ElfConstants> constants{};
 
   std::optional<std::uint32_t> symbol(const std::string& name) const;
 };

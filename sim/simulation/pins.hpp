@@ -34,8 +34,10 @@ struct OutputPins {
   static constexpr unsigned heater_bit = 26;
   static constexpr unsigned fault_bit = 30;
   static constexpr unsigned jtag_bit = 31;
-  static constexpr unsigned sensor_bit = 32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level
+  static constexpr unsigned sensor_bit =
+      32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level; 2 of them
   static constexpr unsigned sensor_level_bit = 3;
+  static constexpr unsigned heater_supply_bit = 63;
 
   static constexpr std::uint64_t bit(unsigned position) { return std::uint64_t{1} << position; }
   static constexpr OutputPins motor_pins(std::size_t axis) {
@@ -48,6 +50,7 @@ struct OutputPins {
   static constexpr OutputPins heater_pin(std::size_t channel) {
     return {bit(heater_bit + static_cast<unsigned>(channel))};
   }
+  static constexpr OutputPins heater_supply_pin() { return {bit(heater_supply_bit)}; }
   static constexpr OutputPins transmit_pin() { return {bit(transmit_bit)}; }
   static constexpr OutputPins fan_pin() { return {bit(fan_bit)}; }
   static constexpr OutputPins jtag_pin() { return {bit(jtag_bit)}; }
@@ -65,6 +68,7 @@ struct OutputPins {
   constexpr bool heater(std::size_t channel) const {
     return at(heater_bit + static_cast<unsigned>(channel));
   }
+  constexpr bool heater_supply() const { return at(heater_supply_bit); }
   constexpr bool fault() const { return at(fault_bit); }
   constexpr bool jtag_data() const { return at(jtag_bit); }  // TDO
   // Bit n = SensorResistor n: 1 where the chip drives that pin; its level is in sensor_level().

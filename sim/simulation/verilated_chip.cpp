@@ -41,6 +41,7 @@ VerilatedChip::VerilatedChip(std::uint32_t clock_hz, Edges edges)
   permit_tracing(*context_);
   model_ = std::make_unique<Vprinter_controller>(context_.get());
   model_->clock_frequency_hz = clock_hz;
+  model_->software_stepping = 0;
   model_->reset = 1;
   clocks_ = std::make_unique<Clocks>(*model_, edges);
   hold_reset();
@@ -52,6 +53,8 @@ VerilatedChip::~VerilatedChip() {
   // another's.
   Verilated::threadContextp(context_.get());
 }
+
+void VerilatedChip::permit_software_stepping() { model_->software_stepping = 1; }
 
 void VerilatedChip::hold_reset() {
   set_inputs();
@@ -80,6 +83,7 @@ OutputPins VerilatedChip::sampled_outputs() const {
                        std::uint64_t{model.transmit} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
+                       std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |
                        std::uint64_t{model.fault} << OutputPins::fault_bit |
                        std::uint64_t{model.tdo} << OutputPins::jtag_bit;
   for (unsigned channel = 0; channel < sensor_count; ++channel) {
@@ -132,43 +136,58 @@ void VerilatedChip::reset() {
 
 namespace {
 
-// The memory is a lane for each byte of a word.
+// Each bank of the memory has a lane for each byte of a word.
+#define RAM(part) printer_controller__DOT__computing__DOT__ram__DOT__##part##_bytes
+
 template <typename Root>
-auto lanes(Root& root) {
-  return std::array{&root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n1_bytes,
-                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n2_bytes,
-                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n3_bytes,
-                    &root.printer_controller__DOT__computing__DOT__ram__DOT__lanes_n4_bytes};
+auto lower_lanes(Root& root) {
+  return std::array{&root.RAM(lanes_n1), &root.RAM(lanes_n2), &root.RAM(lanes_n3),
+                    &root.RAM(lanes_n4)};
 }
+
+template <typename Root>
+auto upper_lanes(Root& root) {
+  return std::array{&root.RAM(two_banks_upper_lanes_n1), &root.RAM(two_banks_upper_lanes_n2),
+                    &root.RAM(two_banks_upper_lanes_n3), &root.RAM(two_banks_upper_lanes_n4)};
+}
+
+constexpr std::size_t lower_words = sizeof(Vprinter_controller___024root::RAM(lanes_n1));
+constexpr std::size_t upper_words =
+    sizeof(Vprinter_controller___024root::RAM(two_banks_upper_lanes_n1));
+
+// The word's byte in each lane.
+template <typename Root>
+auto bytes_of_word(Root& root, std::uint32_t address) {
+  const std::uint32_t index = (address - memory_start) / 4;
+  if (address < memory_start || index >= lower_words + upper_words) {
+    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
+  }
+  using Byte = std::remove_reference_t<decltype((*lower_lanes(root)[0])[0])>;
+  std::array<Byte*, 4> bytes{};
+  for (std::size_t lane = 0; lane < bytes.size(); ++lane) {
+    bytes[lane] = index < lower_words ? &(*lower_lanes(root)[lane])[index]
+                                      : &(*upper_lanes(root)[lane])[index - lower_words];
+  }
+  return bytes;
+}
+
+#undef RAM
 
 }  // namespace
 
-std::uint32_t VerilatedChip::word_index(std::uint32_t address) {
-  using Root = Vprinter_controller___024root;
-  constexpr std::size_t words =
-      sizeof(Root::printer_controller__DOT__computing__DOT__ram__DOT__lanes_n1_bytes);
-  const std::uint32_t index = (address - memory_start) / 4;
-  if (address < memory_start || index >= words) {
-    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
-  }
-  return index;
-}
-
 std::uint32_t VerilatedChip::read_memory(std::uint32_t address) const {
-  const std::uint32_t index = word_index(address);
   std::uint32_t word = 0;
   unsigned shift = 0;
-  for (const auto* lane : lanes(std::as_const(*model_->rootp))) {
-    word |= std::uint32_t{(*lane)[index]} << shift;
+  for (const auto* byte : bytes_of_word(std::as_const(*model_->rootp), address)) {
+    word |= std::uint32_t{*byte} << shift;
     shift += 8;
   }
   return word;
 }
 
 void VerilatedChip::write_memory(std::uint32_t address, std::uint32_t word) {
-  const std::uint32_t index = word_index(address);
-  for (auto* lane : lanes(*model_->rootp)) {
-    (*lane)[index] = static_cast<std::uint8_t>(word);
+  for (auto* byte : bytes_of_word(*model_->rootp, address)) {
+    *byte = static_cast<std::uint8_t>(word);
     word >>= 8;
   }
 }

@@ -27,6 +27,10 @@ class VerilatedChip : public Chip {
   explicit VerilatedChip(std::uint32_t clock_hz, Edges edges = Edges::needed);
   ~VerilatedChip() override;
 
+  // Lets the firmware drive the step and direction pins itself, which no board does. Before the
+  // first advance().
+  void permit_software_stepping();
+
   void advance(Clock limit) override;
   void reset() override;
   std::uint32_t read_memory(std::uint32_t address) const override;
@@ -38,7 +42,6 @@ class VerilatedChip : public Chip {
  private:
   class Clocks;
 
-  static std::uint32_t word_index(std::uint32_t address);
   void hold_reset();
   void set_inputs();
   OutputPins sampled_outputs() const;

@@ -8,7 +8,7 @@ namespace tests {
 
 namespace {
 
-constexpr std::uint32_t memory_start = 0x8000'0000, memory_bytes = 65536;
+constexpr std::uint32_t memory_start = 0x8000'0000, memory_bytes = 98304;
 
 }  // namespace
 

@@ -216,4 +216,25 @@ TEST_F(Serve, a_firmware_is_loaded_over_the_port_and_answers) {
   EXPECT_NE(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
 }
 
+// The whole memory a jump to itself: it looks to a reader of the firmware's words like 111 lines.
+TEST_F(Serve, outlives_another_program_and_serves_the_firmware_again) {
+  start({"--reset-on-open"});
+  const std::string program = file_path("program");
+  {
+    std::ofstream stream(program, std::ios::binary);
+    for (int i = 0; i < 12'500; ++i) stream.write("\x6f\0\0\0", 4);
+  }
+  const std::string load = BUILD_DIRECTORY "/bin/stepfabric load " + program + " " + port.string();
+  EXPECT_EQ(std::system((load + " 2> /dev/null").c_str()), 0);
+  std::this_thread::sleep_for(2s);
+  const int host = open_port();  // resets the chip
+  EXPECT_NE(read_until(host, "start\n").find("start\n"), std::string::npos);
+  EXPECT_TRUE(connect(host));
+  close(host);
+  EXPECT_EQ(stop(), 0);
+  EXPECT_NE(file("report/report.json").find("\"result\": \"stopped\""), std::string::npos);
+  // What lies in the memory was never taken for a line.
+  EXPECT_EQ(file("accepted").find("o\\x00\\x00\\x00"), std::string::npos) << file("accepted");
+}
+
 }  // namespace

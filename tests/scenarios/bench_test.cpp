@@ -2,7 +2,9 @@
 // The benchmarks, short: they measure what they say, and the hardware is what the design claims.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
+#include <utility>
 
 #include "tests/scenarios/job.hpp"
 
@@ -42,8 +44,6 @@ void expect_punctual_rates(const nlohmann::json& figures) {
   }
   const std::string lines = "bare_loop_1_axis_guard_1_lines_of_500_ticks";
   EXPECT_EQ(punctual[lines]["hardware_clocks_per_step"], 2);
-  // Where software hands over a line, it is late before it misses a turn.
-  EXPECT_GT(clean[lines]["software_largest_lateness_clocks"], tolerance_clocks);
 }
 
 TEST(bench, stepping_measures_hardware_and_software) {
@@ -75,13 +75,21 @@ TEST(bench, stepping_measures_hardware_and_software) {
   for (const std::string loop : {"bare_loop_1_axis_guard_1", "bare_loop_4_axes_guard_1"}) {
     hardware_runs_at_every_second_clock(loop + "_lines_of_500_ticks");
     hardware_runs_at_every_second_clock(loop + "_one_line");
-    software_needs(loop + "_lines_of_500_ticks", 200, 500);
-    software_needs(loop + "_one_line", 80, 250);
+    software_needs(loop + "_lines_of_500_ticks", 30, 80);
+    software_needs(loop + "_one_line", 25, 70);
+  }
+  // Under the guards of real drivers both come to what those permit, or near it.
+  constexpr std::array<std::pair<const char*, int>, 3> drivers{
+      {{"A4988", 100}, {"DRV8825", 190}, {"TMC2209", 12}}};
+  for (const auto& [driver, least] : drivers) {
+    const std::string what = std::string("bare_loop_4_axes_") + driver + "_lines_of_500_ticks";
+    EXPECT_EQ(rates[what]["hardware_clocks_per_step"], least) << what;
+    software_needs(what, least, least + 70);
   }
   // A print is planned as well: that costs either way, and most where each line is short.
   hardware_runs_at_every_second_clock("whole_firmware_1_axis_guard_1_one_line");
-  software_needs("whole_firmware_1_axis_guard_1_one_line", 100, 400);
-  software_needs("whole_firmware_1_axis_guard_1_lines_of_500_ticks", 250, 800);
+  software_needs("whole_firmware_1_axis_guard_1_one_line", 60, 200);
+  software_needs("whole_firmware_1_axis_guard_1_lines_of_500_ticks", 60, 250);
   const auto& lines = rates["whole_firmware_1_axis_guard_1_lines_of_500_ticks"];
   EXPECT_GT(lines["hardware_clocks_per_step"], 2);
   EXPECT_LT(lines["hardware_clocks_per_step"], 200);

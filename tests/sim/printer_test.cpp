@@ -4,10 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "sim/devices/file_host.hpp"
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 #include "sim/report/recorder.hpp"
 #include "tests/sim/fake_chip.hpp"
 
@@ -93,6 +91,7 @@ TEST_F(PrinterTest, never_closes_an_end_stop_that_is_broken) {
 
 TEST_F(PrinterTest, heats_the_block_whose_gate_is_open) {
   make();
+  chip.plan(1, sim::OutputPins::heater_supply_bit, true);
   chip.plan(1, sim::OutputPins::heater_bit, true);
   simulation.run_until(rate.clocks(30));
   EXPECT_GT(printer->hotend_c(), 60);
@@ -105,8 +104,19 @@ TEST_F(PrinterTest, heats_on_with_a_gate_that_is_stuck) {
   make(options);
   simulation.run_until(rate.clocks(5));
   EXPECT_NEAR(printer->bed_c(), machine::ambient_celsius, 0.1);
+  chip.plan(rate.clocks(5) + 1, sim::OutputPins::heater_supply_bit, true);
   simulation.run_until(rate.clocks(60));
   EXPECT_GT(printer->bed_c(), machine::ambient_celsius + 5);
+}
+
+TEST_F(PrinterTest, heats_nothing_without_the_supply) {
+  machine::PrinterOptions options;
+  machine::add_fault(options.faults, "bed-heater-stuck-on@5");
+  make(options);
+  chip.plan(1, sim::OutputPins::heater_bit, true);
+  simulation.run_until(rate.clocks(30));
+  EXPECT_NEAR(printer->hotend_c(), machine::ambient_celsius, 0.1);
+  EXPECT_NEAR(printer->bed_c(), machine::ambient_celsius, 0.1);
 }
 
 TEST_F(PrinterTest, charges_the_capacitor_of_a_sensor_in_the_time_that_its_resistor_takes) {
@@ -183,30 +193,22 @@ TEST_F(PrinterTest, measures_the_stack_by_its_paint) {
 
 TEST(FaultPlan, reads_every_form_and_refuses_others_with_help) {
   machine::FaultPlan plan;
-  for (const char* text : {"hotend-open@30", "bed-short@1.5", "hotend-heater-stuck-on@0",
-                           "z-end-stop-never-opens", "serial=0.001"}) {
+  for (const char* text :
+       {"hotend-open@30", "bed-short@1.5", "hotend-heater-stuck-on@0", "z-end-stop-never-opens",
+        "serial=0.001", "hotend-frozen@60", "bed-drifting@7", "hotend-detached@8"}) {
     EXPECT_NO_THROW(machine::add_fault(plan, text)) << text;
   }
   EXPECT_EQ(plan.sensors.size(), 2U);
   EXPECT_EQ(plan.sensors[1].seconds, 1.5);
   EXPECT_EQ(plan.heaters.size(), 1U);
+  EXPECT_EQ(plan.beads.size(), 3U);
+  EXPECT_EQ(plan.beads[1].where, machine::Heated::bed);
+  EXPECT_EQ(plan.beads[1].fault, plants::BeadFault::drifting);
   EXPECT_EQ(plan.end_stops[2], devices::EndStopFault::never_opens);
   EXPECT_EQ(plan.corrupted_bytes, 0.001);
   for (const char* text : {"", "hotend", "hotend-open@x", "e-end-stop-never-opens", "serial=2"}) {
     EXPECT_THROW(machine::add_fault(plan, text), std::invalid_argument) << text;
   }
-}
-
-TEST(Description, names_what_is_missing) {
-  const fs::path file = fs::path(testing::TempDir()) / "half_machine.toml";
-  std::ofstream(file) << "name = \"half\"\n[serial]\nbaud = 250000\n";
-  try {
-    machine::read_description(file);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("axes.x.driver is missing"));
-  }
-  fs::remove(file);
 }
 
 }  // namespace

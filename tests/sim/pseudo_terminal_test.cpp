@@ -7,8 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "sim/devices/terminal_settings.hpp"
 #include "sim/simulation/simulation.hpp"
@@ -22,6 +24,10 @@ constexpr sim::ClockRate rate(4'000'000);
 class PseudoTerminalTest : public testing::Test {
  protected:
   PseudoTerminalTest() {
+    fs::remove_all(folder);
+    fs::create_directories(folder / "runtime");
+    fs::permissions(folder / "runtime", fs::perms::owner_all);
+    setenv("XDG_RUNTIME_DIR", (folder / "runtime").c_str(), 1);
     simulation.attach(line, sim::OutputPins::transmit_pin());
     chip.firmware = [](const std::string& text) { return "ok " + text + "\n"; };
   }
@@ -39,7 +45,15 @@ class PseudoTerminalTest : public testing::Test {
     return answer;
   }
 
-  fs::path link = fs::path(testing::TempDir()) / "stepfabric_pty_test";
+  // A file of somebody's, with a text that must stay.
+  static void write_precious(const fs::path& file) { std::ofstream(file) << "precious"; }
+  static std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  fs::path folder = fs::path(testing::TempDir()) / "stepfabric_pty_test";
+  fs::path link = folder / "port";
   tests::FakeChip chip;
   sim::Simulation simulation{chip, rate};
   devices::SerialLine line{rate, 250'000, chip.inputs()};
@@ -119,15 +133,100 @@ TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
   EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
 }
 
-TEST_F(PseudoTerminalTest, replaces_a_stale_symlink_but_no_file) {
-  fs::create_symlink("/dev/pts/no-such-terminal", link);
+TEST_F(PseudoTerminalTest, refuses_a_path_where_a_file_lies) {
+  write_precious(link);
+  EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
+  EXPECT_EQ(text_of(link), "precious");
+}
+
+// Whose it is cannot be seen, also where it leads nowhere.
+TEST_F(PseudoTerminalTest, refuses_a_path_with_a_symlink_that_it_has_not_made) {
+  for (const char* target : {"/dev/null", "/dev/pts/no-such-terminal"}) {
+    fs::create_symlink(target, link);
+    EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
+    ASSERT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(fs::read_symlink(link), target);
+    fs::remove(link);
+  }
+}
+
+TEST_F(PseudoTerminalTest, leaves_the_files_alone_whose_names_are_like_the_path) {
+  const fs::path lock = link.string() + ".lock", fresh = link.string() + ".new";
+  write_precious(lock);
+  write_precious(fresh);
+  {
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
+    EXPECT_EQ(text_of(lock), "precious");
+    EXPECT_EQ(text_of(fresh), "precious");
+  }
+  EXPECT_EQ(text_of(lock), "precious");
+  EXPECT_EQ(text_of(fresh), "precious");
+}
+
+TEST_F(PseudoTerminalTest, writes_through_no_symlink_that_a_neighbour_has_planted) {
+  write_precious(folder / "victim");
+  for (const char* end : {".lock", ".new"}) {
+    fs::create_symlink(folder / "victim", link.string() + end);
+  }
   {
     devices::PseudoTerminal terminal(link, line, rate, 250'000);
   }
-  std::ofstream(link) << "precious";
-  EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
-  EXPECT_EQ(fs::file_size(link), 8U);
-  fs::remove(link);
+  EXPECT_EQ(text_of(folder / "victim"), "precious");
+  for (const char* end : {".lock", ".new"}) {
+    EXPECT_TRUE(fs::is_symlink(link.string() + end)) << end;
+  }
+}
+
+// In a folder like /tmp, with the first user's environment, as after `su`.
+TEST_F(PseudoTerminalTest, leaves_the_symlink_and_the_locks_of_another_user) {
+  constexpr uid_t another_user = 65'534;
+  const fs::path locks_of_other = "/tmp/stepfabric-" + std::to_string(another_user);
+  if (geteuid() != 0 || fs::exists(fs::symlink_status(locks_of_other)))
+    GTEST_SKIP() << "only root can become another user, one that has not served yet";
+  const fs::path shared = "/tmp/stepfabric_shared_folder_of_a_test";
+  fs::remove_all(shared);
+  fs::create_directory(shared);
+  fs::permissions(shared, fs::perms::all | fs::perms::sticky_bit);
+  link = shared / "port";
+  enum Result { took_it = 1, refused, could_not_have_its_own };
+  {
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
+    const pid_t child = fork();
+    if (child == 0) {
+      if (setgid(another_user) != 0 || setuid(another_user) != 0) _exit(0);
+      Result result = took_it;
+      try {
+        devices::PseudoTerminal other(link, line, rate, 250'000);
+      } catch (const std::runtime_error&) {
+        result = refused;
+      }
+      try {
+        devices::PseudoTerminal own(shared / "own", line, rate, 250'000);
+      } catch (const std::runtime_error&) {
+        result = could_not_have_its_own;
+      }
+      _exit(result);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), refused);
+    EXPECT_EQ(fs::read_symlink(link), terminal.slave_path());
+  }
+  EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
+  EXPECT_TRUE(fs::is_empty(shared));
+  fs::remove_all(shared);
+  EXPECT_TRUE(fs::is_empty(locks_of_other));
+  fs::remove(locks_of_other);
+}
+
+TEST_F(PseudoTerminalTest, leaves_a_symlink_that_has_taken_the_place_of_its_own) {
+  {
+    devices::PseudoTerminal terminal(link, line, rate, 250'000);
+    const fs::path other = folder / "other";
+    fs::create_symlink(terminal.slave_path(), other);  // of the same target
+    fs::rename(other, link);
+  }
+  EXPECT_TRUE(fs::is_symlink(link));
 }
 
 TEST_F(PseudoTerminalTest, leaves_the_symlink_of_another_that_is_still_served) {
@@ -153,13 +252,11 @@ TEST_F(PseudoTerminalTest, takes_the_path_of_one_that_has_died) {
   }
   waitpid(child, nullptr, 0);
   ASSERT_TRUE(fs::is_symlink(link));
-  ASSERT_TRUE(fs::exists(link.string() + ".lock"));
   {
     devices::PseudoTerminal terminal(link, line, rate, 250'000);
     EXPECT_EQ(fs::read_symlink(link), terminal.slave_path());
   }
   EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
-  EXPECT_FALSE(fs::exists(link.string() + ".lock"));
 }
 
 }  // namespace

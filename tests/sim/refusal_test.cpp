@@ -12,14 +12,15 @@ using report::moves_or_heats;
 
 TEST(CodeEffects, knows_the_codes_that_move_or_heat_or_say_where_to) {
   for (const char* line :
-       {"G0 X1",     "g1x1",         "G2 X1 I5",  "G3 X1 R5",  "G5 X1",     "G10",
-        "G11",       "G12",          "G20",       "G27",       "G28",       "G29",
-        "G30",       "G38.2 Z-5",    "G60",       "G61",       "G91",       "G92 E0",
-        "G999",      "M104 S200",    "M109 S200", "M140 S60",  "M141 S40",  "M190 S60",
-        "M191 S40",  "M600",         "M601",      "M602",      "M603",      "M701",
-        "M702",      "M125",         "M83",       "M92 E500",  "M221 S95",  "M206 X1",
-        "T1",        "T?",           "X10 Y5",    "Y5",        "G17 G2 X5", "START_PRINT BED=60",
-        "G1 X1.2.3", "M104 T1 S200", "M290 Z.1",  "M200 D1.75"}) {
+       {"G0 X1",     "g1x1",         "G2 X1 I5",  "G3 X1 R5",   "G5 X1",     "G10",
+        "G11",       "G12",          "G20",       "G27",        "G28",       "G29",
+        "G30",       "G38.2 Z-5",    "G60",       "G61",        "G91",       "G92 E0",
+        "G999",      "M104 S200",    "M109 S200", "M140 S60",   "M141 S40",  "M190 S60",
+        "M191 S40",  "M600",         "M601",      "M602",       "M603",      "M701",
+        "M702",      "M125",         "M83",       "M92 E500",   "M221 S95",  "M206 X1",
+        "T1",        "T?",           "X10 Y5",    "Y5",         "G17 G2 X5", "START_PRINT BED=60",
+        "G1 X1.2.3", "M104 T1 S200", "M290 Z.1",  "M200 D1.75", "M23 a.gco", "M24",
+        "M28 a.gco", "M29",          "M32 a.gco", "M808 L5"}) {
     EXPECT_TRUE(moves_or_heats(line)) << line;
   }
 }

@@ -77,7 +77,7 @@ expect_text 'it sleeps'
 field_body 'csrw mtvec, zero\n.word 0'
 expect 124 run "$work/program.elf" --max-cycles 1000
 expect_text 'completes no instruction any more'
-field_body '.data\n.space 65536\n.text'
+field_body '.data\n.space 98304\n.text'
 expect 125 run "$work/program.elf"
 expect_text 'does not fit'
 
@@ -115,7 +115,7 @@ for cycles in none 0 -1 1e99 18446744073709551616; do
   expect_text 'max-cycles'
 done
 expect 125 run
-compile -Wl,--defsym=stack_top=0x80010000 -x assembler - <<< '.globl _start
+compile -Wl,--defsym=stack_top=0x80018000 -x assembler - <<< '.globl _start
 _start: j _start'
 expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`'
@@ -140,12 +140,12 @@ expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`, as it has no symbols at all'
 plain_link -Wl,-Ttext=0x80000100
 expect 0 run "$work/program.elf"
-plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x8000fffe
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80017ffe
 expect 125 run "$work/program.elf"
-expect_text 'too large: it loads 4 bytes at 0x8000fffe, where.*has room for 2, to 0x8000ffff$'
-plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80010000
+expect_text 'too large: it loads 4 bytes at 0x80017ffe, where.*has room for 2, to 0x80017fff$'
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80018000
 expect 125 run "$work/program.elf"
-expect_text 'loads 4 bytes at 0x80010000.*memory is 0x80000000 to 0x8000ffff: link it there'
+expect_text 'loads 4 bytes at 0x80018000.*memory is 0x80000000 to 0x80017fff: link it there'
 plain_link -Wl,-Ttext=0x80000000
 # The size in memory of a segment such that its end wraps past 2^32.
 set_header_word() {

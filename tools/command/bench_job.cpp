@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "sim/report/json_report.hpp"
+#include "sim/report/write_file.hpp"
 #include "tools/benchmark/link_figures.hpp"
 #include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"

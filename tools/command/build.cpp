@@ -79,6 +79,7 @@ int run_with_output(const std::vector<std::string>& arguments, const std::filesy
   if (child == 0) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
+    signal(SIGPIPE, SIG_DFL);
     if (!log.empty()) {
       const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
       dup2(file, STDOUT_FILENO);

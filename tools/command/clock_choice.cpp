@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/devices/file_host.hpp"
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 #include "tools/command/printer_setup.hpp"
 
 namespace command {

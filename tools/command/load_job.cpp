@@ -7,29 +7,31 @@
 #include <cstdio>
 
 #include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
 #include "tools/loading/loading.hpp"
 #include "tools/loading/serial_port.hpp"
 
 namespace command {
 
 int load(const LoadOptions& options) {
+  ignore_closed_pipes();  // a load that is broken off leaves a chip without a program
   const loading::Program program = loading::read_program(options.program);
   loading::SerialPort port(options.port, options.baud);
   constexpr std::size_t told_bytes = 8192;
   loading::Progress progress{
-      .say = [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); },
+      .say = [](const std::string& what) { say_to(stderr, "stepfabric: {}\n", what); },
       .sent =
           [&](std::size_t bytes) {
             if (bytes % told_bytes == 0)
-              fmt::print(stderr, "stepfabric: {} of {} bytes\n", bytes, program.bytes.size());
+              say_to(stderr, "stepfabric: {} of {} bytes\n", bytes, program.bytes.size());
           }};
   try {
     const auto figures = loading::load(port, program, progress);
-    fmt::print("loaded {} bytes, {} frames repeated; the program starts at {:#010x}\n",
-               program.bytes.size(), figures.repeated_frames, program.entry);
+    say("loaded {} bytes, {} frames repeated; the program starts at {:#010x}\n",
+        program.bytes.size(), figures.repeated_frames, program.entry);
     return success;
   } catch (const loading::LoadFailed& error) {
-    fmt::print(stderr, "stepfabric: {}\n", error.what());
+    say_to(stderr, "stepfabric: {}\n", error.what());
     return failure;
   }
 }

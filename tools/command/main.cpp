@@ -13,6 +13,7 @@
 #include "tools/command/debug_job.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/load_job.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/run_job.hpp"
 #include "tools/command/serve_job.hpp"
@@ -102,17 +103,22 @@ void add_print(CLI::App& app, PrintOptions& options) {
       "move\n"
       "or heat; X, Y, Z or E was not at its step at the end of a line; the queue ran dry; a pulse "
       "was\n"
-      "illegal or a step lost. 2 bad usage or a file that cannot be printed. 130 interrupted. The "
-      "report\n"
-      "is written in every case. Refused lines that move and heat nothing are warnings.");
+      "illegal or a step lost. 2 bad usage or a file that cannot be printed. 130 interrupted. From "
+      "the\n"
+      "begin on the folder has a report of this job alone: one that says that it has not ended, "
+      "until "
+      "it has.\n"
+      "Only bad usage leaves an earlier one there. Refused lines that move and heat nothing are "
+      "warnings.");
 }
 
 void add_serve(CLI::App& app, ServeOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "serve", "Put the printer's serial line on a pseudo-terminal, until Ctrl-C.");
-  job.add_option("--pty", options.terminal, "symlink to make, for host programs to open")
-      ->type_name("PATH")
-      ->capture_default_str();
+  job.add_option("--pty", options.terminal,
+                 "symlink to make, for host programs to open; nothing may stand there. Default: "
+                 "port in $XDG_RUNTIME_DIR/stepfabric, or in /tmp/stepfabric-USER")
+      ->type_name("PATH");
   job.add_option_function<std::string>(
          "--speed", [&options](const std::string& speed) { options.real_time = speed == "real"; },
          "real: in step with the clock on the wall (default); max: as fast as it goes")
@@ -139,13 +145,15 @@ void add_serve(CLI::App& app, ServeOptions& options) {
       "open it\n"
       "again at any time. A slow clock changes no pulse. Exit status: 0 after Ctrl-C or --until, 1 "
       "where\n"
-      "the hardware failed an assertion, 2 bad usage.");
+      "the hardware failed an assertion or the disk did not take all files, 2 bad usage, or it "
+      "could "
+      "not begin.");
 }
 
 void add_run(CLI::App& app, RunOptions& options) {
   CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IMC program on the chip.");
   job.add_option("program", options.program,
-                 "linked to 0x80000000, 64 KiB; ends by a store to `tohost`")
+                 "linked to 0x80000000, 96 KiB; ends by a store to `tohost`")
       ->required()
       ->type_name("PROGRAM.elf");
   job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
@@ -334,11 +342,11 @@ int main(int count, char** arguments) {
   try {
     return command::run_command(count, arguments);
   } catch (const command::Interrupted& wish) {
-    fmt::print(stderr, "stepfabric: {}\n", wish.what());
+    command::say_to(stderr, "stepfabric: {}\n", wish.what());
     return command::interrupted;
   } catch (const std::exception& error) {
     std::fflush(stdout);
-    fmt::print(stderr, "stepfabric: {}\n", error.what());
+    command::say_to(stderr, "stepfabric: {}\n", error.what());
     return command::bad_input_of(count, arguments);
   }
 }

@@ -2,26 +2,27 @@
 // One print from the file to the report.
 #include "tools/command/print_job.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <optional>
 
 #include "sim/devices/file_host.hpp"
 #include "sim/devices/gcode_file.hpp"
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 #include "sim/report/accept_log.hpp"
 #include "sim/report/gcode_path.hpp"
-#include "sim/report/html_report.hpp"
-#include "sim/report/json_report.hpp"
 #include "sim/report/recorder.hpp"
 #include "sim/report/verdict.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/print_summary.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
+#include "tools/command/report_files.hpp"
 #include "tools/command/signals.hpp"
 
 namespace command {
@@ -38,22 +39,10 @@ constexpr double after_fault_seconds = 0.5;
 // How far below its first target a warm start begins.
 constexpr double warm_distance_c = 3.0;
 
-void write_report(const PrintOptions& options, const report::Results& results,
-                  const report::Courses& courses) {
-  report::write_file(options.report / "report.json", report::to_json(results));
-  report::write_file(options.report / "report.html", report::to_html(results, courses));
-}
-
 // Input that cannot be printed is a result too: the report says so.
-int refuse(const PrintOptions& options, const std::string& reason) {
-  report::Results results;
-  results.file = options.file.filename().string();
-  results.outcome = report::Outcome::faulted;
-  results.fault = reason;
-  results.clock_hz = options.printer.clock_hz;
-  report::judge(results);
-  write_report(options, results, {});
-  fmt::print(stderr, "stepfabric: {}\n", reason);
+int refuse(const ReportFiles& reports, const std::string& reason) {
+  reports.write_refusal(reason);
+  say_to(stderr, "stepfabric: {}\n", reason);
   return bad_input;
 }
 
@@ -134,13 +123,13 @@ class Saturation {
 
 // Runs to the end of the print. Returns how it ended.
 report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devices::FileHost& host,
-                          Saturation& saturation) {
+                          Saturation& saturation, const std::function<bool()>& files_failed) {
   sim::Simulation& simulation = setup.simulation();
   const sim::ClockRate rate = simulation.rate();
   const sim::Clock chunk = std::max<sim::Clock>(1, rate.clocks(chunk_seconds));
   const sim::Clock until = options.until_seconds ? rate.clocks(*options.until_seconds) : sim::never;
   Progress progress;
-  while (!host.ended() && simulation.now() < until && !interrupt_requested()) {
+  while (!host.ended() && simulation.now() < until && !interrupt_requested() && !files_failed()) {
     simulation.run_until(std::min(simulation.now() + chunk, until));
     saturation.look(setup);
     if (progress.due()) {
@@ -182,27 +171,30 @@ int exit_status_of(const report::Results& results) {
 // Takes the place of the progress line.
 void show_note(const std::string& note) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  fmt::print(stderr, "{}stepfabric: {}\n", terminal ? "\r\x1b[K" : "", note);
+  say_to(stderr, "{}stepfabric: {}\n", terminal ? "\r\x1b[K" : "", note);
 }
 
-}  // namespace
+// Both files are closed; the first complaint, or nothing.
+std::string close_files(report::Recorder& recorder, std::optional<report::AcceptLog>& accept_log) {
+  std::string complaint;
+  const auto close = [&complaint](const std::function<void()>& closing) {
+    try {
+      closing();
+    } catch (const std::runtime_error& error) {
+      if (complaint.empty()) complaint = error.what();
+    }
+  };
+  close([&] { recorder.close_edges(); });
+  if (accept_log) close([&] { accept_log->close(); });
+  return complaint;
+}
 
-int print(const PrintOptions& options) {
+int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) {
-    return refuse(options, commands.error());
+    return refuse(reports, commands.error());
   }
-  std::filesystem::create_directories(options.report);  // fails now rather than after the print
-  // A report of an earlier print must not stay where this one cannot begin.
-  std::optional<PrinterSetup> prepared;
-  try {
-    prepared.emplace(options.printer, near_first_targets(*commands));
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    return refuse(options, error.what());
-  }
-  PrinterSetup& setup = *prepared;
+  PrinterSetup setup(options.printer, near_first_targets(*commands));
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
@@ -226,10 +218,16 @@ int print(const PrintOptions& options) {
   std::string fault;
   Saturation saturation;
   try {
-    outcome = run_print(options, setup, host, saturation);
+    outcome = run_print(options, setup, host, saturation, [&] {
+      return recorder.edges_failed() || (accept_log && accept_log->failed());
+    });
     fault = host.fault();
-  } catch (const sim::HardwareAssertion& failed) {
+  } catch (const std::exception& failed) {  // of the hardware, above all
     fault = failed.what();
+  }
+  if (const std::string complaint = close_files(recorder, accept_log); !complaint.empty()) {
+    outcome = report::Outcome::faulted;
+    fault = fault.empty() ? complaint : fault + "; " + complaint;
   }
   report::Results results = recorder.results(setup.firmware());
   results.file = options.file.filename().string();
@@ -238,15 +236,30 @@ int print(const PrintOptions& options) {
   results.wall_seconds = std::chrono::duration<double>(Time::now() - started).count();
   results.moving_seconds = saturation.moving_seconds();
   results.processor_saturated_seconds = saturation.saturated_seconds();
+  results.other_programs = watch.other_programs();
+  results.gaps = watch.gaps();
   results.findings.lines_lost = lost_lines(outcome, host, watch);
   report::judge(results);
-  recorder.close_edges();
-  if (accept_log) {
-    accept_log->close();
-  }
-  write_report(options, results, recorder.courses());
+  const bool written = reports.write(results, recorder.courses());
   print_summary(options, results);
-  return exit_status_of(results);
+  const int status = exit_status_of(results);
+  return written || status != success ? status : failure;
+}
+
+}  // namespace
+
+int print(const PrintOptions& options) {
+  ignore_closed_pipes();
+  const ReportFiles reports(options.report, options.file.filename().string(),
+                            options.printer.clock_hz);
+  try {
+    return print_and_report(options, reports);
+  } catch (const Interrupted& wish) {
+    reports.write_refusal(wish.what());
+    throw;
+  } catch (const std::exception& error) {
+    return refuse(reports, error.what());
+  }
 }
 
 }  // namespace command

@@ -9,6 +9,8 @@
 #include <array>
 #include <cstdio>
 
+#include "tools/command/output.hpp"
+
 namespace command {
 
 namespace {
@@ -25,17 +27,17 @@ void show_lines(const char* title, const std::vector<Line>& lines, std::uint64_t
   if (lines.empty()) {
     return;
   }
-  fmt::print("  {}:\n", title);
+  say("  {}:\n", title);
   for (std::size_t i = 0; i < std::min(lines.size(), most_shown); ++i) {
     show(lines[i]);
   }
   if (count > most_shown) {
-    fmt::print("    and {} more: see the report\n", count - most_shown);
+    say("    and {} more: see the report\n", count - most_shown);
   }
 }
 
 void show_refused(const report::RefusedLine& line) {
-  fmt::print("    line {}: {:.60}: {}\n", line.file_line, line.text, line.reason);
+  say("    line {}: {:.60}: {}\n", line.file_line, line.text, line.reason);
 }
 
 void show_missed(const report::MissedPoint& point) {
@@ -48,16 +50,16 @@ void show_missed(const report::MissedPoint& point) {
                           axis.wanted_mm);
     }
   }
-  fmt::print("    line {}: {:.60}: {}\n", point.file_line, point.text, axes);
+  say("    line {}: {:.60}: {}\n", point.file_line, point.text, axes);
 }
 
 void show_verdict(const report::Results& results) {
   const bool colours = isatty(STDOUT_FILENO) != 0;
-  fmt::print("{}: {}, {}{}{}\n", results.file, name_of(results.outcome),
-             colours ? (results.good() ? green : red) : "", results.good() ? "good" : "BAD",
-             colours ? plain : "");
+  say("{}: {}, {}{}{}\n", results.file, name_of(results.outcome),
+      colours ? (results.good() ? green : red) : "", results.good() ? "good" : "BAD",
+      colours ? plain : "");
   for (const std::string& problem : results.findings.problems) {
-    fmt::print("  ! {}\n", problem);
+    say("  ! {}\n", problem);
   }
 }
 
@@ -71,8 +73,7 @@ void show_clock_advice(const report::Results& results) {
   const auto* next = std::ranges::find_if(
       round_clocks_hz, [&](std::uint32_t clock_hz) { return clock_hz > results.clock_hz; });
   if (limit && next != round_clocks_hz.end()) {
-    fmt::print(
-        "  the processor was the limit for {:.1f} of {:.1f} s of motion: try --clock-hz {}\n",
+    say("  the processor was the limit for {:.1f} of {:.1f} s of motion: try --clock-hz {}\n",
         seconds, results.moving_seconds, *next);
   }
 }
@@ -82,15 +83,13 @@ void show_clock_advice(const report::Results& results) {
 void print_summary(const PrintOptions& options, const report::Results& results) {
   const report::Findings& findings = results.findings;
   show_verdict(results);
-  fmt::print(
-      "  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
+  say("  {:.1f} s on the printer at {:.3g} MHz, simulated in {:.1f} s ({:.2f} million clocks/s)\n",
       results.simulated_seconds, results.clock_hz * 1e-6, results.wall_seconds,
       static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6);
-  fmt::print("  {} lines, {} resends, {} lost; {} refused that should move or heat, {} warning{}\n",
-             results.lines_sent, results.resends, findings.lines_lost, findings.refused_count,
-             findings.warning_count, findings.warning_count == 1 ? "" : "s");
-  fmt::print(
-      "  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
+  say("  {} lines, {} resends, {} lost; {} refused that should move or heat, {} warning{}\n",
+      results.lines_sent, results.resends, findings.lines_lost, findings.refused_count,
+      findings.warning_count, findings.warning_count == 1 ? "" : "s");
+  say("  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
       results.points_reached, results.points_reached + results.points_missed,
       results.max_deviation_mm);
   std::uint64_t illegal = 0, lost = 0;
@@ -98,18 +97,17 @@ void print_summary(const PrintOptions& options, const report::Results& results) 
     illegal += axis.illegal_pulses;
     lost += axis.disabled_pulses + axis.slipped_steps + axis.frame_steps;
   }
-  fmt::print(
-      "  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
+  say("  {} illegal pulses, {} steps lost otherwise, {} underruns, processor {:.1f} % busy\n",
       illegal, lost, results.underruns, results.processor_busy_percent);
   if (options.printer.stepping == "software") {
-    fmt::print("  steps made in software: {} ticks were late\n", results.late_ticks);
+    say("  steps made in software: {} ticks were late\n", results.late_ticks);
   }
   show_clock_advice(results);
   show_lines("refused", findings.refused, findings.refused_count, show_refused);
   show_lines("missed", findings.missed, results.points_missed, show_missed);
   show_lines("warnings", findings.warnings, findings.warning_count, show_refused);
-  fmt::print("  {} messages of the chip; report: {}\n", results.messages.size(),
-             (options.report / "report.html").string());
+  say("  {} messages of the chip; report: {}\n", results.messages.size(),
+      (options.report / "report.html").string());
 }
 
 }  // namespace command

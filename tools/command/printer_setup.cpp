@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "sim/machine/thermal_properties.hpp"
+#include "sim/machine/surroundings.hpp"
 #include "tools/command/build.hpp"
 
 namespace command {
@@ -34,6 +34,7 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {
   sim::load(firmware_, chip_);
+  if (choices.stepping == "software") chip_.permit_software_stepping();
   set_speed_of_line();
   machine::PrinterOptions options{.baud = baud_,
                                   .seed = choices.seed,

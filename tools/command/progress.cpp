@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "tools/command/output.hpp"
+
 namespace command {
 
 namespace {
@@ -41,10 +43,10 @@ void Progress::show(const ProgressFacts& facts) {
 
 void Progress::show_text(const std::string& line) {
   if (terminal_) {
-    fmt::print(stderr, "\r{}\x1b[K", line);
+    say_to(stderr, "\r{}\x1b[K", line);
     line_open_ = true;
   } else {
-    fmt::print(stderr, "{}\n", line);
+    say_to(stderr, "{}\n", line);
   }
   std::fflush(stderr);
   shown_at_ = Time::now();
@@ -52,7 +54,7 @@ void Progress::show_text(const std::string& line) {
 
 void Progress::finish() {
   if (line_open_) {
-    fmt::print(stderr, "\n");
+    say_to(stderr, "\n");
     line_open_ = false;
   }
 }

@@ -7,18 +7,19 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/devices/private_folder.hpp"
 #include "sim/devices/pseudo_terminal.hpp"
 #include "sim/report/accept_log.hpp"
-#include "sim/report/html_report.hpp"
-#include "sim/report/json_report.hpp"
 #include "sim/report/recorder.hpp"
 #include "sim/report/served_host.hpp"
 #include "sim/report/verdict.hpp"
 #include "tools/command/clock_choice.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/pacer.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
+#include "tools/command/report_files.hpp"
 #include "tools/command/signals.hpp"
 
 namespace command {
@@ -73,19 +74,33 @@ class Service {
     host_.set_resends(watch_.resends());
     report::Results results = recorder_.results(setup_.firmware());
     results.outcome = report::Outcome::stopped;
+    results.other_programs = watch_.other_programs();
+    results.gaps = watch_.gaps();
     results.wall_seconds = pacer_.wall_seconds();
     return results;
   }
-  void close_files() {
-    recorder_.close_edges();
-    if (accept_log_) {
-      accept_log_->close();
+  // What the disk did not take of the edges and the accepted lines; the first complaint, or
+  // nothing.
+  std::string close_files() {
+    std::string complaint;
+    try {
+      recorder_.close_edges();
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
     }
+    try {
+      if (accept_log_) {
+        accept_log_->close();
+      }
+    } catch (const std::runtime_error& error) {
+      complaint = error.what();
+    }
+    return complaint;
   }
   report::Courses courses() const { return recorder_.courses(); }
 
-  void greet() {
-    fmt::print(
+  void greet(const std::filesystem::path& page) {
+    command::say(
         "serving {} on {} ({}), {} baud, chip at {:.3g} MHz{}.\n"
         "  Pronterface, pronsole:  connect {} {}\n"
         "  OctoPrint:              additional serial port {}, {} baud\n"
@@ -93,8 +108,7 @@ class Service {
         setup_.printer().description().name, options_.terminal.string(), terminal_.slave_path(),
         setup_.baud(), simulation_.rate().hertz() * 1e-6,
         options_.real_time ? ", in real time" : ", as fast as it goes", options_.terminal.string(),
-        setup_.baud(), options_.terminal.string(), setup_.baud(),
-        (options_.report / "report.html").string());
+        setup_.baud(), options_.terminal.string(), setup_.baud(), page.string());
     std::fflush(stdout);
   }
 
@@ -108,6 +122,12 @@ class Service {
       if (accept_log_) {
         accept_log_->put(line);
       }
+    };
+    watch_.on_program = [this](sim::Clock, bool firmware) {
+      firmware_is_there_ = firmware;
+      host_.begin_anew();
+      say(firmware ? "the firmware is in the chip again"
+                   : "another program is loaded: which lines it takes is not known");
     };
     watch_.on_finished = [this](sim::Clock now, bool executed) { host_.finished(now, executed); };
   }
@@ -131,7 +151,7 @@ class Service {
 
   void say(const std::string& text) {
     progress_.finish();
-    fmt::print(stderr, "{:8.1f} s  {}\n", simulation_.seconds(), text);
+    say_to(stderr, "{:8.1f} s  {}\n", simulation_.seconds(), text);
   }
 
   void show_status() {
@@ -153,6 +173,7 @@ class Service {
     if (accept_log_) {
       accept_log_->flush();
     }
+    complain_if_disk_is_full();
     complain_if_slow(ratio, wall_passed);
   }
 
@@ -163,7 +184,16 @@ class Service {
     if (terminal_.host_baud() != setup_.baud()) {
       return fmt::format("the host is at {} baud, not {}!", terminal_.host_baud(), setup_.baud());
     }
-    return "connected";
+    return firmware_is_there_ ? "connected" : "connected to another program";
+  }
+
+  // The host prints, so the service goes on.
+  void complain_if_disk_is_full() {
+    if (disk_is_full_ || !(recorder_.edges_failed() || (accept_log_ && accept_log_->failed()))) {
+      return;
+    }
+    disk_is_full_ = true;
+    say("the disk does not take the edges or the accepted lines any more");
   }
 
   // Hosts wait for a sign of life in wall time.
@@ -193,10 +223,12 @@ class Service {
   Pacer pacer_;
   Progress progress_;
   bool reset_wanted_ = false;
+  bool firmware_is_there_ = true;
   double shown_wall_ = 0, shown_seconds_ = 0;
   std::uint64_t shown_lines_ = 0;
   double slow_for_ = 0;
   bool complained_ = false;
+  bool disk_is_full_ = false;
 };
 
 void choose_clock(ServeOptions& options) {
@@ -205,8 +237,7 @@ void choose_clock(ServeOptions& options) {
   } else if (options.real_time) {
     const ClockChoice choice = clock_that_keeps_up(options.printer);
     options.printer.clock_hz = choice.clock_hz;
-    fmt::print(
-        "this machine simulates {:.1f} million clocks/s of a print, so the chip gets {:.3g} "
+    say("this machine simulates {:.1f} million clocks/s of a print, so the chip gets {:.3g} "
         "MHz{}\n",
         choice.model_clocks_per_second * 1e-6, choice.clock_hz * 1e-6,
         choice.model_clocks_per_second < choice.clock_hz
@@ -215,37 +246,52 @@ void choose_clock(ServeOptions& options) {
   }
 }
 
-}  // namespace
-
-int serve(ServeOptions options) {
-  std::filesystem::create_directories(options.report);  // fails now rather than at the end
+int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
+  if (options.terminal.empty()) {
+    options.terminal = devices::PrivateFolder().path() / "port";
+  }
   choose_clock(options);
   Service service(options);
-  service.greet();
-  int status = success;
+  service.greet(reports.page());
   std::string fault;
   try {
     service.run();
-  } catch (const sim::HardwareAssertion& failed) {
+  } catch (const std::exception& failed) {  // of the hardware, above all
     fault = failed.what();
-    status = failure;
+  }
+  if (const std::string complaint = service.close_files(); !complaint.empty()) {
+    fault = fault.empty() ? complaint : fault + "; " + complaint;
   }
   report::Results results = service.results();
   results.fault = fault;
-  if (status != success) {
+  if (!fault.empty()) {
     results.outcome = report::Outcome::faulted;
+    say_to(stderr, "stepfabric: {}\n", fault);
   }
   report::judge(results);
-  service.close_files();
-  report::write_file(options.report / "report.json", report::to_json(results));
-  report::write_file(options.report / "report.html", report::to_html(results, service.courses()));
-  fmt::print(
-      "{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s; {} lines taken, {} "
+  const bool written = reports.write(results, service.courses());
+  say("{:.1f} s on the printer in {:.1f} s, {:.2f} million clocks/s; {} lines taken, {} "
       "resends; report: {}\n",
       results.simulated_seconds, results.wall_seconds,
       static_cast<double>(results.cycles) / std::max(results.wall_seconds, 1e-9) * 1e-6,
-      results.lines_sent, results.resends, (options.report / "report.html").string());
-  return status;
+      results.lines_sent, results.resends, reports.page().string());
+  return fault.empty() && written ? success : failure;
+}
+
+}  // namespace
+
+int serve(ServeOptions options) {
+  ignore_closed_pipes();
+  const ReportFiles reports(options.report, {}, options.clock_hz.value_or(0));
+  try {
+    return serve_and_report(options, reports);
+  } catch (const Interrupted& wish) {
+    reports.write_refusal(wish.what());
+    throw;
+  } catch (const std::exception& error) {
+    reports.write_refusal(error.what());
+    throw;
+  }
 }
 
 }  // namespace command

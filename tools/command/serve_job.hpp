@@ -12,7 +12,7 @@
 namespace command {
 
 struct ServeOptions {
-  std::filesystem::path terminal = "/tmp/stepfabric";
+  std::filesystem::path terminal;  // empty: `port` in the user's private folder
   bool real_time = true;
   bool reset_on_open = false;
   std::filesystem::path report = "report";

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <ctime>
 
+#include "tools/command/output.hpp"
+
 namespace command {
 
 namespace {
@@ -38,6 +40,8 @@ void catch_interrupts() {
   std::signal(SIGTERM, remember);
   std::signal(SIGHUP, remember);
 }
+
+void ignore_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
 
 bool interrupt_requested() { return requested != 0; }
 

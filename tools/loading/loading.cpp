@@ -29,6 +29,9 @@ constexpr milliseconds answer_time{400};
 // The checksum of 60 KiB takes a chip of 4 MHz about a second.
 constexpr milliseconds check_time{3000};
 constexpr unsigned most_attempts = 10;
+// Each further answer is waited for twice as long, up to 8 times: a simulated chip on a busy
+// machine takes that long for a block, and frames that are sent too early only make it later.
+constexpr unsigned most_doublings = 3;
 constexpr unsigned most_restarts = 3;
 
 void add_word(Bytes& bytes, std::uint32_t word) {
@@ -154,7 +157,8 @@ void Host::exchange(Kind kind, const Bytes& payload, std::uint32_t received_then
   for (unsigned attempt = 0; attempt < most_attempts; ++attempt) {
     if (attempt != 0) ++figures_.repeated_frames;
     stream_.write(frame);
-    while (const auto reply = next_reply(patience)) {
+    const milliseconds time = patience * (1U << std::min(attempt, most_doublings));
+    while (const auto reply = next_reply(time)) {
       if (reply->kind == Kind::accepted && reply->payload.size() == 5 &&
           reply->payload[0] == static_cast<std::uint8_t>(kind) &&
           word_at(reply->payload, 1) == received_then) {

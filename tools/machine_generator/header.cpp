@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "machine_generator/reader.hpp"
 
 namespace machine_generator {
@@ -23,6 +25,7 @@ constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t thermal_channels = 4;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr std::int64_t two_billion = 2'000'000'000;
+constexpr std::int64_t max_milliwatts = 10'000'000;
 
 std::string quantity(const char* type, std::int64_t value) {
   return fmt::format("units::{}{{{}}}", type, value);
@@ -104,22 +107,80 @@ std::string gains(Reader reader) {
   return text;
 }
 
+// Energies and conductances become slopes: what full power does in a second, and what part of the
+// difference to the surroundings is lost in one.
+std::string model(Reader reader, double milliwatts) {
+  constexpr std::int64_t million = 1'000'000;
+  const auto milli = [&reader](const char* key, std::int64_t least) {
+    return reader.scaled(key, thousand, least, two_billion);
+  };
+  const auto percent = [&reader](const char* key, std::int64_t least, std::int64_t most) {
+    return reader.scaled(key, 100, least, most);
+  };
+  const auto rounded = [](double value) { return static_cast<std::int64_t>(std::llround(value)); };
+  const auto heater = static_cast<double>(milli("heater_j_per_k", 1));
+  const auto block = static_cast<double>(milli("block_j_per_k", 1));
+  const auto through = static_cast<double>(milli("heater_to_block_w_per_k", 1));
+  const double all = heater + block;
+  constexpr double steepest_milliwatts = 6.0;  // per mJ/K: what 32 bits hold in the comparison
+  if (milliwatts / all > steepest_milliwatts) {
+    reader.fail("block_j_per_k", "is so small that full power heats by more than 6 K/s");
+  }
+  const auto part_per_second = [&](double milliwatts_per_kelvin) {
+    return rounded(milliwatts_per_kelvin / all * million);
+  };
+  // PLA, from room temperature: 1.24 g/cm^3, about 1.9 J/(g K), filament of 1.75 mm.
+  constexpr double joules_per_mm_kelvin = 1.24e-3 * 1.9 * 2.405;
+  const std::string text = fmt::format(
+      "{{.rise = {}, .loss = {}, .fan_loss = {}, .filament_loss = {},\n"
+      "                       .heater_lag = {}, .sensor_lag = {},\n"
+      "                       .least_power = {}, .most_power = {}, .least_loss = {}, .most_loss = "
+      "{},\n"
+      "                       .draught = {}, .missing_limit = {}, .window = {}}}",
+      rounded(milliwatts / all * thousand),
+      part_per_second(static_cast<double>(milli("loss_w_per_k", 0))),
+      part_per_second(static_cast<double>(milli("fan_loss_w_per_k", 0))),
+      part_per_second(reader.truth("melts_filament") ? joules_per_mm_kelvin * thousand : 0),
+      quantity("Milliseconds", rounded(heater * block / all / through * thousand)),
+      quantity("Milliseconds", milli("sensor_lag_s", 1)), percent("power_least", 1, 100),
+      percent("power_most", 100, 400), percent("loss_least", 1, 100),
+      percent("loss_most", 100, 400), percent("draught", 0, 200),
+      quantity("Millicelsius", reader.scaled("missing_limit_k", thousand, 1, 16'000)),
+      quantity("Milliseconds", reader.scaled("window_s", thousand, 100, 60'000)));
+  reader.finish();
+  return text;
+}
+
 std::string heater(Reader& reader, Reader& thermistors) {
   const std::int64_t channels = thermal_channels;
-  reader.leave("heater_watts");
+  const auto milliwatts =
+      static_cast<double>(reader.scaled("heater_watts", thousand, 1, max_milliwatts));
+  if (reader.scaled("min_c", thousand, -max_millicelsius, max_millicelsius) >=
+      reader.scaled("max_c", thousand, -max_millicelsius, max_millicelsius))
+    reader.fail("min_c", "must be below max_c");
   const std::string kind = reader.text("thermistor");
   if (!thermistors.has(kind)) reader.fail("thermistor", "names none of [thermistors]");
   return fmt::format(
       "{{.sensor_channel = {}, .heater_channel = {},\n"
       "             .thermistor = {},\n"
       "             .min = {}, .max = {},\n"
-      "             .gains = {}}}",
+      "             .gains = {},\n"
+      "             .model = {}}}",
       reader.whole("sensor_channel", 0, channels - 1),
       reader.whole("heater_channel", 0, channels - 1), thermistor(thermistors.table(kind)),
-      celsius(reader, "min_c"), celsius(reader, "max_c"), gains(reader.table("control")));
+      celsius(reader, "min_c"), celsius(reader, "max_c"), gains(reader.table("control")),
+      model(reader.table("model"), milliwatts));
 }
 
+// The line between two references that are alike says nothing, and a capacitor never reaches the
+// supply.
 std::string converter(Reader reader) {
+  if (reader.scaled("reference_low_ohms", thousand, 1, max_milliohms) >=
+      reader.scaled("reference_high_ohms", thousand, 1, max_milliohms))
+    reader.fail("reference_low_ohms", "must be below reference_high_ohms");
+  if (reader.scaled("threshold_v", thousand, 1, two_billion) >=
+      reader.scaled("supply_v", thousand, 1, two_billion))
+    reader.fail("threshold_v", "must be below supply_v");
   const std::string text = fmt::format(
       "{{.capacitor_picofarads = {}, .reference_low = {},\n"
       "                .reference_high = {}, .supply_millivolts = {}, .threshold_millivolts = {}}}",
@@ -131,6 +192,8 @@ std::string converter(Reader reader) {
 }
 
 }  // namespace
+
+void check(const std::filesystem::path& file) { header_of(file); }
 
 std::string header_of(const std::filesystem::path& file) {
   const toml::table table = Reader::parse(file);
@@ -150,6 +213,7 @@ std::string header_of(const std::filesystem::path& file) {
   Reader driver_chips = root.table("drivers");
   std::string limits;
   std::string drivers;
+  std::string searches;
   std::int64_t used_end_stops = 0;
   for (const char* letter : {"x", "y", "z", "e"}) {
     Reader axis = axes.table(letter);
@@ -159,6 +223,8 @@ std::string header_of(const std::filesystem::path& file) {
     if (!driver_chips.has(chip)) axis.fail("driver", "names none of [drivers]");
     drivers += "                  drivers::DriverChipTimings" +
                driver_timings(driver_chips.table(chip)) + ",\n";
+    const char* search = axis.has("homing_search_mm") ? "homing_search_mm" : "travel_mm";
+    searches += bounded ? length(axis, search, 1) + ", " : quantity("Nanometers", 0);
     if (bounded) {
       const std::int64_t bit = std::int64_t{1} << axis.whole("endstop", 0, end_stop_inputs - 1);
       if ((used_end_stops & bit) != 0) axis.fail("endstop", "is the input of another axis already");
@@ -181,7 +247,15 @@ std::string header_of(const std::filesystem::path& file) {
   Reader bed = root.table("bed");
   const std::string hotend_text = heater(hotend, thermistors);
   const std::string bed_text = heater(bed, thermistors);
+  for (const char* channel : {"sensor_channel", "heater_channel"}) {
+    if (hotend.whole(channel, 0, thermal_channels - 1) ==
+        bed.whole(channel, 0, thermal_channels - 1))
+      bed.fail(channel, "is the channel of another heater already");
+  }
   const std::string min_extrusion = celsius(hotend, "min_extrusion_c");
+  if (hotend.scaled("min_extrusion_c", thousand, -max_millicelsius, max_millicelsius) >
+      hotend.scaled("max_c", thousand, -max_millicelsius, max_millicelsius))
+    hotend.fail("min_extrusion_c", "must not be above max_c");
   const std::string converter_text = converter(root.table("temperature_converter"));
   for (const Reader* reader : {&hotend, &bed}) reader->finish();
   root.finish();
@@ -196,11 +270,12 @@ std::string header_of(const std::filesystem::path& file) {
       "  .name = \"{}\",\n  .baud = {},\n"
       "  .advanced_ok = {},\n  .host_silence = {},\n"
       "  .limits = {{\n      .axes = {{{{\n{}      }}}},\n{}  }},\n"
+      "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n}};\n\n}}  // namespace machine\n",
       file.filename().string(), name, baud, advanced_ok,
-      quantity("Milliseconds", thousand * host_silence), limits, accelerations, drivers,
+      quantity("Milliseconds", thousand * host_silence), limits, accelerations, searches, drivers,
       hotend_text, bed_text, min_extrusion, converter_text);
 }
 

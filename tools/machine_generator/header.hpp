@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a machine description to the C++ header with the firmware's constants.
+// From a machine description to the C++ header with the firmware's constants. What an entry may be
+// stands here alone, in the call that reads it (header.cpp).
 #pragma once
 
 #include <filesystem>
@@ -10,5 +11,8 @@ namespace machine_generator {
 // The text of machine/machine.hpp. Throws DescriptionError on anything missing, ill-typed, out of
 // the firmware's range or unknown.
 std::string header_of(const std::filesystem::path& file);
+
+// The same judgement for another reader of the file, which then needs none of its own.
+void check(const std::filesystem::path& file);
 
 }  // namespace machine_generator

@@ -78,7 +78,9 @@ void Reader::finish() const {
 
 void Reader::fail(const std::string& key, const std::string& what) const {
   const std::string full = place_.empty() ? key : place_ + "." + key;
-  throw DescriptionError(fmt::format("{}: {}: {}", file_, full, what));
+  const toml::node* found = table_.get(key);
+  const toml::source_region& place = found != nullptr ? found->source() : table_.source();
+  throw DescriptionError(fmt::format("{}: line {}: {}: {}", file_, place.begin.line, full, what));
 }
 
 const toml::node& Reader::node(const std::string& key) {

@@ -12,7 +12,8 @@
 
 namespace machine_generator {
 
-// Says the file, the full name of the entry and what is wrong with it.
+// Says the file, the line and full name of the entry (the line of its table where it is missing)
+// and what is wrong with it.
 class DescriptionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -36,9 +37,7 @@ class Reader {
   std::int64_t scaled(const std::string& key, std::int64_t scale, std::int64_t least,
                       std::int64_t most);
 
-  // For entries that only the simulated printer uses.
-  void leave(const std::string& key) { used_.insert(key); }
-  // Every key has been read or left; throws on the first that has not.
+  // Every key has been read; throws on the first that has not.
   void finish() const;
 
   [[noreturn]] void fail(const std::string& key, const std::string& what) const;

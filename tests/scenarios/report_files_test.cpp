@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report is written however a job ends, and an earlier one never stands for it.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "tests/scenarios/job.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::Not;
+
+class ReportFiles : public testing::Test {
+ protected:
+  ReportFiles() {
+    fs::remove_all(folder);
+    fs::create_directories(report);
+    // Of yesterday.
+    scenarios::write_file(report / "report.json", "{\"result\": \"completed\"}");
+    scenarios::write_file(report / "report.html", "completed");
+    scenarios::write_file(gcode, "G28 X\nG1 X180 F12000\nG1 X0\n");
+  }
+
+  static std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  std::string json() const { return text_of(report / "report.json"); }
+  std::string html() const { return text_of(report / "report.html"); }
+
+  // A line for a shell in which `stepfabric` is the program; the exit status.
+  static int shell(const std::string& line) {
+    setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+    const std::string script = "stepfabric=" BUILD_DIRECTORY "/bin/stepfabric; " + line;
+    const char* words[] = {"bash", "-c", script.c_str(), nullptr};
+    const pid_t child = fork();
+    if (child == 0) {
+      execvp(words[0], const_cast<char**>(words));
+      _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  std::string print_line(const std::string& options = "") const {
+    return "\"$stepfabric\" print " + gcode.string() + " --report " + report.string() + " " +
+           options + " 2> " + (folder / "said").string();
+  }
+
+  // Faulted for this reason, in both files, and nothing of the earlier ones.
+  void expect_faulted(const std::string& reason) const {
+    EXPECT_THAT(json(), HasSubstr("\"result\": \"faulted\""));
+    EXPECT_THAT(json(), HasSubstr(reason));
+    EXPECT_THAT(html(), HasSubstr(reason));
+  }
+
+  fs::path folder = scenarios::scratch_folder();
+  fs::path report = folder / "report";
+  fs::path gcode = folder / "input.gcode";
+};
+
+TEST_F(ReportFiles, say_that_a_full_disk_takes_no_edges_before_anything_moves) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this machine has no /dev/full";
+  EXPECT_EQ(shell(print_line("--edges /dev/full")), 2);
+  expect_faulted("cannot write /dev/full");
+  EXPECT_THAT(json(), HasSubstr("\"cycles\": 0"));
+}
+
+TEST_F(ReportFiles, say_that_the_disk_became_full_of_edges) {
+  // A limit to the size of files ends writing as a full disk does. 28 800 edges take twice this.
+  const std::string limit = "trap '' XFSZ; ulimit -f 300; ";
+  EXPECT_EQ(shell(limit + print_line("--edges " + (folder / "edges.csv").string())), 1);
+  expect_faulted("cannot write all of");
+  EXPECT_THAT(json(), HasSubstr("edges.csv"));
+}
+
+TEST_F(ReportFiles, say_what_was_refused) {
+  for (const char* option : {"--edges", "--accept-log"}) {
+    EXPECT_EQ(shell(print_line(std::string(option) + " /no/such/folder/file")), 2);
+    expect_faulted("cannot write /no/such/folder/file");
+    scenarios::write_file(report / "report.json", "{\"result\": \"completed\"}");
+    scenarios::write_file(report / "report.html", "completed");
+  }
+  const std::string serve = "\"$stepfabric\" serve --speed max --until 0.01 --pty " +
+                            gcode.string() + " --report " + report.string() + " 2> /dev/null";
+  EXPECT_EQ(shell(serve), 2);
+  expect_faulted("exists already");
+  EXPECT_THAT(text_of(gcode), HasSubstr("G28 X"));
+}
+
+TEST_F(ReportFiles, are_written_where_the_output_is_not_read) {
+  // The reader is gone before the first word.
+  EXPECT_EQ(shell(print_line() + " > >(exec true); exit $?"), 0);
+  EXPECT_THAT(json(), HasSubstr("\"verdict\": \"good\""));
+  fs::remove(report / "report.json");
+  const std::string serve =
+      "\"$stepfabric\" serve --speed max --until 0.2 --clock-hz 4000000 "
+      "--pty " +
+      (folder / "port").string() + " --report " + report.string();
+  EXPECT_EQ(shell("(sleep 0.1; " + serve + " 2>&1; echo $? > " + (folder / "status").string() +
+                  ") | true"),
+            0);
+  EXPECT_EQ(text_of(folder / "status"), "0\n");
+  EXPECT_THAT(json(), HasSubstr("\"result\": \"stopped\""));
+}
+
+TEST_F(ReportFiles, of_a_job_that_was_killed_say_that_it_has_not_ended) {
+  scenarios::write_file(gcode, "G4 S1000\n");
+  // The shell becomes the program.
+  EXPECT_EQ(shell("(sleep 5; kill -9 $$) & exec " + print_line() + " > /dev/null"), 128 + SIGKILL);
+  expect_faulted("has not ended");
+  EXPECT_THAT(html(), Not(HasSubstr("completed")));
+}
+
+TEST_F(ReportFiles, that_cannot_be_written_are_named_before_anything_moves) {
+  fs::remove_all(report);
+  scenarios::write_file(report, "precious");
+  EXPECT_EQ(shell(print_line()), 2);
+  EXPECT_THAT(text_of(folder / "said"), HasSubstr(report.string()));
+  EXPECT_EQ(text_of(report), "precious");
+}
+
+}  // namespace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Saying something to somebody who may have left: a job does not end because its words are not
+// read.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace command {
+
+// From now on a closed pipe is an error of the call that writes, and no signal.
+void ignore_closed_pipes();
+
+// As fmt::print, which throws where the stream takes nothing.
+template <class... Values>
+void say_to(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
+  const std::string words = fmt::format(text, std::forward<Values>(values)...);
+  std::fwrite(words.data(), 1, words.size(), stream);
+}
+template <class... Values>
+void say(fmt::format_string<Values...> text, Values&&... values) {
+  say_to(stdout, text, std::forward<Values>(values)...);
+}
+
+}  // namespace command

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// report.json and report.html. Where one cannot be written, the other is tried all the same.
+#include "tools/command/report_files.hpp"
+
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/report/html_report.hpp"
+#include "sim/report/json_report.hpp"
+#include "sim/report/verdict.hpp"
+#include "sim/report/write_file.hpp"
+#include "tools/command/output.hpp"
+
+namespace command {
+
+namespace {
+
+bool written(const std::filesystem::path& file, const std::function<std::string()>& text) {
+  try {
+    report::write_file(file, text());
+    return true;
+  } catch (const std::runtime_error& error) {
+    say_to(stderr, "stepfabric: {}\n", error.what());
+    return false;
+  }
+}
+
+}  // namespace
+
+ReportFiles::ReportFiles(std::filesystem::path folder, std::string file, std::uint32_t clock_hz)
+    : folder_(std::move(folder)), file_(std::move(file)), clock_hz_(clock_hz) {
+  std::filesystem::create_directories(folder_);
+  const report::Results beginning =
+      faulted("the job has not ended: it still runs, was killed, or could not write its report");
+  report::write_file(folder_ / "report.json", report::to_json(beginning));
+  report::write_file(page(), report::to_html(beginning, {}));
+}
+
+bool ReportFiles::write_refusal(const std::string& reason) const {
+  return write(faulted(reason), {});
+}
+
+bool ReportFiles::write(const report::Results& results, const report::Courses& courses) const {
+  const bool json = written(folder_ / "report.json", [&] { return report::to_json(results); });
+  const bool html = written(page(), [&] { return report::to_html(results, courses); });
+  return json && html;
+}
+
+report::Results ReportFiles::faulted(const std::string& reason) const {
+  report::Results results;
+  results.file = file_;
+  results.outcome = report::Outcome::faulted;
+  results.fault = reason;
+  results.clock_hz = clock_hz_;
+  report::judge(results);
+  return results;
+}
+
+}  // namespace command

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of a job's report, which are about this job from its begin on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sim/report/results.hpp"
+
+namespace command {
+
+class ReportFiles {
+ public:
+  // Writes a report that says that the job has not ended: a kill leaves it, and no earlier one
+  // stands for this job. Throws std::runtime_error where folder or files cannot be written.
+  ReportFiles(std::filesystem::path folder, std::string file, std::uint32_t clock_hz);
+
+  // A job that ended for this reason before anything was simulated. Returns whether both files
+  // are written; where not, it has said so on standard error.
+  bool write_refusal(const std::string& reason) const;
+  // The same of a whole job.
+  bool write(const report::Results& results, const report::Courses& courses) const;
+
+  std::filesystem::path page() const { return folder_ / "report.html"; }
+
+ private:
+  report::Results faulted(const std::string& reason) const;
+
+  std::filesystem::path folder_;
+  std::string file_;  // that is printed; empty for `serve`
+  std::uint32_t clock_hz_;
+};
+
+}  // namespace command
