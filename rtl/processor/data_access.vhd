@@ -14,7 +14,9 @@ entity data_access is
   generic (
     memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
-    memory_address_bits : positive
+    memory_address_bits : positive;
+    -- But for the last quarter of them.
+    memory_lacks_quarter : boolean := false
   );
   port (
     clk : in std_ulogic;
@@ -51,7 +53,7 @@ architecture rtl of data_access is
   signal is_right : unsigned(31 downto memory_address_bits + 1);
   subtype before is natural range 30 downto memory_address_bits;
   signal behind_right : unsigned(32 downto memory_address_bits + 1);
-  signal in_memory, aligned : std_ulogic;
+  signal in_lacking_quarter, in_memory, aligned : std_ulogic;
 
 begin
 
@@ -63,7 +65,9 @@ begin
      ((base(before) or offset(before)) and not memory_number(before)));
   -- By a chain of carries.
   behind_right <= ('0' & is_right) + 1;
-  in_memory <= behind_right(32) and
+  in_lacking_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
+    when memory_lacks_quarter else '0';
+  in_memory <= behind_right(32) and not in_lacking_quarter and
                (address(memory_address_bits) xnor memory_number(memory_address_bits));
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;

@@ -13,7 +13,9 @@ entity instruction_fetch is
     -- A multiple of the memory's size.
     memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
-    memory_address_bits : positive
+    memory_address_bits : positive;
+    -- But for the last quarter of them.
+    memory_lacks_quarter : boolean := false
   );
   port (
     clk : in std_ulogic;
@@ -72,7 +74,7 @@ architecture rtl of instruction_fetch is
   signal kept : half_word_t;
   signal next_upper, next_lower, early_upper, early_lower : word_place_t;
   signal upper_place, lower_place : word_place_t;
-  signal straddles, outside : std_ulogic;
+  signal in_lacking_quarter, at_last_half_word, straddles, outside : std_ulogic;
 
 begin
 
@@ -125,9 +127,14 @@ begin
     end if;
   end process;
 
-  outside <= address(31 downto memory_address_bits) ?/= memory_number;
-  straddles <= is_word and
-               (and address(memory_address_bits - 1 downto 1));
+  in_lacking_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
+    when memory_lacks_quarter else '0';
+  outside <= (address(31 downto memory_address_bits) ?/= memory_number) or in_lacking_quarter;
+  at_last_half_word <=
+    (and address(memory_address_bits - 3 downto 1)) and address(memory_address_bits - 1) and
+    not address(memory_address_bits - 2) when memory_lacks_quarter else
+    and address(memory_address_bits - 1 downto 1);
+  straddles <= is_word and at_last_half_word;
   fault <= outside or straddles;
   leaves_memory <= straddles and not outside;
 

@@ -14,7 +14,8 @@ entity processor is
   generic (
     -- First address of the memory, and where the program starts; a multiple of the memory's size.
     reset_address : unsigned(31 downto 0) := x"80000000";
-    -- A power of two. Data outside of the memory is asked from the bus; there are no instructions.
+    -- A power of two, or three quarters of one. Data outside of the memory is asked from the bus; there are
+    -- no instructions.
     memory_size_bytes : positive := 65536;
     -- Extension Zbb: bit manipulation.
     has_zbb : boolean := false
@@ -54,6 +55,7 @@ end entity;
 architecture rtl of processor is
 
   constant memory_address_bits : positive := integer(ceil(log2(real(memory_size_bytes))));
+  constant memory_lacks_quarter : boolean := memory_size_bytes /= 2 ** memory_address_bits;
 
   -- Fetch and decode.
   signal fetched_valid, fetch_fault, leaves_memory, redirecting : std_ulogic;
@@ -112,11 +114,13 @@ architecture rtl of processor is
 begin
 
   memory_lies_at_a_multiple_of_its_size : assert
-    memory_size_bytes = 2 ** memory_address_bits and
+    (memory_size_bytes = 2 ** memory_address_bits or
+     memory_size_bytes = 3 * 2 ** (memory_address_bits - 2)) and
     to_integer(reset_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
 
   instruction_fetch : entity work.instruction_fetch
-    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits)
+    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits,
+      memory_lacks_quarter => memory_lacks_quarter)
     port map (
       clk => clk,
       cancel => redirect or reset,
@@ -331,7 +335,8 @@ begin
 
   data_enable <= start and (kind.load or kind.store);
   data_access : entity work.data_access
-    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits)
+    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits,
+      memory_lacks_quarter => memory_lacks_quarter)
     port map (
       clk => clk,
       reset => reset,

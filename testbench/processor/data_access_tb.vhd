@@ -23,6 +23,8 @@ architecture tb of data_access_tb is
   signal memory_request : memory_request_t;
   signal bus_request : bus_request_t;
   signal bus_response : bus_response_t := bus_response_idle;
+  -- Of 96 KiB.
+  signal to_smaller_memory : std_ulogic;
   signal misaligned, to_memory, bus_active, done, error : std_ulogic;
 
 begin
@@ -49,6 +51,27 @@ begin
       bus_active => bus_active,
       done => done,
       error => error);
+
+  of_three_quarters : entity work.data_access
+    generic map (memory_address => x"80000000", memory_address_bits => 17, memory_lacks_quarter => true)
+    port map (
+      clk => clk,
+      reset => reset,
+      enable => '0',
+      store => store,
+      base => address - offset,
+      offset => offset,
+      address => address,
+      size => size,
+      store_data => store_data,
+      memory_request => open,
+      bus_request => open,
+      bus_response => bus_response_idle,
+      misaligned => open,
+      to_memory => to_smaller_memory,
+      bus_active => open,
+      done => open,
+      error => open);
 
   check : process
     type uppers_t is array (natural range <>) of unsigned(15 downto 0);
@@ -148,6 +171,12 @@ begin
           wait for 1 ns;
           assert to_memory = (address(31 downto 16) ?= x"8000")
             report to_hstring(address) & " with " & to_hstring(offset) severity failure;
+          for half in 0 to 1 loop
+            address(15) <= '1' when half = 1 else address(15);
+            wait for 1 ns;
+            assert (to_smaller_memory = '1') = (address >= x"80000000" and address < x"80018000")
+              report to_hstring(address) & " with " & to_hstring(offset) & " of 96 KiB" severity failure;
+          end loop;
         end loop;
       end loop;
     end loop;

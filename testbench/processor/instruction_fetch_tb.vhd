@@ -16,6 +16,8 @@ architecture tb of instruction_fetch_tb is
 
   signal clk : std_ulogic := '0';
   signal cancel, late_jump, early_jump, advance, valid, is_word, fault, leaves_memory : std_ulogic := '0';
+  -- Of 96 KiB.
+  signal smaller_faults, smaller_is_left : std_ulogic;
   signal target, target_plus_2, following_address, address : unsigned(31 downto 0) := (others => '0');
   signal instruction_request : instruction_request_t;
   signal instruction_data : word_t := (others => '0');
@@ -62,6 +64,28 @@ begin
       address => address,
       fault => fault,
       leaves_memory => leaves_memory);
+
+  of_three_quarters : entity work.instruction_fetch
+    generic map (memory_address => x"80000000", memory_address_bits => 17, memory_lacks_quarter => true)
+    port map (
+      clk => clk,
+      cancel => cancel,
+      late_jump => late_jump,
+      late_address => target,
+      late_address_plus_2 => target_plus_2(31 downto 2),
+      early_jump => early_jump,
+      early_address => target,
+      early_address_plus_2 => target_plus_2,
+      following_address => following_address,
+      advance => advance,
+      instruction_request => open,
+      instruction_data => instruction_data,
+      valid => open,
+      instruction => open,
+      is_word => open,
+      address => open,
+      fault => smaller_faults,
+      leaves_memory => smaller_is_left);
 
   -- Each half word holds the number of its place; the lowest two bits tell the length.
   remember : process
@@ -200,6 +224,26 @@ begin
     instruction_data <= force x"00030000";
     clock;
     assert fault = '1' and leaves_memory = '1' severity failure;
+    assert smaller_faults = '0' and smaller_is_left = '0' severity failure;
+
+    -- The same of a memory that ends three quarters of the way.
+    jump_to(x"80017ffc", true);
+    assert smaller_faults = '0' severity failure;
+    target <= x"80017ffe";
+    late_jump <= '1';
+    clock;
+    late_jump <= '0';
+    instruction_data <= force x"00030000";
+    clock;
+    assert smaller_faults = '1' and smaller_is_left = '1' severity failure;
+    for place in 0 to 2 loop
+      target <= x"80018000" when place = 0 else x"8001fffe" when place = 1 else x"80020000";
+      late_jump <= '1';
+      clock;
+      late_jump <= '0';
+      clock;
+      assert smaller_faults = '1' and smaller_is_left = '0' severity failure;
+    end loop;
     std.env.finish;
   end process;
 

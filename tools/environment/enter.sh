@@ -20,7 +20,8 @@ visible_host_folders() {
     esac
     [ -d "$entry" ] && [ ! -L "$entry" ] && echo "$entry"
   done
-  for entry in "$project" "$PWD"; do
+  for entry in "$project" "$PWD" "${XDG_RUNTIME_DIR:-}"; do
+    [ -d "$entry" ] || continue
     case $entry in
       /usr/*|/var/*|/etc/*|/run/*) echo "$entry" ;;
     esac
@@ -37,7 +38,7 @@ inner_environment() {
   echo "PATH=/usr/sbin:/usr/bin:/sbin:/bin"
   echo "LANG=C.UTF-8"
   for name in HOME USER TERM COLUMNS CI NO_COLOR CTEST_OUTPUT_ON_FAILURE CCACHE_DIR CCACHE_MAXSIZE \
-    XDG_CACHE_HOME TMPDIR STEPFABRIC_BUILD_DIR STEPFABRIC_JOBS; do
+    XDG_CACHE_HOME XDG_RUNTIME_DIR TMPDIR STEPFABRIC_BUILD_DIR STEPFABRIC_JOBS; do
     [ -n "${!name-}" ] && echo "$name=${!name}"
   done
   return 0

@@ -1,0 +1,114 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- A memory of three quarters of a power of two keeps each byte that is written, on both sides of the border
+-- of
+-- its banks, and shows it on both ports.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.memory_pkg.all;
+
+entity memory_of_two_banks_tb is
+end entity;
+
+architecture tb of memory_of_two_banks_tb is
+
+  constant words : positive := 48;
+  -- The first word of the upper bank.
+  constant border : positive := 32;
+
+  signal clk : std_ulogic := '0';
+  signal instruction_request : instruction_request_t := instruction_request_idle;
+  signal data_request : memory_request_t := memory_request_idle;
+  signal instruction_data, data : std_ulogic_vector(31 downto 0);
+
+begin
+
+  clk <= not clk after 5 ns;
+
+  uut : entity work.memory
+    generic map (size_bytes => 4 * words)
+    port map (
+      clk => clk,
+      instruction_request => instruction_request,
+      instruction_data => instruction_data,
+      data_request => data_request,
+      data => data);
+
+  check : process
+    type words_t is array (0 to words - 1) of std_ulogic_vector(31 downto 0);
+    variable expected : words_t;
+
+    procedure clock is
+    begin
+      wait until rising_edge(clk);
+      wait for 1 ns;
+    end procedure;
+
+    function pattern(word : natural) return std_ulogic_vector is
+    begin
+      return std_ulogic_vector(to_unsigned(word * 16#2040811#, 32));
+    end function;
+
+    procedure write(word : natural; lanes : std_ulogic_vector(3 downto 0);
+                    value : std_ulogic_vector(31 downto 0)) is
+    begin
+      data_request <= (
+        enable => '1', write_bytes => lanes, address => to_unsigned(word, 30), data => value);
+      clock;
+      data_request.enable <= '0';
+      for lane in 0 to 3 loop
+        if lanes(lane) then
+          expected(word)(8 * lane + 7 downto 8 * lane) := value(8 * lane + 7 downto 8 * lane);
+        end if;
+      end loop;
+    end procedure;
+
+    procedure fetch(upper, lower : natural) is
+    begin
+      instruction_request <= (
+        enable => '1', upper_address => to_unsigned(upper, 30), lower_address => to_unsigned(lower, 30));
+      clock;
+      instruction_request.enable <= '0';
+      assert instruction_data = expected(upper)(31 downto 16) & expected(lower)(15 downto 0)
+        report integer'image(upper) & " and " & integer'image(lower) severity failure;
+    end procedure;
+  begin
+    for word in 0 to words - 1 loop
+      write(word, "1111", pattern(word));
+    end loop;
+    for word in words - 1 downto 0 loop
+      write(word, std_ulogic_vector(to_unsigned(word mod 16, 4)), not pattern((word + 17) mod words));
+    end loop;
+    for word in 0 to words - 1 loop
+      data_request <= (
+        enable => '1', write_bytes => "0000", address => to_unsigned(word, 30), data => (others => '1'));
+      clock;
+      assert data = expected(word) report "word " & integer'image(word) severity failure;
+      fetch(word, word);
+      fetch(words - 1 - word, word);
+    end loop;
+    -- Half words from both sides of the border.
+    fetch(border - 1, border);
+    fetch(border, border - 1);
+    -- Not enabled: what is shown stays, whichever bank is asked for.
+    data_request <= (
+      enable => '1', write_bytes => "0000", address => to_unsigned(border, 30), data => (others => '0'));
+    clock;
+    data_request <= (
+      enable => '0', write_bytes => "1111", address => to_unsigned(5, 30), data => (others => '0'));
+    instruction_request <= (
+      enable => '0', upper_address => to_unsigned(5, 30), lower_address => to_unsigned(border + 5, 30));
+    clock;
+    assert data = expected(border) and
+      instruction_data = expected(border)(31 downto 16) & expected(border - 1)(15 downto 0)
+      severity failure;
+    data_request <= (
+      enable => '1', write_bytes => "0000", address => to_unsigned(5, 30), data => (others => '0'));
+    clock;
+    assert data = expected(5) severity failure;
+    std.env.finish;
+  end process;
+
+end architecture;
