@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The memory keeps each byte that is written, shows it on both ports, and rests where it is not
--- enabled.
+-- The memory keeps each byte that is written, on both sides of the border of its banks, shows it on both
+-- ports, and rests where it is not enabled.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -9,11 +9,26 @@ use ieee.numeric_std.all;
 use work.memory_pkg.all;
 
 entity memory_tb is
+  generic (
+    -- A power of two, or three quarters of one.
+    words : positive := 64
+  );
 end entity;
 
 architecture tb of memory_tb is
 
-  constant words : positive := 64;
+  constant is_power_of_two : boolean := to_unsigned(words, 31) = (to_unsigned(words, 31) and
+                                                                  (not to_unsigned(words, 31)) + 1);
+
+  -- The first word of the upper bank, or of the upper half.
+  function first_of_upper return positive is
+  begin
+    if is_power_of_two then
+      return words / 2;
+    end if;
+    return words / 3 * 2;
+  end function;
+  constant border : positive := first_of_upper;
 
   signal clk : std_ulogic := '0';
   signal instruction_request : instruction_request_t := instruction_request_idle;
@@ -61,44 +76,67 @@ begin
         end if;
       end loop;
     end procedure;
+
+    procedure load(word : natural) is
+    begin
+      data_request <= (
+        enable => '1', write_bytes => "0000", address => to_unsigned(word, 30), data => (others => '1'));
+      clock;
+      data_request.enable <= '0';
+      assert data = expected(word mod words) report "word " & integer'image(word) severity failure;
+    end procedure;
+
+    procedure fetch(upper, lower : natural) is
+    begin
+      instruction_request <= (
+        enable => '1', upper_address => to_unsigned(upper, 30), lower_address => to_unsigned(lower, 30));
+      clock;
+      instruction_request.enable <= '0';
+      assert instruction_data =
+        expected(upper mod words)(31 downto 16) & expected(lower mod words)(15 downto 0)
+        report integer'image(upper) & " and " & integer'image(lower) severity failure;
+    end procedure;
+
+    -- Both ports are asked for a word while neither is enabled: they keep what they show, nothing is written.
+    procedure rest(word : natural) is
+      variable shown, shown_instruction : std_ulogic_vector(31 downto 0);
+    begin
+      shown := data;
+      shown_instruction := instruction_data;
+      data_request <= (
+        enable => '0', write_bytes => "1111", address => to_unsigned(word, 30), data => (others => '0'));
+      instruction_request <= (
+        enable => '0', upper_address => to_unsigned(word, 30), lower_address => to_unsigned(word, 30));
+      clock;
+      assert data = shown and instruction_data = shown_instruction severity failure;
+      load(word);
+    end procedure;
   begin
     for word in 0 to words - 1 loop
       write(word, "1111", pattern(word));
     end loop;
     -- Every pattern of lanes.
-    for word in 0 to words - 1 loop
-      write(word, std_ulogic_vector(to_unsigned(word mod 16, 4)),
-            not pattern((word + 17) mod words));
+    for word in words - 1 downto 0 loop
+      write(word, std_ulogic_vector(to_unsigned(word mod 16, 4)), not pattern((word + 17) mod words));
     end loop;
     for word in 0 to words - 1 loop
-      data_request <= (
-        enable => '1', write_bytes => "0000", address => to_unsigned(word, 30),
-        data => (others => '1'));
-      instruction_request <= (
-        enable => '1', upper_address => to_unsigned(words - 1 - word, 30),
-        lower_address => to_unsigned(words - 1 - word, 30));
-      clock;
-      assert data = expected(word) report "word " & integer'image(word) severity failure;
-      assert instruction_data = expected(words - 1 - word) severity failure;
+      load(word);
+      fetch(word, word);
+      fetch(words - 1 - word, word);
     end loop;
-    -- Not enabled: both ports keep what they show, nothing is written.
-    data_request <= (
-      enable => '0', write_bytes => "1111", address => to_unsigned(5, 30), data => (others => '0'));
-    instruction_request <= (
-      enable => '0', upper_address => to_unsigned(5, 30), lower_address => to_unsigned(5, 30));
-    clock;
-    assert data = expected(words - 1) and instruction_data = expected(0) severity failure;
-    -- Addresses beyond the size mean the same words.
-    data_request <= (
-      enable => '1', write_bytes => "0000", address => to_unsigned(3 * words + 5, 30),
-      data => (others => '0'));
-    instruction_request <= (
-      enable => '1', upper_address => to_unsigned(words + 6, 30),
-      lower_address => to_unsigned(words + 7, 30));
-    clock;
-    assert data = expected(5) and
-      instruction_data = expected(6)(31 downto 16) & expected(7)(15 downto 0)
-      report "the half words may come from two words" severity failure;
+    -- Half words from both sides of the border.
+    fetch(border - 1, border);
+    fetch(border, border - 1);
+    -- What is shown stays, whichever bank is asked for next.
+    load(border);
+    rest(5);
+    load(5);
+    rest(border + 5);
+    -- Addresses beyond a power of two mean the same words.
+    if is_power_of_two then
+      load(3 * words + 5);
+      fetch(words + 6, words + 7);
+    end if;
     std.env.finish;
   end process;
 

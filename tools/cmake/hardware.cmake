@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# add_testbench(NAME [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL test
-#   bench NAME.vhd of the current folder, run against all of rtl/.
+# add_testbench(NAME [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL test
+#   bench, NAME.vhd of the current folder unless BENCH says otherwise, run against all of rtl/.
 # add_verilated_model(TARGET TOP entity [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
 #   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with the
 #   header V<entity>.h.
@@ -11,14 +11,17 @@ execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
   OUTPUT_VARIABLE verilator_root OUTPUT_STRIP_TRAILING_WHITESPACE)
 
 function(add_testbench name)
-  cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT" "GENERICS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT;BENCH" "GENERICS;LABELS")
   if(NOT argument_TIMEOUT)
     set(argument_TIMEOUT 300)
+  endif()
+  if(NOT argument_BENCH)
+    set(argument_BENCH ${name})
   endif()
   list(TRANSFORM argument_GENERICS PREPEND -g)
   file(GLOB_RECURSE bench_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/*.vhd)
   add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh
-    ${CMAKE_BINARY_DIR}/testbench/${name} ${name} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
+    ${CMAKE_BINARY_DIR}/testbench/${name} ${argument_BENCH} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT}
     LABELS "testbench;${argument_LABELS}" SKIP_RETURN_CODE 77)
 endfunction()
