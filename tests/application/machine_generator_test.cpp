@@ -2,41 +2,18 @@
 // The machine generator takes the given machine exactly, and names every mistake in a description.
 #include <gmock/gmock.h>
 
-#include <cstdio>
-#include <fstream>
-#include <sstream>
-
 #include "machine/machine.hpp"
 #include "machine_generator/header.hpp"
 #include "machine_generator/reader.hpp"
+#include "tests/sim/changed_description.hpp"
 
 namespace {
 
 using testing::HasSubstr;
 
-std::string given_description() {
-  std::ifstream file(std::string(PROJECT_DIRECTORY) + "/firmware/machines/prusa_mendel.toml");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-// What the generator says about the given description with one text replaced by another.
+// About the default machine with one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
-  std::string text = given_description();
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  const std::string name = testing::TempDir() + "changed_machine.toml";
-  std::ofstream(name) << text;
-  try {
-    machine_generator::header_of(name);
-  } catch (const machine_generator::DescriptionError& error) {
-    std::remove(name.c_str());
-    return error.what();
-  }
-  std::remove(name.c_str());
-  return "";
+  return tests::complaint_of(machine_generator::header_of, tests::changed_description(from, to));
 }
 
 TEST(machine_generator, keeps_the_numbers_of_the_given_machine) {

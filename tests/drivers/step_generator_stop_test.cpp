@@ -13,6 +13,25 @@ class StepGeneratorStopTest : public tests::StepGeneratorFixture {
   // 2^32 / 2^20 = 4096 clocks to rest.
   static constexpr std::uint32_t slope = 1u << 20u;
   static constexpr int clocks_to_rest = 4096;
+
+  // A long line that is under way, which these end stops end.
+  void run(std::uint8_t stop_mask, bool stop_brakes) {
+    generator_.set_slopes(slope, slope);
+    Segment segment = line({20000, 0, 0, 0}, rate(0.05));
+    segment.stop_mask = stop_mask;
+    segment.stop_brakes = stop_brakes;
+    append(segment);
+    chip_.clock(5000);
+  }
+
+  void expect_end_stop_while_braking(std::uint8_t end_stops) {
+    EXPECT_TRUE(generator_.stop_state().braking);
+    chip_->end_stops = end_stops;
+    const auto at_hit = pulses_.counts();
+    chip_.clock(clocks_to_rest);
+    EXPECT_EQ(pulses_.counts(), at_hit);
+    EXPECT_TRUE(generator_.stop_state().stopped);
+  }
 };
 
 TEST_F(StepGeneratorStopTest, brakes_along_the_path_and_keeps_the_position_of_the_hit) {
@@ -103,57 +122,31 @@ TEST_F(StepGeneratorStopTest, stops_at_once_when_the_emergency_stop_comes_while_
 }
 
 TEST_F(StepGeneratorStopTest, stops_at_once_at_another_end_stop_while_braking) {
-  generator_.set_slopes(slope, slope);
-  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
-  segment.stop_mask = 0b11;
-  segment.stop_brakes = true;
-  append(segment);
-  chip_.clock(5000);
+  run(0b11, true);
   chip_->end_stops = 0b01;
   chip_.clock(500);
-  EXPECT_TRUE(generator_.stop_state().braking);
-  chip_->end_stops = 0b11;
-  const auto at_second_hit = pulses_.counts();
-  chip_.clock(clocks_to_rest);
-  EXPECT_EQ(pulses_.counts(), at_second_hit);
+  expect_end_stop_while_braking(0b11);
   const auto stop = generator_.stop_state();
-  EXPECT_TRUE(stop.stopped);
   EXPECT_EQ(stop.end_stops, 0b11);
-  EXPECT_LT(stop.positions[0], at_second_hit[0]);
+  EXPECT_LT(stop.positions[0], pulses_.counts()[0]);
 }
 
 TEST_F(StepGeneratorStopTest, stops_at_once_where_the_switch_that_brakes_is_hit_again) {
-  generator_.set_slopes(slope, slope);
-  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
-  segment.stop_mask = 0b1;
-  segment.stop_brakes = true;
-  append(segment);
-  chip_.clock(5000);
+  run(0b1, true);
   chip_->end_stops = 0b1;
   chip_.clock(500);
   chip_->end_stops = 0;
   chip_.clock(500);
-  EXPECT_TRUE(generator_.stop_state().braking);
-  chip_->end_stops = 0b1;
-  const auto at_second_hit = pulses_.counts();
-  chip_.clock(clocks_to_rest);
-  EXPECT_EQ(pulses_.counts(), at_second_hit);
+  expect_end_stop_while_braking(0b1);
 }
 
 TEST_F(StepGeneratorStopTest, stops_at_an_end_stop_while_software_brakes) {
-  generator_.set_slopes(slope, slope);
-  Segment segment = line({20000, 0, 0, 0}, rate(0.05));
-  segment.stop_mask = 0b100;
-  append(segment);
-  chip_.clock(5000);
+  run(0b100, false);
   generator_.brake();
   chip_.clock(500);
-  chip_->end_stops = 0b100;
-  const auto at_hit = pulses_.counts();
-  chip_.clock(clocks_to_rest);
-  EXPECT_EQ(pulses_.counts(), at_hit);
+  expect_end_stop_while_braking(0b100);
   const auto stop = generator_.stop_state();
-  EXPECT_TRUE(stop.stopped && stop.software_brake);
+  EXPECT_TRUE(stop.software_brake);
   EXPECT_EQ(stop.end_stops, 0b100);
 }
 

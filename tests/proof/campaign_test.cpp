@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "tests/proof/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tools/proof/campaign_report.hpp"
 #include "tools/proof/findings.hpp"
 #include "tools/proof/process.hpp"
@@ -74,7 +74,8 @@ TEST(campaign, tells_the_entries_that_are_out_of_date) {
               ElementsAre(HasSubstr("no such mutant is made: d"), HasSubstr("is killed ()")));
 }
 
-// A solver has a time limit: a fast machine proves what a slow one leaves to the reason in the list.
+// A solver has a time limit: a fast machine proves what a slow one leaves to the reason in the
+// list.
 TEST(campaign, takes_a_proof_of_a_judgement_as_agreement) {
   const std::map<std::string, proof::Judgement> judgements{
       {"a", {proof::Judgement::Kind::equivalent, "because"}},

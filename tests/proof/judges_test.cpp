@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/proof/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 

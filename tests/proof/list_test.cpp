@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "tests/proof/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // told.
 #include <gmock/gmock.h>
 
-#include "tests/proof/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tools/proof/task.hpp"
 
 namespace {

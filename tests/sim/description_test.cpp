@@ -4,35 +4,19 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <iterator>
+#include "tests/sim/changed_description.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// What is said about this text; empty where it is a machine.
 std::string complaint(const std::string& text) {
-  const fs::path file = fs::path(testing::TempDir()) / "described_machine.toml";
-  std::ofstream(file) << text;
-  std::string said;
-  try {
-    machine::read_description(file);
-  } catch (const std::runtime_error& error) {
-    said = error.what();
-  }
-  fs::remove(file);
-  return said;
+  return tests::complaint_of(machine::read_description, text);
 }
 
-// The same about the given machine with one text replaced by another.
+// About the default machine with one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
-  std::ifstream stream(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return complaint(text.replace(at, from.size(), to));
+  return complaint(tests::changed_description(from, to));
 }
 
 TEST(Description, takes_the_given_machine_and_one_without_jerk) {
@@ -42,7 +26,7 @@ TEST(Description, takes_the_given_machine_and_one_without_jerk) {
 
 TEST(Description, names_what_is_missing) {
   EXPECT_THAT(complaint("name = \"half\"\nkinematics = \"cartesian\"\n"),
-              HasSubstr("described_machine.toml: line 1: serial: is missing"));
+              HasSubstr("changed_machine.toml: line 1: serial: is missing"));
 }
 
 // Each of these was simulated, or ended the program by a signal.

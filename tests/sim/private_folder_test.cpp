@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "sim/devices/path_lock.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -17,15 +18,11 @@ namespace fs = std::filesystem;
 
 class PrivateFolderTest : public testing::Test {
  protected:
-  PrivateFolderTest() {
-    fs::remove_all(runtime);
-    fs::create_directories(runtime);
-    fs::permissions(runtime, fs::perms::owner_all);
-    setenv("XDG_RUNTIME_DIR", runtime.c_str(), 1);
-  }
+  PrivateFolderTest() { setenv("XDG_RUNTIME_DIR", runtime.c_str(), 1); }
   static fs::path of_this_user() { return "/tmp/stepfabric-" + std::to_string(geteuid()); }
 
-  fs::path runtime = fs::path(testing::TempDir()) / "stepfabric_private_folder_test";
+  const TemporaryFolder temporary;
+  fs::path runtime = temporary.path();
 };
 
 TEST_F(PrivateFolderTest, lies_in_the_runtime_folder_with_mode_0700) {

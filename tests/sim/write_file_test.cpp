@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "sim/report/edge_file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -18,10 +19,6 @@ namespace fs = std::filesystem;
 
 class WriteFile : public testing::Test {
  protected:
-  WriteFile() {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
   static std::string text_of(const fs::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
@@ -31,7 +28,8 @@ class WriteFile : public testing::Test {
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
 
-  fs::path folder = fs::path(testing::TempDir()) / "stepfabric_write_file_test";
+  const TemporaryFolder temporary;
+  fs::path folder = temporary.path();
   fs::path file = folder / "report.json";
 };
 

@@ -11,7 +11,7 @@
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "proof_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "stepfabric_test_XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machine descriptions with a mistake in them, and what a reader says of it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "tests/temporary_folder.hpp"
+
+namespace tests {
+
+// The default machine's description with one text replaced by another.
+inline std::string changed_description(const std::string& from, const std::string& to) {
+  std::ifstream stream(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+// The error of `read`, which takes a path, for a file `changed_machine.toml` with this text; empty
+// where it takes it.
+template <typename Read>
+std::string complaint_of(Read read, const std::string& text) {
+  const TemporaryFolder folder;
+  folder.write("changed_machine.toml", text);
+  try {
+    read(folder.path() / "changed_machine.toml");
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace tests
