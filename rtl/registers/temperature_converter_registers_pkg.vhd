@@ -10,6 +10,7 @@ package temperature_converter_registers_pkg is
   constant temperature_converter_address : unsigned(31 downto 0) := x"F0005000";
 
   -- How conversions are made. A change of settings, here or below, begins a new conversion; until it has ended the state is `never`. All but `enable` lock with the limits of the heaters.
+  constant temperature_converter_control_address : unsigned(31 downto 0) := x"F0005000";
   type temperature_converter_control_t is record
     enable : std_ulogic;
     references : std_ulogic;
@@ -18,26 +19,31 @@ package temperature_converter_registers_pkg is
   end record;
 
   -- Time to discharge the capacitor before each charge.
+  constant temperature_converter_discharge_address : unsigned(31 downto 0) := x"F0005004";
   type temperature_converter_discharge_t is record
     cycles : unsigned(23 downto 0);
   end record;
 
   -- Longest time that one charge may take.
+  constant temperature_converter_timeout_address : unsigned(31 downto 0) := x"F0005008";
   type temperature_converter_timeout_t is record
     cycles : unsigned(23 downto 0);
   end record;
 
   -- Time between conversions, with the capacitor discharged.
+  constant temperature_converter_pause_address : unsigned(31 downto 0) := x"F000500C";
   type temperature_converter_pause_t is record
     cycles : unsigned(23 downto 0);
   end record;
 
   -- Below this thermistor count the thermistor is taken as shorted.
+  constant temperature_converter_short_limit_address : unsigned(31 downto 0) := x"F0005010";
   type temperature_converter_short_limit_t is record
     cycles : unsigned(31 downto 0);
   end record;
 
   -- Outcome of the channel's newest conversion.
+  constant temperature_converter_status_address : unsigned(31 downto 0) := x"F0005014";  -- of the first
   type temperature_converter_status_t is record
     state : unsigned(2 downto 0);
     conversions : unsigned(7 downto 0);
@@ -51,30 +57,35 @@ package temperature_converter_registers_pkg is
   constant temperature_converter_status_state_time_out : natural := 5;
 
   -- Time since the channel's newest conversion.
+  constant temperature_converter_age_address : unsigned(31 downto 0) := x"F0005024";  -- of the first
   type temperature_converter_age_t is record
     ticks : unsigned(19 downto 0);
   end record;
   type temperature_converter_age_array_t is array (0 to 3) of temperature_converter_age_t;
 
   -- Clocks of all charges through the thermistor.
+  constant temperature_converter_thermistor_address : unsigned(31 downto 0) := x"F0005034";  -- of the first
   type temperature_converter_thermistor_t is record
     cycles : unsigned(31 downto 0);
   end record;
   type temperature_converter_thermistor_array_t is array (0 to 3) of temperature_converter_thermistor_t;
 
   -- Clocks of all charges through the low reference resistor.
+  constant temperature_converter_reference_low_address : unsigned(31 downto 0) := x"F0005044";  -- of the first
   type temperature_converter_reference_low_t is record
     cycles : unsigned(31 downto 0);
   end record;
   type temperature_converter_reference_low_array_t is array (0 to 3) of temperature_converter_reference_low_t;
 
   -- Clocks of all charges through the high reference resistor.
+  constant temperature_converter_reference_high_address : unsigned(31 downto 0) := x"F0005054";  -- of the first
   type temperature_converter_reference_high_t is record
     cycles : unsigned(31 downto 0);
   end record;
   type temperature_converter_reference_high_array_t is array (0 to 3) of temperature_converter_reference_high_t;
 
   -- The settings are locked while any limit of a heater is: they are the scale of the limits.
+  constant temperature_converter_settings_lock_address : unsigned(31 downto 0) := x"F0005064";
   type temperature_converter_settings_lock_t is record
     locked : std_ulogic;
     refused : std_ulogic;

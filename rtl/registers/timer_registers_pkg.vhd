@@ -10,21 +10,25 @@ package timer_registers_pkg is
   constant timer_address : unsigned(31 downto 0) := x"F0002000";
 
   -- Clocks since reset, low half. Reading it holds the high half of the same instant.
+  constant timer_time_low_address : unsigned(31 downto 0) := x"F0002000";
   type timer_time_low_t is record
     cycles : unsigned(31 downto 0);
   end record;
 
   -- High half of the time at which `time_low` was last read.
+  constant timer_time_high_address : unsigned(31 downto 0) := x"F0002004";
   type timer_time_high_t is record
     cycles : unsigned(31 downto 0);
   end record;
 
   -- Low half of the deadline. It takes effect with the next write of `compare_high`.
+  constant timer_compare_low_address : unsigned(31 downto 0) := x"F0002008";
   type timer_compare_low_t is record
     cycles : unsigned(31 downto 0);
   end record;
 
   -- High half of the deadline. From then on the interrupt is on, until a later one is set.
+  constant timer_compare_high_address : unsigned(31 downto 0) := x"F000200C";
   type timer_compare_high_t is record
     cycles : unsigned(31 downto 0);
   end record;

@@ -10,11 +10,13 @@ package uart_registers_pkg is
   constant uart_address : unsigned(31 downto 0) := x"F0001000";
 
   -- Speed of the line. A write restarts both directions; the FIFOs keep their contents.
+  constant uart_baud_rate_address : unsigned(31 downto 0) := x"F0001000";
   type uart_baud_rate_t is record
     increment : unsigned(31 downto 0);
   end record;
 
   -- What the line is doing. The four flags stay until they are cleared.
+  constant uart_status_address : unsigned(31 downto 0) := x"F0001004";
   type uart_status_t is record
     receive_level : unsigned(11 downto 0);
     transmit_space : unsigned(11 downto 0);
@@ -27,6 +29,7 @@ package uart_registers_pkg is
   end record;
 
   -- Clears those flags of `status` whose bit is written as 1.
+  constant uart_clear_address : unsigned(31 downto 0) := x"F0001008";
   type uart_clear_t is record
     overrun : std_ulogic;
     framing_error : std_ulogic;
@@ -35,6 +38,7 @@ package uart_registers_pkg is
   end record;
 
   -- Read: takes the oldest received byte. Write: sends a byte; without space it is dropped.
+  constant uart_data_address : unsigned(31 downto 0) := x"F000100C";
   type uart_data_t is record
     byte : unsigned(7 downto 0);
     valid : std_ulogic;
@@ -42,6 +46,7 @@ package uart_registers_pkg is
   end record;
 
   -- When to interrupt. All are levels: they end when the FIFO has been served.
+  constant uart_interrupts_address : unsigned(31 downto 0) := x"F0001010";
   type uart_interrupts_t is record
     receive_threshold : unsigned(11 downto 0);
     on_line_end : std_ulogic;
@@ -49,26 +54,31 @@ package uart_registers_pkg is
   end record;
 
   -- How often bytes were lost.
+  constant uart_overruns_address : unsigned(31 downto 0) := x"F0001014";
   type uart_overruns_t is record
     count : unsigned(15 downto 0);
   end record;
 
   -- How often a stop bit was missing.
+  constant uart_framing_errors_address : unsigned(31 downto 0) := x"F0001018";
   type uart_framing_errors_t is record
     count : unsigned(15 downto 0);
   end record;
 
   -- How often the line was low for a whole frame.
+  constant uart_breaks_address : unsigned(31 downto 0) := x"F000101C";
   type uart_breaks_t is record
     count : unsigned(15 downto 0);
   end record;
 
   -- How many bytes were received although looks at their bits differed.
+  constant uart_noisy_bytes_address : unsigned(31 downto 0) := x"F0001020";
   type uart_noisy_bytes_t is record
     count : unsigned(15 downto 0);
   end record;
 
   -- The bytes that end a line, for `status.line_waits`. A write counts for bytes that come after it.
+  constant uart_line_ends_address : unsigned(31 downto 0) := x"F0001024";
   type uart_line_ends_t is record
     first : unsigned(7 downto 0);
     second : unsigned(7 downto 0);

@@ -17,10 +17,10 @@ architecture simulation of end_stops_tb is
 
   constant clock_period : time := 10 ns;
 
-  constant status : unsigned(31 downto 0) := end_stops_address;
-  constant filter : unsigned(31 downto 0) := end_stops_address + 4;
-  constant polarity : unsigned(31 downto 0) := end_stops_address + 8;
-  constant enable : unsigned(31 downto 0) := end_stops_address + 12;
+  constant status : unsigned(31 downto 0) := end_stops_status_address;
+  constant filter : unsigned(31 downto 0) := end_stops_filter_address;
+  constant polarity : unsigned(31 downto 0) := end_stops_polarity_address;
+  constant enable : unsigned(31 downto 0) := end_stops_enable_address;
 
   signal oscillator : std_ulogic := '0';
   signal clk : std_ulogic := '0';

@@ -19,9 +19,9 @@ end entity;
 architecture simulation of motion_settings_tb is
 
   constant axes : positive := 2;
-  constant rate_floor_register : unsigned(31 downto 0) := step_generator_address + 16#018#;
-  constant pulse_guard : unsigned(31 downto 0) := step_generator_address + 16#078#;
-  constant direction_guard : unsigned(31 downto 0) := step_generator_address + 16#098#;
+  constant rate_floor_register : unsigned(31 downto 0) := step_generator_rate_floor_address;
+  constant pulse_guard : unsigned(31 downto 0) := step_generator_pulse_guard_address;
+  constant direction_guard : unsigned(31 downto 0) := step_generator_direction_guard_address;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';

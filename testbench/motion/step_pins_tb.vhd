@@ -18,11 +18,11 @@ architecture simulation of step_pins_tb is
   constant axes : positive := 5;
   subtype pins_t is std_ulogic_vector(axes - 1 downto 0);
 
-  constant control : unsigned(31 downto 0) := step_pins_address;
-  constant step_register : unsigned(31 downto 0) := step_pins_address + 4;
-  constant direction_register : unsigned(31 downto 0) := step_pins_address + 8;
-  constant stop : unsigned(31 downto 0) := step_pins_address + 12;
-  constant status : unsigned(31 downto 0) := step_pins_address + 16;
+  constant control : unsigned(31 downto 0) := step_pins_control_address;
+  constant step_register : unsigned(31 downto 0) := step_pins_step_address;
+  constant direction_register : unsigned(31 downto 0) := step_pins_direction_address;
+  constant stop : unsigned(31 downto 0) := step_pins_stop_address;
+  constant status : unsigned(31 downto 0) := step_pins_status_address;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';

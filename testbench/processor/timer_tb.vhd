@@ -15,10 +15,10 @@ end entity;
 
 architecture simulation of timer_tb is
 
-  constant time_low : unsigned(31 downto 0) := timer_address;
-  constant time_high : unsigned(31 downto 0) := timer_address + 4;
-  constant compare_low : unsigned(31 downto 0) := timer_address + 8;
-  constant compare_high : unsigned(31 downto 0) := timer_address + 12;
+  constant time_low : unsigned(31 downto 0) := timer_time_low_address;
+  constant time_high : unsigned(31 downto 0) := timer_time_high_address;
+  constant compare_low : unsigned(31 downto 0) := timer_compare_low_address;
+  constant compare_high : unsigned(31 downto 0) := timer_compare_high_address;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';

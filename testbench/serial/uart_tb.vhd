@@ -21,16 +21,16 @@ architecture simulation of uart_tb is
   constant receive_depth : positive := 16;
   constant transmit_depth : positive := 8;
 
-  constant baud_rate : unsigned(31 downto 0) := uart_address;
-  constant status : unsigned(31 downto 0) := uart_address + 4;
-  constant clear : unsigned(31 downto 0) := uart_address + 8;
-  constant data : unsigned(31 downto 0) := uart_address + 12;
-  constant interrupts : unsigned(31 downto 0) := uart_address + 16;
-  constant overruns : unsigned(31 downto 0) := uart_address + 20;
-  constant framing_errors : unsigned(31 downto 0) := uart_address + 24;
-  constant breaks : unsigned(31 downto 0) := uart_address + 28;
-  constant noisy_bytes : unsigned(31 downto 0) := uart_address + 32;
-  constant line_ends : unsigned(31 downto 0) := uart_address + 36;
+  constant baud_rate : unsigned(31 downto 0) := uart_baud_rate_address;
+  constant status : unsigned(31 downto 0) := uart_status_address;
+  constant clear : unsigned(31 downto 0) := uart_clear_address;
+  constant data : unsigned(31 downto 0) := uart_data_address;
+  constant interrupts : unsigned(31 downto 0) := uart_interrupts_address;
+  constant overruns : unsigned(31 downto 0) := uart_overruns_address;
+  constant framing_errors : unsigned(31 downto 0) := uart_framing_errors_address;
+  constant breaks : unsigned(31 downto 0) := uart_breaks_address;
+  constant noisy_bytes : unsigned(31 downto 0) := uart_noisy_bytes_address;
+  constant line_ends : unsigned(31 downto 0) := uart_line_ends_address;
 
   constant line_feed : byte_t := x"0A";
   constant carriage_return : byte_t := x"0D";

@@ -15,8 +15,8 @@ end entity;
 architecture simulation of fan_tb is
 
   constant slots : positive := 255;
-  constant duty : unsigned(31 downto 0) := fan_address;
-  constant period : unsigned(31 downto 0) := fan_address + 4;
+  constant duty : unsigned(31 downto 0) := fan_duty_address;
+  constant period : unsigned(31 downto 0) := fan_period_address;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';

@@ -18,18 +18,18 @@ architecture simulation of heater_control_tb is
   constant clock_frequency_hz : positive := 4_000_000;
   constant ticks_per_s : positive := clock_frequency_hz / tick_cycles;
 
-  constant feed : unsigned(31 downto 0) := heater_control_address;
-  constant watchdog : unsigned(31 downto 0) := heater_control_address + 4;
-  constant sensor_timeout : unsigned(31 downto 0) := heater_control_address + 8;
-  constant slot : unsigned(31 downto 0) := heater_control_address + 12;
-  constant clear : unsigned(31 downto 0) := heater_control_address + 16;
-  constant duty : unsigned(31 downto 0) := heater_control_address + 20;
-  constant minimum_count : unsigned(31 downto 0) := heater_control_address + 36;
-  constant maximum_count : unsigned(31 downto 0) := heater_control_address + 52;
-  constant status : unsigned(31 downto 0) := heater_control_address + 68;
-  constant hot_count : unsigned(31 downto 0) := heater_control_address + 84;
-  constant settle : unsigned(31 downto 0) := heater_control_address + 100;
-  constant supply_register : unsigned(31 downto 0) := heater_control_address + 116;
+  constant feed : unsigned(31 downto 0) := heater_control_feed_address;
+  constant watchdog : unsigned(31 downto 0) := heater_control_watchdog_address;
+  constant sensor_timeout : unsigned(31 downto 0) := heater_control_sensor_timeout_address;
+  constant slot : unsigned(31 downto 0) := heater_control_slot_address;
+  constant clear : unsigned(31 downto 0) := heater_control_clear_address;
+  constant duty : unsigned(31 downto 0) := heater_control_duty_address;
+  constant minimum_count : unsigned(31 downto 0) := heater_control_minimum_count_address;
+  constant maximum_count : unsigned(31 downto 0) := heater_control_maximum_count_address;
+  constant status : unsigned(31 downto 0) := heater_control_status_address;
+  constant hot_count : unsigned(31 downto 0) := heater_control_hot_count_address;
+  constant settle : unsigned(31 downto 0) := heater_control_settle_address;
+  constant supply_register : unsigned(31 downto 0) := heater_control_supply_address;
   -- 4 * 2^-20 s at 4 MHz, and a sixteenth of a second.
   constant charges : positive := 16;
   constant floor : positive := 15 * charges;

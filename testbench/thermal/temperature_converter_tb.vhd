@@ -15,15 +15,15 @@ end entity;
 
 architecture simulation of temperature_converter_tb is
 
-  constant control : unsigned(31 downto 0) := temperature_converter_address;
-  constant discharge : unsigned(31 downto 0) := temperature_converter_address + 4;
-  constant timeout : unsigned(31 downto 0) := temperature_converter_address + 8;
-  constant pause : unsigned(31 downto 0) := temperature_converter_address + 12;
-  constant status : unsigned(31 downto 0) := temperature_converter_address + 20;
-  constant age : unsigned(31 downto 0) := temperature_converter_address + 36;
-  constant thermistors : unsigned(31 downto 0) := temperature_converter_address + 52;
-  constant settings_lock : unsigned(31 downto 0) := temperature_converter_address + 100;
-  constant high_references : unsigned(31 downto 0) := temperature_converter_address + 84;
+  constant control : unsigned(31 downto 0) := temperature_converter_control_address;
+  constant discharge : unsigned(31 downto 0) := temperature_converter_discharge_address;
+  constant timeout : unsigned(31 downto 0) := temperature_converter_timeout_address;
+  constant pause : unsigned(31 downto 0) := temperature_converter_pause_address;
+  constant status : unsigned(31 downto 0) := temperature_converter_status_address;
+  constant age : unsigned(31 downto 0) := temperature_converter_age_address;
+  constant thermistors : unsigned(31 downto 0) := temperature_converter_thermistor_address;
+  constant settings_lock : unsigned(31 downto 0) := temperature_converter_settings_lock_address;
+  constant high_references : unsigned(31 downto 0) := temperature_converter_reference_high_address;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';

@@ -40,6 +40,8 @@ class VhdlPackageWriter : private VhdlWriter {
     for (const Register& r : peripheral_.registers) {
       line("");
       line("  -- {}", r.summary);
+      line("  constant {}_{}_address : unsigned(31 downto 0) := x\"{:08X}\";{}", peripheral_.name,
+           r.name, peripheral_.address + r.offset, r.is_array ? "  -- of the first" : "");
       line("  type {} is record", record_of(r));
       for (const Field& field : r.fields) line("    {} : {};", field.name, type_of(field));
       line("  end record;");
