@@ -74,6 +74,17 @@ TEST(repository, every_folder_of_sources_explains_itself_in_a_readme) {
   }
 }
 
+TEST(repository, every_link_of_a_page_leads_to_a_file) {
+  const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
+  for (const fs::path& file : files({".md"})) {
+    const std::string text = contents(project / file);
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      const fs::path target = project / file.parent_path() / (*match)[1].str();
+      EXPECT_TRUE(fs::exists(target)) << file << " links to " << (*match)[1];
+    }
+  }
+}
+
 TEST(repository, every_entity_has_a_test_bench) {
   std::set<std::string> benches;
   for (const fs::path& file : files({".vhd"}, "testbench")) benches.insert(file.stem().string());
