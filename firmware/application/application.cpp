@@ -57,7 +57,7 @@ bool Application::start(std::uint32_t baud) {
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
-  // On the chip an address has 32 bits; elsewhere nobody reads this word.
+  // On the chip an address has 32 bits; elsewhere this word is not read.
   counters_.accepted_lines =
       static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(link_.accepted_lines()));
   counters_.version = Statistics::current_version;

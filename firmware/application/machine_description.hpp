@@ -38,7 +38,7 @@ struct ConverterDescription {
 struct MachineDescription {
   std::string_view name;
   std::uint32_t baud{};
-  bool advanced_ok{};  // tell the free places with each ok
+  bool advanced_ok{};  // report the free places with each ok
   units::Milliseconds host_silence{};  // heaters off after it; 0 is never
   motion::Limits limits{};
   units::PerAxis<units::Nanometers> homing_search{};  // from an unknown place, at most

@@ -98,7 +98,7 @@ CommandExecutor::Progress CommandExecutor::dwell(Now now) {
 }
 
 // Until M108, M602, M876 or, if M0 or M1 has P or S, its end. Hosts that know prompts show a
-// button; M600 and M601 also tell those that print a file that it is paused, and that it goes on.
+// button; M600 and M601 also inform hosts that print a file that it is paused, and that it goes on.
 CommandExecutor::Progress CommandExecutor::wait_for_user(Now now) {
   constexpr std::uint16_t filament_change = 600;
   const bool pauses = command_.code >= filament_change;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that tell: M105 M114 M115 M118 M119, and T, which has nothing to choose from.
+// The commands that report: M105 M114 M115 M118 M119, and T, which has nothing to choose from.
 #include <array>
 
 #include "application/command_executor.hpp"

@@ -150,7 +150,7 @@ CommandExecutor::Progress CommandExecutor::set_host_silence() {
   return set_interval(host_silence_, longest_s);
 }
 
-// The loader answers from then on; nobody returns here.
+// The loader answers from then on; control does not return here.
 CommandExecutor::Progress CommandExecutor::update_firmware() {
   if (wait_for_rest() == Progress::again) return Progress::again;
   if (platform::enter_boot_loader()) return Progress::done;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A state machine that tells what kinds of numbers stand in a text.
+// A state machine that finds what kinds of numbers are in a text.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ class NumberScanner {
   static constexpr std::size_t text_length = 660;
 
   void fill(std::uint32_t seed);
-  // Scans the text as it is and again with every `stride`th character spoilt; then it is as before.
+  // Scans the text as it is and again with every `stride`th character corrupted; then it is as
+  // before.
   std::uint16_t run(std::size_t stride);
 
  private:

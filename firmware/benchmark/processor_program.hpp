@@ -17,7 +17,7 @@ void benchmark_end();
 
 namespace benchmark {
 
-// `Work` has prepare(text) and run(iterations), as those beside this file.
+// `Work` has prepare(text) and run(iterations), as those in this folder.
 template <class Work>
 [[noreturn]] void run_program(Work& work) {
   work.prepare({benchmark_order.text.data(), benchmark_order.text_bytes});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program behind `bench stepping`: gives the segments of its order to whoever makes the steps,
-// and keeps the queue filled as the firmware does.
+// The program behind `bench stepping`: gives the segments of its order to hardware or software
+// stepping, and keeps the queue filled as the firmware does.
 #include "benchmark/stepping.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The phrases in which parse errors are told to the host.
+// The phrases in which parse errors are reported to the host.
 #include "gcode/parse_error.hpp"
 
 namespace gcode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can go wrong in motion planning and homing, and how it is told to a person.
+// What can go wrong in motion planning and homing, and how it is reported to a person.
 #pragma once
 
 #include <cstdint>

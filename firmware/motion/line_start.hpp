@@ -10,8 +10,8 @@
 
 namespace motion {
 
-// A line runs between positions that are rounded to steps, so it may lie beside the exact line all
-// along, and the steps beside it by half a step more. Where the rounding at both ends together
+// A line runs between positions that are rounded to steps, so it may lie off the exact line all
+// along, and the steps off that by half a step more. Where the rounding at both ends together
 // moves it by more than a quarter of a step, an axis begins a quarter of a step earlier or later.
 // That is best done across the path: where X or Y steps at every tick, the other one is shifted.
 // `residual`: exact less rounded position at the start plus that at the end of the line. `ticks`:

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Tells software what this chip is: constants that the composition of the chip passes in.
+-- Says to software what this chip is: constants that the composition of the chip passes in.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -4,7 +4,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 
--- Nothing has to be at rest on a board. A model saves the evaluation of a block that is, so what is told
+-- Nothing has to be at rest on a board. A model saves the evaluation of a block that is, so what is reported
 -- here must be certain: at rest stays what has had `settling_clocks` edges without any reason to work, so
 -- that whatever a reason has set off has come to its end.
 entity rest_watch is

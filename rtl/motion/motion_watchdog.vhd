@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Tells when motion has gone on for too long without a sign of life from software.
+-- Finds when motion has gone on for too long without a sign of life from software.
 
 library ieee;
 use ieee.std_logic_1164.all;

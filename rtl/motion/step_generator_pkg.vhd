@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What the parts of the step generator tell each other: segments, guard times, positions.
+-- What the parts of the step generator pass to each other: segments, guard times, positions.
 
 library ieee;
 use ieee.std_logic_1164.all;

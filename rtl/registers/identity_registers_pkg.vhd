@@ -9,7 +9,7 @@ package identity_registers_pkg is
 
   constant identity_address : unsigned(31 downto 0) := x"F0000000";
 
-  -- Tells that this is the design that the rest of the map belongs to.
+  -- Says that this is the design that the rest of the map belongs to.
   constant identity_magic_address : unsigned(31 downto 0) := x"F0000000";
   type identity_magic_t is record
     word : unsigned(31 downto 0);

@@ -58,7 +58,7 @@ begin
 
   -- Work is done in ticks: every clock of a fast line, every 16th of a bit of a slow one. A bit's
   -- level is the majority of three ticks around its middle. The first clock that sees the start bit
-  -- low is on average half a clock late, hence counts as one clock into the bit where the middle is
+  -- low is on average half a clock late, so it counts as one clock into the bit where the middle is
   -- rounded up.
   receive_frames : process
     variable next_phase : unsigned(31 downto 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A machine as its description file in firmware/machines tells it to the simulation.
+// A machine as its description file in firmware/machines gives it to the simulation.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the printer that a machine description tells of.
+// Builds the printer that a machine description describes.
 #include "sim/machine/printer.hpp"
 
 #include <cmath>

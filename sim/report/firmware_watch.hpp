@@ -28,8 +28,8 @@ class FirmwareWatch : public sim::Device {
   // Throws std::runtime_error where the firmware has no such block.
   FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chip);
 
-  // Told each accepted line, once, in order; and what became of each. (Of several that are done
-  // between two looks, the executed ones are told first.)
+  // Called for each accepted line, once, in order; and with what became of each. (Of several that
+  // are done between two looks, the executed ones come first.)
   std::function<void(sim::Clock now, const AcceptedLine& line)> on_accepted;
   std::function<void(sim::Clock now, bool executed)> on_finished;
   // Another program has come into the memory, or the firmware again.

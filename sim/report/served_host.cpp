@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands and replies of a host program, told to listeners.
+// Commands and replies of a host program, passed to listeners.
 #include "sim/report/served_host.hpp"
 
 #include <utility>

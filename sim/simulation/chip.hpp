@@ -34,10 +34,10 @@ class Chip {
   // clock if limit > now().
   virtual void advance(Clock limit) = 0;
 
-  // As the reset pin does it: everything begins anew, but the memory stays as it is. Time goes on.
+  // As the reset pin does it: everything starts over, but the memory stays as it is. Time goes on.
   virtual void reset() = 0;
 
-  // RAM, at addresses of the processor, word by word. Throws std::out_of_range beside it.
+  // RAM, at addresses of the processor, word by word. Throws std::out_of_range outside it.
   virtual std::uint32_t read_memory(std::uint32_t address) const = 0;
   virtual void write_memory(std::uint32_t address, std::uint32_t word) = 0;
 

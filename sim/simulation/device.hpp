@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device beside the chip: it is called when a pin that it watches changes, or when its time
+// A device connected to the chip: it is called when a pin that it watches changes, or when its time
 // comes.
 #pragma once
 

@@ -78,7 +78,7 @@ class ModelClocks {
   }
 
   // Nothing in the chip happens at a falling edge: where Verilator keeps the last level of a clock
-  // in the open, it is told that the clock has fallen.
+  // in the open, it is given the falling edge.
   void fall() {
     set_clocks(0);
     if constexpr (has_levels) {

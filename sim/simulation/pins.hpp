@@ -22,7 +22,7 @@ inline constexpr std::size_t end_stop_count = 8;
 // order of the bits of sensor_drive() and sensor_level().
 enum class SensorResistor : std::uint8_t { thermistor, reference_low, reference_high };
 
-// All outputs in one word, so that one comparison tells whether any has changed.
+// All outputs in one word, so that one comparison shows whether any has changed.
 struct OutputPins {
   std::uint64_t word{};
 

@@ -11,7 +11,7 @@ package bus_master_pkg is
 
   subtype word_t is std_ulogic_vector(31 downto 0);
 
-  -- One access of any kind. `failed` tells that it was answered with `error`, `clocks` after how
+  -- One access of any kind. `failed` means that it was answered with `error`, `clocks` after how
   -- many. Fails the bench where there is no answer within 100 clocks.
   procedure bus_access (
     signal clk : in std_ulogic;

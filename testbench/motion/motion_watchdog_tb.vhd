@@ -55,7 +55,7 @@ begin
     clocks(9);
     expect_expiry;
 
-    -- Feeding begins the time anew.
+    -- Feeding restarts the time.
     moving <= '1';
     for i in 1 to 5 loop
       clocks(8);

@@ -199,7 +199,7 @@ begin
     still_stopped : assert step = "01001" severity error;
     wait until rising_edge(clk);
     bus_read(clk, request, response, stop, word);
-    tells : assert word = x"00000001" severity error;
+    reports : assert word = x"00000001" severity error;
     write(stop, 0);
     wait_clocks(3);
     zero_acknowledges_nothing : assert step = "01001" severity error;

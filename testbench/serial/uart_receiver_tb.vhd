@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- The receiver gets every byte of a sender 3 % too fast or slow, from 4 clocks per bit on; noise,
--- missing stop bits and breaks are told from bytes.
+-- missing stop bits and breaks are told apart from bytes.
 
 library ieee;
 use ieee.std_logic_1164.all;

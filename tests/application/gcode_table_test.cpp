@@ -58,7 +58,8 @@ std::set<std::string> executed() {
 TEST(gcode_table, names_the_codes_that_the_firmware_executes_and_no_others) {
   const auto table = documented(), firmware = executed();
   for (const auto& code : table) EXPECT_TRUE(firmware.contains(code)) << code << " is unknown";
-  for (const auto& code : firmware) EXPECT_TRUE(table.contains(code)) << code << " is not told of";
+  for (const auto& code : firmware)
+    EXPECT_TRUE(table.contains(code)) << code << " is not documented";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The image's copying and filling against the host's, at every alignment, and nothing beside it.
+// The image's copying and filling against the host's, at every alignment, and nothing outside.
 #include "platform/memory.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lateness of ticks is told to the clock, whatever else is wrong with them.
+// Lateness of ticks is reported to the clock, whatever else is wrong with them.
 #include "tools/benchmark/lateness.hpp"
 
 #include <gtest/gtest.h>

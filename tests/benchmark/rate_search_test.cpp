@@ -16,7 +16,7 @@ using benchmarks::Trial;
 
 constexpr double tolerance = 50;
 
-// Whoever makes steps so: clean from one interval on, with a lateness that falls towards longer
+// A source of steps that is clean from one interval on, with a lateness that falls towards longer
 // ones.
 struct Stepper {
   std::uint32_t clean_from{};

@@ -64,7 +64,7 @@ class Chip : public loading::ByteStream {
   Wire to_host = [](std::uint8_t byte) { return byte; };
   std::size_t vanishes_after = ~std::size_t{0};  // bytes from the host
   bool knows_m997 = true;
-  unsigned reset_after_knocks = 0;  // 0: nobody resets it
+  unsigned reset_after_knocks = 0;  // 0: it is never reset
   std::optional<std::size_t> stuck_byte;  // of the memory
   milliseconds time_per_frame{0};  // until its answer is there, one frame after the other
   std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0x17000);
@@ -126,11 +126,11 @@ TEST(loading, a_program_arrives_over_a_good_line_without_repetition) {
   Program program = random_program(45'001);
   program.address += 16;
   program.entry = program.address + 128;
-  std::size_t told = 0;
+  std::size_t reported = 0;
   const auto figures =
-      loading::load(chip, program, {.sent = [&](std::size_t sent) { told = sent; }});
+      loading::load(chip, program, {.sent = [&](std::size_t sent) { reported = sent; }});
   expect_started(chip, program);
-  EXPECT_EQ(told, program.bytes.size());
+  EXPECT_EQ(reported, program.bytes.size());
   EXPECT_EQ(figures.repeated_frames, 0u);
   EXPECT_EQ(figures.restarts, 0u);
 }

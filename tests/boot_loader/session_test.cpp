@@ -107,10 +107,10 @@ TEST(boot_loader, frames_are_found_between_other_bytes) {
 TEST(boot_loader, no_flipped_bit_of_a_frame_goes_unseen) {
   const Bytes frame = frame_of(Kind::block, block(512, program));
   for (std::size_t bit = 0; bit < 8 * frame.size(); ++bit) {
-    Bytes spoilt = frame;
-    spoilt[bit / 8] = static_cast<std::uint8_t>(spoilt[bit / 8] ^ 1u << bit % 8);
+    Bytes corrupted = frame;
+    corrupted[bit / 8] = static_cast<std::uint8_t>(corrupted[bit / 8] ^ 1u << bit % 8);
     FrameReceiver receiver;
-    EXPECT_EQ(frames_in(receiver, spoilt), 0u) << bit;
+    EXPECT_EQ(frames_in(receiver, corrupted), 0u) << bit;
     receiver.silence();
     EXPECT_EQ(frames_in(receiver, frame), 1u) << "after bit " << bit;
   }

@@ -212,7 +212,7 @@ TEST_F(Serve, a_firmware_is_loaded_over_the_port_and_answers) {
   EXPECT_TRUE(connect(host));
   close(host);
   EXPECT_EQ(stop(), 0);
-  // With nobody at the other end.
+  // With no program at the other end.
   EXPECT_NE(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
 }
 

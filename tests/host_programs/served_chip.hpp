@@ -25,7 +25,7 @@ struct Edge {
   bool operator==(const Edge&) const = default;
 };
 
-// Listens to everything that a host and a person beside the printer could notice.
+// Listens to everything that a host and a person at the printer could notice.
 class ServedChip : public devices::ByteListener, public devices::StepListener {
  public:
   // The heaters start at these temperatures.

@@ -186,7 +186,7 @@ TEST(misbehaving_hosts, one_that_is_killed_during_m109_leaves_a_printer_that_coo
   }
   EXPECT_GT(hottest, 198.0);
   EXPECT_LT(hottest, 205.0);
-  // The wait is over, nobody has said a word for three seconds: the heat is off.
+  // The wait is over, the host has been silent for three seconds: the heat is off.
   EXPECT_LT(chip.printer->hotend_c(), 195.0);
   chip.expect_that_a_fresh_host_prints();
 }

@@ -36,7 +36,7 @@ struct RunResult {
   std::uint64_t segments{};
   std::uint64_t underruns{};
   std::uint64_t rests{};  // times that motion came to rest
-  std::uint64_t wrong_line_ends{};  // lines whose last tick left an axis beside its target
+  std::uint64_t wrong_line_ends{};  // lines whose last tick left an axis off its target
   double worst_deviation_steps{};  // of any axis at any tick from where the exact line is then
   double worst_distance_steps{};  // of X and Y together from the exact line, at any tick
   double worst_speed_excess{};  // as a part of the limit

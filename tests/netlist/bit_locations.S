@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Initial contents that tell which block RAM holds which bit of a word: word k is bit k alone.
+# Initial contents that show which block RAM holds which bit of a word: word k is bit k alone.
 
   .globl _start
 _start:

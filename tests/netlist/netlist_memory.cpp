@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Of a model of the netlist the memory's 32 block RAMs, each of which holds one bit of every word;
-// bit_locations.S tells which.
+// bit_locations.S shows which.
 #include <Vprocessor_with_memory.h>
 #include <Vprocessor_with_memory___024root.h>
 

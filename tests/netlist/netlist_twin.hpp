@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The netlist of the board beside the model of the chip that it was made of.
+// The netlist of the board in step with the model of the chip that it was made of.
 #pragma once
 
 #include "sim/simulation/verilated_chip.hpp"
@@ -14,7 +14,7 @@ class NetlistTwin : public Twins {
  public:
   explicit NetlistTwin(std::uint32_t clock_hz);
 
-  // The lamp tells it in every clock.
+  // The lamp shows it in every clock.
   std::uint64_t netlist_sleeping_clocks() const {
     return netlist_.processor_statistics().sleeping_clocks;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mutation that does not apply must be told, or it would count as caught or survived without
+// A mutation that does not apply must be reported, or it would count as caught or survived without
 // reason.
 #include "tools/proof/mutation.hpp"
 

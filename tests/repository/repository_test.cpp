@@ -106,11 +106,11 @@ TEST(repository, every_test_bench_is_run_by_ctest) {
     const std::string bench = file.stem().string();
     const std::regex listed("\\b" + bench.substr(0, bench.size() - 3) + "(_tb)?\\b");
     EXPECT_TRUE(std::regex_search(list, listed))
-        << file << " is not in the CMakeLists.txt beside it";
+        << file << " is not in the CMakeLists.txt of its folder";
   }
 }
 
-// What GHDL 5.0.1 synthesises wrongly or not at all, as far as text can tell.
+// What GHDL 5.0.1 synthesises wrongly or not at all, as far as a text search can find it.
 TEST(repository, the_hardware_uses_no_construct_that_synthesis_gets_wrong) {
   const std::vector<std::pair<std::regex, std::string>> forbidden{
       {std::regex(R"('-')"), "don't-care literal: comes out as z"},

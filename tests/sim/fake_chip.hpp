@@ -26,7 +26,7 @@ class FakeChip : public sim::Chip {
   void plan_step(sim::Clock clock, std::size_t axis, bool backward, sim::Clock high = 8,
                  sim::Clock setup = 8);
 
-  // Told every line that comes in over the serial line; what it returns is sent back.
+  // Called with every line that comes in over the serial line; what it returns is sent back.
   std::function<std::string(const std::string& line)> firmware;
   // Plans bytes on the transmit pin, after those that still wait.
   void say(const std::string& text);

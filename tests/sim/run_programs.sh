@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `run` tells how a program ended by its exit status. Usage: run_programs.sh STEPFABRIC
+# `run` reports how a program ended by its exit status. Usage: run_programs.sh STEPFABRIC
 set -euo pipefail
 stepfabric=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
@@ -181,7 +181,7 @@ expect_text 'is a directory'
 expect 125 run "$work/program.elf"
 expect_text 'is not an ELF file'
 
-# What cannot be printed is told before anything moves, and the report says it too.
+# What cannot be printed is reported before anything moves, and the report says it too.
 printf 'G28\n\0\n' > "$work/binary.gcode"
 : > "$work/empty.gcode"
 for case in 'missing does not exist' 'binary is not a G-code file' 'empty holds no G-code command'; do

@@ -30,7 +30,7 @@ struct World {
   void run(software_stepping::Stepper& stepper, std::uint64_t until);
 };
 
-// The one that the stepper under test reaches; made anew by each test.
+// The one that the stepper under test reaches; each test makes its own.
 World& world();
 void make_world();
 

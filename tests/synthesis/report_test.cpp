@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tools report about a synthesis is told rightly.
+// What the tools report about a synthesis is reported correctly.
 #include "tools/synthesis/report.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells by an instruction and its neighbours why it took longer than a clock.
+// Finds by an instruction and its neighbours why it took longer than a clock.
 #include "tools/benchmark/clock_use.hpp"
 
 #include <algorithm>

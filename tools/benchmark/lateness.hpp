@@ -11,7 +11,7 @@
 
 namespace benchmarks {
 
-// A tick is punctual up to so long after its exact instant, unless told otherwise: what an A4988
+// A tick is punctual up to so long after its exact instant, by default: what an A4988
 // wants between two edges, and a hundredth of the interval at 10 000 steps/s.
 inline constexpr double default_tolerance_us = 1.0;
 
@@ -20,7 +20,7 @@ inline constexpr double default_tolerance_us = 1.0;
 std::vector<sim::Clock> ticks_of(const std::array<PinWatch::Axis, axes>& pins);
 
 // By how much the latest of the ticks so far is late where one is due every `interval_clocks`. Time
-// counts from the most punctual of them: nobody makes a tick before its instant, and what delays
+// counts from the most punctual of them: no tick is made before its instant, and what delays
 // all of them alike delays none against another. A tick that is missing, or one too many, makes
 // others late by whole intervals.
 class RunningLateness {

@@ -16,7 +16,7 @@ constexpr std::uint32_t hundred = 100;
 // To which part of itself an interval is searched: a run takes seconds.
 constexpr double fine = 1.0 / 50, coarse = 1.0 / 8;
 
-// `printing_at` tells what to print at an interval; `start` is what whoever makes the steps can do
+// `printing_at` gives what to print at an interval; `start` is what the maker of the steps can do
 // with nothing else to do.
 template <class PrintingAt>
 Limits limits_of(const PrintingFirmware& firmware, const Scope& scope, std::uint32_t start,

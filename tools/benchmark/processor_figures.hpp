@@ -52,7 +52,7 @@ struct ProcessorScope {
 };
 
 // Throws std::runtime_error where a program computes other results than the same code on this
-// machine. `say` is told what is measured now.
+// machine. `say` is called with what is measured now.
 ProcessorFigures measure_processor(const ProcessorScope& scope,
                                    const std::function<void(const std::string&)>& say);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells the figures of `bench processor`: to programs, on the terminal, and as a page.
+// Reports the figures of `bench processor`: to programs, on the terminal, and as a page.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stepping of other systems: one axis, as they publish it or as measured beside this project
+// Stepping of other systems: one axis, as they publish it or as measured outside this project
 // (software firmwares in simavr, gateware in simulators). Not measured by this benchmark.
 #pragma once
 

@@ -12,7 +12,7 @@ namespace benchmarks {
 
 namespace {
 
-// 500 steps/s at 50 MHz: whoever cannot do that has another fault.
+// 500 steps/s at 50 MHz: slower than that is another fault.
 constexpr std::uint32_t longest_interval = 100'000;
 // By which part of itself an interval is lengthened to see that the rule still holds.
 constexpr double longer_part = 0.02;
@@ -34,7 +34,7 @@ RateSearch::RateSearch(Run run, double tolerance_clocks, double fineness)
 
 Limits RateSearch::limits(std::uint32_t start) {
   trials_.clear();
-  // In this order: a run that ended because it was not punctual does not tell whether it was clean.
+  // In this order: a run that ended because it was not punctual does not show whether it was clean.
   const Limit clean = limit(start, Rule::clean);
   return {clean, limit(clean.interval_clocks, Rule::punctual)};
 }

@@ -33,7 +33,7 @@ struct Limits {
   Limit clean, punctual;
 
   const Limit& of(Rule rule) const { return rule == Rule::clean ? clean : punctual; }
-  // In words, for whoever waits.
+  // In words, for the person who waits.
   std::string text() const;
 };
 
@@ -48,7 +48,7 @@ class RateSearch {
 
   // By bisection from `start`, the shortest interval that is worth a try. Whether a rule holds may
   // change more than once from shorter to longer intervals, so a slightly longer one is tried as
-  // well; where it does not hold there, the search begins anew above it. Throws std::runtime_error
+  // well; where it does not hold there, the search starts over above it. Throws std::runtime_error
   // where it holds nowhere.
   Limits limits(std::uint32_t start);
 

@@ -46,7 +46,7 @@ struct Figures {
   std::vector<Share> shares;  // four axes
 };
 
-// `say` is told what is measured now.
+// `say` is called with what is measured now.
 Figures measure(Stepping stepping, const sim::ElfImage& program, const Scope& scope,
                 const std::function<void(const std::string&)>& say);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells the figures of `bench stepping`: to programs, on the terminal, as a picture and as a page.
+// Reports the figures of `bench stepping`: to programs, on the terminal, as a picture and as a
+// page.
 #pragma once
 
 #include <array>
@@ -33,7 +34,7 @@ struct Comparison {
 
 std::string to_json(const Comparison& comparison);
 std::string to_table(const Comparison& comparison);
-// Steps per second at 50 MHz beside other systems', and the share of the processor.
+// Steps per second at 50 MHz next to other systems', and the share of the processor.
 std::string to_svg(const Comparison& comparison);
 std::string to_html(const Comparison& comparison);
 

@@ -36,7 +36,7 @@ struct Run {
   std::array<std::uint64_t, axes> asked{};  // pulses
   benchmark::SteppingResult result{};
   std::uint32_t late_ticks{};
-  // Of a tick, by the pins. It tells nothing where not all pulses were made.
+  // Of a tick, by the pins. It means nothing where not all pulses were made.
   double largest_lateness_clocks{};
   double busy_share{};  // of the processor's clocks while steps were made
   bool ended{};

@@ -74,7 +74,7 @@ void print_both(const BenchOptions& options, benchmarks::Comparison& comparison)
   (*comparison.prints)[0].same_steps = true;
 }
 
-void tell(const BenchOptions& options, const benchmarks::Comparison& comparison) {
+void show(const BenchOptions& options, const benchmarks::Comparison& comparison) {
   if (!options.json.empty()) {
     report::write_file(options.json, benchmarks::to_json(comparison));
   }
@@ -114,11 +114,11 @@ int bench_stepping(const BenchOptions& options) {
         comparison.figures[index], {image("printing_benchmark", stepping), description}, scope,
         say);
   }
-  // The print takes longest: what is known is told before it, too.
-  tell(options, comparison);
+  // The print takes longest: what is known is reported before it, too.
+  show(options, comparison);
   if (!options.print_file.empty()) {
     print_both(options, comparison);
-    tell(options, comparison);
+    show(options, comparison);
   }
   fmt::print("{}report: {}\n", benchmarks::to_table(comparison),
              (options.report / "stepping.html").string());

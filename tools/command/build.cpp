@@ -88,13 +88,13 @@ int run_with_output(const std::vector<std::string>& arguments, const std::filesy
     execvp(pointers.front(), pointers.data());
     _exit(127);
   }
-  setpgid(child, child);  // whoever comes first
+  setpgid(child, child);  // whichever process comes first
   int status = 0;
-  bool told = false;
+  bool passed_on = false;
   while (waitpid(child, &status, WNOHANG) == 0) {
-    if (interrupt_requested() && !told) {
+    if (interrupt_requested() && !passed_on) {
       kill(-child, SIGTERM);
-      told = true;
+      passed_on = true;
     }
     std::this_thread::sleep_for(look_interval);
   }

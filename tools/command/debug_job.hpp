@@ -10,7 +10,7 @@
 
 namespace command {
 
-// Where OpenOCD looks in tools/debug/simulation.cfg unless told otherwise.
+// Where OpenOCD looks in tools/debug/simulation.cfg by default.
 inline constexpr std::uint16_t default_debug_port = 9824;
 
 struct DebugOptions {

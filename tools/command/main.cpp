@@ -159,7 +159,7 @@ void add_run(CLI::App& app, RunOptions& options) {
   job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  job.add_option("--clock-hz", options.clock_hz, "clock that the chip tells the program")
+  job.add_option("--clock-hz", options.clock_hz, "clock that the chip reports to the program")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
   job.add_option("--baud", options.baud,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line that tells how far a print is: rewritten on a terminal, now and then elsewhere.
+// The line that shows how far a print is: rewritten on a terminal, now and then elsewhere.
 #pragma once
 
 #include <chrono>

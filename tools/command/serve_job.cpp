@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running the printer for host programs, in step with the clock on the wall unless told otherwise.
+// Running the printer for host programs, in real time by default.
 #include "tools/command/serve_job.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-# Tells whether this machine's own tools suffice, so that no tool root is needed.
+# Checks whether this machine's own tools suffice, so that no tool root is needed.
 # Sourced by enter.sh. SPDX-License-Identifier: Apache-2.0
 
 # at_least COMMAND MINIMUM: the first version number that `COMMAND --version` prints is not lower.

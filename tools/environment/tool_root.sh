@@ -47,7 +47,7 @@ host_apt_options() {
     grep -E '^Acquire::(http|https|Check-|Retries|ForceIPv|AllowInsecure|AllowWeak|AllowDowngrade)' || true
 }
 
-# Makes the root beside its place and renames it when whole, so an interrupted set-up leaves nothing
+# Makes the root next to its place and renames it when whole, so an interrupted set-up leaves nothing
 # behind that a later call could take for a tool root.
 make_tool_root() {
   local root=$1 partial keyring mirror started

@@ -9,7 +9,7 @@ step() {
   "$@" > "$log" 2>&1 || { tail -n 20 "$log" >&2; echo "failed: $1; log in $directory/$log" >&2; exit 1; }
 }
 
-# place NEXTPNR [ARGUMENT...]: the same; what the device has too little of is told in place of nextpnr's words, which
+# place NEXTPNR [ARGUMENT...]: the same; what the device has too little of is reported in place of nextpnr's words, which
 # name one cell that finds no room.
 place() {
   "$@" > nextpnr.log 2>&1 && return

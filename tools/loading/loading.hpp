@@ -37,7 +37,7 @@ struct Progress {
 };
 
 struct Figures {
-  unsigned repeated_frames{};  // because an answer was lost or told of damage
+  unsigned repeated_frames{};  // because an answer was lost or reported damage
   unsigned restarts{};  // of the whole
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads one table of a machine description: every value is wanted, of the right type and within
-// bounds, and what nobody asked for is an error too.
+// bounds, and an entry that is not known is an error too.
 #pragma once
 
 #include <cstdint>

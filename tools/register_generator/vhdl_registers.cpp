@@ -89,7 +89,7 @@ class VhdlRegistersWriter : private VhdlWriter {
     }
   }
 
-  // Writes and reads that the hardware is told of in the clock of their acknowledge.
+  // Writes and reads that the hardware sees in the clock of their acknowledge.
   template <class Action>
   void for_each_event(Action action) {
     for_each_register([&](const Register& r, unsigned index) {

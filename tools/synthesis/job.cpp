@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls the scripts of tools/hardware that synthesise and place, and tells what came out.
+// Calls the scripts of tools/hardware that synthesise and place, and reports what came out.
 #include "tools/synthesis/job.hpp"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// End stop switches: synchronised, filtered, and told to the step generator.
+// End stop switches: synchronised, filtered, and passed to the step generator.
 namespace registers::end_stops {
 
 inline constexpr std::uint32_t base = 0xF0004000u;

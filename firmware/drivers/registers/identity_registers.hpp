@@ -11,7 +11,7 @@ namespace registers::identity {
 
 inline constexpr std::uint32_t base = 0xF0000000u;
 
-// Tells that this is the design that the rest of the map belongs to.
+// Says that this is the design that the rest of the map belongs to.
 struct Magic {
   static constexpr std::uint32_t address = base + 0x0u;
   enum class Word : std::uint32_t {

@@ -76,7 +76,7 @@ struct Command {
   bool start{};
   // Come to rest along the path by brake_slope, then stop as by `stop`. Any end stop of the segment then stops at once, but for the one that began the brake, until it is released.
   bool brake{};
-  // Software is alive: the time of the watchdog begins anew.
+  // Software is alive: the watchdog's time starts over.
   bool feed_watchdog{};
   // Clear status.positions_lost: software has found the axes again, or knows that it must.
   bool positions_known{};
