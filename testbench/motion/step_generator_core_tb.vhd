@@ -347,7 +347,8 @@ begin
     assert stop_cause.end_stops = x"04" severity failure;
     assert stop_positions = positions severity failure;
     assert stop_time = clocks_run - 999
-      report "the stop is of clock " & to_string(to_integer(stop_time)) & ", now it is " & to_string(clocks_run) severity failure;
+      report "the stop is of clock " & to_string(to_integer(stop_time)) & ", now " &
+        to_string(clocks_run) severity failure;
     for axis in 0 to axes - 1 loop
       assert pulses(axis) <= pulses_at_stop(axis) + 1 severity failure;
     end loop;
