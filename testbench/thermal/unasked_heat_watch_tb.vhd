@@ -192,7 +192,8 @@ begin
 
     -- After the longest time that it can count, which no bench waits for, the part is still settled.
     settle_ticks <= to_unsigned(settle, settle_t'length);
-    << signal watch.closed_ticks : settle_t >> <= force to_unsigned(2 ** settle_t'length - 2, settle_t'length);
+    << signal watch.closed_ticks : settle_t >> <=
+      force to_unsigned(2 ** settle_t'length - 2, settle_t'length);
     ticks(1);
     << signal watch.closed_ticks : settle_t >> <= release;
     convert(17_499, is_heat => true);

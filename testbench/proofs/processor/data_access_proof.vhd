@@ -11,6 +11,11 @@ use work.instruction_set_pkg.all;
 use work.memory_pkg.all;
 
 entity data_access_proof is
+  generic (
+    -- All of the 2^memory_address_bits, or without their last quarter.
+    memory_address_bits : positive := 16;
+    memory_size_bytes : positive := 65536
+  );
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
@@ -28,6 +33,8 @@ entity data_access_proof is
 end entity;
 
 architecture proof of data_access_proof is
+
+  constant memory_address : unsigned(31 downto 0) := x"80000000";
 
   signal word : value_t;
   signal memory_request : memory_request_t;
@@ -47,14 +54,18 @@ architecture proof of data_access_proof is
 begin
 
   word <= 17x"0" & '0' & size & "00000" & "0100011";
-  is_in_memory <= '1' when address(31 downto 16) = x"8000" else '0';
+  is_in_memory <= '1' when address >= memory_address and address < memory_address + memory_size_bytes
+    else '0';
   is_aligned <= '0' when is_misaligned(word, address) else '1';
   new_data <= stored(word, old_data, store_data, address);
   answered <= bus_response.acknowledge or bus_response.error;
   begins <= enable and is_aligned and not is_in_memory and not busy;
 
   data_access : entity work.data_access
-    generic map (memory_address => x"80000000", memory_address_bits => 16)
+    generic map (
+      memory_address => memory_address,
+      memory_address_bits => memory_address_bits,
+      memory_lacks_quarter => memory_size_bytes /= 2 ** memory_address_bits)
     port map (
       clk => clk,
       reset => reset,

@@ -1,0 +1,94 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- An instruction faults exactly where one of its bytes is outside the memory, whatever is fetched before it.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.instruction_set_pkg.all;
+use work.memory_pkg.all;
+
+entity instruction_fetch_proof is
+  generic (
+    -- All of the 2^memory_address_bits, or without their last quarter.
+    memory_address_bits : positive := 16;
+    memory_size_bytes : positive := 65536
+  );
+  port (
+    clk : in std_ulogic;
+    cancel : in std_ulogic;
+    late_jump : in std_ulogic;
+    late_address : in unsigned(31 downto 0);
+    early_jump : in std_ulogic;
+    early_address : in unsigned(31 downto 0);
+    following_address : in unsigned(31 downto 0);
+    advance : in std_ulogic;
+    instruction_data : in value_t
+  );
+end entity;
+
+architecture proof of instruction_fetch_proof is
+
+  constant memory_address : unsigned(31 downto 0) := x"80000000";
+
+  signal instruction_request : instruction_request_t;
+  signal valid, is_word, fault, leaves_memory : std_ulogic;
+  signal instruction : value_t;
+  signal address : unsigned(31 downto 0);
+  signal late_address_plus_2, early_address_plus_2 : unsigned(31 downto 0);
+  -- Of the specification.
+  signal begins_inside, ends_inside, asks_inside : std_ulogic;
+
+  function is_inside(place : unsigned(31 downto 0)) return std_ulogic is
+  begin
+    if place >= memory_address and place < memory_address + memory_size_bytes then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  default clock is rising_edge(clk);
+
+begin
+
+  late_address_plus_2 <= late_address + 2;
+  early_address_plus_2 <= early_address + 2;
+
+  fetch : entity work.instruction_fetch
+    generic map (
+      memory_address => memory_address,
+      memory_address_bits => memory_address_bits,
+      memory_lacks_quarter => memory_size_bytes /= 2 ** memory_address_bits)
+    port map (
+      clk => clk,
+      cancel => cancel,
+      late_jump => late_jump,
+      late_address => late_address,
+      late_address_plus_2 => late_address_plus_2(31 downto 2),
+      early_jump => early_jump,
+      early_address => early_address,
+      early_address_plus_2 => early_address_plus_2,
+      following_address => following_address,
+      advance => advance,
+      instruction_request => instruction_request,
+      instruction_data => instruction_data,
+      valid => valid,
+      instruction => instruction,
+      is_word => is_word,
+      address => address,
+      fault => fault,
+      leaves_memory => leaves_memory);
+
+  -- Addresses are even, so the last byte of a long instruction lies in its second half word.
+  begins_inside <= is_inside(address);
+  ends_inside <= is_inside(address + 2) when is_word else begins_inside;
+  asks_inside <= '1' when (instruction_request.upper_address & "00") >= memory_address
+    and (instruction_request.upper_address & "00") - memory_address < 2 ** memory_address_bits else '0';
+
+  addresses_are_even : assume always (address(0) = '0');
+
+  what_is_not_all_in_memory_faults : assert always (fault = not (begins_inside and ends_inside));
+  the_second_half_alone_is_told : assert always (leaves_memory = (begins_inside and not ends_inside));
+  only_the_memory_is_asked : assert always asks_inside;
+
+end architecture;
