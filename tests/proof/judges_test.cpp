@@ -145,6 +145,31 @@ TEST_F(Judging, what_is_proved_of_the_original_counts) {
   EXPECT_EQ(by_comparison("count >= 5", "count = 5"), Finding::equivalent);
 }
 
+TEST_F(Judging, a_package_is_compared_in_all_that_use_it) {
+  folder_.write("rtl/numbers_pkg.vhd", R"(package numbers_pkg is
+  constant of_one : natural := 1;
+  constant of_two : natural := 2;
+  constant of_none : natural := 3;
+end package;
+)");
+  for (const std::string name : {"one", "two"}) {
+    folder_.write("rtl/" + name + ".vhd",
+                  "use work.numbers_pkg.all;\nentity " + name +
+                      " is port (number : out natural range 0 to 15); end entity;\narchitecture "
+                      "rtl of " +
+                      name + " is\nbegin\n  number <= of_" + name + ";\nend architecture;\n");
+  }
+  proof::Judges judges(proof::Folders{folder_.path(), folder_.path() / "work"}, list_);
+  const auto by_comparison_of = [&](const std::string& from, const std::string& to) {
+    std::string text = judges.synthesized().text_of("numbers_pkg");
+    text.replace(text.find(from), from.size(), to);
+    return judges.compare({"numbers_pkg", text, text}, trial_).finding;
+  };
+  EXPECT_EQ(by_comparison_of("natural := 1", "natural := 4"), Finding::passes);
+  EXPECT_EQ(by_comparison_of("natural := 2", "natural := 4"), Finding::passes);
+  EXPECT_EQ(by_comparison_of("natural := 3", "natural := 4"), Finding::equivalent);
+}
+
 TEST_F(Judging, another_start_is_no_equivalence) {
   EXPECT_EQ(by_comparison("count : out unsigned(3 downto 0) := (others => '0')",
                           "count : out unsigned(3 downto 0) := (others => '1')"),
