@@ -110,25 +110,33 @@ std::vector<Proof> Judges::proofs_of(const std::string& unit) const {
   return proofs;
 }
 
-std::string Judges::compared_entity(const std::string& unit) const {
+std::vector<std::string> Judges::compared_entities(const std::string& unit) const {
   static const std::regex entity(R"((^|\n)entity )");
   if (std::regex_search(synthesized_.text_of(unit), entity)) {
-    return unit;
+    return {unit};
   }
   const fs::path folder = synthesized_.file_of(unit).parent_path();
-  std::string best;
+  std::vector<std::string> users;
   for (const std::string& name : synthesized_.units()) {
     if (synthesized_.file_of(name).parent_path() == folder && name != unit &&
         synthesized_.closure_of(name).contains(unit) &&
-        (best.empty() ||
-         synthesized_.closure_of(name).size() > synthesized_.closure_of(best).size())) {
-      best = name;
+        std::regex_search(synthesized_.text_of(name), entity)) {
+      users.push_back(name);
     }
   }
-  if (best.empty()) {
+  // What is part of another one is compared with it.
+  std::vector<std::string> largest;
+  for (const std::string& user : users) {
+    if (std::ranges::none_of(users, [&](const std::string& other) {
+          return other != user && synthesized_.closure_of(other).contains(user);
+        })) {
+      largest.push_back(user);
+    }
+  }
+  if (largest.empty()) {
     throw std::runtime_error(fmt::format("no entity of its folder uses {}", unit));
   }
-  return best;
+  return largest;
 }
 
 std::vector<std::string> Judges::files(const SourceTree& tree, const std::string& top,
@@ -170,13 +178,17 @@ std::string Judges::key_of_proof(const Proof& proof, const Variant& variant) con
 }
 
 std::string Judges::key_of_comparison(const Variant& variant) const {
-  const std::string entity = compared_entity(variant.unit);
-  std::string text = fmt::format("comparison 3 {}", fmt::join(compared_generics(entity), ","));
-  if (const auto invariants = invariants_of(entity)) {
-    text +=
-        fmt::format(" {} {}", fmt::join(invariants->only, ","), fmt::join(invariants->except, ","));
+  const std::vector<std::string> entities = compared_entities(variant.unit);
+  std::string keys;
+  for (const std::string& entity : entities) {
+    std::string text = fmt::format("comparison 3 {}", fmt::join(compared_generics(entity), ","));
+    if (const auto invariants = invariants_of(entity)) {
+      text += fmt::format(" {} {}", fmt::join(invariants->only, ","),
+                          fmt::join(invariants->except, ","));
+    }
+    keys += key(synthesized_, entity, text, variant);
   }
-  return key(synthesized_, entity, text, variant);
+  return entities.size() == 1 ? keys : fingerprint(keys);
 }
 
 double Judges::bench_seconds(const std::string& bench, const fs::path& folder) {
@@ -236,8 +248,10 @@ Judged Judges::ask_bench(const std::string& bench, const Variant& variant, const
     return {Finding::refused, last_words(log)};
   }
   // A value out of its range: a fault where the chip can be made all the same.
-  if (!synthesize(compared_entity(variant.unit), variant.unit, file.string(), {}, folder)) {
-    return {Finding::refused, "refused by synthesis"};
+  for (const std::string& entity : compared_entities(variant.unit)) {
+    if (!synthesize(entity, variant.unit, file.string(), {}, folder)) {
+      return {Finding::refused, "refused by synthesis"};
+    }
   }
   return {Finding::killed, bench + " breaks down"};
 }
@@ -352,7 +366,18 @@ const Judges::Original& Judges::original(const std::string& entity) {
 }
 
 Judged Judges::compare(const Variant& variant, const fs::path& folder) {
-  const std::string entity = compared_entity(variant.unit);
+  Judged judged;
+  for (const std::string& entity : compared_entities(variant.unit)) {
+    judged = compare_in(entity, variant, folder);
+    if (judged.finding != Finding::equivalent) {
+      break;
+    }
+  }
+  return judged;
+}
+
+Judged Judges::compare_in(const std::string& entity, const Variant& variant,
+                          const fs::path& folder) {
   const Original& gold = original(entity);
   const fs::path file = folder / (variant.unit + ".vhd");
   write(file, variant.synthesized);

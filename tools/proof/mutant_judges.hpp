@@ -49,8 +49,8 @@ class Judges {
   std::vector<std::string> other_benches(const std::string& unit) const;
   // Proofs with clocks of an entity that is or contains the unit; those of the unit itself first.
   std::vector<Proof> proofs_of(const std::string& unit) const;
-  // What is compared: the unit itself, or for a package an entity of its folder that uses it.
-  std::string compared_entity(const std::string& unit) const;
+  // What is compared: the unit itself, or for a package all entities of its folder that use it.
+  std::vector<std::string> compared_entities(const std::string& unit) const;
 
   // `folder` is for this call alone. A bench or proof that does not pass as it is is an error.
   Judged ask_bench(const std::string& bench, const Variant& variant,
@@ -89,6 +89,8 @@ class Judges {
   std::string write_netlist(const std::string& verilog, const std::string& entity, const char* name,
                             const std::filesystem::path& folder) const;
   const Original& original(const std::string& entity);
+  Judged compare_in(const std::string& entity, const Variant& variant,
+                    const std::filesystem::path& folder);
 
   Folders folders_;
   List list_;
