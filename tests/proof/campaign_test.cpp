@@ -8,6 +8,7 @@
 
 #include "tests/temporary_folder.hpp"
 #include "tools/proof/campaign_report.hpp"
+#include "tools/proof/campaign_summary.hpp"
 #include "tools/proof/findings.hpp"
 #include "tools/proof/process.hpp"
 #include "tools/proof/source_tree.hpp"
@@ -157,13 +158,43 @@ TEST(campaign, records_what_was_tried_of_a_file_and_what_was_not) {
   proof::record_campaign(folder.path(), {dead, survivor},
                          {"part: a", "part: b", "part: c", "other: a"});
   EXPECT_EQ(proof::text_of(folder.path() / "part.tsv"),
-            "killed\tpart_tb\tpart: a\nsurviving\t\tpart: b\nnot tried\t\tpart: c\n");
+            "killed\tpart_tb\tpart: a\nsurviving\tall judges\tpart: b\nnot tried\t\tpart: c\n");
   EXPECT_EQ(proof::text_of(folder.path() / "other.tsv"), "not tried\t\tother: a\n");
   EXPECT_THAT(proof::untried_mutants(folder.path()), ElementsAre("other: a", "part: c"));
   proof::record_campaign(folder.path(), {survivor}, {"part: b", "other: a", "other: b"});
   EXPECT_EQ(proof::text_of(folder.path() / "other.tsv"), "not tried\t\tother: a\n")
       << "stays as it was";
   EXPECT_THAT(proof::untried_mutants(folder.path() / "nothing"), IsEmpty());
+}
+
+TEST(results, have_a_row_for_each_list_and_name_the_survivors) {
+  const TemporaryFolder folder;
+  folder.write("part.tsv",
+               "killed\tpart_tb\tpart: a\nkilled\tpart_tb\tpart: b\nkilled\tpart_tb\tpart: c\n"
+               "surviving\tall judges\tpart: d\nrefused\t\tpart: e\nnot tried\t\tpart: f\n"
+               "judged equivalent\t\tpart: g\nproved equivalent\t\tpart: h\n");
+  folder.write("other.tsv", "not tried\t\tother: a\n");
+  const std::string text = proof::summary_of(folder.path());
+  EXPECT_THAT(text, HasSubstr("| `other` | 1 | 1 | 0 | 0 | 0 | 0 |  |\n"
+                              "| `part` | 8 | 1 | 1 | 3 | 2 | 1 | 75.0 % |\n"
+                              "| **all** | 9 | 2 | 1 | 3 | 2 | 1 | 75.0 % |\n"));
+  EXPECT_THAT(text, HasSubstr("    part: d (all judges)\n"));
+  folder.write("part.tsv", "died\t\tpart: a\n");
+  EXPECT_THROW(proof::summary_of(folder.path()), std::runtime_error);
+  folder.write("part.tsv", "killed\n");
+  EXPECT_THROW(proof::summary_of(folder.path()), std::runtime_error);
+}
+
+TEST(results, are_written_with_the_lists) {
+  const TemporaryFolder folder;
+  proof::record_campaign(folder.path(), {outcome("part: a", Fate::killed)}, {"part: a"});
+  EXPECT_EQ(proof::text_of(folder.path() / "RESULTS.md"), proof::summary_of(folder.path()));
+}
+
+TEST(results, of_the_project_are_those_of_its_lists) {
+  const auto folder = std::filesystem::path(PROJECT_DIRECTORY) / "testbench" / "proofs" / "mutants";
+  EXPECT_EQ(proof::text_of(folder / "RESULTS.md"), proof::summary_of(folder))
+      << "write it with `./stepfabric prove --mutants FILE --quick --record`";
 }
 
 }  // namespace

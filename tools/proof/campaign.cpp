@@ -66,7 +66,7 @@ class Cascade {
   MutantOutcome try_mutant(const Unit& unit, const Mutant& mutant, const fs::path& folder,
                            bool quick) {
     const auto start = std::chrono::steady_clock::now();
-    MutantOutcome outcome{unit.name, mutant, Fate::refused, "", false, 0};
+    MutantOutcome outcome{unit.name, mutant, Fate::refused, "", false, quick, 0};
     // The first text that compiles counts.
     for (std::size_t choice = 0; choice < mutant.texts.size(); ++choice) {
       decide(unit, choice, folder, quick, outcome);

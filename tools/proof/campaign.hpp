@@ -30,6 +30,7 @@ struct MutantOutcome {
   Fate fate{};
   std::string by;  // what killed it, or how it was decided
   bool is_listed = false;  // as surviving
+  bool is_quick = false;  // tried on its own benches and by comparison alone
   double seconds{};
 };
 

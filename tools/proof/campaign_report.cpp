@@ -11,6 +11,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "tools/proof/campaign_summary.hpp"
+
 namespace proof {
 
 namespace {
@@ -114,8 +116,17 @@ void write_campaign(const std::filesystem::path& file, const std::vector<MutantO
 }
 
 namespace {
-constexpr const char* not_tried = "not tried";
+
+// What killed it, or which judges it has survived: how those of equivalence decided is the
+// machine's.
+std::string recorded_by(const MutantOutcome& outcome) {
+  if (outcome.fate == Fate::surviving) {
+    return outcome.is_quick ? "its own benches and the comparison" : "all judges";
+  }
+  return outcome.fate == Fate::killed ? outcome.by : "";
 }
+
+}  // namespace
 
 void record_campaign(const std::filesystem::path& folder,
                      const std::vector<MutantOutcome>& outcomes,
@@ -140,13 +151,13 @@ void record_campaign(const std::filesystem::path& folder,
         continue;
       }
       const auto found = tried.find(id);
-      const bool is_killed = found != tried.end() && found->second->fate == Fate::killed;
       text += fmt::format("{}\t{}\t{}\n",
                           found == tried.end() ? not_tried : name_of(found->second->fate),
-                          is_killed ? found->second->by : "", id);
+                          found == tried.end() ? "" : recorded_by(*found->second), id);
     }
     write(folder / (unit + ".tsv"), text);
   }
+  write_summary(folder);
 }
 
 std::set<std::string> untried_mutants(const std::filesystem::path& folder) {

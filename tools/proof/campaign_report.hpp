@@ -19,8 +19,10 @@ void print_campaign(const std::vector<MutantOutcome>& outcomes,
 // Throws std::runtime_error where a file cannot be written.
 void write_campaign(const std::filesystem::path& file, const std::vector<MutantOutcome>& outcomes,
                     const std::vector<std::string>& stale, bool good, double seconds);
+// The fate of those that were not tried.
+inline constexpr const char* not_tried = "not tried";
 // UNIT.tsv for each file of which some were tried, or that has none yet: fate, by what, id of all
-// that are made of it; of those that were not tried, that they were not.
+// that are made of it; of those that were not tried, that they were not. And RESULTS.md.
 void record_campaign(const std::filesystem::path& folder,
                      const std::vector<MutantOutcome>& outcomes,
                      const std::vector<std::string>& made);
