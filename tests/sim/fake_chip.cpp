@@ -57,6 +57,13 @@ void FakeChip::receive_bit() {
     plans_.emplace(now_ + clocks_per_bit_, [this] { receive_bit(); });
     return;
   }
+  if (frame_ == 0) {
+    // A break: what is unfinished is given up, as by the firmware. It ends with the level at rest.
+    line_.clear();
+    ++breaks;
+    plans_.emplace(now_ + clocks_per_bit_, [this] { wait_for_rest(); });
+    return;
+  }
   receiving_ = false;
   const char byte = static_cast<char>(frame_ >> 1 & 0xff);
   if (byte != '\n') {
@@ -67,6 +74,11 @@ void FakeChip::receive_bit() {
   if (firmware) {
     say(firmware(line));
   }
+}
+
+void FakeChip::wait_for_rest() {
+  receiving_ = !inputs_.receive;
+  if (receiving_) plans_.emplace(now_ + clocks_per_bit_, [this] { wait_for_rest(); });
 }
 
 void FakeChip::advance(sim::Clock limit) {

@@ -40,12 +40,14 @@ class FakeChip : public sim::Chip {
   void trace_to(const std::string&) override { throw std::runtime_error("no traces"); }
 
   unsigned resets = 0;
+  unsigned breaks = 0;  // on the receive pin
   sim::QueueStatistics queue;
   sim::ProcessorStatistics processor;
 
  private:
   void watch_receive_pin();
   void receive_bit();
+  void wait_for_rest();
 
   sim::Clock clocks_per_bit_;
   std::multimap<sim::Clock, std::function<void()>> plans_;

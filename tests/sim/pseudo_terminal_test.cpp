@@ -4,9 +4,11 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -31,18 +33,35 @@ class PseudoTerminalTest : public testing::Test {
     simulation.attach(line, sim::OutputPins::transmit_pin());
     chip.firmware = [](const std::string& text) { return "ok " + text + "\n"; };
   }
-  // What a host reads after it has written, while the simulation runs for a while.
+  // What a host reads after it has written, while the simulation runs for a while: longer than the
+  // line rests after the host before.
   std::string ask(const std::string& text) {
     const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
     EXPECT_GE(port, 0);
     EXPECT_EQ(write(port, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-    simulation.run_until(simulation.now() + rate.clocks(0.05));
-    std::string answer(100, '\0');
-    fcntl(port, F_SETFL, O_NONBLOCK);
-    const ssize_t count = read(port, answer.data(), answer.size());
-    answer.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    simulation.run_until(simulation.now() + rate.clocks(0.2));
+    std::string answer;
+    // The kernel hands bytes over in its own time.
+    constexpr int patience_ms = 200;
+    pollfd event{port, POLLIN, 0};
+    while (!answer.ends_with('\n') && poll(&event, 1, patience_ms) > 0) {
+      std::array<char, 100> bytes;
+      const ssize_t count = read(port, bytes.data(), bytes.size());
+      if (count <= 0) break;
+      answer.append(bytes.data(), static_cast<std::size_t>(count));
+    }
     close(port);
     return answer;
+  }
+
+  static void write_text(int port, const std::string& text) {
+    ASSERT_EQ(write(port, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  void write_and_close(const std::string& text) const {
+    const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+    ASSERT_GE(port, 0);
+    write_text(port, text);
+    close(port);
   }
 
   // A file of somebody's, with a text that must stay.
@@ -92,9 +111,90 @@ TEST_F(PseudoTerminalTest, gives_a_new_host_nothing_that_was_said_to_the_one_bef
   close(port);
   simulation.run_until(simulation.now() + rate.clocks(0.01));
   EXPECT_FALSE(terminal.connected());
-  EXPECT_EQ(ask("9\n"), "ok M109\n");
+  EXPECT_EQ(ask("9\n"), "ok 9\n");
   EXPECT_EQ(opened, 2);
   EXPECT_EQ(closed, 1);
+}
+
+TEST_F(PseudoTerminalTest, gives_a_new_host_s_line_end_no_half_line_to_complete) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  std::vector<std::string> lines;
+  chip.firmware = [&](const std::string& came) {
+    lines.push_back(came);
+    return std::string();
+  };
+  write_and_close("M105\nG1 X7");
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  write_and_close("\nM114\n");
+  simulation.run_until(simulation.now() + rate.clocks(0.3));
+  EXPECT_EQ(lines, (std::vector<std::string>{"M105", "", "M114"}));
+}
+
+// As Linux does for a real port: a script may write and close.
+TEST_F(PseudoTerminalTest, sends_what_a_host_has_written_after_it_has_closed) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  std::string text;
+  chip.firmware = [&](const std::string& came) {
+    text += came;
+    return std::string();
+  };
+  std::string sent;
+  for (int i = 0; i < 100; ++i) sent += "G1 X" + std::to_string(i) + "\n";
+  write_and_close(sent);
+  simulation.run_until(simulation.now() + rate.clocks(1.0));
+  std::erase(sent, '\n');
+  EXPECT_EQ(text, sent);
+  EXPECT_FALSE(terminal.connected());
+}
+
+TEST_F(PseudoTerminalTest, discards_what_a_slow_host_has_left_when_the_next_one_comes) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  std::vector<std::string> lines;
+  chip.firmware = [&](const std::string& came) {
+    lines.push_back(came);
+    return std::string();
+  };
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  devices::set_raw(port, 300);
+  std::string much;
+  for (int i = 0; i < 200; ++i) much += "G1 X20\n";  // 47 s
+  write_text(port, much);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  close(port);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  const int next = open(link.c_str(), O_RDWR | O_NOCTTY);
+  devices::set_raw(next, 250'000);
+  write_text(next, "M105\n");
+  simulation.run_until(simulation.now() + rate.clocks(2.0));
+  close(next);
+  simulation.run_until(simulation.now() + rate.clocks(2.0));
+  EXPECT_EQ(lines, std::vector<std::string>{"M105"});
+}
+
+TEST_F(PseudoTerminalTest, discards_what_waits_when_the_host_changes_its_speed) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  std::string heard;
+  chip.firmware = [&](const std::string& came) {
+    heard += came;
+    return std::string();
+  };
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  devices::set_raw(port, 300);
+  std::string much;
+  for (int i = 0; i < 200; ++i) much += "G1 X20\n";
+  write_text(port, much);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  devices::set_raw(port, 250'000);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  write_text(port, "\nM105\n");
+  simulation.run_until(simulation.now() + rate.clocks(1.0));
+  close(port);
+  EXPECT_TRUE(heard.ends_with("M105")) << heard;
+  EXPECT_EQ(heard.find("X20"), std::string::npos) << heard;
 }
 
 TEST_F(PseudoTerminalTest, runs_the_wire_at_the_speed_that_the_host_chooses) {

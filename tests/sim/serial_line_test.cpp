@@ -54,7 +54,7 @@ TEST(SerialLine, keeps_its_baud_rate_over_long_texts_where_it_does_not_divide_th
   EXPECT_NEAR(static_cast<double>(came_at), middle_of_last_stop_bit, 5);
 }
 
-TEST(SerialLine, goes_on_at_another_speed_and_loses_only_the_frame_under_way) {
+TEST(SerialLine, goes_on_at_another_speed_without_what_waited_for_the_one_before) {
   tests::FakeChip chip(16);
   const sim::ClockRate rate(4'000'000);
   sim::Simulation simulation(chip, rate);
@@ -65,9 +65,10 @@ TEST(SerialLine, goes_on_at_another_speed_and_loses_only_the_frame_under_way) {
     text = came;
     return std::string();
   };
-  line.send(0, std::string(1, '\xff') + "1234\n");
+  line.send(0, std::string(1, '\xff') + "G1 X20\n");
   simulation.run_until(4);  // within the start bit
   line.set_baud(4, 250'000);
+  line.send(4, "1234\n");
   simulation.run_until(2000);
   EXPECT_TRUE(text.ends_with("1234")) << text;
   EXPECT_LE(text.size(), 5U);
