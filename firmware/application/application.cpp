@@ -114,10 +114,13 @@ void Application::exchange_bytes(Now now) {
 
 void Application::receive(Now now) {
   std::array<char, 128> bytes;
+  const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
   const auto [count, gap_before_last] = hardware_.uart.read(bytes);
+  const bool emptied = count < bytes.size() && !gap_before_last;
+  if (hang_up_.seen(errors, gap_before_last, emptied, now.milliseconds)) link_.hang_up();
   if (count == 0) return;
   std::span<const char> received(bytes.data(), count);
-  if (gap_before_last) {
+  if (gap_before_last && !hang_up_.explains(errors)) {
     link_.receive(received.first(count - 1), now.milliseconds);
     link_.receive_fault();
     received = received.last(1);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "application/command_executor.hpp"
+#include "application/hang_up.hpp"
 #include "application/hardware.hpp"
 #include "application/heat_task.hpp"
 #include "application/machine_description.hpp"
@@ -55,6 +56,7 @@ class Application {
   HeatTask heat_;
   host_link::HostLink link_;
   CommandExecutor executor_;
+  HangUp hang_up_;
 
   units::Milliseconds next_report_{};
   units::Milliseconds next_position_{};

@@ -61,6 +61,11 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   }
 }
 
+void HostLink::hang_up() {
+  receiver_.forget();
+  rescues_left_ = 0;
+}
+
 void HostLink::handle(const ReceivedLine& received) {
   // Among numbered lines it may be one that has lost its number.
   const bool message = has_star_in_message(received) && !in_numbered_session();

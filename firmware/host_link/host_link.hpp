@@ -37,6 +37,9 @@ class HostLink {
   // Something was lost between the bytes received so far and the next: the line that is being
   // received is broken.
   void receive_fault() { receiver_.spoil(); }
+  // The host is gone, and the next byte is another one's: a line that is not finished never will
+  // be, and nobody waits for an answer.
+  void hang_up();
 
   // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.
   std::span<const char> to_send() const { return transmit_.front(); }

@@ -42,7 +42,9 @@ class LineReceiver {
   // The line as far as it has come, which is then forgotten.
   ReceivedLine take();
 
-  // Forgets the line as far as it has come; what follows up to the next line end may be its rest.
+  // Forgets the line as far as it has come; the next byte begins another.
+  void forget() { clear(); }
+  // The same, but what follows up to the next line end may be its rest.
   void give_up();
 
   // The line in progress is broken, whatever its checksum says.

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -27,6 +28,12 @@ constexpr std::size_t line_buffer_bytes = 64;
 // What the kernel does not take because the host does not read is kept up to this size, then
 // dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
+// As Linux's closing_wait.
+constexpr double closing_seconds = 30;
+// After a host the line is low for twenty characters at 9600 baud, and then rests for much longer
+// than the firmware needs to know that from noise.
+constexpr double break_seconds = 0.02;
+constexpr double rest_seconds = 0.1;
 
 // Which symlink of this user it is: file system, inode, time of its making, target. Empty where
 // there is none, or another user's.
@@ -51,6 +58,7 @@ PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, SerialLine& li
     : link_(link),
       lock_(link),
       line_(line),
+      rate_(rate),
       poll_interval_(rate.clocks(poll_interval_seconds) + 1),
       chip_baud_(baud),
       host_baud_(baud) {
@@ -119,24 +127,58 @@ void PseudoTerminal::release() {
 
 void PseudoTerminal::wake(sim::Clock now) {
   next_wake_ = now + poll_interval_;
-  flush();
-  if (line_.waiting_bytes() < line_buffer_bytes) {
+  const short events = look();
+  if ((events & POLLHUP) == 0) {
+    if (leaving_) host_left(now);
+    host_came(now);
+    flush();
     take_from_host(now);
+    return;
   }
+  // It may have come and gone since the last look.
+  if ((events & POLLIN) != 0) host_came(now);
+  if (!connected_) return;
+  if (!leaving_) keep_what_is_left(now);
+  send_what_is_left(now);
+}
+
+// POLLIN: something to read; POLLHUP: nobody has the port open.
+short PseudoTerminal::look() const {
+  pollfd event{master_, POLLIN, 0};
+  return poll(&event, 1, 0) > 0 ? event.revents : short{0};
 }
 
 void PseudoTerminal::take_from_host(sim::Clock now) {
-  std::array<char, line_buffer_bytes> buffer{};
+  follow_speed(now);
+  if (held_back_ || now < rest_until_) return;
+  throttled_ = line_.waiting_bytes() >= line_buffer_bytes;
+  if (throttled_) return;
+  std::array<char, line_buffer_bytes> buffer;
   const ssize_t count = read(master_, buffer.data(), buffer.size());
-  if (count < 0 && errno == EIO) {
-    host_left(now);
-    return;
-  }
-  host_came(now);
   if (count > 0) {
-    follow_speed(now);
+    throttled_ = static_cast<std::size_t>(count) == buffer.size();
     line_.send(now, std::string_view(buffer.data(), static_cast<std::size_t>(count)));
   }
+}
+
+// Kept apart from what the next host writes.
+void PseudoTerminal::keep_what_is_left(sim::Clock now) {
+  follow_speed(now);
+  leaving_ = true;
+  send_left_until_ = now + rate_.clocks(closing_seconds);
+  std::array<char, 4096> buffer;
+  for (ssize_t count = 1; count > 0;) {
+    count = read(master_, buffer.data(), buffer.size());
+    if (count > 0) left_.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+void PseudoTerminal::send_what_is_left(sim::Clock now) {
+  if (now >= send_left_until_) return host_left(now);
+  if (held_back_ || now < rest_until_ || line_.waiting_bytes() >= line_buffer_bytes) return;
+  line_.send(now, std::string_view(left_).substr(0, line_buffer_bytes));
+  left_.erase(0, line_buffer_bytes);
+  if (line_.quiet()) host_left(now);
 }
 
 void PseudoTerminal::host_came(sim::Clock now) {
@@ -149,20 +191,21 @@ void PseudoTerminal::host_came(sim::Clock now) {
   }
 }
 
+// Perhaps the next one is there already, with a speed of its own.
 void PseudoTerminal::host_left(sim::Clock now) {
-  if (!connected_) {
-    return;
-  }
-  connected_ = false;
+  connected_ = leaving_ = throttled_ = false;
+  left_.clear();
   to_host_.clear();
   // The next host finds neither this one's settings nor what was said to it.
-  set_raw(master_, chip_baud_);
+  if ((look() & POLLHUP) != 0) set_raw(master_, chip_baud_);
   const int slave = open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave >= 0) {
     tcflush(slave, TCIFLUSH);
     close(slave);
   }
   follow_speed(now);
+  line_.hang_up(now, rate_.clocks(break_seconds));
+  rest_until_ = now + rate_.clocks(break_seconds + rest_seconds);
   if (on_close) {
     on_close(now);
   }
@@ -175,13 +218,21 @@ void PseudoTerminal::follow_speed(sim::Clock now) {
   }
   host_baud_ = chosen;
   line_.set_baud(now, chosen);
+  // What was held back was written at the speed before.
+  if (throttled_) forget_unread();
+}
+
+void PseudoTerminal::forget_unread() const {
+  std::array<char, 4096> buffer;
+  while (read(master_, buffer.data(), buffer.size()) > 0) {
+  }
 }
 
 void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {
   if (on_byte) {
     on_byte(now, static_cast<char>(byte));
   }
-  if (!connected_) {
+  if (!connected_ || leaving_) {
     return;
   }
   to_host_ += static_cast<char>(byte);

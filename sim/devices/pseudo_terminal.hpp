@@ -13,7 +13,10 @@ namespace devices {
 
 // As with a USB serial adapter, hosts come and go: who comes finds a raw terminal at the chip's
 // speed and nothing old in it; what is said while nobody is there is lost; the wire runs at the
-// speed that the host chooses, right or wrong.
+// speed that the host chooses, right or wrong. What a host has written goes out after it has closed
+// the port, for 30 s at most as in Linux, unless the next one opens it before. Then the line is low
+// for some time, so that the chip can give up a line that is not finished. A host that closes and
+// one that opens within half a millisecond are one, since nothing says where its bytes begin.
 class PseudoTerminal : public sim::Device, public ByteListener {
  public:
   // The wire runs at `baud` until a host chooses otherwise. Throws std::system_error where no
@@ -31,6 +34,9 @@ class PseudoTerminal : public sim::Device, public ByteListener {
 
   const std::string& slave_path() const { return slave_path_; }
   bool connected() const { return connected_; }
+
+  // While the chip starts: no byte of the host goes out, all of them afterwards.
+  void hold_back(bool held) { held_back_ = held; }
   // What the host has chosen, or the chip's own.
   std::uint32_t host_baud() const { return host_baud_; }
   // Said by the chip and not read by a host that was there.
@@ -43,22 +49,33 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void make_slave();
   void make_link();
   void release();
+  short look() const;
   void take_from_host(sim::Clock now);
+  void keep_what_is_left(sim::Clock now);
+  void send_what_is_left(sim::Clock now);
   void host_came(sim::Clock now);
   void host_left(sim::Clock now);
   void follow_speed(sim::Clock now);
+  void forget_unread() const;
   void flush();
 
   std::filesystem::path link_;
   std::string identity_;  // of the symlink that was made
   PathLock lock_;
   SerialLine& line_;
+  sim::ClockRate rate_;
   sim::Clock poll_interval_;
   std::uint32_t chip_baud_;
   std::uint32_t host_baud_;
   int master_ = -1;
   std::string slave_path_;
   bool connected_ = false;
+  bool held_back_ = false;
+  bool throttled_ = false;  // the host may have written more than was taken
+  bool leaving_ = false;  // the host has closed the port, and not all that it has written is sent
+  std::string left_;  // that
+  sim::Clock send_left_until_ = 0;
+  sim::Clock rest_until_ = 0;  // of the line, after a host
   std::string to_host_;
   std::uint64_t bytes_dropped_ = 0;
 };

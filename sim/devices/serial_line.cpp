@@ -4,13 +4,13 @@
 #include "sim/devices/serial_line.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace devices {
 
 namespace {
 constexpr unsigned frame_bits = 10;  // start, 8 data, stop
-}
+constexpr unsigned rest = frame_bits + 1;  // no frame is on the wire
+}  // namespace
 
 SerialLine::SerialLine(sim::ClockRate rate, std::uint32_t baud, sim::InputPins& inputs,
                        const SerialFaults& faults)
@@ -32,14 +32,27 @@ void SerialLine::set_baud(sim::Clock now, std::uint32_t baud) {
   baud_ = baud;
   receiving_ = false;
   receive_at_ = sim::never;
-  if (sending_) {
+  waiting_.clear();
+  if (sending_ && sent_bits_ != rest) {
     // The line rests for a frame, in which the chip finds its way again.
     inputs_.receive = true;
-    sent_bits_ = frame_bits;
-    send_start_ = send_at_ = after_half_bits(now, 2 * frame_bits);
-    frames_since_start_ = std::numeric_limits<std::uint64_t>::max();  // the next one is the first
+    rest_until(after_half_bits(now, 2 * frame_bits));
   }
   schedule();
+}
+
+void SerialLine::hang_up(sim::Clock now, sim::Clock low_for) {
+  waiting_.clear();
+  inputs_.receive = false;
+  sending_ = true;
+  rest_until(now + low_for);
+  schedule();
+}
+
+// Then it begins with the bytes that wait by then.
+void SerialLine::rest_until(sim::Clock end) {
+  sent_bits_ = rest;
+  send_at_ = end;
 }
 
 sim::Clock SerialLine::after_half_bits(sim::Clock start, std::uint64_t half_bits) const {
@@ -63,21 +76,34 @@ void SerialLine::start_frame(sim::Clock now) {
   drive_next_bit(now);
 }
 
+// The next byte, if one waits.
+void SerialLine::go_on(sim::Clock now) {
+  if (!waiting_.empty()) return start_frame(now);
+  sending_ = false;
+  send_at_ = sim::never;
+  if (listener_ != nullptr) {
+    listener_->all_sent(now);
+  }
+}
+
+// A break is followed by a frame's time of the level at rest.
+void SerialLine::end_rest(sim::Clock now) {
+  if (!inputs_.receive) {
+    inputs_.receive = true;
+    return rest_until(after_half_bits(now, 2 * frame_bits));
+  }
+  send_start_ = now;
+  frames_since_start_ = 0;
+  go_on(now);
+}
+
 // Drives the bit that begins now and asks for the next time at which the level changes.
 void SerialLine::drive_next_bit(sim::Clock now) {
+  if (sent_bits_ == rest) return end_rest(now);
   if (sent_bits_ == frame_bits) {
     ++bytes_sent_;
     ++frames_since_start_;
-    if (waiting_.empty()) {
-      sending_ = false;
-      send_at_ = sim::never;
-      if (listener_ != nullptr) {
-        listener_->all_sent(now);
-      }
-    } else {
-      start_frame(now);
-    }
-    return;
+    return go_on(now);
   }
   const bool level = (send_frame_ >> sent_bits_ & 1) != 0;
   inputs_.receive = level;

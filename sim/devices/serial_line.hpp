@@ -37,12 +37,19 @@ class SerialLine : public sim::Device {
 
   void set_listener(ByteListener& listener) { listener_ = &listener; }
 
-  // From now on at another speed; a frame under way in either direction is lost.
+  // From now on at another speed; a frame under way in either direction is lost, and so are the
+  // bytes that wait: they were meant for the speed before.
   void set_baud(sim::Clock now, std::uint32_t baud);
+
+  // Nobody is there any more: the bytes that wait and the frame under way are lost, and the line is
+  // low for so long, a break. Bytes that are sent meanwhile follow it.
+  void hang_up(sim::Clock now, sim::Clock low_for);
 
   // Bytes to the chip, after those that still wait.
   void send(sim::Clock now, std::string_view bytes);
   std::size_t waiting_bytes() const { return waiting_.size(); }
+  // Nothing waits and nothing is on the wire.
+  bool quiet() const { return !sending_; }
 
   void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) override;
   void wake(sim::Clock now) override;
@@ -56,6 +63,9 @@ class SerialLine : public sim::Device {
  private:
   sim::Clock after_half_bits(sim::Clock start, std::uint64_t half_bits) const;
   void schedule();
+  void rest_until(sim::Clock end);
+  void end_rest(sim::Clock now);
+  void go_on(sim::Clock now);
   void start_frame(sim::Clock now);
   void drive_next_bit(sim::Clock now);
   void sample_bit(sim::Clock now);

@@ -186,6 +186,52 @@ TEST_F(Serve, opening_the_port_resets_the_chip_where_that_is_wanted) {
   EXPECT_EQ(file("accepted"), "-\tM118 again\n-\tM118 again\n");
 }
 
+TEST_F(Serve, a_half_line_is_not_completed_by_the_next_host) {
+  start({});
+  int host = open_port();
+  EXPECT_TRUE(connect(host));
+  write_text(host, "G1 X7");
+  std::this_thread::sleep_for(200ms);
+  close(host);
+  std::this_thread::sleep_for(50ms);
+  host = open_port();
+  write_text(host, "\n");
+  write_text(host, "M118 here\n");
+  EXPECT_NE(read_until(host, "here\n").find("here\n"), std::string::npos);
+  close(host);
+  EXPECT_EQ(stop(), 0);
+  EXPECT_EQ(file("accepted").find("G1"), std::string::npos) << file("accepted");
+}
+
+TEST_F(Serve, the_first_bytes_after_a_reset_are_the_new_host_s_and_all_of_them) {
+  start({"--reset-on-open"});
+  for (int i = 0; i < 2; ++i) {
+    const int host = open_port();
+    write_text(host, "M118 first\nG1 X7");
+    const std::string said = read_until(host, "first\n");
+    EXPECT_NE(said.find("start\n"), std::string::npos) << said;
+    EXPECT_NE(said.find("first\n"), std::string::npos) << said;
+    close(host);
+    std::this_thread::sleep_for(50ms);
+  }
+  EXPECT_EQ(stop(), 0);
+  EXPECT_EQ(file("accepted"), "-\tM118 first\n-\tM118 first\n");
+}
+
+// As `echo M118 here > port`.
+TEST_F(Serve, a_host_that_only_writes_and_closes_is_obeyed) {
+  start({});
+  int host = open_port();
+  EXPECT_TRUE(connect(host));
+  close(host);
+  host = open_port();
+  write_text(host, "M118 here\n");
+  close(host);
+  std::this_thread::sleep_for(500ms);
+  EXPECT_EQ(stop(), 0);
+  EXPECT_NE(file("accepted").find("-\tM118 here\n"), std::string::npos) << file("accepted");
+}
+
 TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
   start({});
   const std::string complaint = file_path("complaint");

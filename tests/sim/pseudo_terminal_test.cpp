@@ -197,6 +197,26 @@ TEST_F(PseudoTerminalTest, discards_what_waits_when_the_host_changes_its_speed) 
   EXPECT_EQ(heard.find("X20"), std::string::npos) << heard;
 }
 
+TEST_F(PseudoTerminalTest, holds_a_host_s_bytes_back_and_loses_none) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  terminal.on_open = [&](sim::Clock) { terminal.hold_back(true); };
+  std::string text;
+  chip.firmware = [&](const std::string& came) {
+    text += came + ";";
+    return std::string();
+  };
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  write_text(port, "M105\nM1");
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  EXPECT_EQ(text, "");
+  write_text(port, "14\n");
+  terminal.hold_back(false);
+  simulation.run_until(simulation.now() + rate.clocks(0.05));
+  EXPECT_EQ(text, "M105;M114;");
+  close(port);
+}
+
 TEST_F(PseudoTerminalTest, runs_the_wire_at_the_speed_that_the_host_chooses) {
   devices::PseudoTerminal terminal(link, line, rate, 250'000);
   simulation.attach(terminal, {});

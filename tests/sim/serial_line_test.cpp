@@ -74,6 +74,34 @@ TEST(SerialLine, goes_on_at_another_speed_without_what_waited_for_the_one_before
   EXPECT_LE(text.size(), 5U);
 }
 
+TEST(SerialLine, hangs_up_with_a_break_and_goes_on_with_what_comes_after) {
+  tests::FakeChip chip(16);
+  const sim::ClockRate rate(4'000'000);
+  sim::Simulation simulation(chip, rate);
+  devices::SerialLine line(rate, 250'000, chip.inputs());
+  simulation.attach(line, sim::OutputPins::transmit_pin());
+  std::vector<std::string> lines;
+  chip.firmware = [&](const std::string& came) {
+    lines.push_back(came);
+    return std::string();
+  };
+  line.send(0, "G1 X20");
+  simulation.run_until(500);  // three bytes and a bit
+  line.hang_up(500, 1'000);
+  line.send(500, "M105\n");
+  simulation.run_until(5'000);
+  EXPECT_EQ(chip.breaks, 1U);
+  EXPECT_EQ(lines, std::vector<std::string>{"M105"});
+  line.hang_up(5'000, 1'000);
+  line.set_baud(5'500, 250'000);
+  simulation.run_until(8'000);
+  EXPECT_EQ(chip.breaks, 2U);
+  EXPECT_TRUE(chip.inputs().receive);
+  line.send(8'000, "M114\n");
+  simulation.run_until(10'000);
+  EXPECT_EQ(lines.back(), "M114");
+}
+
 TEST(SerialLine, counts_a_frame_without_stop_bit_and_delivers_nothing) {
   tests::FakeChip chip(16);
   const sim::ClockRate rate(4'000'000);

@@ -32,6 +32,7 @@ constexpr StartTemperatures warm_start{.hotend_c = 200.0, .bed_c = 57.0};
 // A model that is slower than this for so long is worth a word.
 constexpr double slow_ratio = 0.9;
 constexpr double slow_seconds = 10.0;
+constexpr double longest_start_seconds = 1.0;
 
 class Service {
  public:
@@ -48,6 +49,7 @@ class Service {
       accept_log_.emplace(options.printer.accept_log);
     }
     listen();
+    hold_back();
     simulation_.attach(terminal_, {});
     simulation_.attach(watch_, {});
   }
@@ -61,6 +63,9 @@ class Service {
       simulation_.run_until(std::min(simulation_.now() + chunk, until));
       if (reset_wanted_) {
         reset();
+      }
+      if (simulation_.seconds() - held_since_ > longest_start_seconds) {
+        terminal_.hold_back(false);
       }
       if (progress_.due()) {
         show_status();
@@ -116,7 +121,10 @@ class Service {
   void listen() {
     terminal_.on_open = [this](sim::Clock) { opened(); };
     terminal_.on_close = [this](sim::Clock) { say("the host has closed the port"); };
-    terminal_.on_byte = [this](sim::Clock now, char byte) { host_.heard(now, byte); };
+    terminal_.on_byte = [this](sim::Clock now, char byte) {
+      host_.heard(now, byte);
+      if (byte == '\n' && !reset_wanted_) terminal_.hold_back(false);  // it has greeted
+    };
     watch_.on_accepted = [this](sim::Clock now, const report::AcceptedLine& line) {
       host_.accepted(now, line);
       if (accept_log_) {
@@ -136,8 +144,15 @@ class Service {
     say("a host has opened the port");
     reset_wanted_ = options_.reset_on_open;
     if (reset_wanted_) {
+      hold_back();
       simulation_.stop();
     }
+  }
+
+  // A chip that starts hears nothing. A program that does not greet gets its bytes in the end.
+  void hold_back() {
+    terminal_.hold_back(true);
+    held_since_ = simulation_.seconds();
   }
 
   void reset() {
@@ -223,6 +238,7 @@ class Service {
   Pacer pacer_;
   Progress progress_;
   bool reset_wanted_ = false;
+  double held_since_ = 0;
   bool firmware_is_there_ = true;
   double shown_wall_ = 0, shown_seconds_ = 0;
   std::uint64_t shown_lines_ = 0;
