@@ -77,6 +77,7 @@ bool Application::update() {
     exchange_bytes(now);
     act_on_emergencies();
     if (!halted_) more = executor_.update(now);
+    counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line while the rest of the pass is done.
     transmit();
     motion_.refill();

@@ -85,7 +85,9 @@ bool CommandExecutor::take_line() {
   } else {
     parse(line->text);
   }
-  return true;
+  if (!parse_error_ || !link_.ask_again()) return true;
+  stage_ = Stage::idle;
+  return false;
 }
 
 void CommandExecutor::parse(std::string_view text) {

@@ -10,7 +10,7 @@ namespace application {
 // The layout is a contract with the simulation: words only, new ones at the end, and then a new
 // version.
 struct Statistics {
-  static constexpr std::uint32_t current_version = 2;
+  static constexpr std::uint32_t current_version = 3;
 
   std::uint32_t version{};  // word 0; 0 until the firmware has started
   std::uint32_t commands_executed{};  // word 1: G-code commands carried out; not those refused
@@ -29,6 +29,7 @@ struct Statistics {
   // 128 bytes of text, its number (32 bits), its length (8 bits), whether it has a number (8 bits),
   // 2 more bytes.
   std::uint32_t accepted_lines{};
+  std::uint32_t lines_withdrawn{};  // word 13: accepted, but asked for again instead of executed
 };
 
 }  // namespace application

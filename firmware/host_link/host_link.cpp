@@ -225,11 +225,28 @@ std::optional<AcceptedLine> HostLink::next_line() {
   return queue_.front();
 }
 
+bool HostLink::ask_again() {
+  if (!in_hand_) return false;
+  const AcceptedLine line = queue_.front();
+  const std::size_t count = line.number ? queue_.numbered_in_sequence() : 0;
+  if (count == 0 || !numbering_.take_back(*line.number, line.text, count)) return false;
+  queue_.withdraw_numbered();
+  in_hand_ = false;
+  drop_withdrawn();
+  request_resend(LineError::not_understood);
+  return true;
+}
+
+void HostLink::drop_withdrawn() {
+  for (; queue_.front_is_withdrawn(); ++statistics_.withdrawn) queue_.drop();
+}
+
 bool HostLink::finished(std::string_view report) {
   if (!in_hand_) return true;
   const std::optional<LineNumber> number = queue_.front().number;
   if (!put_ok(number, report)) return false;
   queue_.drop();
+  drop_withdrawn();
   in_hand_ = false;
   send_owed();
   return true;

@@ -28,6 +28,7 @@ struct Statistics {
   std::uint32_t repeats{};  // accepted lines that the host sent again: answered, not run
   std::uint32_t dropped{};  // too new or broken while a resend was awaited
   std::uint32_t refused{};  // unnumbered lines refused with a notice
+  std::uint32_t withdrawn{};  // accepted lines that are not executed, but asked for again
 };
 
 class HostLink {
@@ -52,6 +53,11 @@ class HostLink {
   // Sends the ok of the line in hand, followed by `report` (" T:20.00 ..." of M105). False if there
   // is no room yet: nothing is sent then, the line stays in hand, call again after the next update.
   bool finished(std::string_view report = {});
+
+  // The line in hand is no command, though its checksum is right: it was damaged twice, or the host
+  // means it so. A numbered one is asked for again once, and so are the lines behind it; it is then
+  // no longer in hand and wants no ok. False where it is to be answered.
+  bool ask_again();
 
   // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
   // each while the user is waited for, since its host may be one that has just come; and M105 from
@@ -79,7 +85,7 @@ class HostLink {
   // M113. Zero turns the busy messages off.
   void set_busy_interval(units::Milliseconds interval) { busy_interval_ = interval; }
   // Accepted lines that are not yet answered, the one in hand included.
-  std::size_t waiting_lines() const { return queue_.size(); }
+  std::size_t waiting_lines() const { return queue_.waiting(); }
   // "ok N<line> P<free planner places> B<free line places>" instead of "ok".
   void set_advanced_ok(bool on) { advanced_ok_ = on; }
   void set_planner_space(std::uint8_t free_places) { planner_space_ = free_places; }
@@ -112,6 +118,7 @@ class HostLink {
   void notify(Notice notice);
   void request_resend(LineError error);
   void drop_owed_resend();
+  void drop_withdrawn();
   bool put_ok(std::optional<LineNumber> number, std::string_view report);
   bool put_notice(std::size_t index);
   bool put_resend();

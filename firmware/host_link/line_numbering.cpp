@@ -34,6 +34,8 @@ std::string_view describe(LineError error) {
       return "line not finished";
     case LineError::spoilt:
       return "serial line disturbed";
+    case LineError::not_understood:
+      return "not understood";
   }
   return "";
 }
@@ -166,6 +168,20 @@ void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) 
   if (history_size_ < history_length) ++history_size_;
   last_ = number;
   end_recovery();
+}
+
+bool LineNumbering::take_back(LineNumber number, std::string_view text, std::size_t count) {
+  const Taken line{number, fingerprint_of(text)};
+  if (taken_back_ == line || history_size_ < count ||
+      number + static_cast<LineNumber>(count) != wanted()) {
+    return false;
+  }
+  taken_back_ = line;
+  refused_number_ = number;
+  last_ = number - 1;
+  history_size_ -= count;
+  history_next_ = (history_next_ + history_length - count) % history_length;
+  return true;
 }
 
 void LineNumbering::restart_after(LineNumber last) {

@@ -23,6 +23,7 @@ enum class LineError : std::uint8_t {
   unprintable,
   unfinished,
   spoilt,
+  not_understood,
 };
 
 // What follows "echo:" and precedes ", asked for again". Not "Error:" as in Marlin: OctoPrint ends
@@ -58,6 +59,10 @@ class LineNumbering {
   void accepted(const ReceivedLine& line, units::Milliseconds now);
   // M110 N<last> without number and checksum.
   void restart_after(LineNumber last);
+  // The last `count` lines taken begin with this one, which is no command: it and those behind it
+  // are wanted again. False, and nothing is changed, where the same has been wanted again before,
+  // or where others were taken since.
+  bool take_back(LineNumber number, std::string_view text, std::size_t count);
   // Something came that could not be used while a resend is awaited: ask again in due time.
   void ignored() { ignored_since_resend_ = true; }
   // A resend request must be sent, as soon as there is room for it.
@@ -101,6 +106,7 @@ class LineNumbering {
   std::size_t history_next_{};
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
+  std::optional<Taken> taken_back_{};
   // The line with which a host has begun a new numbering, known to have come spoilt.
   std::optional<LineNumber> lost_start_{};
   std::uint8_t lost_start_asked_{};

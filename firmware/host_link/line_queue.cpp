@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host_link/line_number.hpp"
+
 namespace host_link {
 
 void LineQueue::put(std::string_view text, std::optional<LineNumber> number, bool emergency) {
@@ -14,6 +16,7 @@ void LineQueue::put(std::string_view text, std::optional<LineNumber> number, boo
   slot.number = number.value_or(0);
   slot.numbered = number.has_value();
   slot.emergency = emergency;
+  slot.withdrawn = false;
   ++size_;
 }
 
@@ -27,6 +30,35 @@ AcceptedLine LineQueue::front() const {
 void LineQueue::drop() {
   first_ = (first_ + 1) % capacity;
   --size_;
+}
+
+std::size_t LineQueue::numbered_in_sequence() const {
+  std::size_t count = 0;
+  LineNumber next = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Slot& line = slot(i);
+    if (sets_numbering({line.text.data(), line.length})) return 0;
+    if (!line.numbered) continue;
+    if (line.emergency || line.withdrawn || (count != 0 && line.number != next)) return 0;
+    next = line.number + 1;
+    ++count;
+  }
+  return count;
+}
+
+void LineQueue::withdraw_numbered() {
+  for (std::size_t i = 0; i < size_; ++i) {
+    Slot& line = slots_[(first_ + i) % capacity];
+    line.withdrawn = line.withdrawn || line.numbered;
+  }
+}
+
+std::size_t LineQueue::waiting() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (!slot(i).withdrawn) ++count;
+  }
+  return count;
 }
 
 }  // namespace host_link

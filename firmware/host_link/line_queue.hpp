@@ -32,6 +32,15 @@ class LineQueue {
   AcceptedLine front() const;
   void drop();
 
+  // The numbered lines, if each has the number behind the one before it, and none has been acted on
+  // or sets the numbering; otherwise 0.
+  std::size_t numbered_in_sequence() const;
+  // They will not be executed: each is to be dropped when it comes to the front.
+  void withdraw_numbered();
+  bool front_is_withdrawn() const { return size_ != 0 && slots_[first_].withdrawn; }
+  // Those that are not withdrawn.
+  std::size_t waiting() const;
+
   // Line n of all that were ever put, counted from 0, lies in slot n % capacity. The layout is a
   // contract with the simulation, which writes down what was accepted.
   struct Slot {
@@ -40,6 +49,7 @@ class LineQueue {
     std::uint8_t length;
     bool numbered;
     bool emergency;
+    bool withdrawn;
   };
   static_assert(max_line_length <= 255, "length of a slot fits its type");
   static_assert(sizeof(Slot) == 136 && offsetof(Slot, number) == 128 &&
@@ -47,6 +57,8 @@ class LineQueue {
   const Slot* slots() const { return slots_.data(); }
 
  private:
+  const Slot& slot(std::size_t place) const { return slots_[(first_ + place) % capacity]; }
+
   std::array<Slot, capacity> slots_{};
   std::size_t first_{};
   std::size_t size_{};

@@ -10,7 +10,7 @@ namespace report {
 namespace {
 
 // Versions of the block that have the words read here.
-constexpr std::uint32_t least_version = 2;
+constexpr std::uint32_t least_version = 3;
 constexpr std::uint32_t ring_slots = 8;
 constexpr std::uint32_t slot_bytes = 136;
 constexpr std::uint32_t text_bytes = 128;
@@ -83,7 +83,7 @@ bool FirmwareWatch::firmware_is_in_memory() const {
   return std::ranges::all_of(code_, [this](const CodeWord& code) { return is_unchanged(code); });
 }
 
-void FirmwareWatch::begin_anew() { accepted_ = executed_ = refused_ = resends_ = 0; }
+void FirmwareWatch::begin_anew() { accepted_ = executed_ = refused_ = withdrawn_ = resends_ = 0; }
 
 void FirmwareWatch::compare_some(sim::Clock now) {
   if (code_.empty()) return;
@@ -122,7 +122,9 @@ void FirmwareWatch::report_finished(sim::Clock now, std::uint32_t& reported, Wor
     reported = finished;
   }
   for (; reported != finished; ++reported) {
-    if (on_finished) {
+    if (count == Word::lines_withdrawn) {
+      if (on_withdrawn) on_withdrawn(now);
+    } else if (on_finished) {
       on_finished(now, count == Word::commands_executed);
     }
   }
@@ -146,6 +148,7 @@ void FirmwareWatch::wake(sim::Clock now) {
   }
   report_finished(now, executed_, Word::commands_executed);
   report_finished(now, refused_, Word::commands_refused);
+  report_finished(now, withdrawn_, Word::lines_withdrawn);
 }
 
 }  // namespace report

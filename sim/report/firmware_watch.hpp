@@ -32,6 +32,8 @@ class FirmwareWatch : public sim::Device {
   // are done between two looks, the executed ones come first.)
   std::function<void(sim::Clock now, const AcceptedLine& line)> on_accepted;
   std::function<void(sim::Clock now, bool executed)> on_finished;
+  // The oldest accepted line is asked for again instead.
+  std::function<void(sim::Clock now)> on_withdrawn;
   // Another program has come into the memory, or the firmware again.
   std::function<void(sim::Clock now, bool firmware)> on_program;
 
@@ -62,6 +64,7 @@ class FirmwareWatch : public sim::Device {
     resends,
     longest_pass_clocks = 11,
     accepted_lines,
+    lines_withdrawn,
   };
   struct CodeWord {
     std::uint32_t address;
@@ -83,6 +86,7 @@ class FirmwareWatch : public sim::Device {
   std::uint32_t accepted_ = 0;
   std::uint32_t executed_ = 0;
   std::uint32_t refused_ = 0;
+  std::uint32_t withdrawn_ = 0;
   std::uint32_t resends_ = 0;
   std::uint64_t gaps_ = 0;
   std::uint64_t other_programs_ = 0;

@@ -38,6 +38,12 @@ void ServedHost::finished(sim::Clock now, bool executed) {
   }
 }
 
+void ServedHost::withdrawn(sim::Clock now) {
+  if (waiting_.empty()) return;
+  waiting_.pop_front();
+  if (!waiting_.empty()) announce(now);
+}
+
 void ServedHost::announce(sim::Clock now) {
   for (devices::HostListener* listener : listeners_) {
     listener->command_sent(now, waiting_.front().number, waiting_.front().text);

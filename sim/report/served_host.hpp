@@ -18,6 +18,8 @@ class ServedHost : public devices::Host {
  public:
   void accepted(sim::Clock now, const AcceptedLine& line);
   void finished(sim::Clock now, bool executed);
+  // It comes again.
+  void withdrawn(sim::Clock now);
   // Bytes from the chip, whole lines or not.
   void heard(sim::Clock now, char byte);
   void set_resends(std::uint64_t count) { counts_.resends = count; }

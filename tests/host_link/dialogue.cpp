@@ -113,6 +113,8 @@ std::string Dialogue::step(const std::string& line) {
     pass(std::stol(argument), Activity::paused_for_user);
   } else if (verb == "done") {
     if (!link_.finished(argument.empty() ? "" : " " + argument)) return "no room for the ok";
+  } else if (line == "again" || line == "not again") {
+    if (link_.ask_again() != (line == "again")) return "the other one";
   } else if (verb == "answer") {
     if (!link_.query_answered(argument.empty() ? "" : " " + argument)) return "no room for the ok";
   } else if (verb == "say") {

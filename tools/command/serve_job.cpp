@@ -137,6 +137,7 @@ class Service {
       say(firmware ? "the firmware is in the chip again"
                    : "another program is loaded: which lines it takes is not known");
     };
+    watch_.on_withdrawn = [this](sim::Clock now) { host_.withdrawn(now); };
     watch_.on_finished = [this](sim::Clock now, bool executed) { host_.finished(now, executed); };
   }
 
