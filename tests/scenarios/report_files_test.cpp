@@ -123,6 +123,46 @@ TEST_F(ReportFiles, of_a_job_that_was_killed_say_that_it_has_not_ended) {
   EXPECT_THAT(html(), Not(HasSubstr("completed")));
 }
 
+// The input by its name, by a longer way, by a symlink and by a hard link.
+TEST_F(ReportFiles, are_all_that_is_written_where_another_file_would_overwrite_the_input) {
+  const std::string text = text_of(gcode);
+  fs::create_symlink(gcode, folder / "symlink");
+  fs::create_hard_link(gcode, folder / "hard_link");
+  for (const char* name : {"input.gcode", "report/../input.gcode", "symlink", "hard_link"}) {
+    for (const char* option : {"--edges", "--accept-log"}) {
+      EXPECT_EQ(shell(print_line(std::string(option) + " " + (folder / name).string())), 2) << name;
+      EXPECT_EQ(text_of(gcode), text) << name;
+      EXPECT_THAT(text_of(folder / "said"), HasSubstr("would overwrite")) << name;
+    }
+  }
+  const std::string file = (folder / "log").string();
+  EXPECT_EQ(shell(print_line("--edges " + file + " --accept-log " + file)), 2);
+  EXPECT_THAT(text_of(folder / "said"), HasSubstr("would both write"));
+  EXPECT_FALSE(fs::exists(file));
+  // The report itself.
+  fs::copy_file(gcode, report / "report.html", fs::copy_options::overwrite_existing);
+  gcode = report / "report.html";
+  EXPECT_EQ(shell(print_line()), 2);
+  EXPECT_EQ(text_of(gcode), text);
+}
+
+TEST_F(ReportFiles, of_one_job_are_not_mixed_with_those_of_another) {
+  scenarios::write_file(gcode, "G4 S1000\n");
+  const std::string first = "(exec " + print_line() +
+                            " > /dev/null) & job=$!; for i in {1..600}; do grep -q 'has not "
+                            "ended' " +
+                            (report / "report.html").string() + " && break; sleep 0.1; done; ";
+  const std::string second = "\"$stepfabric\" print " + gcode.string() + " --report " +
+                             report.string() + " --until 0.01 2> " + (folder / "second").string() +
+                             "; status=$?; kill -9 $job; exit $status";
+  EXPECT_EQ(shell(first + second), 2);
+  EXPECT_THAT(text_of(folder / "second"), HasSubstr("another job writes its report there"));
+  expect_faulted("has not ended");
+  // A killed job keeps nothing from the next one.
+  scenarios::write_file(gcode, "G28 X\n");
+  EXPECT_EQ(shell(print_line()), 0);
+}
+
 TEST_F(ReportFiles, that_cannot_be_written_are_named_before_anything_moves) {
   fs::remove_all(report);
   scenarios::write_file(report, "precious");

@@ -36,6 +36,15 @@ expect_text '^cycles [1-9]'
 expect_text '^instructions [1-9]'
 program 7
 expect 3 run "$work/program.elf"
+# The status is the program's, whether its words are read or not.
+status=0
+"$stepfabric" run "$work/program.elf" --baud 250000 > >(exec true) 2> >(exec true) || status=$?
+[ "$status" = 3 ] || { echo "exit status $status where nobody reads"; failures=$((failures + 1)); }
+# It is not overwritten by what is asked of it.
+cp "$work/program.elf" "$work/copy.elf"
+expect 125 run "$work/program.elf" --signature "$work/program.elf"
+expect_text 'would overwrite'
+cmp "$work/program.elf" "$work/copy.elf" || failures=$((failures + 1))
 # A program's status is never one of the command's own.
 for status in 122 123 124 125 130 255 1000; do
   program $((2 * status + 1))
