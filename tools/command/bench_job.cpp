@@ -17,6 +17,8 @@
 #include "tools/benchmark/stepping_report.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/file_roles.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/signals.hpp"
 
@@ -82,7 +84,7 @@ void show(const BenchOptions& options, const benchmarks::Comparison& comparison)
   report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
 }
 
-void say(const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); }
+void note(const std::string& what) { say_to(stderr, "stepfabric: {}\n", what); }
 
 std::filesystem::path programs_folder() { return build_folder() / "firmware"; }
 
@@ -109,10 +111,10 @@ int bench_stepping(const BenchOptions& options) {
   for (const Stepping stepping : {Stepping::hardware, Stepping::software}) {
     const auto index = static_cast<std::size_t>(stepping);
     comparison.figures[index] =
-        benchmarks::measure(stepping, image("stepping_benchmark", stepping), scope, say);
+        benchmarks::measure(stepping, image("stepping_benchmark", stepping), scope, note);
     comparison.printing[index] = benchmarks::measure_printing(
         comparison.figures[index], {image("printing_benchmark", stepping), description}, scope,
-        say);
+        note);
   }
   // The print takes longest: what is known is reported before it, too.
   show(options, comparison);
@@ -120,8 +122,8 @@ int bench_stepping(const BenchOptions& options) {
     print_both(options, comparison);
     show(options, comparison);
   }
-  fmt::print("{}report: {}\n", benchmarks::to_table(comparison),
-             (options.report / "stepping.html").string());
+  say("{}report: {}\n", benchmarks::to_table(comparison),
+      (options.report / "stepping.html").string());
   return success;
 }
 
@@ -148,9 +150,9 @@ int bench_model(const BenchOptions& options) {
        .computing = sim::read_elf(programs_folder() / "core_benchmark.elf"),
        .quick = options.quick,
        .look = end_if_interrupted},
-      say);
+      note);
   if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(works));
-  fmt::print("{}", benchmarks::to_table(works));
+  say("{}", benchmarks::to_table(works));
   return success;
 }
 
@@ -164,9 +166,9 @@ int bench_link(const BenchOptions& options) {
     const auto program = programs_folder() / fmt::format("link_benchmark_{}.elf", baud);
     scope.firmware.emplace(baud, sim::read_elf(program));
   }
-  const auto figures = benchmarks::measure_link(scope, say);
+  const auto figures = benchmarks::measure_link(scope, note);
   if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(figures));
-  fmt::print("{}", benchmarks::to_table(figures));
+  say("{}", benchmarks::to_table(figures));
   return success;
 }
 
@@ -180,6 +182,10 @@ int bench_one(const std::string& name, const BenchOptions& options) {
 }  // namespace
 
 int bench(const BenchOptions& options) {
+  ignore_closed_pipes();
+  const std::array<NamedFile, 1> read{{{"--print", options.print_file}}};
+  const std::array<NamedFile, 1> written{{{"--json", options.json}}};
+  check_that_files_differ(read, written);
   BenchOptions chosen = options;
   if (chosen.names.empty()) chosen.names = {"link", "model", "processor", "stepping"};
   if (chosen.names.size() > 1 && !chosen.json.empty())

@@ -11,6 +11,7 @@
 #include "sim/devices/pseudo_terminal.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/run_job.hpp"
 #include "tools/command/signals.hpp"
@@ -25,8 +26,7 @@ constexpr StartTemperatures warm_start{.hotend_c = 200.0, .bed_c = 57.0};
 
 void greet(const std::filesystem::path& program, std::uint16_t port) {
   const std::filesystem::path enter = project_folder() / "tools" / "environment" / "enter.sh";
-  fmt::print(
-      "{} runs; its JTAG pins wait for OpenOCD on port {} (remote_bitbang).\n"
+  say("{} runs; its JTAG pins wait for OpenOCD on port {} (remote_bitbang).\n"
       "  {} openocd -c 'set port {}' -f {}\n"
       "  {} gdb-multiarch {} -ex 'target extended-remote :3333'\n"
       "Ctrl-C ends it.\n",
@@ -39,11 +39,11 @@ void greet(const std::filesystem::path& program, std::uint16_t port) {
 int serve_debuggers(sim::Simulation& simulation, const DebugOptions& options,
                     const std::filesystem::path& program) {
   devices::DebugAdapter adapter(options.port, simulation.chip().inputs());
-  const auto say = [&simulation](const char* what) {
-    fmt::print(stderr, "{:10.4f} s  {}\n", simulation.seconds(), what);
+  const auto note = [&simulation](const char* what) {
+    say_to(stderr, "{:10.4f} s  {}\n", simulation.seconds(), what);
   };
-  adapter.on_connect = [&say](sim::Clock) { say("a debugger has connected"); };
-  adapter.on_disconnect = [&say](sim::Clock) { say("the debugger has left"); };
+  adapter.on_connect = [&note](sim::Clock) { note("a debugger has connected"); };
+  adapter.on_disconnect = [&note](sim::Clock) { note("the debugger has left"); };
   simulation.attach(adapter, sim::OutputPins::jtag_pin());
   greet(program, adapter.port());
   const sim::ClockRate rate = simulation.rate();
@@ -77,10 +77,11 @@ int debug_firmware(const DebugOptions& options) {
 }  // namespace
 
 int debug(const DebugOptions& options) {
+  ignore_closed_pipes();
   try {
     return options.program.empty() ? debug_firmware(options) : debug_program(options);
   } catch (const sim::HardwareAssertion& failed) {
-    fmt::print(stderr, "stepfabric: {}\n", failed.what());
+    say_to(stderr, "stepfabric: {}\n", failed.what());
     return failure;
   }
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -18,6 +19,7 @@
 #include "sim/report/recorder.hpp"
 #include "sim/report/verdict.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/file_roles.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/print_summary.hpp"
 #include "tools/command/printer_setup.hpp"
@@ -189,6 +191,17 @@ std::string close_files(report::Recorder& recorder, std::optional<report::Accept
   return complaint;
 }
 
+void check_files(const PrintOptions& options) {
+  const std::array<NamedFile, 2> read{
+      {{"the G-code file", options.file}, {"--machine", options.printer.machine}}};
+  const std::array<NamedFile, 5> written{{{"--report", options.report / "report.json"},
+                                          {"--report", options.report / "report.html"},
+                                          {"--edges", options.edges},
+                                          {"--accept-log", options.printer.accept_log},
+                                          {"--trace", options.trace}}};
+  check_that_files_differ(read, written);
+}
+
 int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) {
@@ -250,6 +263,7 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
 
 int print(const PrintOptions& options) {
   ignore_closed_pipes();
+  check_files(options);
   const ReportFiles reports(options.report, options.file.filename().string(),
                             options.printer.clock_hz);
   try {

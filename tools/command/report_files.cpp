@@ -2,6 +2,11 @@
 // report.json and report.html. Where one cannot be written, the other is tried all the same.
 #include "tools/command/report_files.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -26,11 +31,33 @@ bool written(const std::filesystem::path& file, const std::function<std::string(
   }
 }
 
+const std::filesystem::path& made(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
 }  // namespace
 
+// A lock of the folder itself ends with the process and leaves no file. Where a file system has no
+// locks, the job goes on without.
+ReportFiles::FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  throw std::runtime_error(folder.string() +
+                           ": another job writes its report there; wait for its end, or choose "
+                           "another folder (--report)");
+}
+
+ReportFiles::FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 ReportFiles::ReportFiles(std::filesystem::path folder, std::string file, std::uint32_t clock_hz)
-    : folder_(std::move(folder)), file_(std::move(file)), clock_hz_(clock_hz) {
-  std::filesystem::create_directories(folder_);
+    : folder_(std::move(folder)),
+      lock_(made(folder_)),
+      file_(std::move(file)),
+      clock_hz_(clock_hz) {
   const report::Results beginning =
       faulted("the job has not ended: it still runs, was killed, or could not write its report");
   report::write_file(folder_ / "report.json", report::to_json(beginning));

@@ -12,7 +12,8 @@ namespace command {
 class ReportFiles {
  public:
   // Writes a report that says that the job has not ended: a kill leaves it, and no earlier one
-  // stands for this job. Throws std::runtime_error where folder or files cannot be written.
+  // stands for this job. Throws std::runtime_error where folder or files cannot be written, or
+  // where another job has the folder, until that ends.
   ReportFiles(std::filesystem::path folder, std::string file, std::uint32_t clock_hz);
 
   // A job that ended for this reason before anything was simulated. Returns whether both files
@@ -24,9 +25,21 @@ class ReportFiles {
   std::filesystem::path page() const { return folder_ / "report.html"; }
 
  private:
+  class FolderLock {
+   public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+    ~FolderLock();
+
+   private:
+    int descriptor_;
+  };
+
   report::Results faulted(const std::string& reason) const;
 
   std::filesystem::path folder_;
+  FolderLock lock_;
   std::string file_;  // that is printed; empty for `serve`
   std::uint32_t clock_hz_;
 };

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
@@ -15,6 +16,8 @@
 #include "sim/simulation/simulation.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/file_roles.hpp"
+#include "tools/command/output.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/signature.hpp"
 
@@ -52,12 +55,12 @@ std::uint32_t status_of(std::uint32_t value) {
 int say_how_it_ended(std::uint32_t value) {
   const std::uint32_t status = status_of(value);
   if (status == 0) {
-    fmt::print("passed: tohost = {}\n", value);
+    say("passed: tohost = {}\n", value);
     return success;
   }
   constexpr std::uint32_t highest = highest_program_status;
-  fmt::print("failed: tohost = {}, status {}{}\n", value, status,
-             status > highest ? fmt::format(", which the exit status says as {}", highest) : "");
+  say("failed: tohost = {}, status {}{}\n", value, status,
+      status > highest ? fmt::format(", which the exit status says as {}", highest) : "");
   return static_cast<int>(std::min(status, highest));
 }
 
@@ -115,15 +118,19 @@ void make_start(const sim::ElfImage& image, sim::Chip& chip) {
 }
 
 int run(const RunOptions& options) {
+  ignore_closed_pipes();
+  const std::array<NamedFile, 1> read{{{"the program", options.program}}};
+  const std::array<NamedFile, 2> written{
+      {{"--signature", options.signature}, {"--trace", options.trace}}};
+  check_that_files_differ(read, written);
   const sim::ElfImage image = sim::read_elf(options.program);
   const std::optional<std::uint32_t> tohost = image.symbol("tohost");
   if (!tohost) {
-    fmt::print(
-        stderr,
-        "{} has no symbol `tohost`{}: a program must define this word, and end by a store of 1 "
-        "(passed) or 2 * status + 1 to it\n",
-        options.program.string(),
-        image.symbols.empty() ? ", as it has no symbols at all (is it stripped?)" : "");
+    say_to(stderr,
+           "{} has no symbol `tohost`{}: a program must define this word, and end by a store of 1 "
+           "(passed) or 2 * status + 1 to it\n",
+           options.program.string(),
+           image.symbols.empty() ? ", as it has no symbols at all (is it stripped?)" : "");
     return not_run;
   }
   sim::VerilatedChip chip(options.clock_hz);
@@ -151,9 +158,9 @@ int run(const RunOptions& options) {
   const std::uint32_t value = wait_for_store(simulation, *tohost, options.max_cycles);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
   std::fflush(stdout);
-  fmt::print("cycles {}\ninstructions {}\n", chip.now(), chip.processor_statistics().instructions);
-  fmt::print(stderr, "{:.2f} million clocks per second\n",
-             static_cast<double>(chip.now()) / std::max(wall.count(), 1e-9) * 1e-6);
+  say("cycles {}\ninstructions {}\n", chip.now(), chip.processor_statistics().instructions);
+  say_to(stderr, "{:.2f} million clocks per second\n",
+         static_cast<double>(chip.now()) / std::max(wall.count(), 1e-9) * 1e-6);
   if (value != 0) {
     if (signature) {
       write_signature(*signature, chip, options.signature);
@@ -163,8 +170,8 @@ int run(const RunOptions& options) {
   if (interrupt_requested()) {
     return interrupted;
   }
-  fmt::print(stderr, "{} did not store to tohost within {} cycles: {}\n", options.program.string(),
-             options.max_cycles, what_goes_on(simulation));
+  say_to(stderr, "{} did not store to tohost within {} cycles: {}\n", options.program.string(),
+         options.max_cycles, what_goes_on(simulation));
   return time_out;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "sim/devices/private_folder.hpp"
@@ -15,6 +16,7 @@
 #include "sim/report/verdict.hpp"
 #include "tools/command/clock_choice.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/file_roles.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/pacer.hpp"
 #include "tools/command/printer_setup.hpp"
@@ -299,6 +301,12 @@ int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
 
 int serve(ServeOptions options) {
   ignore_closed_pipes();
+  const std::array<NamedFile, 1> read{{{"--machine", options.printer.machine}}};
+  const std::array<NamedFile, 4> written{{{"--report", options.report / "report.json"},
+                                          {"--report", options.report / "report.html"},
+                                          {"--edges", options.edges},
+                                          {"--accept-log", options.printer.accept_log}}};
+  check_that_files_differ(read, written);
   const ReportFiles reports(options.report, {}, options.clock_hz.value_or(0));
   try {
     return serve_and_report(options, reports);
