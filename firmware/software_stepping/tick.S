@@ -60,6 +60,9 @@
 #define LATE 3
 
   .section .text.tick, "ax"
+# Nothing outside of this code touches the registers above (tests/software_stepping/reserved_registers.sh).
+  .globl tick_code_begins, tick_code_ends
+tick_code_begins:
 
 # The processor enters at the trap base for exceptions and 28 bytes behind it for the timer, its only
 # interrupt: what lies between is room for a tick that is late. The name of the base is \name.
@@ -364,6 +367,8 @@ tick_to_registers:
   lui pin_registers, PINS_UPPER
   csrw mtvec, other
   jr t0
+
+tick_code_ends:
 
 # Ways of block.hpp.
   .section .rodata.ways, "a"
