@@ -30,6 +30,17 @@ void copy(void* to, const void* from, std::size_t bytes) {
   for (; bytes != 0; --bytes) *end++ = *source++;
 }
 
+void move(void* to, const void* from, std::size_t bytes) {
+  // Forwards, what is read has not been written yet wherever it goes to lower addresses.
+  if (reinterpret_cast<std::uintptr_t>(to) <= reinterpret_cast<std::uintptr_t>(from)) {
+    copy(to, from, bytes);
+    return;
+  }
+  auto* end = static_cast<unsigned char*>(to) + bytes;
+  const auto* source = static_cast<const unsigned char*>(from) + bytes;
+  for (; bytes != 0; --bytes) *--end = *--source;
+}
+
 void fill(void* begin, unsigned char byte, std::size_t bytes) {
   if (on_word(begin)) {
     constexpr std::uint32_t in_every_byte = 0x0101'0101;

@@ -32,6 +32,19 @@ TEST(memory, is_copied_at_every_alignment_and_length) {
   }
 }
 
+TEST(memory, is_moved_within_itself_either_way) {
+  for (std::size_t from = 0; from < 24; ++from) {
+    for (std::size_t to = 0; to < 24; ++to) {
+      for (std::size_t bytes = 0; bytes <= largest; ++bytes) {
+        alignas(8) Bytes expected = numbered(), moved = numbered();
+        std::memmove(expected.data() + to, expected.data() + from, bytes);
+        platform::move(moved.data() + to, moved.data() + from, bytes);
+        ASSERT_EQ(moved, expected) << bytes << " bytes from " << from << " to " << to;
+      }
+    }
+  }
+}
+
 TEST(memory, is_filled_at_every_alignment_and_length) {
   for (const int byte : {0, 1, 0x80, 0xFF}) {
     for (std::size_t begin = 0; begin < 8; ++begin) {
