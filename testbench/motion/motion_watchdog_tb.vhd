@@ -75,6 +75,24 @@ begin
     clocks(9);
     expect_expiry;
 
+    -- A shorter limit holds from now on, not from the next feeding on.
+    limit <= to_unsigned(1000, 32);
+    clocks(1);
+    moving <= '1';
+    clocks(50);
+    limit <= to_unsigned(10, 32);
+    clocks(10);
+    expect_expiry;
+
+    -- One after none too, though nothing has been counted.
+    limit <= to_unsigned(0, 32);
+    clocks(1);
+    moving <= '1';
+    clocks(50);
+    limit <= to_unsigned(10, 32);
+    clocks(10);
+    expect_expiry;
+
     -- A limit of one clock, and none.
     limit <= to_unsigned(1, 32);
     clocks(1);

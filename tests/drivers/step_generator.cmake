@@ -19,6 +19,11 @@ add_unit_test(step_generator_reference_test
   LIBRARIES verilated_bus motion_reference step_generator_model
   LABELS unit drivers)
 
+add_unit_test(step_generator_wild_test
+  SOURCES step_generator_wild_test.cpp wild_program.cpp wild_actions.cpp
+  LIBRARIES verilated_bus step_generator_model
+  LABELS unit drivers)
+
 # The same with more runs than an everyday check has time for.
 add_test(NAME step_generator_reference_slow_test COMMAND step_generator_reference_test)
 set_tests_properties(step_generator_reference_slow_test PROPERTIES
