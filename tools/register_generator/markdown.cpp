@@ -31,7 +31,9 @@ std::string bits_of(const Field& field) {
 std::string markdown_file(const Peripheral& peripheral, const std::string& source) {
   std::string text = fmt::format(
       "# `{}` registers\n\n{}\n\nBase address `0x{:08X}`. Generated from `{}`: do not edit.\n"
-      "Registers are read and written as whole words; anything else is a bus error.\n",
+      "Registers are written as whole words; anything else is a bus error. A read is one of the "
+      "whole word, whatever "
+      "part of it is loaded.\n",
       peripheral.name, peripheral.summary, peripheral.address, source);
   for (const Register& r : peripheral.registers) {
     const std::string place = r.is_array
