@@ -9,7 +9,7 @@ entity motion_watchdog is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Clocks of motion without feeding, 0 = never expires.
+    -- Clocks of motion without feeding, 0 = never expires. One that is changed in motion holds from then on.
     limit : in unsigned(31 downto 0);
     moving : in std_ulogic;
     feed : in std_ulogic;
@@ -20,7 +20,7 @@ end entity;
 
 architecture rtl of motion_watchdog is
 
-  signal left : unsigned(31 downto 0) := (others => '0');
+  signal left : unsigned(31 downto 0) := (others => '1');
 
 begin
 
@@ -28,14 +28,14 @@ begin
   begin
     wait until rising_edge(clk);
     expired <= '0';
-    if feed or not moving then
+    if limit = 0 then
+      left <= (others => '1');
+    elsif feed = '1' or moving = '0' or left > limit then
       left <= limit;
-    elsif limit /= 0 then
-      if left <= 1 then
-        expired <= '1';
-      else
-        left <= left - 1;
-      end if;
+    elsif left <= 1 then
+      expired <= '1';
+    else
+      left <= left - 1;
     end if;
     if reset then
       expired <= '0';

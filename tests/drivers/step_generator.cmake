@@ -26,7 +26,8 @@ add_unit_test(step_generator_wild_test
 
 # The same with more runs than an everyday check has time for.
 add_test(NAME step_generator_reference_slow_test COMMAND step_generator_reference_test)
-set_tests_properties(step_generator_reference_slow_test PROPERTIES
+add_test(NAME step_generator_wild_slow_test COMMAND step_generator_wild_test)
+set_tests_properties(step_generator_reference_slow_test step_generator_wild_slow_test PROPERTIES
   LABELS slow TIMEOUT 1800 ENVIRONMENT STEP_GENERATOR_RUNS=250)
 
 # The VHDL in GHDL against the netlist in Verilator.

@@ -294,7 +294,7 @@ struct Scale {
 // Stops motion when software does not feed it.
 struct Watchdog {
   static constexpr std::uint32_t address = base + 0x2Cu;
-  // Longest time of motion from one feed_watchdog to the next, in clocks; 0 = not watched, as after reset.
+  // Longest time of motion from one feed_watchdog to the next, in clocks; 0 = not watched, as after reset. A shorter one that is written in motion counts from then on.
   std::uint32_t clocks{};
 
   static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
