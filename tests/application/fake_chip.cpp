@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "drivers/registers/end_stops_registers.hpp"
@@ -44,7 +45,7 @@ double clocks_of(double ticks, double rate, double acceleration) {
 }  // namespace
 
 FakeChip::FakeChip() {
-  words_[steps::Override::address] = 1u << 16;
+  word(steps::Override::address) = 1u << 16;
   chip = this;
 }
 FakeChip::~FakeChip() { chip = nullptr; }
@@ -67,9 +68,14 @@ std::uint32_t FakeChip::thermistor_count(std::size_t channel) const {
   return static_cast<std::uint32_t>(ohms * counts_per_ohm);
 }
 
-std::uint32_t FakeChip::word(std::uint32_t address) const {
-  const auto found = words_.find(address);
-  return found == words_.end() ? 0 : found->second;
+// Throws where no register can be: a chip would trap there.
+std::size_t FakeChip::place_of(std::uint32_t address) {
+  constexpr std::uint32_t first = 0xF000'0000, bytes_of_peripheral = 0x1000;
+  const std::size_t peripheral = (address - first) / bytes_of_peripheral;
+  const std::size_t place = address % bytes_of_peripheral / 4;
+  if (address < first || peripheral >= peripherals || place >= words_of_peripheral)
+    throw std::out_of_range("no register has the address " + std::to_string(address));
+  return peripheral * words_of_peripheral + place;
 }
 
 bool FakeChip::wakes() const {
@@ -130,7 +136,7 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
   }
   if (address == steps::MotorEnable::address) return motors;
   // Without slopes.
-  if (address == steps::Scale::address) return words_[steps::Override::address];
+  if (address == steps::Scale::address) return word(steps::Override::address);
   if (address == steps::StopCause::address) {
     return steps::StopCause{.end_stops = stop_end_stops_,
                             .software = stopped_by_software_,
@@ -170,12 +176,12 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
   if (index_of<sense::ReferenceHigh>(address) < heaters.size()) {
     return static_cast<std::uint32_t>(10'000 * counts_per_ohm);
   }
-  return words_[address];
+  return word(address);
 }
 
 void FakeChip::write(std::uint32_t address, std::uint32_t value) {
   time += 2;
-  words_[address] = value;
+  word(address) = value;
   if (address == registers::uart::Data::address) from_firmware.push_back(static_cast<char>(value));
   if (address == registers::fan::Duty::address) fan_duty = value;
   if (address == steps::MotorEnable::address) motors = value;
@@ -229,16 +235,16 @@ void FakeChip::stop_by_watchdog() {
 }
 
 void FakeChip::commit() {
-  const auto flags = steps::SegmentFlags::decode(words_[steps::SegmentFlags::address]);
+  const auto flags = steps::SegmentFlags::decode(word(steps::SegmentFlags::address));
   const auto wide = [this](std::uint32_t low, std::uint32_t high) {
-    return (std::uint64_t{words_[high]} << 32) | words_[low];
+    return (std::uint64_t{word(high)} << 32) | word(low);
   };
   Segment segment;
   segment.continues = flags.continues_line;
   segment.ends_motion = flags.ends_motion;
   segment.stop_mask = flags.stop_mask;
-  segment.line_ticks = words_[steps::SegmentLineTicks::address];
-  segment.ticks = words_[steps::SegmentTicks::address];
+  segment.line_ticks = word(steps::SegmentLineTicks::address);
+  segment.ticks = word(steps::SegmentTicks::address);
   segment.rate = std::ldexp(
       static_cast<double>(wide(steps::SegmentRateLow::address, steps::SegmentRateHigh::address)),
       -64);
@@ -247,7 +253,7 @@ void FakeChip::commit() {
           wide(steps::SegmentAccelerationLow::address, steps::SegmentAccelerationHigh::address))),
       -84);
   for (std::size_t axis = 0; axis < 4; ++axis) {
-    const std::int64_t count = words_[steps::SegmentSteps::address_of(axis)];
+    const std::int64_t count = word(steps::SegmentSteps::address_of(axis));
     segment.steps[axis] = (flags.backward >> axis & 1u) != 0 ? -count : count;
   }
   queue_.push_back(segment);
@@ -260,7 +266,7 @@ void FakeChip::advance(std::uint32_t clocks) {
 }
 
 void FakeChip::advance_motion(std::uint32_t clocks) {
-  double left = std::ldexp(clocks, -16) * words_[steps::Override::address];
+  double left = std::ldexp(clocks, -16) * word(steps::Override::address);
   while (left > 0 && !stopped_) {
     if (!moving_) {
       if (queue_.empty()) return;
@@ -287,20 +293,43 @@ void FakeChip::advance_motion(std::uint32_t clocks) {
   }
 }
 
+// Of the line, since its begin.
+std::int64_t FakeChip::steps_until(std::size_t axis, std::int64_t line_tick) const {
+  return line_.steps[axis] * line_tick / line_.line_ticks;
+}
+
 void FakeChip::walk_to(std::int64_t line_tick) {
-  while (line_tick_ < line_tick) {
-    ++line_tick_;
-    for (std::size_t axis = 0; axis < 4; ++axis) {
-      const std::int64_t step = line_.steps[axis] * line_tick_ / line_.line_ticks -
-                                line_.steps[axis] * (line_tick_ - 1) / line_.line_ticks;
-      position[axis] += static_cast<std::int32_t>(step);
-      mechanical[axis] += step;
-    }
-    if (const std::uint32_t hit = line_.stop_mask & end_stops(); hit != 0) {
-      stop(hit, false);
-      return;
+  if (line_tick <= line_tick_) return;
+  const std::int64_t last = tick_of_stop(line_tick);
+  for (std::size_t axis = 0; axis < 4; ++axis) {
+    const std::int64_t steps = steps_until(axis, last) - steps_until(axis, line_tick_);
+    position[axis] += static_cast<std::int32_t>(steps);
+    mechanical[axis] += steps;
+  }
+  line_tick_ = last;
+  if (const std::uint32_t hit = line_.stop_mask & end_stops(); hit != 0) stop(hit, false);
+}
+
+// The first tick, at least one from here, after which an end stop that ends the line is closed; at
+// most `last_tick`. An axis moves to one side only: towards its end stop it closes once, and away
+// from it the first tick is the one at which it is most closed.
+std::int64_t FakeChip::tick_of_stop(std::int64_t last_tick) const {
+  if (line_.stop_mask == 0 || !end_stops_work) return last_tick;
+  if ((line_.stop_mask & end_stops_stuck) != 0) return line_tick_ + 1;
+  std::int64_t first = last_tick;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if ((line_.stop_mask >> axis & 1u) == 0) continue;
+    const std::int64_t begin = mechanical[axis] - steps_until(axis, line_tick_);
+    const auto closed = [&](std::int64_t tick) { return begin + steps_until(axis, tick) <= 0; };
+    if (closed(line_tick_ + 1)) return line_tick_ + 1;
+    if (!closed(first)) continue;
+    std::int64_t open = line_tick_ + 1;
+    while (first - open > 1) {
+      const std::int64_t middle = open + (first - open) / 2;
+      (closed(middle) ? first : open) = middle;
     }
   }
+  return first;
 }
 
 void FakeChip::advance_heat(double seconds) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <string>
 
 namespace application_test {
@@ -56,7 +55,7 @@ class FakeChip {
   std::array<std::int32_t, 4> position{};  // the hardware's counters
   std::uint32_t motors{};
   std::uint32_t fan_duty{};
-  std::uint32_t heater_duty(std::size_t channel) { return words_[duty_address(channel)]; }
+  std::uint32_t heater_duty(std::size_t channel) const { return word(duty_address(channel)); }
   std::uint32_t watchdog_feeds{};  // of both keys
   std::uint32_t wrong_watchdog_feeds{};  // not the key that was due
   // Gates and supply: no trip opens it without a heater's `tripped`.
@@ -82,7 +81,9 @@ class FakeChip {
   };
 
   static std::uint32_t duty_address(std::size_t channel);
-  std::uint32_t word(std::uint32_t address) const;
+  static std::size_t place_of(std::uint32_t address);
+  std::uint32_t word(std::uint32_t address) const { return words_[place_of(address)]; }
+  std::uint32_t& word(std::uint32_t address) { return words_[place_of(address)]; }
   std::uint32_t end_stops() const;
   void commit();
   void command(std::uint32_t value);
@@ -90,11 +91,15 @@ class FakeChip {
   void switch_supply(std::uint32_t key);
   void advance_motion(std::uint32_t clocks);
   void walk_to(std::int64_t line_tick);
+  std::int64_t steps_until(std::size_t axis, std::int64_t line_tick) const;
+  std::int64_t tick_of_stop(std::int64_t last_tick) const;
   void stop(std::uint32_t end_stops, bool software);
   void advance_heat(double seconds);
   std::uint32_t thermistor_count(std::size_t channel) const;
 
-  std::map<std::uint32_t, std::uint32_t> words_;  // registers without behaviour
+  static constexpr std::size_t peripherals = 9;
+  static constexpr std::size_t words_of_peripheral = 128;
+  std::array<std::uint32_t, peripherals * words_of_peripheral> words_{};  // without behaviour
   std::deque<Segment> queue_;
   Segment line_;  // the line under way, its flags those of its last segment
   std::int64_t line_tick_{};  // ticks of the line that are done
