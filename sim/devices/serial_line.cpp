@@ -70,7 +70,7 @@ void SerialLine::start_frame(sim::Clock now) {
     byte = static_cast<std::uint8_t>(byte ^ (1U << (random_() % 8)));
     ++bytes_corrupted_;
   }
-  send_frame_ = static_cast<std::uint16_t>((byte << 1) | (1U << (frame_bits - 1)));
+  send_frame_ = static_cast<std::uint16_t>(unsigned{byte} << 1 | 1U << (frame_bits - 1));
   sending_ = true;
   sent_bits_ = 0;
   drive_next_bit(now);

@@ -73,11 +73,8 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
           thermistor["beta_k"].number()};
 }
 
-}  // namespace
-
-Description read_description(const std::filesystem::path& file) {
-  machine_generator::check(file);
-  const toml::table table = machine_generator::Reader::parse(file);
+Description description_of(const toml::table& table, const std::filesystem::path& file) {
+  machine_generator::check(table, file);
   const Entry root{toml::node_view<const toml::node>(table)};
   Description description;
   description.name = root["name"].text();
@@ -93,6 +90,16 @@ Description read_description(const std::filesystem::path& file) {
                            converter["reference_high_ohms"].number(),
                            converter["supply_v"].number(), converter["threshold_v"].number()};
   return description;
+}
+
+}  // namespace
+
+Description read_description(const std::filesystem::path& file) {
+  return description_of(machine_generator::Reader::parse(file), file);
+}
+
+Description parse_description(std::string_view text, const std::filesystem::path& name) {
+  return description_of(machine_generator::Reader::parse(text, name), name);
 }
 
 }  // namespace machine

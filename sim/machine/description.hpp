@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/devices/motor_driver.hpp"
 #include "sim/plants/heated_block.hpp"
@@ -56,5 +57,7 @@ struct Description {
 // Throws std::runtime_error with the file, the line and name of the entry and what is wrong with
 // it: what the firmware cannot be built for is not simulated.
 Description read_description(const std::filesystem::path& file);
+// The same of a file's text; `name` is for the message.
+Description parse_description(std::string_view text, const std::filesystem::path& name);
 
 }  // namespace machine

@@ -2,14 +2,14 @@
 // Reading of ELF files with libelf.
 #include "sim/simulation/elf_image.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gelf.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
-#include <memory>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "sim/simulation/chip.hpp"
@@ -20,16 +20,10 @@ namespace {
 
 class ElfFile {
  public:
-  explicit ElfFile(const std::filesystem::path& path) : path_(path) {
+  ElfFile(std::span<const std::uint8_t> contents, const std::string& name)
+      : name_(name), contents_(contents.begin(), contents.end()) {
     elf_version(EV_CURRENT);
-    descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) {
-      fail(std::strerror(errno));
-    }
-    if (std::filesystem::is_directory(path)) {
-      fail("is a directory");
-    }
-    elf_ = elf_begin(descriptor_, ELF_C_READ, nullptr);
+    elf_ = elf_memory(contents_.data(), contents_.size());
     if (elf_ == nullptr || elf_kind(elf_) != ELF_K_ELF) {
       fail("is not an ELF file");
     }
@@ -55,7 +49,7 @@ class ElfFile {
 
   [[noreturn]] void fail(std::string_view what) {
     release();
-    throw std::runtime_error(fmt::format("{}: {}", path_.string(), what));
+    throw std::runtime_error(fmt::format("{}: {}", name_, what));
   }
   Elf* elf() const { return elf_; }
   const GElf_Ehdr& header() const { return header_; }
@@ -66,14 +60,10 @@ class ElfFile {
       elf_end(elf_);
       elf_ = nullptr;
     }
-    if (descriptor_ >= 0) {
-      close(descriptor_);
-      descriptor_ = -1;
-    }
   }
 
-  std::filesystem::path path_;
-  int descriptor_ = -1;
+  std::string name_;
+  std::vector<char> contents_;
   Elf* elf_ = nullptr;
   GElf_Ehdr header_{};
 };
@@ -217,7 +207,20 @@ std::optional<std::uint32_t> ElfImage::symbol(const std::string& name) const {
 }
 
 ElfImage read_elf(const std::filesystem::path& path) {
-  ElfFile file(path);
+  if (std::filesystem::is_directory(path)) {
+    throw std::runtime_error(path.string() + ": is a directory");
+  }
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw std::runtime_error(path.string() + ": " + std::strerror(errno));
+  }
+  const std::vector<std::uint8_t> contents{std::istreambuf_iterator<char>(stream), {}};
+  return parse_elf(contents, path.string());
+}
+
+ElfImage parse_elf(std::span<const std::uint8_t> contents, const std::string& name) {
+  ElfFile file(contents, name);
   ElfImage image;
   image.entry = static_cast<std::uint32_t>(file.header().e_entry);
   image.segments = segments_of(file);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct ElfImage {
 
 // Throws std::runtime_error that says what is wrong with the file.
 ElfImage read_elf(const std::filesystem::path& file);
+// The same of the contents of a file; `name` is for the message.
+ElfImage parse_elf(std::span<const std::uint8_t> contents, const std::string& name);
 
 // Writes the program into the chip's memory. Throws std::runtime_error where it does not fit.
 void load(const ElfImage& image, Chip& chip);

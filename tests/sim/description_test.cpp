@@ -46,4 +46,15 @@ TEST(Description, names_what_it_does_not_know) {
               HasSubstr("line 10: serial.parity: is not an entry"));
 }
 
+TEST(Description, may_hold_any_language_in_comments_and_ascii_elsewhere) {
+  EXPECT_EQ(complaint("jerk_mm_s = 10.0", "jerk_mm_s = 10.0 # \xC3\xBC \xF0\x9F\x98\x80 \"'"), "");
+  EXPECT_THAT(complaint("name = \"Prusa Mendel\"", "name = \"M\xC3\xBCller\""),
+              HasSubstr("line 5: holds a character outside ASCII"));
+  EXPECT_THAT(complaint("baud = 250_000", "\xC3\xA9 = 1"), HasSubstr("outside ASCII"));
+  EXPECT_THAT(complaint("baud = 250_000", "baud = \xC2\xA1"), HasSubstr("outside ASCII"));
+  // What looks like a comment in a text of several lines is none.
+  EXPECT_THAT(complaint("baud = 250_000", "baud = '''\n# ''' \xC3\xA9"),
+              HasSubstr("text of several lines"));
+}
+
 }  // namespace

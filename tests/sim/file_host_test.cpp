@@ -115,6 +115,12 @@ TEST_F(FileHostTest, sends_the_line_again_that_the_chip_asks_for) {
   EXPECT_EQ(host->counts().commands_executed, 2U);
 }
 
+TEST_F(FileHostTest, begins_again_with_m110_whatever_number_is_asked_for_before_it_is_taken) {
+  print("G28\n", {"echo:checksum mismatch, asked for again\nResend: 1\nok\n"});
+  EXPECT_THAT(sent, ElementsAre("N0 M110 N0*125", "N0 M110 N0*125", "N1 G28*18", "N2 M400*37"));
+  EXPECT_EQ(host->state(), HostState::completed);
+}
+
 TEST_F(FileHostTest, does_not_need_an_ok_after_resend) {
   print("G28\n", {"ok\n", "Resend: 1\n"});
   EXPECT_EQ(host->state(), HostState::completed);

@@ -43,16 +43,22 @@ Program joined(const sim::ElfImage& image) {
 Program read_program(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read " + path.string());
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file),
-                                  std::istreambuf_iterator<char>()};
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file),
+                                        std::istreambuf_iterator<char>()};
+  return parse_program(bytes, path.string());
+}
+
+Program parse_program(std::span<const std::uint8_t> contents, const std::string& name) {
   constexpr std::array<std::uint8_t, 4> magic{0x7F, 'E', 'L', 'F'};
-  if (bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin()))
-    return joined(sim::read_elf(path));
-  if (bytes.empty() || bytes.size() > loader_address - memory_address) {
-    throw std::runtime_error(fmt::format("{} has {} bytes; a program has 1 to {}", path.string(),
-                                         bytes.size(), loader_address - memory_address));
+  if (contents.size() >= magic.size() && std::ranges::equal(magic, contents.first(magic.size())))
+    return joined(sim::parse_elf(contents, name));
+  if (contents.empty() || contents.size() > loader_address - memory_address) {
+    throw std::runtime_error(fmt::format("{} has {} bytes; a program has 1 to {}", name,
+                                         contents.size(), loader_address - memory_address));
   }
-  return {.address = memory_address, .bytes = std::move(bytes), .entry = memory_address};
+  return {.address = memory_address,
+          .bytes = {contents.begin(), contents.end()},
+          .entry = memory_address};
 }
 
 }  // namespace loading

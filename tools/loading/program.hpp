@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace loading {
@@ -22,5 +24,7 @@ struct Program {
 // are also the entry. The boot loader's part of a firmware is left out. Throws std::runtime_error
 // where a file is neither, or lies outside the memory.
 Program read_program(const std::filesystem::path& file);
+// The same of the contents of a file; `name` is for the message.
+Program parse_program(std::span<const std::uint8_t> contents, const std::string& name);
 
 }  // namespace loading

@@ -191,12 +191,7 @@ std::string converter(Reader reader) {
   return text;
 }
 
-}  // namespace
-
-void check(const std::filesystem::path& file) { header_of(file); }
-
-std::string header_of(const std::filesystem::path& file) {
-  const toml::table table = Reader::parse(file);
+std::string header_of(const toml::table& table, const std::filesystem::path& file) {
   Reader root(file, table);
   const std::string name = root.text("name");
   if (name.find_first_of("\"\\\n") != std::string::npos)
@@ -277,6 +272,16 @@ std::string header_of(const std::filesystem::path& file) {
       file.filename().string(), name, baud, advanced_ok,
       quantity("Milliseconds", thousand * host_silence), limits, accelerations, searches, drivers,
       hotend_text, bed_text, min_extrusion, converter_text);
+}
+
+}  // namespace
+
+std::string header_of(const std::filesystem::path& file) {
+  return header_of(Reader::parse(file), file);
+}
+
+void check(const toml::table& description, const std::filesystem::path& file) {
+  header_of(description, file);
 }
 
 }  // namespace machine_generator

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <toml++/toml.hpp>
 
 namespace machine_generator {
 
@@ -12,7 +13,8 @@ namespace machine_generator {
 // the firmware's range or unknown.
 std::string header_of(const std::filesystem::path& file);
 
-// The same judgement for another reader of the file, which then needs none of its own.
-void check(const std::filesystem::path& file);
+// The same judgement for another reader of the description, which then needs none of its own.
+// `file` is for the message.
+void check(const toml::table& description, const std::filesystem::path& file);
 
 }  // namespace machine_generator

@@ -5,14 +5,24 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace machine_generator {
 
 toml::table Reader::parse(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file))
+    throw DescriptionError(file.string() + ": cannot be read");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse(text, file);
+}
+
+toml::table Reader::parse(std::string_view text, const std::filesystem::path& name) {
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(text, name.string());
   } catch (const toml::parse_error& error) {
-    throw DescriptionError(fmt::format("{}: line {}: {}", file.string(), error.source().begin.line,
+    throw DescriptionError(fmt::format("{}: line {}: {}", name.string(), error.source().begin.line,
                                        error.description()));
   }
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <toml++/toml.hpp>
 
 namespace machine_generator {
@@ -23,6 +24,8 @@ class Reader {
  public:
   // The whole file. Throws DescriptionError where it is missing or not TOML.
   static toml::table parse(const std::filesystem::path& file);
+  // The same of a file's text; `name` is for the message.
+  static toml::table parse(std::string_view text, const std::filesystem::path& name);
 
   // `place` is the table's full name, empty for the file itself.
   Reader(const std::filesystem::path& file, const toml::table& table, std::string place = {});
