@@ -258,7 +258,11 @@ void FileHost::acknowledge_line(sim::Clock now, std::size_t index) {
 }
 
 void FileHost::ask_again(sim::Clock now, const std::string& reply) {
-  const std::optional<std::size_t> number = first_number(reply);
+  std::optional<std::size_t> number = first_number(reply);
+  // A chip that has not got the M110 counts from elsewhere, and no line behind it goes out before.
+  if (number && acknowledged_ == 0) {
+    number = 0;
+  }
   if (!number || *number >= script_.size() || *number > next_) {
     fail(fmt::format("the chip asks for a line that was never sent: \"{}\"", reply));
     return;

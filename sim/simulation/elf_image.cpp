@@ -86,10 +86,15 @@ std::size_t header_bytes(ElfFile& file, const GElf_Phdr& segment) {
 
 constexpr GElf_Xword address_space = GElf_Xword{1} << 32;
 
+// Of all segments, with the zeros that the file leaves out: many times the largest memory of a
+// chip. More is a damaged file, and would only fill the memory of this machine.
+constexpr GElf_Xword most_loaded_bytes = GElf_Xword{1} << 24;
+
 std::vector<ElfSegment> segments_of(ElfFile& file) {
   std::vector<ElfSegment> segments;
   std::size_t count = 0;
   elf_getphdrnum(file.elf(), &count);
+  GElf_Xword loaded_bytes = 0;
   std::size_t file_size = 0;
   const char* content = elf_rawfile(file.elf(), &file_size);
   for (std::size_t i = 0; i < count; ++i) {
@@ -101,8 +106,13 @@ std::vector<ElfSegment> segments_of(ElfFile& file) {
       continue;
     }
     if (content == nullptr || header.p_offset + header.p_filesz > file_size ||
-        header.p_filesz > header.p_memsz || header.p_memsz > 0x1000'0000) {
+        header.p_filesz > header.p_memsz) {
       file.fail("is damaged: a segment lies beyond its end");
+    }
+    loaded_bytes += header.p_memsz;
+    if (loaded_bytes > most_loaded_bytes) {
+      file.fail(fmt::format("loads more than {} MiB: it is damaged, or for another machine",
+                            most_loaded_bytes >> 20));
     }
     if (header.p_paddr + header.p_memsz > address_space || header.p_vaddr > address_space) {
       file.fail(fmt::format("loads {} bytes at {:#010x}, beyond the end of the address space",

@@ -4,11 +4,49 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
 namespace machine_generator {
+
+namespace {
+
+// What stands before the comment; of a text in quotes a # is a part.
+std::string_view without_comment(std::string_view line) {
+  char quote = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (quote == 0 && line[i] == '#') return line.substr(0, i);
+    if (quote == '"' && line[i] == '\\') {
+      ++i;
+    } else if (quote == 0 && (line[i] == '"' || line[i] == '\'')) {
+      quote = line[i];
+    } else if (line[i] == quote) {
+      quote = 0;
+    }
+  }
+  return line;
+}
+
+// toml++ 3.4 has undefined behaviour for some characters beyond ASCII outside of texts and
+// comments, and the firmware cannot say them to a host anyway. Texts of several lines, which
+// nothing here needs, would make it hard to know what a comment is.
+void check_characters(std::string_view text, const std::string& name) {
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = without_comment(text.substr(0, end));
+    const auto fail = [&](std::string_view what) {
+      throw DescriptionError(fmt::format("{}: line {}: {}", name, number, what));
+    };
+    if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) > 0x7e; }))
+      fail("holds a character outside ASCII, which only a comment may");
+    if (line.contains("\"\"\"") || line.contains("'''")) fail("begins a text of several lines");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+}  // namespace
 
 toml::table Reader::parse(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -19,6 +57,7 @@ toml::table Reader::parse(const std::filesystem::path& file) {
 }
 
 toml::table Reader::parse(std::string_view text, const std::filesystem::path& name) {
+  check_characters(text, name.string());
   try {
     return toml::parse(text, name.string());
   } catch (const toml::parse_error& error) {
