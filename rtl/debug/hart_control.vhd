@@ -86,7 +86,7 @@ begin
     wait until rising_edge(clk);
     -- The instruction in the execute stage is one to halt before.
     if debug_response.advance then
-      triggered <= debug_response.follows and next_matches and not halted;
+      triggered <= debug_response.issue and next_matches and not halted;
     end if;
     if debug_response.finish and steps and not halted then
       step_done <= '1';

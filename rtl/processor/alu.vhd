@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The arithmetic unit: sums, logic, shifts and comparisons of two words, within one clock.
+-- ALU: sums, logic, shifts and comparisons of two words, combinational.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -9,20 +9,20 @@ use work.processor_pkg.all;
 
 entity alu is
   generic (
-    -- Of Zbb: logic with the second operand inverted, rotation.
+    -- Zbb: andn, orn, xnor and rotations.
     has_zbb : boolean := false
   );
   port (
     first : in word_t;
     second : in word_t;
-    -- In the coding of funct3; 5 gives `second` as it is where `shift` is low.
+    -- As funct3; 5 without `shift` passes `second`.
     operation : in std_ulogic_vector(2 downto 0);
     shift : in std_ulogic;
-    -- Subtract instead of add; with Zbb, take the second operand of logic inverted.
+    -- Subtract instead of add; with Zbb also inverts the second operand of logic.
     subtract : in std_ulogic;
-    -- Arithmetic instead of logical shift to the right.
+    -- Arithmetic instead of logical right shift.
     arithmetic_shift : in std_ulogic;
-    -- With Zbb: what a shift moves out at one end comes in at the other.
+    -- With Zbb: rotate instead of shift.
     rotate : in std_ulogic := '0';
     compare_unsigned : in std_ulogic;
     result : out word_t;
@@ -42,12 +42,11 @@ architecture rtl of alu is
 
 begin
 
-  -- With a bit below, from which the carry comes.
+  -- One adder: an extra lowest bit is the carry in.
   addend <= second xor (31 downto 0 => subtract);
   sum <= unsigned(first & '1') + unsigned(addend & subtract);
 
-  -- Comparisons have an adder of their own: branches depend on them, and so does the length of a clock.
-  -- Two of them, in which nothing comes before the carries.
+  -- Critical path of branches: two subtractors of their own, with no gate before their carry chains.
   difference <= unsigned('0' & first) - unsigned('0' & second);
   reverse_difference <= unsigned('0' & second) - unsigned('0' & first);
   signs_differ <= (first(31) xor second(31)) and not compare_unsigned;
@@ -55,7 +54,7 @@ begin
   comparison <= (
     below => difference(32), above => reverse_difference(32), signs_differ => signs_differ);
 
-  -- One shifter to the right for all: a shift to the left is one by 31 less from 31 bits above.
+  -- One right shifter for all: a left shift by n is a right shift of 63 bits by 31 - n.
   is_left <= not operation(2);
   fill <= first(31) and arithmetic_shift;
   above <= first(30 downto 0) when has_zbb and rotate = '1' else (others => fill);
@@ -66,7 +65,7 @@ begin
 
   -- operation: 0 add, 1 shift left, 2 less, 3 less unsigned, 4 xor, 5 shift right or `second`, 6 or,
   -- 7 and.
-  -- Shifts take longest, then sums.
+  -- Shifts settle last, then sums: they are multiplexed last.
   without_sum <= logical when operation(2) else (31 downto 1 => '0') & less;
   without_shift <= without_sum when operation(2) or operation(1) else
                    std_ulogic_vector(sum(32 downto 1));

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The part of Zbb with a late result: counts of bits, the order of bytes, extension, minimum and maximum.
+-- Zbb instructions with a late result: bit counts, byte order, sign and zero extension, minimum and maximum.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,22 +10,22 @@ use work.processor_pkg.all;
 entity bit_manipulation is
   port (
     clk : in std_ulogic;
-    -- Takes the operands.
+    -- Samples the operands.
     enable : in std_ulogic;
-    -- One of these instructions, as bit_manipulation_decoder tells.
+    -- One that bit_manipulation_decoder assigns to this unit.
     instruction : in word_t;
     first : in word_t;
     second : in word_t;
-    -- `first` is less than `second`, in the order of the instruction.
+    -- `first` is less than `second`, signed or unsigned as the instruction says.
     less : in std_ulogic;
-    -- In the clock after `enable`, and until the next.
+    -- From the clock after `enable` until the next `enable`.
     result : out word_t
   );
 end entity;
 
 architecture rtl of bit_manipulation is
 
-  -- What the bits of the instruction say, in their order.
+  -- Instruction bits that distinguish the operations.
   alias inverts : std_ulogic is instruction(30);
   alias compares : std_ulogic is instruction(25);
   alias extends : std_ulogic is instruction(22);
@@ -41,14 +41,13 @@ architecture rtl of bit_manipulation is
   signal combined, sign_extension : word_t;
   signal sign : std_ulogic;
 
-  -- The result is `kept`, or `replacement` in what `replaces` names: upper half, byte 1, byte 0. Where bits
-  -- are counted the number comes into its place.
+  -- The result is `kept`, with the parts selected by `replaces` (upper half, byte 1, byte 0) taken from
+  -- `replacement`. A bit count is inserted into zeros.
   signal kept, replacement, chosen : word_t;
   signal replaces : std_ulogic_vector(2 downto 0);
   signal gives_zeros, gives_ones : std_ulogic;
 
-  -- Counting takes both clocks: in the first, the nibbles that are zero before all others, and the ones of
-  -- each byte.
+  -- Counting is pipelined over two clocks: first the leading zero nibbles and the ones of each byte.
   signal nonzero : std_ulogic_vector(7 downto 0);
   signal zero_nibbles : unsigned(2 downto 0);
   signal is_zero : std_ulogic;
@@ -73,7 +72,7 @@ architecture rtl of bit_manipulation is
     return (and nibble) & (two_or_more and not (and nibble)) & (xor nibble);
   end function;
 
-  -- How many bits are zero above the highest that is one.
+  -- Zeros above the highest one.
   function leading_zeros(bits : std_ulogic_vector(7 downto 0)) return unsigned is
     variable four : std_ulogic_vector(3 downto 0);
     variable two : std_ulogic_vector(1 downto 0);
@@ -87,7 +86,7 @@ architecture rtl of bit_manipulation is
     return count;
   end function;
 
-  -- The same of the highest nibble of `word` that is not zero, which stands behind `nibbles` that are.
+  -- Leading zeros of the highest nonzero nibble of `word`, which follows `nibbles` zero ones.
   function zeros_in_nibble(word : word_t; nibbles : unsigned(2 downto 0)) return unsigned is
     variable half : std_ulogic_vector(15 downto 0);
     variable byte : std_ulogic_vector(7 downto 0);
@@ -108,7 +107,7 @@ begin
   is_reverse <= not of_registers and of_bytes and inverts;
   is_combination <= not of_registers and of_bytes and not inverts;
 
-  -- Zeros are counted from above; from below they are of the word turned round.
+  -- ctz is clz of the reversed word.
   turned <= reversed(first);
   swapped <= first(7 downto 0) & first(15 downto 8) & first(23 downto 16) & first(31 downto 24);
   prepared <= turned when is_count and from_below else swapped when is_reverse else first;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Tells which words are instructions of Zbb, and which of these are not the arithmetic unit's.
+-- Decodes Zbb: whether a word is one of its instructions, and whether bit_manipulation or the ALU executes
+-- it.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,11 +9,11 @@ use work.processor_pkg.all;
 
 entity bit_manipulation_decoder is
   port (
-    -- The lowest two bits are "11".
+    -- The lowest two bits are always "11".
     instruction : in word_t;
-    -- An instruction of Zbb for two registers of 32 bits.
+    -- An instruction of RV32 Zbb.
     legal : out std_ulogic;
-    -- If it is legal: it is done by bit_manipulation, not by the arithmetic unit.
+    -- If it is legal: executed by bit_manipulation, not by the ALU.
     manipulates : out std_ulogic
   );
 end entity;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The control and status registers of machine mode, with what traps and returns do to them.
+-- Control and status registers of machine mode, with their updates by traps and mret.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,29 +10,29 @@ use work.processor_pkg.all;
 entity control_status_registers is
   port (
     clk : in std_ulogic;
-    -- The same clock, never left out.
+    -- The same clock without gating.
     always_clk : in std_ulogic;
     reset : in std_ulogic;
-    -- A CSR instruction; the data comes in the same clock.
+    -- A CSR instruction; read data in the same clock.
     request : in csr_request_t;
     read_data : out word_t;
-    -- Taken in the clock before, from which on nothing is executed for two clocks.
+    -- The trap taken in the previous clock. No instruction is in execute for two clocks from then on.
     trap : in trap_t;
-    -- mret is executed in this clock.
+    -- mret executes in this clock.
     trap_return : in std_ulogic;
-    -- An instruction is completed in this clock.
+    -- An instruction retires in this clock.
     retire : in std_ulogic;
     timer_interrupt : in std_ulogic;
     external_interrupt : in std_ulogic;
     interrupts : in std_ulogic_vector(15 downto 0);
-    -- An interrupt that mie lets through is there now.
+    -- An interrupt enabled in mie is pending, combinational.
     interrupt_requested : out std_ulogic;
-    -- An interrupt that mie lets through was there in the clock before: wfi ends.
-    awake : out std_ulogic;
-    -- ... and mstatus lets it through too.
+    -- The same in the previous clock: wakes wfi, whatever mstatus.MIE.
+    wake_request : out std_ulogic;
+    -- ... and mstatus.MIE is set: take the interrupt.
     interrupt_pending : out std_ulogic;
     interrupt_cause : out std_ulogic_vector(4 downto 0);
-    -- Where a trap goes.
+    -- From mtvec.
     trap_target : out unsigned(31 downto 0);
     -- mepc.
     return_address : out unsigned(31 downto 0)
@@ -45,7 +45,7 @@ architecture rtl of control_status_registers is
   constant writable_interrupts : word_t := x"ffff0880";
 
   signal interrupt_enable, previous_interrupt_enable : std_ulogic;
-  signal enabled_interrupts, enabled_if_written, requested_interrupts : word_t;
+  signal enabled_interrupts, next_enabled_interrupts, requested_interrupts : word_t;
   signal trap_base : unsigned(31 downto 2);
   signal trap_vectored : std_ulogic;
   signal scratch, last_trap_value : word_t;
@@ -62,7 +62,7 @@ architecture rtl of control_status_registers is
   signal write, writes_counter : std_ulogic;
   signal cycle_event, instruction_event : std_ulogic;
 
-  -- What a CSR instruction makes of a register that holds `old`.
+  -- New value of a CSR that holds `old`.
   function written(old, operand : word_t; operation : std_ulogic_vector(1 downto 0)) return word_t is
   begin
     if operation = "10" then
@@ -85,15 +85,15 @@ begin
                            19 => interrupts(3), 18 => interrupts(2), 17 => interrupts(1),
                            16 => interrupts(0), others => '0');
 
-  -- What is read is decided by as few bits of the address as tell apart what exists: the gates stay
-  -- few. The decoder lets no other address come here.
+  -- Read multiplexer, selected by as few address bits as distinguish the implemented CSRs. Other addresses
+  -- are illegal instructions and don't care.
   is_counter <= request.address(11) and (request.address(10) nand request.address(9)) and
                 not (or request.address(4 downto 2)) and not request.address(0);
   counter_half <= cycle(63 downto 32) when request.address(7) and not request.address(1) else
                   instructions(63 downto 32) when request.address(7) else
                   cycle(31 downto 0) when not request.address(1) else
                   instructions(31 downto 0);
-  -- 34x: scratch, and what the last trap left.
+  -- 34x: mscratch, mepc, mcause, mtval, mip.
   is_trap_state <= request.address(9) and request.address(6);
   trap_state <= requested_interrupts when request.address(2) else
                 last_trap_value when request.address(1) and request.address(0) else
@@ -102,7 +102,7 @@ begin
                  others => '0') when request.address(1) else
                 std_ulogic_vector(exception_address) & '0' when request.address(0) else
                 scratch;
-  -- 30x: mstatus, misa, mie, mtvec; 310 (mstatush) and 32x are zero but for mcountinhibit.
+  -- 30x: mstatus, misa, mie, mtvec; 320: mcountinhibit; 310 (mstatush) and the rest of 32x are zero.
   is_setup <= not request.address(11) and not request.address(10) and not request.address(6) and
               not request.address(4);
   setup <= (2 => instructions_stopped and not (or request.address(4 downto 0)),
@@ -118,23 +118,23 @@ begin
                setup when is_setup else
                x"00000000";
 
-  write <= request.enable and request.writes and not request.in_vain;
+  write <= request.enable and request.writes and not request.cancelled;
   write_data <= written(read_data, request.operand, request.operation);
   writes_counter <= write and (request.address(11 downto 8) ?= x"b");
 
-  -- Interrupts must follow a write of mie at once, so they are chosen by its new value: found without
-  -- the choice of what is read, and whether an interrupt takes its place, since there is no other in
-  -- the clock behind that.
-  enabled_if_written <= written(enabled_interrupts, request.operand, request.operation) and
+  -- A write of mie takes effect at once, so interrupts are masked with its next value. Critical path:
+  -- computed without the read multiplexer, and without `cancelled`, since no interrupt is taken in the
+  -- clock after one.
+  next_enabled_interrupts <= written(enabled_interrupts, request.operand, request.operation) and
                           writable_interrupts when
                           request.enable and request.writes and (request.address ?= x"304") else
                         enabled_interrupts;
 
-  change : process
+  update : process
   begin
     wait until rising_edge(clk);
-    if not request.in_vain then
-      enabled_interrupts <= enabled_if_written;
+    if not request.cancelled then
+      enabled_interrupts <= next_enabled_interrupts;
     end if;
     if write then
       case request.address is
@@ -182,28 +182,27 @@ begin
     end if;
   end process;
 
-  -- An adder alone: less than a choice behind it.
+  -- The cause is gated before the adder: faster than a multiplexer behind it.
   trap_target <= (trap_base + (unsigned(trap.cause) and (4 downto 0 => trap_vectored and trap.interrupt))) &
                  "00";
   return_address <= exception_address & '0';
 
   cycle_event <= not cycle_stopped;
-  -- Counts while the rest of the processor is at rest, too.
+  -- Counts also while the clock of the processor is gated.
   cycle_counter : entity work.event_counter
     port map (
       clk => always_clk,
       reset => reset,
-      happens => cycle_event,
+      increment => cycle_event,
       write_low => writes_counter and (request.address(7 downto 0) ?= x"00"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"80"),
       write_data => write_data,
       count => open,
       next_count => next_cycle);
 
-  -- What instructions read: the same in all clocks before which no edge of `clk` was left out. Read
-  -- from the counter itself, all that a CSR instruction does would be evaluated in a model in every
-  -- clock.
-  see_cycle : process
+  -- The value that instructions read: equal to the counter in every clock that follows an edge of `clk`.
+  -- Reading the counter itself would make a simulation evaluate the whole read path in every clock.
+  sample_cycle : process
   begin
     wait until rising_edge(clk);
     cycle <= next_cycle;
@@ -212,9 +211,8 @@ begin
     end if;
   end process;
 
-  -- Whether an instruction is completed comes late in the clock: it is counted with the next, and what
-  -- reads the counter then finds it counted.
-  note_instruction : process
+  -- `retire` settles late: it is counted a clock later. `count` of the counter includes the pending event.
+  delay_instruction_event : process
   begin
     wait until rising_edge(clk);
     instruction_event <= retire and not instructions_stopped and
@@ -228,7 +226,7 @@ begin
     port map (
       clk => clk,
       reset => reset,
-      happens => instruction_event,
+      increment => instruction_event,
       write_low => writes_counter and (request.address(7 downto 0) ?= x"02"),
       write_high => writes_counter and (request.address(7 downto 0) ?= x"82"),
       write_data => write_data,
@@ -239,10 +237,10 @@ begin
     port map (
       clk => clk,
       requested => requested_interrupts,
-      enabled => enabled_if_written,
-      pending => awake,
+      enabled => next_enabled_interrupts,
+      pending => wake_request,
       cause => interrupt_cause);
-  interrupt_pending <= awake and interrupt_enable;
+  interrupt_pending <= wake_request and interrupt_enable;
   interrupt_requested <= or (requested_interrupts and enabled_interrupts);
 
 end architecture;

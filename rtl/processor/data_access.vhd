@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Sends loads and stores to the memory or over the bus, stored bytes in the lanes where they
--- belong.
+-- Load/store unit: requests to the memory or the bus, with store data in its byte lanes.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,7 +14,7 @@ entity data_access is
     memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
     memory_address_bits : positive;
-    -- But for the last quarter of them.
+    -- Its last quarter is not implemented.
     memory_lacks_quarter : boolean := false
   );
   port (
@@ -24,20 +23,20 @@ entity data_access is
     -- A load or store is executed in this clock.
     enable : in std_ulogic;
     store : in std_ulogic;
-    -- Its base, its constant, and their sum.
+    -- Base, immediate and their sum, the address.
     base : in unsigned(31 downto 0);
     offset : in unsigned(31 downto 0);
     address : in unsigned(31 downto 0);
-    -- In the coding of funct3.
+    -- As funct3(1 downto 0).
     size : in std_ulogic_vector(1 downto 0);
     store_data : in word_t;
     memory_request : out memory_request_t;
     bus_request : out bus_request_t;
     bus_response : in bus_response_t;
-    -- Not at a multiple of its size; nothing is accessed then.
+    -- The address is not a multiple of the size: no access is made.
     misaligned : out std_ulogic;
     to_memory : out std_ulogic;
-    -- The bus has the request: from the clock after `enable` to that of the response.
+    -- A bus access is in progress: from the clock after `enable` to that of the response.
     bus_active : out std_ulogic;
     done : out std_ulogic;
     error : out std_ulogic
@@ -50,24 +49,25 @@ architecture rtl of data_access is
   signal lane_data : word_t;
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
-  signal is_right : unsigned(31 downto memory_address_bits + 1);
-  subtype before is natural range 30 downto memory_address_bits;
-  signal behind_right : unsigned(32 downto memory_address_bits + 1);
-  signal in_lacking_quarter, in_memory, aligned : std_ulogic;
+  signal bit_matches : unsigned(31 downto memory_address_bits + 1);
+  subtype lower_bits is natural range 30 downto memory_address_bits;
+  signal matches_carry : unsigned(32 downto memory_address_bits + 1);
+  signal in_last_quarter, in_memory, aligned : std_ulogic;
 
 begin
 
-  -- Told without the sum's upper bits, which come late: where the lowest of them is right, each further one
-  -- is right if the carry into it is the one that a right bit before it leaves behind.
-  is_right <=
-    (base(is_right'range) xor offset(is_right'range) xor memory_number(is_right'range)) xnor
-    ((base(before) and offset(before)) or
-     ((base(before) or offset(before)) and not memory_number(before)));
-  -- By a chain of carries.
-  behind_right <= ('0' & is_right) + 1;
-  in_lacking_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
+  -- Critical path: address decoding without waiting for the upper bits of the sum. If the lowest of them
+  -- matches the memory's, each further one matches if its carry in is what a matching bit below it
+  -- generates.
+  bit_matches <=
+    (base(bit_matches'range) xor offset(bit_matches'range) xor memory_number(bit_matches'range)) xnor
+    ((base(lower_bits) and offset(lower_bits)) or
+     ((base(lower_bits) or offset(lower_bits)) and not memory_number(lower_bits)));
+  -- AND of all, by a carry chain.
+  matches_carry <= ('0' & bit_matches) + 1;
+  in_last_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
     when memory_lacks_quarter else '0';
-  in_memory <= behind_right(32) and not in_lacking_quarter and
+  in_memory <= matches_carry(32) and not in_last_quarter and
                (address(memory_address_bits) xnor memory_number(memory_address_bits));
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;
@@ -82,7 +82,7 @@ begin
                store_data(7 downto 0) & store_data(7 downto 0) & store_data(7 downto 0) &
                store_data(7 downto 0);
 
-  -- Whether an access is one of the memory comes late in the clock; reading it in vain does no harm.
+  -- `in_memory` settles late. Without it, the memory is also read on bus accesses, which has no effect.
   memory_request.enable <= enable;
   memory_request.write_bytes <= lanes and (3 downto 0 => store and in_memory and aligned);
   memory_request.address <= address(31 downto 2);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Divides two words, signed or not, two bits of the quotient a clock: always 18 clocks.
+-- Restoring divider, signed or unsigned, two quotient bits a clock: always 18 clocks.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,13 +11,13 @@ entity divider is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Held, with the operands, until `done`; if it falls before, the division is given up.
+    -- Held, with the operands, until `done`; the division is aborted if it falls before.
     request : in std_ulogic;
-    -- In the coding of funct3: bit 0 unsigned, bit 1 remainder instead of quotient.
+    -- As funct3: bit 0 unsigned, bit 1 remainder instead of quotient.
     operation : in std_ulogic_vector(1 downto 0);
     first : in word_t;
     second : in word_t;
-    -- For one clock, the 18th of the request: the result is there.
+    -- High in the 18th clock of the request, with the result.
     done : out std_ulogic;
     result : out word_t
   );
@@ -29,22 +29,20 @@ architecture rtl of divider is
   signal state : state_t;
   signal pairs_left : unsigned(3 downto 0);
 
-  -- Absolute values. The quotient enters `quotient` from the right, the dividend leaves to the
-  -- left.
+  -- Absolute values. `quotient` shifts the dividend out to the left and the quotient in from the right.
   signal quotient, remainder : unsigned(31 downto 0);
-  -- What subtracts the divisor's absolute value when it is added: a negative divisor as it is, another
-  -- inverted, and one more.
+  -- Adding these subtracts the divisor's absolute value: a negative divisor unchanged, any other inverted,
+  -- with a carry in.
   signal addend : unsigned(31 downto 0);
-  signal one_more : std_ulogic;
+  signal carry_in : std_ulogic;
   signal negate_quotient, negate_remainder : std_ulogic;
 
-  -- The first of the two bits, then the second; 33 bits, of which the highest tells that the divisor did
-  -- not go in.
+  -- The first of the two bits, then the second. Bit 32 of a difference is the borrow: the divisor is greater.
   signal first_shifted, first_difference, second_shifted, second_difference : unsigned(32 downto 0);
   signal first_remainder, second_remainder : unsigned(31 downto 0);
 
   signal first_negative, second_negative : std_ulogic;
-  -- One unit gives a sign to both, the dividend before and the result after.
+  -- One negation unit for both the dividend and the result.
   signal to_sign, given_sign : unsigned(31 downto 0);
   signal negate : std_ulogic;
 
@@ -52,7 +50,7 @@ architecture rtl of divider is
                            carry : std_ulogic) return unsigned is
     variable sum : unsigned(33 downto 0);
   begin
-    -- With a bit below, from which the carry comes.
+    -- An extra lowest bit is the carry in.
     sum := (value & '1') + ('1' & to_add & carry);
     return sum(33 downto 1);
   end function;
@@ -63,11 +61,11 @@ begin
   second_negative <= second(31) and not operation(0);
 
   first_shifted <= remainder & quotient(31);
-  first_difference <= without_divisor(first_shifted, addend, one_more);
+  first_difference <= without_divisor(first_shifted, addend, carry_in);
   first_remainder <= first_shifted(31 downto 0) when first_difference(32) else
                      first_difference(31 downto 0);
   second_shifted <= first_remainder & quotient(30);
-  second_difference <= without_divisor(second_shifted, addend, one_more);
+  second_difference <= without_divisor(second_shifted, addend, carry_in);
   second_remainder <= second_shifted(31 downto 0) when second_difference(32) else
                       second_difference(31 downto 0);
 
@@ -97,8 +95,8 @@ begin
           quotient <= given_sign;
           remainder <= (others => '0');
           addend <= unsigned(second xor (31 downto 0 => not second_negative));
-          one_more <= not second_negative;
-          -- Division by zero gives a quotient of all ones as it comes, whatever the signs.
+          carry_in <= not second_negative;
+          -- Division by zero: the quotient is all ones and must not be negated.
           negate_quotient <= (first_negative xor second_negative) and (or second);
           negate_remainder <= first_negative;
         end if;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A 64-bit counter of events, read and written by software in halves (mcycle, minstret).
+-- 64-bit event counter (mcycle, minstret), read and written by software in halves.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,13 +11,13 @@ entity event_counter is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Counts the clocks in which this is high.
-    happens : in std_ulogic;
-    -- A half that is written counts nothing in this clock.
+    -- An event in this clock.
+    increment : in std_ulogic;
+    -- A written half does not count in this clock.
     write_low : in std_ulogic;
     write_high : in std_ulogic;
     write_data : in word_t;
-    -- With the event of this clock; in the next clock, but for a reset.
+    -- Including the event of this clock; the value in the next clock, without reset.
     count : out unsigned(63 downto 0);
     next_count : out unsigned(63 downto 0)
   );
@@ -29,7 +29,7 @@ architecture rtl of event_counter is
 
 begin
 
-  count <= counted + unsigned'(0 => happens);
+  count <= counted + unsigned'(0 => increment);
   next_count(31 downto 0) <= unsigned(write_data) when write_low else count(31 downto 0);
   next_count(63 downto 32) <= unsigned(write_data) when write_high else count(63 downto 32);
 

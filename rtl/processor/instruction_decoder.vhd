@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Reads an instruction of 16 or 32 bits.
+-- Decodes an instruction of 16 or 32 bits.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,14 +11,14 @@ entity instruction_decoder is
     has_zbb : boolean := false
   );
   port (
-    -- The bits behind a shorter instruction are of no meaning.
+    -- The upper half of a compressed instruction is don't care.
     instruction : in word_t;
-    -- It has 32 bits.
+    -- 32 bits, not compressed.
     is_word : in std_ulogic;
-    -- With the register in which jal and jalr of 16 bits put their link, and without writes to x0.
-    decoded : out decoded_t;
+    -- The destination of c.jal and c.jalr is x1; x0 is never written.
+    decoded : out control_t;
     immediate : out word_t;
-    -- The registers that it reads.
+    -- Source registers.
     first : out register_index_t;
     second : out register_index_t
   );
@@ -26,7 +26,7 @@ end entity;
 
 architecture rtl of instruction_decoder is
 
-  signal of_word, of_compressed, chosen : decoded_t;
+  signal of_word, of_compressed, chosen : control_t;
   signal immediate_of_word, immediate_of_compressed : word_t;
 
 begin

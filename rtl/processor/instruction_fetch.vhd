@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Asks the memory for instructions, and shows the next one of what it has brought.
+-- Prefetch and fetch: addresses the instruction memory and aligns the instructions in what it returns.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,46 +14,45 @@ entity instruction_fetch is
     memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
     memory_address_bits : positive;
-    -- But for the last quarter of them.
+    -- Its last quarter is not implemented.
     memory_lacks_quarter : boolean := false
   );
   port (
     clk : in std_ulogic;
-    -- Nothing is shown in the next clock.
-    cancel : in std_ulogic;
-    -- Jumps go to the memory in their own clock, which is one with `advance`. First that of execute; its
-    -- address, of which bit 0 is ignored, and the word of this plus 2. The first comes behind a reset.
-    late_jump : in std_ulogic;
-    late_address : in unsigned(31 downto 0);
-    late_address_plus_2 : in unsigned(31 downto 2);
-    -- That of the instruction shown, if there is none in execute.
-    early_jump : in std_ulogic;
-    early_address : in unsigned(31 downto 0);
-    early_address_plus_2 : in unsigned(31 downto 0);
-    -- Where it goes on behind the instruction shown: with `early_jump` where this goes. The address
-    -- shown where no instruction is.
-    following_address : in unsigned(31 downto 0);
-    -- The instruction shown is taken in this clock, or there is none to take.
+    -- No instruction is valid in the next clock.
+    flush : in std_ulogic;
+    -- Both kinds of jumps address the memory in their own clock, in which `advance` is high. A redirect by
+    -- execute has priority; bit 0 of its target is ignored. The first one follows reset.
+    redirect : in std_ulogic;
+    redirect_target : in unsigned(31 downto 0);
+    redirect_target_plus_2 : in unsigned(31 downto 2);
+    -- The instruction at the outputs is jal, or a branch predicted taken.
+    predicted_taken : in std_ulogic;
+    predicted_target : in unsigned(31 downto 0);
+    predicted_target_plus_2 : in unsigned(31 downto 0);
+    -- Address of the next instruction: the target if predicted taken; `address` if no instruction is valid.
+    predicted_next_address : in unsigned(31 downto 0);
+    -- The instruction at the outputs, if any, is issued in this clock.
     advance : in std_ulogic;
     instruction_request : out instruction_request_t;
     instruction_data : in word_t;
-    -- An instruction is shown; above a short one there is what follows it.
+    -- The upper half of a compressed instruction is don't care.
     valid : out std_ulogic;
     instruction : out word_t;
     is_word : out std_ulogic;
-    -- Its address; with no instruction shown that of the next to be shown.
+    -- Its address; without a valid instruction that of the next one.
     address : out unsigned(31 downto 0);
-    -- It comes from outside the memory; only its second half does.
+    -- It lies outside the memory; only its second half does.
     fault : out std_ulogic;
-    leaves_memory : out std_ulogic
+    crosses_memory_end : out std_ulogic
   );
 end entity;
 
 architecture rtl of instruction_fetch is
 
   subtype half_word_t is std_ulogic_vector(15 downto 0);
-  -- Of a word in the memory: there is nothing to fetch elsewhere.
-  subtype word_place_t is unsigned(memory_address_bits - 1 downto 2);
+  -- Offset of a word in the memory: there are no instructions elsewhere.
+  subtype word_address_t is unsigned(memory_address_bits - 1 downto 2);
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
 
@@ -62,80 +61,81 @@ architecture rtl of instruction_fetch is
     return half_word(1) and half_word(0);
   end function;
 
-  signal jumps, keeps_next : std_ulogic;
+  signal jump, next_buffer_valid : std_ulogic;
 
-  -- The memory shows pairs of half words, each 4 bytes behind the one before, from where the last jump
-  -- went: this one's words and half.
-  signal upper, lower : word_place_t;
-  signal is_odd, was_late_jump, late_is_odd, early_is_odd : std_ulogic;
+  -- The memory returns 32 bits from any half-word address: a pair of half words. Pairs follow each other from
+  -- the last jump target on. Addresses of the current pair's words; it begins in the upper half of one.
+  signal upper, lower : word_address_t;
+  signal is_odd, was_redirect, redirect_is_odd, predicted_is_odd : std_ulogic;
   signal pair_low, pair_high : half_word_t;
-  -- Of the pair before it, one half word may be kept. Where this is a short instruction, the pair rests.
-  signal keeps, rests : std_ulogic;
-  signal kept : half_word_t;
-  signal next_upper, next_lower, early_upper, early_lower : word_place_t;
-  signal upper_place, lower_place : word_place_t;
-  signal in_lacking_quarter, at_last_half_word, straddles, outside : std_ulogic;
+  -- Alignment buffer: the upper half word of the previous pair. While it is a compressed instruction, the
+  -- current pair is held.
+  signal buffer_valid, hold_pair : std_ulogic;
+  signal buffered : half_word_t;
+  signal next_upper, next_lower, predicted_upper, predicted_lower : word_address_t;
+  signal fetch_upper, fetch_lower : word_address_t;
+  signal in_last_quarter, at_last_half_word, straddles, outside : std_ulogic;
 
 begin
 
-  -- What the memory brings comes late in the clock: one choice is all between it and the instruction.
-  is_odd <= late_is_odd when was_late_jump else early_is_odd;
+  -- Critical path: memory data settles late. One multiplexer lies between it and the instruction register.
+  is_odd <= redirect_is_odd when was_redirect else predicted_is_odd;
   pair_low <= instruction_data(31 downto 16) when is_odd else instruction_data(15 downto 0);
   pair_high <= instruction_data(15 downto 0) when is_odd else instruction_data(31 downto 16);
 
-  rests <= keeps and not is_long(kept);
-  keeps_next <= is_long(kept) when keeps else not is_long(pair_low);
-  next_upper <= upper + unsigned'(0 => not rests);
-  next_lower <= lower + unsigned'(0 => not rests);
+  hold_pair <= buffer_valid and not is_long(buffered);
+  next_buffer_valid <= is_long(buffered) when buffer_valid else not is_long(pair_low);
+  next_upper <= upper + unsigned'(0 => not hold_pair);
+  next_lower <= lower + unsigned'(0 => not hold_pair);
 
-  -- A late jump comes late in the clock.
-  early_upper <= early_address(word_place_t'range) when early_jump else next_upper;
-  early_lower <= early_address_plus_2(word_place_t'range) when early_jump else next_lower;
-  upper_place <= late_address(word_place_t'range) when late_jump else early_upper;
-  lower_place <= late_address_plus_2(word_place_t'range) when late_jump else early_lower;
-  jumps <= late_jump or early_jump;
+  -- `redirect` settles late in the clock: last multiplexer.
+  predicted_upper <= predicted_target(word_address_t'range) when predicted_taken else next_upper;
+  predicted_lower <= predicted_target_plus_2(word_address_t'range) when predicted_taken else next_lower;
+  fetch_upper <= redirect_target(word_address_t'range) when redirect else predicted_upper;
+  fetch_lower <= redirect_target_plus_2(word_address_t'range) when redirect else predicted_lower;
+  jump <= redirect or predicted_taken;
   instruction_request <= (
     enable => advance,
-    upper_address => memory_number & upper_place,
-    lower_address => memory_number & lower_place);
+    upper_address => memory_number & fetch_upper,
+    lower_address => memory_number & fetch_lower);
 
-  follow : process
+  update : process
   begin
     wait until rising_edge(clk);
     if advance then
-      upper <= upper_place;
-      lower <= lower_place;
-      kept <= pair_high;
-      instruction <= pair_low & kept when keeps else pair_high & pair_low;
-      is_word <= is_long(kept) when keeps else is_long(pair_low);
+      upper <= fetch_upper;
+      lower <= fetch_lower;
+      buffered <= pair_high;
+      instruction <= pair_low & buffered when buffer_valid else pair_high & pair_low;
+      is_word <= is_long(buffered) when buffer_valid else is_long(pair_low);
 
-      if late_jump then
-        address <= late_address(31 downto 1) & '0';
+      if redirect then
+        address <= redirect_target(31 downto 1) & '0';
       else
-        address <= following_address;
+        address <= predicted_next_address;
       end if;
-      was_late_jump <= late_jump;
-      late_is_odd <= late_address(1);
-      early_is_odd <= early_address(1) when early_jump else is_odd;
+      was_redirect <= redirect;
+      redirect_is_odd <= redirect_target(1);
+      predicted_is_odd <= predicted_target(1) when predicted_taken else is_odd;
 
-      valid <= not jumps;
-      keeps <= keeps_next and not jumps;
+      valid <= not jump;
+      buffer_valid <= next_buffer_valid and not jump;
     end if;
 
-    if cancel then
+    if flush then
       valid <= '0';
     end if;
   end process;
 
-  in_lacking_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
+  in_last_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
     when memory_lacks_quarter else '0';
-  outside <= (address(31 downto memory_address_bits) ?/= memory_number) or in_lacking_quarter;
+  outside <= (address(31 downto memory_address_bits) ?/= memory_number) or in_last_quarter;
   at_last_half_word <=
     (and address(memory_address_bits - 3 downto 1)) and address(memory_address_bits - 1) and
     not address(memory_address_bits - 2) when memory_lacks_quarter else
     and address(memory_address_bits - 1 downto 1);
   straddles <= is_word and at_last_half_word;
   fault <= outside or straddles;
-  leaves_memory <= straddles and not outside;
+  crosses_memory_end <= straddles and not outside;
 
 end architecture;

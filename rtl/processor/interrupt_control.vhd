@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Says which of the enabled interrupts is to be taken first.
+-- Interrupt priority: the pending and enabled interrupt to be taken first.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,12 +10,12 @@ use work.processor_pkg.all;
 entity interrupt_control is
   port (
     clk : in std_ulogic;
-    -- mip, and mie as it will be in the next clock.
+    -- mip, and the next value of mie.
     requested : in word_t;
     enabled : in word_t;
-    -- An enabled interrupt was requested in the clock before.
+    -- An enabled interrupt was requested in the previous clock.
     pending : out std_ulogic;
-    -- The first of them in the order external, timer, 16, 17, .. 31.
+    -- The highest-priority one: external, timer, 16, 17, .. 31.
     cause : out std_ulogic_vector(4 downto 0)
   );
 end entity;
@@ -26,16 +26,15 @@ architecture rtl of interrupt_control is
 
 begin
 
-  note : process
+  register_requests : process
   begin
     wait until rising_edge(clk);
     active <= requested and enabled;
     pending <= or (requested and enabled);
   end process;
 
-  -- Nobody needs it early in the clock.
-
-  choose : process (all)
+  -- Not timing-critical.
+  prioritize : process (all)
   begin
     cause <= 5d"31";
     for index in 30 downto 16 loop

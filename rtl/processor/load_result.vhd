@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Takes a byte, half word or word out of a loaded word and extends it to 32 bits.
+-- Load alignment: selects a byte, half word or word of the loaded word and extends it to 32 bits.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -27,7 +27,7 @@ architecture rtl of load_result is
 
 begin
 
-  -- Two gates behind each other: the word comes late in the clock.
+  -- Two levels of logic: the loaded word settles late in the clock.
   signs <= loaded(31) & loaded(23) & loaded(15) & loaded(7);
   result(7 downto 0) <= gated(loaded(31 downto 24), lanes.low(3)) or
                         gated(loaded(23 downto 16), lanes.low(2)) or

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Multiplies two words, signed or not: partial products in one clock, their sum in the next. The two in the
--- middle are added at once: the sum has further to go.
+-- Multiplier, signed and unsigned, pipelined: partial products in one clock, their sum in the next. The two
+-- middle products are already added in the first clock, because the path of the second is longer.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,21 +11,21 @@ use work.processor_pkg.all;
 entity multiplier is
   port (
     clk : in std_ulogic;
-    -- Takes the operands.
+    -- Samples the operands.
     enable : in std_ulogic;
-    -- In the coding of funct3: "00" lower word; upper word of "01" signed by signed,
+    -- As funct3: "00" lower word; upper word of "01" signed by signed,
     -- "10" signed by unsigned, "11" unsigned by unsigned.
     operation : in std_ulogic_vector(1 downto 0);
     first : in word_t;
     second : in word_t;
-    -- In the clock after `enable`, and until the next.
+    -- From the clock after `enable` until the next `enable`.
     result : out word_t
   );
 end entity;
 
 architecture rtl of multiplier is
 
-  -- Half words as signed numbers of 17 bits: what an FPGA's multiplier takes.
+  -- Half words as 17-bit signed numbers: the width of an FPGA's multiplier (18 x 18).
   signal first_high, first_low, second_high, second_low : signed(16 downto 0);
   signal high_high, high_low, low_high, low_low : signed(33 downto 0);
   signal upper_wanted : std_ulogic;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What travels between the stages of the processor's pipeline, and what it tells to the outside.
+-- Types of the processor's pipeline registers and interfaces.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,25 +10,24 @@ package processor_pkg is
   subtype word_t is std_ulogic_vector(31 downto 0);
   subtype register_index_t is std_ulogic_vector(4 downto 0);
 
-  -- What the decoder reads from an instruction, beside its constant. The words of a stage (constant,
-  -- address, instruction) are signals of their own beside its record: together GHDL makes them one
-  -- register of more than 64 bits, which Verilator moves in pieces, and the simulation is an eighth
-  -- slower. The same holds for `writing_t`.
-  type decoded_t is record
-    -- An instruction of this processor where one of these is set: their sum would come late in the
-    -- clock. Whether a CSR may be accessed is judged beside it.
+  -- Control signals of a decoded instruction. The words of a stage (immediate, address, instruction) are
+  -- separate signals: in the record, GHDL would make all one register of more than 64 bits, which Verilator
+  -- copies in pieces, and simulation would be an eighth slower. The same holds for `writing_t`.
+  type control_t is record
+    -- Legal if any bit is set; the OR is left to execute, as it would settle late in decode. The legality of
+    -- CSR accesses is checked separately.
     legal : std_ulogic_vector(3 downto 0);
     destination : register_index_t;
     reads_first : std_ulogic;
     reads_second : std_ulogic;
-    -- Writes `destination` unless this is x0; x1 in its place.
+    -- Writes `destination`, which is not x0. Within the decoders: the destination is x1.
     writes : std_ulogic;
     writes_link : std_ulogic;
-    -- The result comes one clock after execution: who reads it next waits one clock.
+    -- The result is available in write-back only: load-use hazard of one clock.
     late : std_ulogic;
-    -- Second operand of the arithmetic unit: the constant instead of a register.
-    second_is_constant : std_ulogic;
-    -- Operation of the arithmetic unit in its coding.
+    -- Second operand of the ALU: the immediate instead of a register.
+    second_is_immediate : std_ulogic;
+    -- ALU operation, see `alu`.
     operation : std_ulogic_vector(2 downto 0);
     shift : std_ulogic;
     subtract : std_ulogic;
@@ -37,23 +36,22 @@ package processor_pkg is
     compare_unsigned : std_ulogic;
     -- Which load, store, branch, multiplication, division or CSR instruction.
     funct3 : std_ulogic_vector(2 downto 0);
-    -- At most one of these; none is an operation of the arithmetic unit, or nothing at all.
+    -- At most one of these is set. None: an ALU operation, or a no-operation.
     load : std_ulogic;
     store : std_ulogic;
     branch : std_ulogic;
-    -- To its own address plus the constant, to a register plus the constant; to the next instruction, which
-    -- is fetched again.
+    -- jal; jalr; fence.i, a jump to the next instruction.
     jump : std_ulogic;
     jump_register : std_ulogic;
     refetch : std_ulogic;
-    -- auipc: its own address plus the constant is the result.
+    -- auipc.
     address_result : std_ulogic;
     multiply : std_ulogic;
     divide : std_ulogic;
-    -- Zbb: what is left to bit_manipulation.
+    -- Zbb: executed by bit_manipulation.
     manipulate : std_ulogic;
     csr : std_ulogic;
-    -- There is a CSR of this address; it is written, unless it is set or cleared by nothing.
+    -- The CSR is implemented; it is written (not by csrrs, csrrc with x0 or a zero immediate).
     csr_exists : std_ulogic;
     csr_written : std_ulogic;
     environment_call : std_ulogic;
@@ -62,65 +60,65 @@ package processor_pkg is
     wait_for_interrupt : std_ulogic;
   end record;
 
-  -- Of the instruction in the execute stage, beside what was decoded.
+  -- State of the execute stage besides the control signals.
   type executing_t is record
     valid : std_ulogic;
-    -- It is fetched from within the memory and legal.
-    able : std_ulogic;
-    -- Fetched from outside the memory; begun in its last two bytes.
+    -- Valid, legal, and without fetch fault.
+    executable : std_ulogic;
+    -- Fetched from outside the memory; only its second half is outside.
     fetch_fault : std_ulogic;
-    leaves_memory : std_ulogic;
+    crosses_memory_end : std_ulogic;
   end record;
 
-  -- How two operands compare.
+  -- Comparison of the operands.
   type comparison_t is record
-    -- The first is less, is greater, without regard to signs.
+    -- The first is less, greater, as unsigned numbers.
     below : std_ulogic;
     above : std_ulogic;
-    -- It has to regard them, and they differ: what is below is the greater then.
+    -- A signed comparison of operands whose signs differ: the lower one is the greater.
     signs_differ : std_ulogic;
   end record;
 
-  -- What has the processor go another way than it went while the instruction in the execute stage was
-  -- decoded. Nothing comes of it before the pipeline advances.
-  type late_turn_t is record
-    -- Where its first operand is below the second; above it.
+  -- When the instruction in execute redirects fetch: jalr, fence.i, and branches whose prediction was
+  -- wrong. It takes effect when the pipeline advances.
+  type redirect_condition_t is record
+    -- If its first operand is below the second; above it.
     if_below : std_ulogic;
     if_above : std_ulogic;
-    -- Where it would not turn, and only there. So it may turn with any operands.
+    -- Inverts the condition; alone, it redirects unconditionally.
     inverted : std_ulogic;
   end record;
 
-  constant no_turn : late_turn_t := (others => '0');
-  constant any_turn : late_turn_t := (inverted => '1', others => '0');
+  constant redirect_never : redirect_condition_t := (others => '0');
+  constant redirect_always : redirect_condition_t := (inverted => '1', others => '0');
 
-  -- Which bits of a loaded word a load takes, one signal for each choice: they wait where the word is
-  -- the last to come. Without any of them the result is zero.
+  -- One-hot selects of the load alignment, registered because the loaded word settles late. The result is
+  -- zero without any of them.
   type load_lanes_t is record
-    -- The byte that becomes bits 7 to 0; byte 1 or 3 as bits 15 to 8.
+    -- The byte for bits 7 to 0; byte 1 or 3 for bits 15 to 8.
     low : std_ulogic_vector(3 downto 0);
     second : std_ulogic_vector(1 downto 0);
-    -- The byte whose sign becomes bits 15 to 8, bits 31 to 16.
+    -- The byte whose sign fills bits 15 to 8, bits 31 to 16.
     second_sign : std_ulogic_vector(3 downto 0);
     upper_sign : std_ulogic_vector(3 downto 0);
-    -- The upper half word as it is.
+    -- The upper half word, unchanged.
     upper : std_ulogic;
   end record;
 
-  -- Of a load with this funct3 from this byte of a word, if it is one.
+  -- For a load with this funct3 at this byte offset; none if it is not a load.
   function lanes_of(is_load : std_ulogic; funct3 : std_ulogic_vector(2 downto 0);
                     byte_index : std_ulogic_vector(1 downto 0)) return load_lanes_t;
 
-  -- The completed instruction whose result is written to its register.
+  -- The instruction in write-back.
   type writing_t is record
     valid : std_ulogic;
     trapped : std_ulogic;
     interrupted : std_ulogic;
     writes : std_ulogic;
-    -- It will write, if the bus does not refuse its access.
-    wanted : std_ulogic;
+    -- Waits for the bus, and writes its register unless this answers with an error.
+    write_pending : std_ulogic;
     destination : register_index_t;
-    -- The result, or the data that came over the bus.
+    -- Selects the source of the result.
     multiply : std_ulogic;
     manipulate : std_ulogic;
     load : std_ulogic;
@@ -130,14 +128,14 @@ package processor_pkg is
 
   -- A CSR instruction in the execute stage.
   type csr_request_t is record
-    -- The instruction is executed in this clock; but it is not if an interrupt takes its place.
+    -- The instruction executes in this clock; cancelled by an interrupt.
     enable : std_ulogic;
-    in_vain : std_ulogic;
+    cancelled : std_ulogic;
     address : std_ulogic_vector(11 downto 0);
     -- funct3(1 downto 0): "01" write, "10" set bits, "11" clear bits.
     operation : std_ulogic_vector(1 downto 0);
     operand : word_t;
-    -- Set and clear of no register or of zero do not write at all.
+    -- Low for csrrs and csrrc with x0 or a zero immediate.
     writes : std_ulogic;
   end record;
 
@@ -151,34 +149,33 @@ package processor_pkg is
     value : word_t;
   end record;
 
-  -- One completed instruction, or one that was refused with a trap.
+  -- A retired instruction, or a trap, for tests.
   type retirement_t is record
     valid : std_ulogic;
-    -- The instruction at `address` was not completed: an exception, or an interrupt before it.
+    -- The instruction at `address` did not retire: it raised an exception, or was interrupted.
     trap : std_ulogic;
     interrupt : std_ulogic;
     address : unsigned(31 downto 0);
     instruction : word_t;
-    -- The register that it wrote, 0 for none, and the value.
+    -- Destination register, 0 for none, and the value written.
     destination : register_index_t;
     value : word_t;
   end record;
 
-  -- From what debugs the processor (rtl/debug). Idle, as it is where the port is left open, it costs
-  -- nothing.
+  -- From the debug module (rtl/debug). Left open, it is idle and optimised away.
   type debug_request_t is record
-    -- The processor is in debug mode: it executes what is injected, and nothing else.
+    -- Debug mode: only injected instructions are executed.
     halted : std_ulogic;
-    -- Enter debug mode before the next instruction that is not executed yet.
+    -- Enter debug mode before the next instruction.
     halt : std_ulogic;
-    -- ebreak enters debug mode instead of a trap.
+    -- ebreak enters debug mode instead of raising an exception.
     halt_at_breakpoint : std_ulogic;
-    -- While one instruction is stepped: no interrupt is taken, and wfi does not wait.
+    -- Single step: no interrupt is taken, and wfi is a no-operation.
     step : std_ulogic;
-    -- In debug mode: pass `instruction` to the execute stage, in a clock in which that is empty.
+    -- In debug mode: issue `instruction`, in a clock in which execute is empty.
     inject : std_ulogic;
     instruction : word_t;
-    -- In debug mode: leave it with this clock, and go on at the address.
+    -- In debug mode: leave it at the end of this clock, and resume at the address.
     resume : std_ulogic;
     resume_address : unsigned(31 downto 0);
   end record;
@@ -188,28 +185,27 @@ package processor_pkg is
     instruction => (others => '0'), resume => '0', resume_address => (others => '0'));
 
   type debug_response_t is record
-    -- Debug mode begins with the next clock, for an ebreak or because it was asked for. The instruction
-    -- at `address` was not executed.
+    -- Debug mode begins in the next clock, on request or by ebreak. The instruction at `address` has not been
+    -- executed.
     enter : std_ulogic;
     at_breakpoint : std_ulogic;
     address : unsigned(31 downto 0);
-    -- At the end of this clock the execute stage takes something new: the instruction at `next_address`
-    -- where it `follows`, or nothing.
+    -- The pipeline advances at the end of this clock: the instruction at `next_address` is issued, or a
+    -- bubble.
     advance : std_ulogic;
-    follows : std_ulogic;
+    issue : std_ulogic;
     next_address : unsigned(31 downto 0);
-    -- An instruction is completed, or refused with a trap, in this clock.
+    -- An instruction retires or raises an exception in this clock.
     finish : std_ulogic;
-    -- The memory's data port may be needed in this clock; told early.
+    -- The memory's data port may be needed in this clock. Settles early.
     uses_data_port : std_ulogic;
-    -- A clock after its completion: an instruction was completed, or trapped; what it wrote, or would
-    -- have written were its destination not x0.
+    -- In the clock after: an instruction retired, or trapped; its result, even if the destination is x0.
     completed : std_ulogic;
     trapped : std_ulogic;
     value : word_t;
   end record;
 
-  -- Exceptions, in the coding of mcause.
+  -- Exception codes of mcause.
   constant cause_instruction_misaligned : register_index_t := 5x"0";
   constant cause_instruction_access : register_index_t := 5x"1";
   constant cause_illegal_instruction : register_index_t := 5x"2";
@@ -237,7 +233,7 @@ package body processor_pkg is
                 (not byte_index(1) and byte_index(0)) & (byte_index(1) nor byte_index(0));
     of_half := (3 => byte_index(1), 1 => not byte_index(1), others => '0');
     lanes.upper := is_load and funct3(1);
-    -- What lies at its size has the lowest byte that its address tells, as a byte has.
+    -- Aligned words and half words have their lowest byte at the byte offset, as bytes have.
     lanes.low := of_index and (3 downto 0 => is_load);
     lanes.second := (1 => (is_half and byte_index(1)), 0 => ((is_half and not byte_index(1)) or lanes.upper));
     lanes.second_sign := of_index and (3 downto 0 => is_byte and has_sign);

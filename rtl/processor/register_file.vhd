@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The 32 registers: two are read at any time and one is written with a clock. x0 is never written.
+-- Register file: two asynchronous read ports, one synchronous write port. x0 is never written.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,7 +10,7 @@ use work.processor_pkg.all;
 entity register_file is
   port (
     clk : in std_ulogic;
-    -- In the clock of a write the old value.
+    -- Read before write: the old value in the clock of a write.
     first_index : in register_index_t;
     first : out word_t;
     second_index : in register_index_t;
@@ -25,7 +25,7 @@ architecture rtl of register_file is
 
   -- Two halves, each as deep as an FPGA's distributed memory.
   type half_t is array (15 downto 0) of word_t;
-  -- Initial contents, for x0's sake: with them it needs no gates of its own.
+  -- Initialised so that x0 reads zero without extra gates.
   signal lower, upper : half_t := (others => (others => '0'));
   signal first_lower, first_upper, second_lower, second_upper : word_t;
 

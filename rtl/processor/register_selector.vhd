@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Finds the numbers of the two registers that an instruction of 16 or 32 bits reads.
+-- Extracts the source register numbers of an instruction of 16 or 32 bits.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,10 +8,10 @@ use work.processor_pkg.all;
 
 entity register_selector is
   port (
-    -- The bits behind a shorter instruction are of no meaning.
+    -- The upper half of a compressed instruction is don't care.
     instruction : in word_t;
     is_word : in std_ulogic;
-    -- Of no meaning where the instruction is illegal or reads no such register.
+    -- Don't care for illegal instructions and where no such register is read.
     first : out register_index_t;
     second : out register_index_t
   );
@@ -28,7 +28,7 @@ begin
   quadrant_1 <= not instruction(1) and instruction(0);
   quadrant_2 <= instruction(1) and not instruction(0);
 
-  -- Four bits tell it in all compressed instructions that are legal. Their branches compare with x0.
+  -- Four bits suffice for all legal compressed instructions. c.beqz and c.bnez compare with x0.
   first_is_sp <= (quadrant_0 and not instruction(14)) or (quadrant_2 and instruction(14));
   first_is_short <= (quadrant_0 and instruction(14)) or (quadrant_1 and instruction(15));
   second_is_zero <= quadrant_1 and instruction(14);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Machine timer: a 64-bit count of clocks, and an interrupt from a deadline on.
+-- Machine timer: 64-bit clock counter and compare register (mtime, mtimecmp).
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,13 +11,12 @@ use work.timer_registers_pkg.all;
 entity timer is
   port (
     clk : in std_ulogic;
-    -- The same clock for the registers and the interrupt; edges may be left out while no access is made
-    -- and `alarm` is low.
+    -- The same clock for registers and interrupt; may be gated while no access is made and `alarm` is low.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;
     response : out bus_response_t;
-    -- Level: the deadline has come and no later one has been set.
+    -- Level: the deadline has been reached and no later one has been set.
     timer_interrupt : out std_ulogic;
     -- The next edge of bus_clk changes the interrupt.
     alarm : out std_ulogic
@@ -31,11 +30,12 @@ architecture rtl of timer is
 
   signal now_cycles : unsigned(63 downto 0) := (others => '0');
   signal next_cycles : unsigned(63 downto 0);
-  -- The same in all clocks before which no edge of bus_clk was left out: what software reads. Whatever
-  -- runs with bus_clk has no input that changes in every clock, or a model would evaluate all behind it.
+  -- The value that software reads: equal to `now_cycles` in every clock that follows an edge of `bus_clk`.
+  -- Logic clocked by `bus_clk` has no input that changes in every clock: a simulation would evaluate all of
+  -- it.
   signal seen_cycles : unsigned(63 downto 0) := (others => '0');
   signal due : std_ulogic;
-  -- High half of `seen_cycles` one clock ago, which is when a read event's value was sampled.
+  -- High half of `seen_cycles` in the previous clock, in which the read value was sampled.
   signal earlier_high : unsigned(31 downto 0) := (others => '0');
   signal deadline_cycles : unsigned(63 downto 0) := (others => '1');
   signal reached : std_ulogic := '0';
@@ -54,7 +54,7 @@ begin
 
   to_software.time_low.cycles <= seen_cycles(31 downto 0);
   to_software.compare_high.cycles <= deadline_cycles(63 downto 32);
-  -- Off from the very clock in which a new deadline is acknowledged, so that none is taken twice.
+  -- Cleared combinationally in the clock of the acknowledge, so that no interrupt is taken twice.
   timer_interrupt <= reached and not from_software.compare_high_written;
 
   next_cycles <= now_cycles + 1;

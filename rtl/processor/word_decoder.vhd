@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Reads an instruction of 32 bits: what it is, its registers, its constant, whether it is legal.
+-- Decodes an instruction of 32 bits: control signals, immediate, legality.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,8 +13,8 @@ entity word_decoder is
   );
   port (
     instruction : in word_t;
-    decoded : out decoded_t;
-    -- Of what adds it, or has it as an operand or result; otherwise of no meaning.
+    decoded : out control_t;
+    -- Don't care for jal, branches, auipc and whatever has none.
     immediate : out word_t
   );
 end entity;
@@ -24,9 +24,8 @@ architecture rtl of word_decoder is
   alias csr_address : std_ulogic_vector(11 downto 0) is instruction(31 downto 20);
   signal csr_exists, is_hardware_performance : std_ulogic;
 
-  -- Written as equations and not as one large case: each is a few gates and a few instructions of a
-  -- simulation, which evaluates them in every clock. The lowest two bits are "11": words without
-  -- them do not come here.
+  -- Equations instead of one large case statement: few gates, and fast in simulation. The lowest two bits
+  -- are always "11".
   alias opcode : std_ulogic_vector(4 downto 0) is instruction(6 downto 2);
   alias funct3 : std_ulogic_vector(2 downto 0) is instruction(14 downto 12);
   alias funct7 : std_ulogic_vector(6 downto 0) is instruction(31 downto 25);
@@ -86,7 +85,7 @@ begin
                       is_multiply_or_divide;
   decoded.legal(3) <= is_ecall or is_ebreak or is_mret or is_wfi or is_zbb;
 
-  -- mhpmcounter3..31, their upper halves and mhpmevent3..31 exist and are zero.
+  -- mhpmcounter3..31, mhpmcounter3h..31h and mhpmevent3..31 are read-only zero.
   is_hardware_performance <= (or csr_address(4 downto 2)) or (and csr_address(1 downto 0));
   find_csr : process (all)
   begin
@@ -100,13 +99,13 @@ begin
       when "0011010" =>  -- mscratch, mepc, mcause, mtval, mip.
         csr_exists <= not csr_address(4) and not csr_address(3) and
                       (not csr_address(2) or not (or csr_address(1 downto 0)));
-      when "0111101" =>  -- tselect, tdata1..3: "there is no trigger".
+      when "0111101" =>  -- tselect, tdata1..3: zero, no trigger.
         csr_exists <= nor csr_address(4 downto 2);
       when "1011000" | "1011100" =>  -- mcycle, minstret, mhpmcounter.
         csr_exists <= not csr_address(0) or is_hardware_performance;
       when "1100000" | "1100100" =>  -- cycle, instret.
         csr_exists <= not (or csr_address(4 downto 2)) and not csr_address(0);
-      when "1111000" =>  -- mvendorid, marchid, mimpid, mhartid, mconfigptr: unnamed; hart 0.
+      when "1111000" =>  -- mvendorid, marchid, mimpid, mhartid, mconfigptr: zero.
         csr_exists <= csr_address(4) and not csr_address(3) and
                       ((not csr_address(2) and (or csr_address(1 downto 0))) or
                        (csr_address(2) and not csr_address(1)));
@@ -114,8 +113,8 @@ begin
     end case;
   end process;
 
-  -- Those of branches and jal do not pass here: early_jump finds them, and that of auipc. Told by few
-  -- bits, because it comes late in the clock: stores, then what has the constant of lui.
+  -- Without those of branches, jal and auipc, which branch_predictor generates. On the critical path, so
+  -- selected by few bits: U format, then S format.
   immediate(31 downto 12) <= instruction(31 downto 12) when opcode(2) and opcode(0) else
                              (31 downto 12 => instruction(31));
   immediate(11 downto 5) <= instruction(31 downto 25) and (11 downto 5 => opcode(2) nand opcode(0));
@@ -124,8 +123,8 @@ begin
                            instruction(24 downto 20);
 
   decoded.destination <= instruction(11 downto 7);
-  -- All but lui, auipc, jal, fence and CSR instructions with a constant; then branch, store and
-  -- operation. Of no meaning where the instruction is illegal.
+  -- All but lui, auipc, jal, fence and CSR instructions with an immediate; then branch, store and
+  -- register-register operations. Don't care for illegal instructions.
   decoded.reads_first <= not (opcode(0) and (opcode(1) or opcode(2))) and
                          not (opcode(4) and opcode(2) and funct3(2));
   decoded.reads_second <= opcode(3) and not opcode(0) and not (opcode(4) and opcode(2));
@@ -134,9 +133,9 @@ begin
   decoded.writes_link <= '0';
   decoded.late <= is_load or (is_multiply_or_divide and not funct3(2)) or is_csr or manipulates;
 
-  -- Of an operation, a branch, a store; and CSR instructions have no second operand.
-  decoded.second_is_constant <= not opcode(3) or opcode(0);
-  -- lui has its constant as the result, as it is.
+  -- Low for register-register operations, branches and stores; don't care for CSR instructions.
+  decoded.second_is_immediate <= not opcode(3) or opcode(0);
+  -- lui passes its immediate.
   decoded.operation <= "101" when is_upper else
                        funct3 when is_immediate_operation or is_operation else
                        "000";

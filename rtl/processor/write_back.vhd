@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Holds the instruction that execute has completed, and gives what it writes to its register: some results
--- come only now.
+-- Write-back: the pipeline register behind execute, and the multiplexer of results, of which the late ones
+-- (loads, products, Zbb) are available only here.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,29 +11,29 @@ entity write_back is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Of execute: the instruction is completed there; what it is; its result, if it has one already.
+    -- From execute: the instruction completes; its control signals; its result, unless it is late.
     complete : in std_ulogic;
-    kind : in decoded_t;
+    control : in control_t;
     instruction : in word_t;
     result : in word_t;
-    -- It has trapped, or an interrupt was taken.
+    -- A trap is taken; it is an interrupt.
     trapped : in std_ulogic;
     interrupted : in std_ulogic;
-    -- A load or store of the memory, else over the bus; its place in the word.
+    -- A load or store accesses the memory, not the bus; its byte offset.
     to_memory : in std_ulogic;
     byte_index : in std_ulogic_vector(1 downto 0);
-    -- The bus is at work for the instruction held, with this clock the last; what it brings is `result`.
+    -- The instruction held waits for the bus; the bus acknowledges, with its read data as `result`.
     bus_active : in std_ulogic;
     bus_done : in std_ulogic;
-    -- Come one clock after execution.
+    -- Late results.
     product : in word_t;
     manipulated : in word_t := (others => '0');
     memory_data : in word_t;
-    -- An instruction is completed with this clock, on the bus or in execute.
+    -- An instruction retires at the end of this clock, from the bus or from execute.
     retire : out std_ulogic;
     writing : out writing_t;
     writing_instruction : out word_t;
-    -- What is written, and its two parts, of which one is zero: what comes late in the clock, and all else.
+    -- The result, and its two parts, one of which is zero: what settles late in the clock, and the rest.
     value : out word_t;
     value_late : out word_t;
     value_early : out word_t
@@ -42,17 +42,17 @@ end entity;
 
 architecture rtl of write_back is
 
-  -- Nothing is written before the first reset, not even to x0.
-  constant nothing : writing_t := (
+  -- No write before the first reset, not even to x0.
+  constant empty : writing_t := (
     destination => "00000", from_memory => lanes_of('0', "000", "00"),
     from_bus => lanes_of('0', "000", "00"), others => '0');
-  signal held : writing_t := nothing;
+  signal held : writing_t := empty;
   signal from_memory, from_bus, writing_result : word_t;
   signal on_bus : std_ulogic;
 
 begin
 
-  on_bus <= (kind.load or kind.store) and not to_memory;
+  on_bus <= (control.load or control.store) and not to_memory;
   retire <= bus_done when bus_active else complete and not on_bus;
 
   hold : process
@@ -62,16 +62,16 @@ begin
     held.interrupted <= interrupted;
     held.valid <= retire;
     if bus_active then
-      held.writes <= bus_done and held.wanted;
+      held.writes <= bus_done and held.write_pending;
     else
-      held.writes <= complete and kind.writes and not on_bus;
-      held.wanted <= kind.writes;
-      held.destination <= kind.destination;
-      held.multiply <= kind.multiply;
-      held.manipulate <= kind.manipulate;
-      held.load <= kind.load;
-      held.from_memory <= lanes_of(kind.load and to_memory, kind.funct3, byte_index);
-      held.from_bus <= lanes_of(kind.load and not to_memory, kind.funct3, byte_index);
+      held.writes <= complete and control.writes and not on_bus;
+      held.write_pending <= control.writes;
+      held.destination <= control.destination;
+      held.multiply <= control.multiply;
+      held.manipulate <= control.manipulate;
+      held.load <= control.load;
+      held.from_memory <= lanes_of(control.load and to_memory, control.funct3, byte_index);
+      held.from_bus <= lanes_of(control.load and not to_memory, control.funct3, byte_index);
       writing_instruction <= instruction;
     end if;
     writing_result <= result;
@@ -84,7 +84,7 @@ begin
     end if;
   end process;
 
-  -- Two of them: one choice less between a block RAM and the registers.
+  -- One each for memory and bus: saves a multiplexer between block RAM and register file.
   load_from_memory : entity work.load_result
     port map (
       loaded => memory_data,
@@ -97,7 +97,7 @@ begin
       lanes => held.from_bus,
       result => from_bus);
 
-  -- What the memory brings comes last, then products.
+  -- Memory data settles last, then products.
   value_late <= from_memory or (product and (31 downto 0 => held.multiply));
   value_early <= from_bus when held.load else
                  manipulated when held.manipulate else

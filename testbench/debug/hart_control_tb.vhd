@@ -85,10 +85,10 @@ begin
     procedure fetch(address : unsigned(31 downto 0); follows, advance : std_ulogic := '1') is
     begin
       from_processor.next_address <= address;
-      from_processor.follows <= follows;
+      from_processor.issue <= follows;
       from_processor.advance <= advance;
       clock;
-      from_processor.follows <= '0';
+      from_processor.issue <= '0';
       from_processor.advance <= '1';
       wait for 1 ns;
     end procedure;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each operation of the arithmetic unit gives what integer arithmetic gives.
+-- Each operation of the ALU equals integer arithmetic.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Exactly the words of Zbb are legal, and it is told which the arithmetic unit does.
+-- Exactly the words of Zbb are legal, and are assigned to the ALU or to bit_manipulation.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -16,7 +16,7 @@ architecture tb of bit_manipulation_decoder_tb is
   signal legal, manipulates : std_ulogic;
 
   type words_t is array (natural range <>) of word_t;
-  -- As an assembler makes them, of a0, a1, a2: clz, ctz, cpop, sext.b, sext.h, orc.b, rev8, zext.h, min,
+  -- Assembled with a0, a1, a2: clz, ctz, cpop, sext.b, sext.h, orc.b, rev8, zext.h, min,
   -- minu, max, maxu.
   constant manipulating : words_t := (
     x"60059513", x"60159513", x"60259513", x"60459513", x"60559513", x"2875d513", x"6985d513",
@@ -44,10 +44,10 @@ begin
       assert legal = '1' and manipulates = '0' report to_hstring(instruction) severity failure;
     end loop;
 
-    -- No others: all of funct7, rs2 and funct3 with the opcodes that have such, then with every opcode.
+    -- No others: all of funct7, rs2 and funct3 with the opcodes of Zbb, then with every opcode.
     for opcode in 0 to 31 loop
       for code in 0 to 32767 loop
-        -- Other opcodes with a few rs2 only.
+        -- Other opcodes with only a few rs2.
         next when opcode /= 4 and opcode /= 12 and (code / 8) mod 32 > 1;
         instruction <= std_ulogic_vector(to_unsigned(code / 8, 12)) & "01011" &
                        std_ulogic_vector(to_unsigned(code mod 8, 3)) & "01010" &
@@ -61,7 +61,7 @@ begin
         end if;
       end loop;
     end loop;
-    -- Ten with any rs2 or distance, of which four are minimum and maximum; eight with a fixed one.
+    -- Ten with any rs2 or shift amount, of which four are minimum and maximum; eight with a fixed one.
     assert legal_words = 10 * 32 + 8 report integer'image(legal_words) & " words" severity failure;
     assert manipulating_words = 4 * 32 + 8 report integer'image(manipulating_words) & " words"
       severity failure;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each instruction gives what counting, comparing and moving bit by bit gives, one clock later, and keeps it.
+-- Each instruction equals a bit-by-bit model, one clock later, and holds its result.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -23,7 +23,7 @@ architecture tb of bit_manipulation_tb is
     x"00000000", x"00000001", x"ffffffff", x"80000000", x"7fffffff", x"12345678", x"0000ff00",
     x"deadbeef", x"00800080", x"00008000", x"01000000", x"00010203");
 
-  -- The words with any registers: assembled with another assembler.
+  -- The words without registers, from an assembler.
   constant clz : word_t := x"60059513";
   constant ctz : word_t := x"60159513";
   constant cpop : word_t := x"60259513";
@@ -57,13 +57,13 @@ begin
       instruction <= word;
       first <= a;
       second <= b;
-      -- As the arithmetic unit compares.
+      -- The ALU's comparison.
       less <= '1' when (word(12) = '1' and unsigned(a) < unsigned(b)) or
                        (word(12) = '0' and signed(a) < signed(b)) else '0';
       enable <= '1';
       wait until rising_edge(clk);
       enable <= '0';
-      -- What comes behind is nobody's concern.
+      -- Inputs after the clock of `enable` are don't care.
       instruction <= not word;
       first <= not a;
       second <= a xor b;
@@ -128,7 +128,7 @@ begin
       expect(maxu, a, b, larger_unsigned, "maxu");
     end procedure;
 
-    -- Of any length, with ones or zeros above or below.
+    -- Random lengths, with leading or trailing ones or zeros.
     impure function random_word return word_t is
       variable word : unsigned(31 downto 0);
     begin

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each compressed instruction decodes as the longer one for which it stands, and no other is legal.
+-- Each compressed instruction decodes as the 32-bit one to which it expands, and no other is legal.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,7 +17,7 @@ architecture tb of compressed_decoder_tb is
     word : word_t;
   end record;
   type pairs_t is array (natural range <>) of pair_t;
-  -- As an assembler writes both.
+  -- Both from an assembler.
   constant pairs : pairs_t := (
     (x"0048", x"00410513"),  -- addi a0, sp, 4
     (x"1fe0", x"3fc10413"),  -- addi s0, sp, 1020
@@ -100,7 +100,7 @@ architecture tb of compressed_decoder_tb is
 
   signal compressed : std_ulogic_vector(15 downto 0) := x"0001";
   signal word : word_t := x"00000013";
-  signal decoded, reference : decoded_t;
+  signal decoded, reference : control_t;
   signal first, second, reference_first, reference_second : register_index_t;
   signal immediate, reference_immediate : word_t;
 
@@ -109,11 +109,11 @@ begin
   uut : entity work.compressed_decoder
     port map (instruction => compressed, decoded => decoded, immediate => immediate);
 
-  -- What it must agree with has a test bench of its own.
+  -- The reference, which has its own bench.
   word_decoder : entity work.word_decoder
     port map (instruction => word, decoded => reference, immediate => reference_immediate);
 
-  -- And so do the registers that it reads.
+  -- The source registers, too.
   selector : entity work.register_selector
     port map (instruction => x"ffff" & compressed, is_word => '0', first => first, second => second);
   word_selector : entity work.register_selector
@@ -121,7 +121,7 @@ begin
 
   check : process
     variable legal : natural;
-    variable is_constant : boolean;
+    variable is_second_operand : boolean;
     variable destination : register_index_t;
 
     procedure compare(condition : boolean; what : string) is
@@ -129,7 +129,7 @@ begin
       assert condition report what & " of " & to_hstring(compressed) severity failure;
     end procedure;
 
-    -- How many instructions of this quadrant with this funct3 are legal.
+    -- Number of legal instructions in this quadrant with this funct3.
     procedure expect_legal(quadrant, funct3 : natural; wanted : natural) is
     begin
       legal := 0;
@@ -164,38 +164,38 @@ begin
                decoded.environment_call or decoded.trap_return or
                decoded.wait_for_interrupt) = '0', "no such kind");
       if not decoded.breakpoint then
-        -- What adds to x0 in full has its second operand as the result.
-        is_constant := decoded.operation = "101" and decoded.shift = '0';
-        if is_constant then
-          compare(decoded.reads_first = '0' and decoded.second_is_constant = reference.second_is_constant
+        -- The expansion adds to x0; the decoder passes the second operand.
+        is_second_operand := decoded.operation = "101" and decoded.shift = '0';
+        if is_second_operand then
+          compare(decoded.reads_first = '0' and decoded.second_is_immediate = reference.second_is_immediate
                   and (reference.operation = "101" or
                        (reference.operation = "000" and reference_first = "00000")), "constant");
         end if;
-        compare(decoded.jump = '1' or is_constant or first = reference_first, "rs1");
-        if decoded.second_is_constant = '0' and not (decoded.jump or decoded.jump_register or
+        compare(decoded.jump = '1' or is_second_operand or first = reference_first, "rs1");
+        if decoded.second_is_immediate = '0' and not (decoded.jump or decoded.jump_register or
                                                      decoded.load) = '1' then
           compare(decoded.reads_second = '1' and
                   second = reference_second, "rs2");
         end if;
-        -- early_jump finds those of jumps and branches.
+        -- branch_predictor generates those of jumps and branches.
         if (decoded.load or decoded.store or decoded.jump_register or
-            (decoded.second_is_constant and not decoded.jump and not decoded.branch)) = '1' then
-          -- Of a shift only the lowest five bits are looked at.
+            (decoded.second_is_immediate and not decoded.jump and not decoded.branch)) = '1' then
+          -- A shift uses only the lowest five bits.
           compare(immediate = reference_immediate or
                   (decoded.shift = '1' and
                    immediate(4 downto 0) = reference_immediate(4 downto 0)), "constant");
         end if;
         if (decoded.load or decoded.store or decoded.branch) = '1' then
           compare(decoded.funct3 = reference.funct3, "funct3");
-        elsif not is_constant and (decoded.jump or decoded.jump_register) = '0' then
+        elsif not is_second_operand and (decoded.jump or decoded.jump_register) = '0' then
           compare(decoded.operation = reference.operation and decoded.shift = reference.shift and
                   decoded.subtract = reference.subtract and
                   (decoded.operation /= "101" or
                    decoded.arithmetic_shift = reference.arithmetic_shift) and
-                  decoded.second_is_constant = reference.second_is_constant, "operation");
+                  decoded.second_is_immediate = reference.second_is_immediate, "operation");
         end if;
-        -- Who reads a register waits for it; x0 never comes late.
-        compare(decoded.reads_first = reference.reads_first or is_constant or
+        -- Source registers can cause a hazard; x0 never does.
+        compare(decoded.reads_first = reference.reads_first or is_second_operand or
                 decoded.jump = '1', "wait");
       end if;
     end loop;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The CSRs: reads and writes, what traps and returns change, when an interrupt is pending.
+-- The CSRs: reads, writes, updates by traps and mret, pending interrupts.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,7 +15,7 @@ architecture tb of control_status_registers_tb is
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : csr_request_t := (
-    enable => '0', in_vain => '0', address => x"000", operation => "01", operand => (others => '0'),
+    enable => '0', cancelled => '0', address => x"000", operation => "01", operand => (others => '0'),
     writes => '0');
   signal read_data : word_t;
   signal trap : trap_t := (
@@ -23,7 +23,7 @@ architecture tb of control_status_registers_tb is
     value => (others => '0'));
   signal trap_return, retire, timer_interrupt, external_interrupt : std_ulogic := '0';
   signal interrupts : std_ulogic_vector(15 downto 0) := (others => '0');
-  signal awake, interrupt_pending : std_ulogic;
+  signal wake_request, interrupt_pending : std_ulogic;
   signal interrupt_cause : std_ulogic_vector(4 downto 0);
   signal trap_target, return_address : unsigned(31 downto 0);
 
@@ -44,7 +44,7 @@ begin
       timer_interrupt => timer_interrupt,
       external_interrupt => external_interrupt,
       interrupts => interrupts,
-      awake => awake,
+      wake_request => wake_request,
       interrupt_pending => interrupt_pending,
       interrupt_cause => interrupt_cause,
       trap_target => trap_target,
@@ -61,7 +61,7 @@ begin
                          operation : std_ulogic_vector(1 downto 0);
                          operand : word_t; writes : std_ulogic) is
     begin
-      request <= (enable => '1', in_vain => '0', address => address, operation => operation,
+      request <= (enable => '1', cancelled => '0', address => address, operation => operation,
                   operand => operand, writes => writes);
       wait for 1 ns;
     end procedure;
@@ -123,18 +123,18 @@ begin
     -- Interrupts.
     interrupts(4) <= '1';
     clock;
-    assert awake = '0' and interrupt_pending = '0' severity failure;
+    assert wake_request = '0' and interrupt_pending = '0' severity failure;
     expect(x"344", x"00100000");
     write(x"304", x"00100000");
     wait for 1 ns;
-    assert awake = '1' and interrupt_pending = '1' and interrupt_cause = 5d"20"
+    assert wake_request = '1' and interrupt_pending = '1' and interrupt_cause = 5d"20"
       report "a write of mie counts at once" severity failure;
     write(x"300", x"00000000");
     wait for 1 ns;
-    assert awake = '1' and interrupt_pending = '0' severity failure;
+    assert wake_request = '1' and interrupt_pending = '0' severity failure;
     interrupts(4) <= '0';
     clock;
-    assert awake = '0' severity failure;
+    assert wake_request = '0' severity failure;
 
     -- Counters.
     write(x"b02", x"00000000");
@@ -161,8 +161,8 @@ begin
     retire <= '0';
     expect(x"b02", x"00000041");
     expect(x"c82", x"00000009");
-    -- Not that of an instruction whose place an interrupt takes.
-    request <= (enable => '1', in_vain => '1', address => x"304", operation => "01", operand => x"00000080",
+    -- Not the one of an interrupted instruction.
+    request <= (enable => '1', cancelled => '1', address => x"304", operation => "01", operand => x"00000080",
                 writes => '1');
     clock;
     request.enable <= '0';

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Loads and stores go to the memory in the same clock or over the bus until it answers.
+-- Loads and stores access the memory in the same clock, or the bus until it responds.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -23,7 +23,7 @@ architecture tb of data_access_tb is
   signal memory_request : memory_request_t;
   signal bus_request : bus_request_t;
   signal bus_response : bus_response_t := bus_response_idle;
-  -- Of 96 KiB.
+  -- 96 KiB.
   signal to_smaller_memory : std_ulogic;
   signal misaligned, to_memory, bus_active, done, error : std_ulogic;
 
@@ -122,7 +122,7 @@ begin
       assert done = '0' and memory_request.write_bytes = "0000" and bus_active = '0'
         report "nothing outside is written to the memory" severity failure;
       clock;
-      -- What comes next waits for it.
+      -- The next access is stalled.
       enable <= '0';
       address <= x"80000000";
       store <= '0';
@@ -161,7 +161,7 @@ begin
     wait for 1 ns;
     assert memory_request.enable = '1' and memory_request.write_bytes = "0000" and to_memory = '1'
       severity failure;
-    -- Within and outside, far and near, with constants in which there are carries and none.
+    -- Inside and outside the memory, far and near, with and without carries from the immediate.
     enable <= '0';
     for index in uppers'range loop
       for lower in -7 to 7 loop
@@ -185,7 +185,7 @@ begin
     use_bus(1, '0');
     use_bus(4, '0');
     use_bus(1, '1');
-    -- Misaligned accesses and refused ones do not reach the bus.
+    -- Misaligned accesses do not reach the bus.
     address <= x"f0001231";
     clock;
     assert bus_request.strobe = '0' severity failure;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Quotient times divisor plus remainder is the dividend, after 18 clocks, whatever the values.
+-- Quotient times divisor plus remainder is the dividend, after 18 clocks, for any values.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -88,7 +88,7 @@ begin
           report "signed " & to_hstring(a) & " by " & to_hstring(b) severity failure;
       end if;
     end procedure;
-    -- Of any length, so that quotients are short and long.
+    -- Random lengths, for short and long quotients.
     impure function random_word return word_t is
       variable word : unsigned(31 downto 0);
     begin
@@ -112,7 +112,7 @@ begin
       check_division(random_word, random_word);
     end loop;
 
-    -- A division given up leaves nothing behind.
+    -- An aborted division leaves no state behind.
     request <= '1';
     first <= x"ffffffff";
     second <= x"00000001";

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Events are counted over the edge of the halves; a write takes the place of a count.
+-- Events carry from the lower into the upper half; a write replaces the count.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,7 +14,7 @@ architecture tb of event_counter_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  signal happens, write_low, write_high : std_ulogic := '0';
+  signal increment, write_low, write_high : std_ulogic := '0';
   signal write_data : word_t := (others => '0');
   signal count, next_count : unsigned(63 downto 0);
 
@@ -26,7 +26,7 @@ begin
     port map (
       clk => clk,
       reset => reset,
-      happens => happens,
+      increment => increment,
       write_low => write_low,
       write_high => write_high,
       write_data => write_data,
@@ -43,16 +43,16 @@ begin
     clock;
     reset <= '0';
     assert count = 0 severity failure;
-    happens <= '1';
+    increment <= '1';
     for index in 1 to 5 loop
       wait for 1 ns;
       assert count = index and next_count = index report "with the event of this clock" severity failure;
       clock;
     end loop;
-    happens <= '0';
+    increment <= '0';
     wait for 1 ns;
     assert count = 5 severity failure;
-    happens <= '1';
+    increment <= '1';
     write_low <= '1';
     write_data <= x"fffffffe";
     wait for 1 ns;
@@ -67,7 +67,7 @@ begin
     write_data <= x"00000007";
     clock;
     write_high <= '0';
-    happens <= '0';
+    increment <= '0';
     wait for 1 ns;
     assert count = x"0000000700000001" report "the half that is not written counts" severity failure;
     clock;

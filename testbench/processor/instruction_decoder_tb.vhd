@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Both decoders and the selector of registers get the instruction, and its length tells which counts.
+-- Both decoders and the register selector get the instruction, and its length selects between them.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,7 +14,7 @@ architecture tb of instruction_decoder_tb is
 
   signal instruction : word_t := (others => '0');
   signal is_word : std_ulogic;
-  signal decoded : decoded_t;
+  signal decoded : control_t;
   signal first, second : register_index_t;
   signal immediate : word_t;
 
@@ -39,14 +39,14 @@ begin
       severity failure;
     decode(x"00b60533");  -- add a0, a2, a1
     assert first = 5d"12" and second = 5d"11" severity failure;
-    -- c.addi t6, -32 below anything.
+    -- c.addi t6, -32 in the lower half.
     for upper in 0 to 15 loop
       decode(std_ulogic_vector(to_unsigned(upper * 16#1111#, 16)) & x"1f81");
       assert (or decoded.legal) = '1' and
         decoded.destination = 5d"31" and first = 5d"31" and
         immediate = x"ffffffe0" severity failure;
     end loop;
-    -- jalr a1 of 16 bits links in x1; what goes to x0 is not written.
+    -- c.jalr a1 links to x1; x0 is not written.
     decode(x"ffff9582");
     assert decoded.writes = '1' and decoded.destination = 5d"1" and first = 5d"11" severity failure;
     decode(x"00b60033");

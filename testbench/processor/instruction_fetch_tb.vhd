@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Instructions of both lengths are shown one after the other, from any half word on, a clock after what the
--- memory brings; jumps of the instruction shown and of the one before go where they should.
+-- Instructions of both lengths are aligned from any half-word address on, a clock after the memory's data;
+-- jumps predicted in decode and redirects by execute fetch from their targets.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,15 +15,16 @@ end entity;
 architecture tb of instruction_fetch_tb is
 
   signal clk : std_ulogic := '0';
-  signal cancel, late_jump, early_jump, advance, valid, is_word, fault, leaves_memory : std_ulogic := '0';
+  signal flush, redirect, predicted_taken, advance : std_ulogic := '0';
+  signal valid, is_word, fault, crosses_memory_end : std_ulogic := '0';
   -- Of 96 KiB.
-  signal smaller_faults, smaller_is_left : std_ulogic;
-  signal target, target_plus_2, following_address, address : unsigned(31 downto 0) := (others => '0');
+  signal smaller_faults, smaller_crosses : std_ulogic;
+  signal target, target_plus_2, predicted_next_address, address : unsigned(31 downto 0) := (others => '0');
   signal instruction_request : instruction_request_t;
   signal instruction_data : word_t := (others => '0');
   signal instruction : word_t;
 
-  -- Every third half word would begin a short instruction; elsewhere three of five do.
+  -- Half words that look compressed: in odd blocks of 64 one of three, elsewhere three of five.
   function begins_short(place : unsigned(31 downto 1)) return boolean is
     constant number : natural := to_integer(place(14 downto 1));
   begin
@@ -38,7 +39,7 @@ begin
   clk <= not clk after 5 ns;
   target_plus_2 <= target + 2;
 
-  following_address <= target when early_jump else
+  predicted_next_address <= target when predicted_taken else
                        address when not valid else
                        address + 4 when is_word else
                        address + 2;
@@ -47,14 +48,14 @@ begin
     generic map (memory_address => x"80000000", memory_address_bits => 16)
     port map (
       clk => clk,
-      cancel => cancel,
-      late_jump => late_jump,
-      late_address => target,
-      late_address_plus_2 => target_plus_2(31 downto 2),
-      early_jump => early_jump,
-      early_address => target,
-      early_address_plus_2 => target_plus_2,
-      following_address => following_address,
+      flush => flush,
+      redirect => redirect,
+      redirect_target => target,
+      redirect_target_plus_2 => target_plus_2(31 downto 2),
+      predicted_taken => predicted_taken,
+      predicted_target => target,
+      predicted_target_plus_2 => target_plus_2,
+      predicted_next_address => predicted_next_address,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
@@ -63,20 +64,20 @@ begin
       is_word => is_word,
       address => address,
       fault => fault,
-      leaves_memory => leaves_memory);
+      crosses_memory_end => crosses_memory_end);
 
   of_three_quarters : entity work.instruction_fetch
     generic map (memory_address => x"80000000", memory_address_bits => 17, memory_lacks_quarter => true)
     port map (
       clk => clk,
-      cancel => cancel,
-      late_jump => late_jump,
-      late_address => target,
-      late_address_plus_2 => target_plus_2(31 downto 2),
-      early_jump => early_jump,
-      early_address => target,
-      early_address_plus_2 => target_plus_2,
-      following_address => following_address,
+      flush => flush,
+      redirect => redirect,
+      redirect_target => target,
+      redirect_target_plus_2 => target_plus_2(31 downto 2),
+      predicted_taken => predicted_taken,
+      predicted_target => target,
+      predicted_target_plus_2 => target_plus_2,
+      predicted_next_address => predicted_next_address,
       advance => advance,
       instruction_request => open,
       instruction_data => instruction_data,
@@ -85,10 +86,10 @@ begin
       is_word => open,
       address => open,
       fault => smaller_faults,
-      leaves_memory => smaller_is_left);
+      crosses_memory_end => smaller_crosses);
 
-  -- Each half word holds the number of its place; the lowest two bits tell the length.
-  remember : process
+  -- Each half word holds its index; the lowest two bits are the instruction length.
+  drive_memory : process
     function half_word(place : unsigned(31 downto 1)) return std_ulogic_vector is
       variable half : std_ulogic_vector(15 downto 0);
     begin
@@ -116,9 +117,9 @@ begin
     procedure expect(wanted : unsigned(31 downto 0)) is
     begin
       assert valid = '1' and address = wanted
-        report "shows " & to_hstring(address) & " and not " & to_hstring(wanted) severity failure;
+        report "address " & to_hstring(address) & " and not " & to_hstring(wanted) severity failure;
       assert unsigned(instruction(15 downto 2)) = wanted(14 downto 1)
-        report "what lies there" severity failure;
+        report "the instruction" severity failure;
       assert (is_word = '0') = begins_short(wanted(31 downto 1)) and
         is_word = (and instruction(1 downto 0))
         report "the length at " & to_hstring(wanted) & " " & to_hstring(instruction) severity failure;
@@ -126,17 +127,17 @@ begin
         report "the second half" severity failure;
     end procedure;
 
-    -- To a place, with whatever is shown going on; it is shown in the clock after the next.
+    -- Jumps, with the current instruction issued; the target is valid in the clock after the next.
     procedure jump_to(wanted : unsigned(31 downto 0); late : boolean) is
     begin
       target <= wanted;
-      late_jump <= '1' when late else '0';
-      early_jump <= '0' when late else '1';
+      redirect <= '1' when late else '0';
+      predicted_taken <= '0' when late else '1';
       advance <= '1';
       clock;
-      late_jump <= '0';
-      early_jump <= '0';
-      -- What comes then is no instruction, but its address is told already.
+      redirect <= '0';
+      predicted_taken <= '0';
+      -- A bubble, with the address of the next instruction.
       target <= x"80000abc";
       wait for 1 ns;
       assert valid = '0' and address = wanted(31 downto 1) & '0' severity failure;
@@ -145,15 +146,15 @@ begin
 
     variable place : unsigned(31 downto 0);
   begin
-    -- A reset is a late jump that cancels what was.
-    cancel <= '1';
+    -- A reset is a redirect after a flush.
+    flush <= '1';
     target <= x"80000000";
-    late_jump <= '1';
+    redirect <= '1';
     advance <= '1';
     clock;
-    cancel <= '0';
+    flush <= '0';
     clock;
-    late_jump <= '0';
+    redirect <= '0';
     wait for 1 ns;
     assert valid = '0' severity failure;
     clock;
@@ -161,9 +162,9 @@ begin
     assert fault = '0' severity failure;
     advance <= '0';
     wait for 1 ns;
-    assert instruction_request.enable = '0' report "nobody has taken it" severity failure;
+    assert instruction_request.enable = '0' report "requests while stalled" severity failure;
 
-    -- From each place within a word on, with stops.
+    -- From each offset within a word on, with stalls.
     for half_words in 0 to 11 loop
       place := x"80001000" + 2 * (half_words / 2);
       jump_to(place, half_words mod 2 = 0);
@@ -180,8 +181,7 @@ begin
       end loop;
     end loop;
 
-    -- Jumps soon after another, behind 0 to 3 instructions; of the address of a late one bit 0 is
-    -- ignored.
+    -- Jumps in quick succession, after 0 to 3 instructions; bit 0 of a redirect target is ignored.
     for half_words in 0 to 15 loop
       place := x"80000101" + 2 * half_words when half_words mod 3 /= 0 else x"80000100" + 2 * half_words;
       jump_to(place, half_words mod 3 /= 0);
@@ -194,55 +194,55 @@ begin
       expect(place);
     end loop;
 
-    -- Nothing is shown once it is cancelled, whether it was taken or not.
+    -- A flush invalidates the output, whether issued or not.
     for taken in 0 to 1 loop
       jump_to(x"80000300", true);
       expect(x"80000300");
-      cancel <= '1';
+      flush <= '1';
       advance <= '1' when taken = 1 else '0';
       clock;
-      cancel <= '0';
+      flush <= '0';
       assert valid = '0' severity failure;
       jump_to(x"80000402", true);
       expect(x"80000402");
     end loop;
 
-    -- The end of the memory: a short instruction fits, a long one does not.
+    -- The end of the memory: a compressed instruction fits, a 32-bit one crosses it.
     jump_to(x"80010000", false);
-    assert fault = '1' and leaves_memory = '0' severity failure;
+    assert fault = '1' and crosses_memory_end = '0' severity failure;
     jump_to(x"7ffffffe", true);
-    assert fault = '1' and leaves_memory = '0' severity failure;
+    assert fault = '1' and crosses_memory_end = '0' severity failure;
     jump_to(x"8000fffc", true);
     assert fault = '0' severity failure;
     assert begins_short(31x"40007ffe") = false and begins_short(31x"40007fff") = true severity failure;
     jump_to(x"8000fffe", false);
-    assert is_word = '0' and fault = '0' and leaves_memory = '0' severity failure;
+    assert is_word = '0' and fault = '0' and crosses_memory_end = '0' severity failure;
     target <= x"8000fffe";
-    late_jump <= '1';
+    redirect <= '1';
     clock;
-    late_jump <= '0';
+    redirect <= '0';
     instruction_data <= force x"00030000";
     clock;
-    assert fault = '1' and leaves_memory = '1' severity failure;
-    assert smaller_faults = '0' and smaller_is_left = '0' severity failure;
+    assert fault = '1' and crosses_memory_end = '1' severity failure;
+    assert smaller_faults = '0' and smaller_crosses = '0' severity failure;
 
-    -- The same of a memory that ends three quarters of the way.
+    -- The same for a memory without its last quarter.
     jump_to(x"80017ffc", true);
     assert smaller_faults = '0' severity failure;
     target <= x"80017ffe";
-    late_jump <= '1';
+    redirect <= '1';
     clock;
-    late_jump <= '0';
+    redirect <= '0';
     instruction_data <= force x"00030000";
     clock;
-    assert smaller_faults = '1' and smaller_is_left = '1' severity failure;
+    assert smaller_faults = '1' and smaller_crosses = '1' severity failure;
     for place in 0 to 2 loop
       target <= x"80018000" when place = 0 else x"8001fffe" when place = 1 else x"80020000";
-      late_jump <= '1';
+      redirect <= '1';
       clock;
-      late_jump <= '0';
+      redirect <= '0';
       clock;
-      assert smaller_faults = '1' and smaller_is_left = '0' severity failure;
+      assert smaller_faults = '1' and smaller_crosses = '0' severity failure;
     end loop;
     std.env.finish;
   end process;

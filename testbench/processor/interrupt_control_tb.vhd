@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The first of the enabled requests is chosen, one clock later.
+-- The highest-priority enabled request is selected, one clock later.
 
 library ieee;
 use ieee.std_logic_1164.all;

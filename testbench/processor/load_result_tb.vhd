@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Bytes and half words come out of each place, with their sign or with zeros; nothing if it is no load.
+-- Bytes and half words from each offset, sign- or zero-extended; zero if it is no load.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Products of words, signed and not, are what shifting and adding gives, one clock after.
+-- Signed and unsigned products equal shift and add, one clock later.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -22,7 +22,7 @@ architecture tb of multiplier_tb is
     x"00000000", x"00000001", x"ffffffff", x"80000000", x"7fffffff", x"12345678", x"0000ffff",
     x"ffff0000", x"deadbeef", x"00010000");
 
-  -- Both as numbers of 64 bits, multiplied modulo 2 ** 64.
+  -- Both extended to 64 bits, multiplied modulo 2 ** 64.
   function product(first, second : word_t; first_signed, second_signed : boolean) return unsigned is
     variable sum : unsigned(63 downto 0) := (others => '0');
     variable a, b : unsigned(63 downto 0);
@@ -75,7 +75,7 @@ begin
                   std_ulogic_vector(wanted(63 downto 32));
           assert result = kept report "operation " & integer'image(code) & " of " &
             to_hstring(values(a)) & " and " & to_hstring(values(b)) severity failure;
-          -- Nothing changes without enable.
+          -- The result is stable without `enable`.
           first <= not values(a);
           wait until rising_edge(clk);
           wait for 1 ns;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Runs a program on the processor with its memory and writes a line for each completed or refused
--- instruction, with its clock: for tests/processor/compare_with_ghdl.sh, which wants the same of the netlist.
+-- Runs a program on the processor with its memory and writes a line for each retired instruction or
+-- exception, with its clock: for tests/processor/compare_with_ghdl.sh, which compares it with the netlist.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,10 +14,10 @@ use work.processor_pkg.all;
 
 entity processor_trace is
   generic (
-    -- The image, byte for byte from the begin of the memory; the lines are written to the other.
+    -- Image of the memory, in bytes; output file.
     program_file : string := "program.bin";
     trace_file : string := "trace.txt";
-    -- Distance of the program's `tohost` from the begin of the memory, in bytes.
+    -- Offset of the program's `tohost` in the memory, in bytes.
     tohost_offset : natural := 0;
     has_zbb : boolean := false
   );
@@ -29,8 +29,8 @@ architecture tb of processor_trace is
   constant device_address : unsigned(31 downto 0) := x"f0000000";
   constant request_address : unsigned(31 downto 0) := x"f0000100";
   constant writable_requests : word_t := x"ffff0880";
-  -- What the program stores in the device's first word where it sleeps until it is woken, by which
-  -- request, and after how many clocks.
+  -- Value that the program stores in the device's first word before it sleeps, the request that wakes it
+  -- up, and after how many clocks.
   constant wake_word : word_t := x"00051ee9";
   constant wake_request : natural := 20;
   constant wake_after_cycles : positive := 49;
@@ -85,7 +85,7 @@ begin
       data_request => memory_request,
       data => data);
 
-  -- As tests/processor/test_device.hpp: words that keep what is written, and a register of requests.
+  -- As tests/processor/test_device.hpp: read-write words and a request register.
   answer_on_bus : process
     variable index : natural range 0 to 63;
     variable asleep : natural := 0;

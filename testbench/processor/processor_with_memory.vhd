@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor and its memory with all else left to the test: what the Verilated tests clock.
+-- The processor and its memory, with all other ports left to the test: top entity of the Verilated tests.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Registers keep what is written to them, and x0 is zero.
+-- Registers hold what is written to them, and x0 is zero.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The registers that instructions read, as an assembler names them.
+-- Source registers of instructions from an assembler.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -52,7 +52,7 @@ begin
     clocks_at_interrupt <= clocks;
   end process;
 
-  -- What leaves out edges of the clock relies on it.
+  -- Clock gating relies on it.
   watch_alarm : process
     variable interrupt_before, alarm_before : std_ulogic := '0';
   begin

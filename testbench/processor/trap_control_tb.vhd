@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each exception has its cause, address and value, and the first in rank is taken.
+-- Each exception has its cause, address and value, and the one of highest priority is taken.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,7 +13,7 @@ end entity;
 architecture tb of trap_control_tb is
 
   signal executing : executing_t := (valid => '1', others => '0');
-  signal kind : decoded_t := (
+  signal control : control_t := (
     legal => "0001", destination => "00000",
     operation | funct3 => "000", others => '0');
   signal take_interrupt, data_misaligned, bus_error, bus_store : std_ulogic := '0';
@@ -28,7 +28,7 @@ begin
     generic map (memory_end => x"80010000")
     port map (
       executing => executing,
-      kind => kind,
+      control => control,
       legal => legal,
       ready => ready,
       address => x"80000100",
@@ -55,7 +55,7 @@ begin
           to_hstring(trap.value) severity failure;
     end procedure;
 
-    -- Whose address and value were told before.
+    -- Its address and value were given before.
     procedure expect_cause(cause : natural) is
     begin
       wait for 1 ns;
@@ -73,17 +73,17 @@ begin
     data_misaligned <= '1';
     csr_legal <= '0';
     expect_none;
-    kind.load <= '1';
+    control.load <= '1';
     expect(4, x"80000303");
-    kind.load <= '0';
-    kind.store <= '1';
+    control.load <= '0';
+    control.store <= '1';
     expect(6, x"80000303");
     data_misaligned <= '0';
-    -- For the bus, should it refuse the access.
+    -- For a bus error of the access.
     wait for 1 ns;
     assert trap.enable = '0' and trap.value = x"80000303" and trap.address = x"80000100" severity failure;
-    kind.store <= '0';
-    -- The access of the instruction before is refused, while this one waits.
+    control.store <= '0';
+    -- Bus error of the previous instruction's access, while this one stalls.
     ready <= '0';
     bus_error <= '1';
     bus_store <= '1';
@@ -93,22 +93,22 @@ begin
     bus_error <= '0';
     expect_none;
     ready <= '1';
-    kind.csr <= '1';
+    control.csr <= '1';
     expect(2, x"12345678");
     csr_legal <= '1';
     expect_none;
-    kind.csr <= '0';
-    kind.environment_call <= '1';
+    control.csr <= '0';
+    control.environment_call <= '1';
     expect(11, x"00000000");
-    kind.environment_call <= '0';
-    kind.breakpoint <= '1';
+    control.environment_call <= '0';
+    control.breakpoint <= '1';
     expect(3, x"80000100");
-    kind.breakpoint <= '0';
+    control.breakpoint <= '0';
     legal <= '0';
     expect(2, x"12345678");
     executing.fetch_fault <= '1';
     expect(1, x"80000100");
-    executing.leaves_memory <= '1';
+    executing.crosses_memory_end <= '1';
     expect(1, x"80010000");
     ready <= '0';
     expect_none;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The constants of each format, the flags, and that exactly the words of RV32IM are legal.
+-- Immediates of each format, control signals, and that exactly the words of RV32IM are legal.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,7 +13,7 @@ end entity;
 architecture tb of word_decoder_tb is
 
   signal instruction : word_t := (others => '0');
-  signal decoded : decoded_t;
+  signal decoded : control_t;
   signal immediate : word_t;
 
 begin
@@ -23,7 +23,7 @@ begin
 
   check : process
     type addresses_t is array (natural range <>) of std_ulogic_vector(11 downto 0);
-    -- Of traps, counters, triggers, shadows, identity; and the 87 counters and events that are zero.
+    -- Trap, counter, trigger, shadow and identity CSRs; and the 87 counters and events that are zero.
     constant csrs : addresses_t := (
       x"300", x"301", x"304", x"305", x"310", x"340", x"341", x"342", x"343", x"344", x"320", x"7a0",
       x"7a1", x"7a2", x"7a3", x"b00", x"b02", x"b80", x"b82", x"c00", x"c02", x"c80", x"c82", x"f11",
@@ -46,11 +46,11 @@ begin
     procedure expect_constant(word, operand : word_t) is
     begin
       decode(word);
-      assert (or decoded.legal) = '1' and decoded.second_is_constant = '1' and
+      assert (or decoded.legal) = '1' and decoded.second_is_immediate = '1' and
         immediate = operand report to_hstring(word) severity failure;
     end procedure;
 
-    -- How many of funct7 and funct3 are legal with this opcode.
+    -- Number of legal funct7 and funct3 with this opcode.
     procedure expect_legal(opcode : std_ulogic_vector(6 downto 0); wanted : natural) is
       variable word : word_t;
     begin
@@ -60,7 +60,7 @@ begin
         word(6 downto 0) := opcode;
         word(14 downto 12) := std_ulogic_vector(to_unsigned(code mod 8, 3));
         word(31 downto 25) := std_ulogic_vector(to_unsigned(code / 8, 7));
-        -- Registers that no privileged instruction has.
+        -- Register fields that are zero in all privileged instructions.
         word(11 downto 7) := "00001";
         decode(word);
         if (or decoded.legal) = '1' then
@@ -85,7 +85,7 @@ begin
     assert decoded.jump_register = '1' and decoded.jump = '0' and decoded.writes_link = '0'
       severity failure;
 
-    -- What writes (x0 is left to the pipeline), a load is late; what is read.
+    -- Writes (also x0 here), late results, reads.
     decode(x"00b50033");
     assert decoded.writes = '1' and decoded.destination = "00000" and decoded.reads_first = '1' and
       decoded.reads_second = '1' and decoded.late = '0' severity failure;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What each kind of instruction writes a clock after execute, or after the bus has answered.
+-- Each class of instructions writes its result a clock after execute, or after the bus response.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,9 +14,9 @@ architecture tb of write_back_tb is
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
-  constant nothing : decoded_t := (
+  constant empty : control_t := (
     legal => "0000", destination => "00101", operation => "000", funct3 => "000", others => '0');
-  signal kind : decoded_t := nothing;
+  signal control : control_t := empty;
   signal complete, trapped, interrupted, to_memory, bus_active, bus_done, retire : std_ulogic := '0';
   signal byte_index : std_ulogic_vector(1 downto 0) := "00";
   signal instruction, writing_instruction : word_t := x"00000013";
@@ -33,7 +33,7 @@ begin
       clk => clk,
       reset => reset,
       complete => complete,
-      kind => kind,
+      control => control,
       instruction => instruction,
       result => result,
       trapped => trapped,
@@ -73,39 +73,39 @@ begin
     expect('0', '0', x"00000000");
 
     complete <= '1';
-    kind.writes <= '1';
+    control.writes <= '1';
     wait for 1 ns;
     assert retire = '1' severity failure;
     clock;
     expect('1', '1', x"11111111");
     assert value_early = x"11111111" severity failure;
-    kind.multiply <= '1';
+    control.multiply <= '1';
     clock;
     expect('1', '1', x"22222222");
-    kind.multiply <= '0';
-    kind.load <= '1';
+    control.multiply <= '0';
+    control.load <= '1';
     to_memory <= '1';
     byte_index <= "10";
     clock;
     expect('1', '1', x"ffffff83");
-    kind.funct3 <= "101";
+    control.funct3 <= "101";
     clock;
     expect('1', '1', x"00008483");
-    -- x0, or nothing at all.
-    kind.writes <= '0';
+    -- Destination x0, or none.
+    control.writes <= '0';
     clock;
     expect('1', '0', x"00000000");
-    kind <= nothing;
+    control <= empty;
     complete <= '0';
     clock;
     expect('0', '0', x"00000000");
 
-    -- Over the bus: it is completed with the answer, which stands as the result.
+    -- Bus access: it retires with the response.
     for answered in 0 to 1 loop
       complete <= '1';
-      kind.writes <= '1';
-      kind.load <= '1';
-      kind.funct3 <= "000";
+      control.writes <= '1';
+      control.load <= '1';
+      control.funct3 <= "000";
       byte_index <= "01";
       to_memory <= '0';
       instruction <= x"00158283";
@@ -115,7 +115,7 @@ begin
       expect('0', '0', x"00000000");
       bus_active <= '1';
       complete <= '0';
-      kind <= nothing;
+      control <= empty;
       instruction <= x"00000013";
       clock;
       expect('0', '0', x"00000000");

@@ -51,7 +51,7 @@ unsigned latency_in_loop(Word running, unsigned delay) {
 TEST(InterruptTiming, is_the_same_whatever_is_executed) {
   const TimingTable table;
   const unsigned clocks = table.at("interrupt");
-  const unsigned bus_wait = table.at("interrupt during a peripheral access, at most more");
+  const unsigned bus_wait = table.at("interrupt during a peripheral access, at most in addition");
   for (const auto& kind : kinds_of_instructions()) {
     if (kind.placed) continue;
     const std::string row = kind.row;
@@ -85,7 +85,7 @@ TEST(InterruptTiming, is_longer_where_it_is_requested_with_a_return) {
 
 TEST(InterruptTiming, is_longer_by_each_wfi_before_it) {
   const TimingTable table;
-  const unsigned more = table.at("interrupt behind wfi, each more");
+  const unsigned more = table.at("interrupt after wfi, in addition");
   for (unsigned count = 1; count <= 6; ++count) {
     std::vector<Word> tested{encode::nop()};
     tested.insert(tested.end(), count, encode::wait_for_interrupt());
@@ -112,7 +112,7 @@ TEST(InterruptTiming, sleep_ends_in_its_clocks) {
     EXPECT_EQ(chip.sleeping(), true);
     chip.device().set_interrupts(1u << 31);
     const std::uint64_t woken = clock_at(chip, first_tested + 12);
-    EXPECT_EQ(woken - begin, table.at("sleep ends")) << delay;
+    EXPECT_EQ(woken - begin, table.at("wake-up from wfi")) << delay;
     EXPECT_EQ(clock_at(chip, first_tested + 20) - woken, 2 * table.at("wfi")) << delay;
   }
 }

@@ -7,9 +7,8 @@
 namespace processor {
 namespace {
 
-// Of the clocks of an interrupt, so many lie behind that in which it is taken: a request is seen in
-// the next clock, and in this an interrupt can be taken; with the last clock the handler's first
-// instruction is completed.
+// Parts of the clocks of an interrupt: it is taken in the clock after the request at the earliest;
+// in the last clock the handler's first instruction retires.
 constexpr unsigned clocks_to_take = 2, clocks_of_first_instruction = 1;
 
 }  // namespace
@@ -28,8 +27,7 @@ std::optional<TimeModel::Prediction> TimeModel::next(const InstructionSetModel& 
   const bool waits = timed && late_register_ != 0 &&
                      (timed->first == late_register_ || timed->second == late_register_);
   const std::uint64_t begins = clock_ + behind_ + 1;
-  const std::uint64_t executes =
-      begins + (waits ? table_.at("late result read by the next instruction") : 0);
+  const std::uint64_t executes = begins + (waits ? table_.at("load-use hazard") : 0);
   std::uint64_t ends = executes;
   std::uint64_t last_open = executes;
   if (timed && timed->on_bus) {

@@ -27,8 +27,8 @@ std::optional<Word> word_at(const InstructionSetModel& model) {
   return low | half_word(model, address + 2) << 16;
 }
 
-std::int32_t constant_of_load(Word word) { return static_cast<std::int32_t>(word) >> 20; }
-std::int32_t constant_of_store(Word word) {
+std::int32_t immediate_of_load(Word word) { return static_cast<std::int32_t>(word) >> 20; }
+std::int32_t immediate_of_store(Word word) {
   return static_cast<std::int32_t>((word & 0xFE000000) | (word & 0xF80) << 13) >> 20;
 }
 
@@ -36,7 +36,7 @@ TimedInstruction access(const InstructionSetModel& model, Word word, bool is_sto
   TimedInstruction timed{.first = word >> 15 & 31};
   const Word address =
       model.reg(timed.first) +
-      static_cast<Word>(is_store ? constant_of_store(word) : constant_of_load(word));
+      static_cast<Word>(is_store ? immediate_of_store(word) : immediate_of_load(word));
   const Word size = 1u << (word >> 12 & 3);
   timed.second = is_store ? word >> 20 & 31 : 0;
   timed.late = !is_store;
@@ -55,10 +55,12 @@ bool is_taken(Word funct3, Word first, Word second) {
 TimedInstruction branch(const InstructionSetModel& model, Word word) {
   TimedInstruction timed{.first = word >> 15 & 31, .second = word >> 20 & 31};
   const Word funct3 = word >> 12 & 7;
-  const bool is_early = (word >> 31) != 0 && (funct3 & 1) != 0;
+  const bool predicted_taken = (word >> 31) != 0 && (funct3 & 1) != 0;
   const bool taken = is_taken(funct3, model.reg(timed.first), model.reg(timed.second));
-  timed.row = is_early ? (taken ? "branch taken early, taken" : "branch taken early, not taken")
-                       : (taken ? "other branch, taken" : "other branch, not taken");
+  timed.row =
+      predicted_taken
+          ? (taken ? "branch predicted taken, taken" : "branch predicted taken, not taken")
+          : (taken ? "branch predicted not taken, taken" : "branch predicted not taken, not taken");
   return timed;
 }
 
@@ -66,9 +68,9 @@ std::optional<TimedInstruction> zbb(Word word) {
   if (!bit_manipulation(word, 0, 0)) return std::nullopt;
   const Word funct7 = word >> 25, funct3 = word >> 12 & 7;
   const bool of_two = (word & 0x7F) == 0x33;
-  const bool is_early = funct7 == 0x20 || (funct7 == 0x30 && (of_two || funct3 == 5));
+  const bool by_alu = funct7 == 0x20 || (funct7 == 0x30 && (of_two || funct3 == 5));
   TimedInstruction timed{.first = word >> 15 & 31, .second = of_two ? word >> 20 & 31 : 0};
-  timed.late = !is_early;
+  timed.late = !by_alu;
   if (timed.late) timed.row = "bit manipulation";
   return timed;
 }

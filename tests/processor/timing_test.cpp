@@ -27,8 +27,7 @@ std::uint64_t clock_at(Chip& chip, Word address) {
   return 0;
 }
 
-// The clocks of the instructions together, of which the last may be one that needs its next's
-// address.
+// Clocks of the instructions together; the last one may be a jump to the address after it.
 unsigned measure_at(const std::vector<Word>& tested, bool in_the_middle) {
   const Placed placed = place(tested, in_the_middle);
   Chip chip(placed.image);
@@ -48,7 +47,7 @@ bool traps(const Kind& kind) {
   return kind.row == std::string("exception") || kind.row == std::string("refused access");
 }
 
-// Traps go to a word: what lies behind a trap must begin one.
+// Handlers are word-aligned: so is the instruction after the trap.
 unsigned measure_trap(Word instruction) {
   return measure_at({instruction}, (instruction & 3) != 3);
 }
@@ -76,11 +75,11 @@ TEST(Timing, an_instruction_behind_another_takes_its_own_clocks) {
 TEST(Timing, a_branch_backwards_takes_its_clocks_where_it_is_taken) {
   const TimingTable table;
   const unsigned jumps = 2 * table.at("jump");
-  const unsigned wanted = jumps + table.at("branch taken early, taken");
+  const unsigned wanted = jumps + table.at("branch predicted taken, taken");
   // Over a jump to the end, then back to it.
   EXPECT_EQ(measure({encode::jump_and_link(0, 8), encode::jump_and_link(0, 8),
                      encode::branch(0, 0, 0, -4)}),
-            jumps + table.at("other branch, taken"));
+            jumps + table.at("branch predicted not taken, taken"));
   EXPECT_EQ(measure({encode::jump_and_link(0, 8), encode::jump_and_link(0, 8),
                      encode::branch(1, 3, 4, -4)}),
             wanted);
@@ -94,7 +93,7 @@ TEST(Timing, a_branch_backwards_takes_its_clocks_where_it_is_taken) {
 
 TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {
   const TimingTable table;
-  const unsigned wait = table.at("late result read by the next instruction");
+  const unsigned wait = table.at("load-use hazard");
   const unsigned one = table.at("arithmetic and logic");
   const std::vector<Word> readers{encode::operation(0, 0, 1, late_result, 3),
                                   encode::operation(0, 0, 1, 3, late_result),
@@ -116,7 +115,7 @@ TEST(Timing, only_the_next_instruction_waits_for_a_late_result) {
       EXPECT_EQ(measure({kind.word, encode::nop(), reader}), table.at(kind.row) + 2 * one)
           << kind.row;
     }
-    // The same bits as a constant are no reading.
+    // The same bits in an immediate cause no hazard.
     EXPECT_EQ(measure({kind.word, encode::load_upper(1, late_result << 15 | late_result << 20)}),
               table.at(kind.row) + one);
     EXPECT_EQ(measure({kind.word, encode::csr(6, 1, 0x340, late_result)}),

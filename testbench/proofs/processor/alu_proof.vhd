@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The arithmetic unit gives what the instruction set says, for all operands.
+-- The ALU computes what the instruction set specifies, for all operands.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -23,7 +23,7 @@ end entity;
 
 architecture proof of alu_proof is
 
-  -- The instruction on two registers that asks for this; a shift does not subtract.
+  -- The register-register instruction for this operation; a shift does not subtract.
   signal word : value_t;
   signal alternate : std_ulogic;
   signal result : value_t;
@@ -51,7 +51,7 @@ begin
       comparison => compared);
 
   only_shifts_shift : assume always (shifts -> operation(1 downto 0) = "01");
-  comparisons_say_of_what_sort : assume always
+  compare_unsigned_matches_operation : assume always
     (operation(2 downto 1) = "01" -> compare_unsigned = operation(0));
 
   sums_and_differences_are_right : assert always
@@ -60,19 +60,19 @@ begin
     (shifts -> result = shift(word, first, second));
   comparisons_give_one_or_zero : assert always
     (operation(2 downto 1) = "01" -> result = comparison(word, first, second));
-  bits_are_combined_right : assert always
+  logic_operations_are_right : assert always
     ((operation(2) = '1' and operation(1 downto 0) /= "01") -> result = logic(word, first, second));
-  the_second_operand_passes_as_it_is : assert always
+  second_operand_passes_unchanged : assert always
     ((shifts = '0' and operation = "101") -> result = second);
-  what_is_below_without_regard_to_signs_is_below : assert always
+  below_is_unsigned_less : assert always
     ((compared.below = '1') = (unsigned(first) < unsigned(second)));
-  what_is_above_without_regard_to_signs_is_above : assert always
+  above_is_unsigned_greater : assert always
     ((compared.above = '1') = (unsigned(first) > unsigned(second)));
-  signs_that_count_and_differ_are_told : assert always
+  signs_differ_is_right : assert always
     ((compared.signs_differ = '1') = (compare_unsigned = '0' and first(31) /= second(31)));
-  less_is_less_with_the_sign : assert always
+  signed_less_is_right : assert always
     (not compare_unsigned -> (less = '1') = (signed(first) < signed(second)));
-  less_is_less_without_a_sign : assert always
+  unsigned_less_is_right : assert always
     (compare_unsigned -> (less = '1') = (unsigned(first) < unsigned(second)));
 
 end architecture;

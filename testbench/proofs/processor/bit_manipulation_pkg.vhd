@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Extension Zbb as its specification says it, for the proofs: which words are its instructions, and what
--- they give. Shares nothing with the decoder and the units of the chip.
+-- Specification of extension Zbb for the proofs: its instructions and their results. Independent of decoder
+-- and execution units.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,7 +17,7 @@ package bit_manipulation_pkg is
 
   function manipulation_of(word : value_t) return manipulation_t;
   function is_bit_manipulation(word : value_t) return boolean;
-  -- `second` is what the register holds; rori has its distance in the word.
+  -- `second` is the content of rs2; rori has its shift amount in the word.
   function manipulated(word, first, second : value_t) return value_t;
 
 end package;

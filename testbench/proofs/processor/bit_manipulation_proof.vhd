@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Every instruction of Zbb is read as what it is, and the unit that it is for, with what is read of it, gives
--- its result, for all operands.
+-- Every instruction of Zbb is decoded, and its execution unit computes its result, for all operands.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,7 +13,7 @@ entity bit_manipulation_proof is
   port (
     clk : in std_ulogic;
     instruction : in value_t;
-    -- What the registers hold that it reads.
+    -- Contents of its source registers.
     first_content : in value_t;
     second_content : in value_t
   );
@@ -22,7 +21,7 @@ end entity;
 
 architecture proof of bit_manipulation_proof is
 
-  signal decoded : decoded_t;
+  signal decoded : control_t;
   signal immediate : value_t;
   signal is_first, is_second : std_ulogic_vector(4 downto 0);
   signal is_word, legal, meant, takes_two : std_ulogic;
@@ -49,10 +48,10 @@ begin
   meant <= '1' when is_bit_manipulation(instruction) else '0';
   takes_two <= meant and instruction(5);
 
-  -- A register that is not read may give anything; x0 is known to be zero.
+  -- A register that is not read may have any content; x0 is zero.
   first <= x"00000000" when is_first = "00000" else first_content;
   second_register <= x"00000000" when is_second = "00000" else second_content;
-  second <= immediate when decoded.second_is_constant else second_register;
+  second <= immediate when decoded.second_is_immediate else second_register;
   arithmetic : entity work.alu
     generic map (has_zbb => true)
     port map (
@@ -86,23 +85,23 @@ begin
     late_expected <= expected;
   end process;
 
-  every_instruction_of_zbb_is_legal : assert always (meant -> legal);
-  nothing_else_is_given_to_it : assert always ((legal and not meant) -> not decoded.manipulate);
-  the_first_register_is_found : assert always
+  zbb_instructions_are_legal : assert always (meant -> legal);
+  only_zbb_uses_bit_manipulation : assert always ((legal and not meant) -> not decoded.manipulate);
+  first_index_is_right : assert always
     (meant -> (is_first = instruction(19 downto 15) and decoded.reads_first = '1'));
-  the_second_register_is_found : assert always
+  second_index_is_right : assert always
     (takes_two -> (is_second = instruction(24 downto 20) and decoded.reads_second = '1'));
-  the_destination_is_found : assert always
+  destination_index_is_right : assert always
     (meant -> (decoded.destination = instruction(11 downto 7) and
                (decoded.writes = '0') = (decoded.destination = "00000")));
-  it_does_nothing_else : assert always
+  no_other_control_signal : assert always
     (meant -> not (decoded.load or decoded.store or decoded.branch or decoded.jump or
                    decoded.jump_register or decoded.refetch or decoded.address_result or decoded.multiply or
                    decoded.divide or decoded.csr or decoded.environment_call or decoded.breakpoint or
                    decoded.trap_return or decoded.wait_for_interrupt));
   late_results_are_late : assert always (meant -> decoded.late = decoded.manipulate);
 
-  the_arithmetic_unit_gives_its_part : assert always
+  alu_results_are_right : assert always
     ((meant and not decoded.manipulate) -> result = expected);
   late_results_are_right : assert always (has_late_result -> late_result = late_expected);
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The control and status registers as the specification and rtl/processor/README.md say them, for the proofs:
--- changed by one completed or refused instruction after the other.
+-- Reference model of the CSRs by the specification and rtl/processor/README.md, updated by each retired
+-- instruction and each trap.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,26 +13,26 @@ entity csr_model is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- In this clock an instruction is completed, or refused, or an interrupt is taken instead.
+    -- In this clock an instruction retires, raises an exception, or is interrupted.
     completed : in std_ulogic;
-    refused : in std_ulogic;
+    exception : in std_ulogic;
     interrupted : in std_ulogic;
-    -- It, as 32 bits, and its address.
+    -- The instruction, expanded to 32 bits, and its address.
     word : in value_t;
     address : in unsigned(31 downto 0);
-    -- Of a CSR instruction: rs1 or the constant.
+    -- Of a CSR instruction: rs1 or the immediate.
     operand : in value_t;
     -- Of the exception.
     cause : in std_ulogic_vector(4 downto 0);
     trap_value : in value_t;
-    -- Requests; unsettled while they have just begun.
+    -- Interrupt requests; not settled just after they have begun.
     requests : in value_t;
     settled : in std_ulogic;
-    -- Of the CSR instruction: that it may be, what it reads, and whether that is known.
+    -- Of the CSR instruction: whether it is legal, the value read, and whether that is known.
     legal : out std_ulogic;
     value : out value_t;
     known : out std_ulogic;
-    -- Interrupts that mie lets through, and whether mstatus does.
+    -- Interrupts enabled in mie, and mstatus.MIE.
     active : out value_t;
     permitted : out std_ulogic;
     trap_target : out unsigned(31 downto 0);
@@ -157,7 +157,7 @@ begin
       enable <= previous_enable;
       previous_enable <= '1';
     end if;
-    if refused or interrupted then
+    if exception or interrupted then
       enable <= '0';
       previous_enable <= enable;
       mepc <= std_ulogic_vector(address);

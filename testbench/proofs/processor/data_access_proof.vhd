@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Loads and stores go where their address says, with the bytes that they mean; one on the bus stays there
--- unchanged until it is answered, and no other begins meanwhile.
+-- Loads and stores access memory or bus by their address, with their bytes; a bus request is stable until
+-- its response, and no other one begins meanwhile.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -22,11 +22,11 @@ entity data_access_proof is
     enable : in std_ulogic;
     store : in std_ulogic;
     address : in unsigned(31 downto 0);
-    -- The constant in it.
+    -- The immediate in it.
     offset : in unsigned(31 downto 0);
     size : in std_ulogic_vector(1 downto 0);
     store_data : in value_t;
-    -- What stood in memory before.
+    -- Previous content of the memory word.
     old_data : in value_t;
     bus_response : in bus_response_t
   );
@@ -40,7 +40,7 @@ architecture proof of data_access_proof is
   signal memory_request : memory_request_t;
   signal bus_request : bus_request_t;
   signal misaligned, to_memory, bus_active, done, error : std_ulogic;
-  -- Of the specification.
+  -- Specified.
   signal is_in_memory, is_aligned, begins, answered : std_ulogic;
   signal new_data, memory_data : value_t;
   signal started : std_ulogic := '0';
@@ -108,7 +108,7 @@ begin
       wrote <= store;
       asked_address <= address;
       asked_lanes <= lanes(word, address);
-      -- Of the lanes that are asked for.
+      -- In the selected lanes.
       asked_data <= stored(word, x"00000000", store_data, address);
     elsif answered then
       busy <= '0';
@@ -119,29 +119,29 @@ begin
   end process;
 
   it_starts_with_reset : assume always (not started -> reset);
-  the_size_is_one_of_three : assume always (size /= "11");
-  nothing_begins_while_the_bus_is_at_work : assume always not (enable and bus_active);
+  size_is_legal : assume always (size /= "11");
+  no_access_during_bus_access : assume always not (enable and bus_active);
 
-  misaligned_is_what_the_instruction_set_says : assert always (misaligned = not is_aligned);
-  the_memory_is_where_it_is : assert always (to_memory = is_in_memory);
-  what_is_its_own_reaches_the_memory : assert always
+  misaligned_is_right : assert always (misaligned = not is_aligned);
+  to_memory_is_right : assert always (to_memory = is_in_memory);
+  memory_access_is_requested : assert always
     ((enable and is_aligned and is_in_memory) -> memory_request.enable);
-  only_what_is_aligned_and_its_own_is_written : assert always
+  only_aligned_memory_stores_write : assert always
     ((memory_request.enable = '1' and memory_request.write_bytes /= "0000") ->
      (enable and is_aligned and is_in_memory));
-  the_memory_is_asked_at_the_address : assert always (memory_request.address = address(31 downto 2));
+  memory_address_is_right : assert always (memory_request.address = address(31 downto 2));
   loads_write_nothing : assert always (not store -> memory_request.write_bytes = "0000");
   stores_write_their_bytes_only : assert always
     ((enable and is_aligned and is_in_memory and store) -> memory_data = new_data);
 
-  the_bus_is_asked_until_it_answers : assert always
+  strobe_is_held_until_response : assert always
     (started -> (bus_request.strobe = busy and bus_active = busy));
-  what_is_asked_stays : assert always
+  bus_request_is_stable : assert always
     (busy -> (bus_request.write = wrote and bus_request.address = asked_address and
               bus_request.select_bytes = asked_lanes));
-  each_lane_has_its_byte : assert always
+  byte_lanes_are_right : assert always
     ((busy and wrote) -> (bus_request.data and asked_bits) = asked_data);
-  an_answer_is_passed_on : assert always
+  done_and_error_are_right : assert always
     (started -> (done = (busy and bus_response.acknowledge) and error = (busy and bus_response.error)));
 
 end architecture;

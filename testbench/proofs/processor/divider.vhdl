@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stands in for the divider in proofs of the processor: done in the third clock of a request, with values
--- that a solver can follow.
+-- Stand-in for the divider in proofs of the processor: done in the third clock of a request, with values
+-- that a solver can handle.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -44,8 +44,8 @@ begin
 
   done <= '1' when clocks = 2 else '0';
 
-  it_ends_in_its_time : assert always (clocks <= 2);
-  it_divides_what_is_asked_for : assert always
+  stand_in_divider_terminates : assert always (clocks <= 2);
+  stand_in_divider_is_right : assert always
     (clocks > 0 -> result = stand_in('1' & operation, first, second));
 
 end architecture;

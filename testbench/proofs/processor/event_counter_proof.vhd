@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A counter of 64 bits has counted every event, none twice, also beside a write of its other half.
+-- A 64-bit counter counts every event exactly once, also while its other half is written.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,7 +11,7 @@ entity event_counter_proof is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    happens : in std_ulogic;
+    increment : in std_ulogic;
     write_low : in std_ulogic;
     write_high : in std_ulogic;
     write_data : in value_t
@@ -31,14 +31,14 @@ begin
     port map (
       clk => clk,
       reset => reset,
-      happens => happens,
+      increment => increment,
       write_low => write_low,
       write_high => write_high,
       write_data => write_data,
       count => count,
       next_count => next_count);
 
-  now_expected <= expected + 1 when happens else expected;
+  now_expected <= expected + 1 when increment else expected;
   next_expected(31 downto 0) <= unsigned(write_data) when write_low else now_expected(31 downto 0);
   next_expected(63 downto 32) <= unsigned(write_data) when write_high else now_expected(63 downto 32);
 
@@ -56,6 +56,6 @@ begin
   it_starts_with_reset : assume always (not started -> reset);
 
   every_event_is_counted_once : assert always (started -> count = now_expected);
-  the_next_count_is_told : assert always (started -> next_count = next_expected);
+  next_count_is_right : assert always (started -> next_count = next_expected);
 
 end architecture;

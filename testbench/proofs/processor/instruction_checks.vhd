@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- One property for each instruction, named after it: whenever one is completed or refused, it was right so.
+-- One property for each instruction, named after it: whenever it retires or traps, it behaves as specified.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,44 +13,44 @@ use work.short_instructions_pkg.all;
 entity instruction_checks is
   port (
     clk : in std_ulogic;
-    seen : in retired_instruction_t
+    observed : in retired_instruction_t
   );
 end entity;
 
 architecture proof of instruction_checks is
 
-  signal is_told, is_outside, is_long, is_judged : std_ulogic;
+  signal is_event, is_outside, is_long, is_checked : std_ulogic;
   signal outside : unsigned(31 downto 0);
-  -- Of it as 32 bits; the same where it is a long one; where it is a short one.
+  -- Of its 32-bit expansion; the same for a 32-bit instruction only; of a compressed one.
   signal name, long_name : name_t;
   signal short_name : short_name_t;
-  -- It did what one of its name does.
+  -- It behaves as one of this name.
   signal right : boolean;
 
   default clock is rising_edge(clk);
 
 begin
 
-  is_told <= seen.completed or seen.refused;
-  is_long <= and seen.told(1 downto 0);
-  is_outside <= '1' when seen.address(31 downto 16) /= x"8000" or
-                         (is_long = '1' and seen.address(15 downto 0) = x"fffe") else '0';
-  -- The first half word that lies outside.
-  outside <= x"80010000" when seen.address(31 downto 16) = x"8000" else seen.address;
-  is_judged <= is_told and not is_outside;
-  name <= name_of(seen.word);
-  long_name <= name when is_judged and is_long else no_instruction;
-  short_name <= short_name_of(seen.told(15 downto 0)) when is_judged and not is_long else
+  is_event <= observed.completed or observed.exception;
+  is_long <= and observed.instruction(1 downto 0);
+  is_outside <= '1' when observed.address(31 downto 16) /= x"8000" or
+                         (is_long = '1' and observed.address(15 downto 0) = x"fffe") else '0';
+  -- The first half word outside the memory.
+  outside <= x"80010000" when observed.address(31 downto 16) = x"8000" else observed.address;
+  is_checked <= is_event and not is_outside;
+  name <= name_of(observed.word);
+  long_name <= name when is_checked and is_long else no_instruction;
+  short_name <= short_name_of(observed.instruction(15 downto 0)) when is_checked and not is_long else
                 no_short_instruction;
-  right <= is_right(name, seen);
+  right <= is_right(name, observed);
 
-  what_is_fetched_outside_is_refused : assert always
-    ((is_told and is_outside) ->
-     (is_quiet(seen) and traps(seen, cause_instruction_access, std_ulogic_vector(outside))));
-  what_is_no_instruction_is_refused : assert always
-    ((is_judged = '1' and name = no_instruction) -> right);
-  what_is_no_short_instruction_is_refused : assert always
-    ((is_judged = '1' and is_long = '0' and short_name = no_short_instruction) ->
+  fetch_outside_memory_traps : assert always
+    ((is_event and is_outside) ->
+     (is_quiet(observed) and traps(observed, cause_instruction_access, std_ulogic_vector(outside))));
+  illegal_instruction_traps : assert always
+    ((is_checked = '1' and name = no_instruction) -> right);
+  illegal_compressed_instruction_traps : assert always
+    ((is_checked = '1' and is_long = '0' and short_name = no_short_instruction) ->
      (name = no_instruction and right));
 
   does_lui : assert always (long_name = rv_lui -> right);
@@ -111,7 +111,7 @@ begin
   does_csrrsi : assert always (long_name = rv_csrrsi -> right);
   does_csrrci : assert always (long_name = rv_csrrci -> right);
 
-  -- Short ones: those for which they stand.
+  -- Compressed instructions behave as those to which they expand.
   does_c_addi4spn : assert always (short_name = c_addi4spn -> (name = rv_addi and right));
   does_c_lw : assert always (short_name = c_lw -> (name = rv_lw and right));
   does_c_sw : assert always (short_name = c_sw -> (name = rv_sw and right));

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The instructions of RV32IMC, Zicsr, Zifencei and machine mode by their names, for the proofs: told by the
--- codings of the specification's tables.
+-- The instructions of RV32IMC, Zicsr, Zifencei and machine mode by name, for the proofs, by the encoding
+-- tables of the specification.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -111,12 +111,12 @@ package body instruction_names_pkg is
   function short_name_of(half : std_ulogic_vector(15 downto 0)) return short_name_t is
     variable selector : std_ulogic_vector(4 downto 0);
     variable arithmetic : std_ulogic_vector(3 downto 0);
-    variable has_upper, has_lower, has_constant : boolean;
+    variable has_upper, has_lower, has_immediate : boolean;
   begin
     selector := half(15 downto 13) & half(1 downto 0);
     has_upper := half(11 downto 7) /= "00000";
     has_lower := half(6 downto 2) /= "00000";
-    has_constant := half(12) = '1' or has_lower;
+    has_immediate := half(12) = '1' or has_lower;
     case selector is
       when "000" & "00" =>
         if half(12 downto 5) /= "00000000" then
@@ -132,13 +132,13 @@ package body instruction_names_pkg is
       when "001" & "01" => return c_jal;
       when "010" & "01" => return c_li;
       when "011" & "01" =>
-        if has_constant and half(11 downto 7) = "00010" then
+        if has_immediate and half(11 downto 7) = "00010" then
           return c_addi16sp;
-        elsif has_constant then
+        elsif has_immediate then
           return c_lui;
         end if;
       when "100" & "01" =>
-        -- A shift by 32 or more is none of RV32C.
+        -- Shift amounts above 31 are reserved in RV32C.
         arithmetic := half(11 downto 10) & half(6 downto 5);
         if half(11 downto 10) = "10" then
           return c_andi;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- RV32IM as its specification says it, for the proofs: what an instruction of 32 bits is, computes and
--- where it leads. Shares nothing with the decoder and the arithmetic unit of the chip.
+-- Specification of RV32IM for the proofs: classes, results and targets of 32-bit instructions. Independent
+-- of decoder and ALU.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -16,27 +16,27 @@ package instruction_set_pkg is
 
   function kind_of(word : value_t) return kind_t;
 
-  -- The constants of the formats I, S, B, U, J.
-  function constant_i(word : value_t) return unsigned;
-  function constant_s(word : value_t) return unsigned;
-  function constant_b(word : value_t) return unsigned;
-  function constant_u(word : value_t) return unsigned;
-  function constant_j(word : value_t) return unsigned;
+  -- Immediates of the formats I, S, B, U, J.
+  function immediate_i(word : value_t) return unsigned;
+  function immediate_s(word : value_t) return unsigned;
+  function immediate_b(word : value_t) return unsigned;
+  function immediate_u(word : value_t) return unsigned;
+  function immediate_j(word : value_t) return unsigned;
 
-  -- Whether the instruction reads rs1 and rs2 at all.
+  -- Whether the instruction reads rs1 and rs2.
   function reads_first(word : value_t) return boolean;
   function reads_second(word : value_t) return boolean;
-  -- The register that it writes, "00000" where it writes none.
+  -- Its destination register, "00000" if none.
   function destination_of(word : value_t) return std_ulogic_vector;
 
-  -- Of an operation on registers or on a register and a constant; `second` is the constant then.
+  -- Of register-register and register-immediate operations; `second` is then the immediate.
   function sum(word, first, second : value_t) return value_t;
   function comparison(word, first, second : value_t) return value_t;
   function logic(word, first, second : value_t) return value_t;
   function shift(word, first, second : value_t) return value_t;
   function is_taken(word, first, second : value_t) return boolean;
-  -- What multiplier.vhdl and divider.vhdl give instead of products and quotients: no solver could prove
-  -- those. It tells the operations and the operands apart.
+  -- What the stand-ins multiplier.vhdl and divider.vhdl compute instead of products and quotients, which no
+  -- solver could prove. Distinguishes operations and operands.
   function stand_in(funct3 : std_ulogic_vector(2 downto 0); first, second : value_t) return value_t;
 
   -- Of loads and stores.
@@ -129,27 +129,27 @@ package body instruction_set_pkg is
     return unsigned(resize(signed(bits), 32));
   end function;
 
-  function constant_i(word : value_t) return unsigned is
+  function immediate_i(word : value_t) return unsigned is
   begin
     return extended(word(31 downto 20));
   end function;
 
-  function constant_s(word : value_t) return unsigned is
+  function immediate_s(word : value_t) return unsigned is
   begin
     return extended(word(31 downto 25) & word(11 downto 7));
   end function;
 
-  function constant_b(word : value_t) return unsigned is
+  function immediate_b(word : value_t) return unsigned is
   begin
     return extended(word(31) & word(7) & word(30 downto 25) & word(11 downto 8) & '0');
   end function;
 
-  function constant_u(word : value_t) return unsigned is
+  function immediate_u(word : value_t) return unsigned is
   begin
     return unsigned(word(31 downto 12)) & x"000";
   end function;
 
-  function constant_j(word : value_t) return unsigned is
+  function immediate_j(word : value_t) return unsigned is
   begin
     return extended(word(31) & word(19 downto 12) & word(20) & word(30 downto 21) & '0');
   end function;

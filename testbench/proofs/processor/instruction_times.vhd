@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each instruction takes the clocks that the table of rtl/processor/README.md says, whatever comes before and
--- behind it: what is told follows what was told before after as many clocks as that leaves behind it. Not
--- counted are those in which an access is on the bus, the divider has not ended, or wfi sleeps. That only who
--- reads the late result before it waits is proved of `operand_reader`.
+-- Each instruction takes the clocks of the table in rtl/processor/README.md, whatever precedes and follows
+-- it: the clocks between two events are 1 plus the penalty of the first and that of a load-use hazard.
+-- Clocks of bus accesses, divisions and sleep are not counted. That hazards are exactly those of late
+-- results is proved of `operand_forwarding`.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,98 +14,101 @@ entity instruction_times is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Completed or refused in this clock; or an interrupt was taken.
-    seen : in retired_instruction_t;
+    -- An instruction retires or raises an exception in this clock; or an interrupt is taken.
+    observed : in retired_instruction_t;
     interrupted : in std_ulogic;
     bus_active : in std_ulogic;
-    -- It is not the pipeline that holds up what is executed.
-    is_held_up : in std_ulogic;
-    -- What is executed waits for the late result before it.
-    is_waiting : in std_ulogic;
-    -- Until something is told, if nothing holds it up.
-    clocks_left : in natural range 0 to 7
+    -- The instruction in execute is stalled by bus, divider or sleep.
+    externally_stalled : in std_ulogic;
+    -- The instruction in execute is stalled by a load-use hazard.
+    hazard_stall : in std_ulogic;
+    -- To the next event, unless stalled.
+    clocks_to_retirement : in natural range 0 to 7
   );
 end entity;
 
 architecture proof of instruction_times is
 
-  -- Clocks of the table, less the one in which the next instruction could be completed.
-  constant behind_traps_and_returns : natural := 4 - 1;
-  constant behind_reset : natural := behind_traps_and_returns + 1;
-  constant behind_late_jumps : natural := 3 - 1;
-  constant behind_early_jumps : natural := 2 - 1;
+  -- Penalties: clocks of the table, less the one of the next instruction.
+  constant trap_penalty : natural := 4 - 1;
+  constant reset_penalty : natural := trap_penalty + 1;
+  constant redirect_penalty : natural := 3 - 1;
+  constant taken_penalty : natural := 2 - 1;
 
   signal started : std_ulogic := '0';
-  signal told, is_early, is_so, has_waited, waits : std_ulogic := '0';
-  signal quiet_for : natural range 0 to 7 := 0;
-  signal behind, behind_this : natural range 0 to 4 := 0;
-  signal more, more_behind_this : natural range 0 to 1;
+  signal event, predicted_taken, taken, had_hazard, has_hazard : std_ulogic := '0';
+  signal clocks_since_event : natural range 0 to 7 := 0;
+  signal penalty, next_penalty : natural range 0 to 4 := 0;
+  signal hazard_clocks, next_hazard_clocks : natural range 0 to 1;
 
   default clock is rising_edge(clk);
 
 begin
 
-  told <= seen.completed or seen.refused or interrupted;
-  -- bne, bge, bgeu backwards.
-  is_early <= seen.word(31) and seen.word(12);
-  is_so <= '1' when is_taken(seen.word, seen.first, seen.second) else '0';
+  event <= observed.completed or observed.exception or interrupted;
+  -- Backward bne, bge, bgeu.
+  predicted_taken <= observed.word(31) and observed.word(12);
+  taken <= '1' when is_taken(observed.word, observed.first, observed.second) else '0';
 
-  tell_what_is_behind : process (all)
+  find_penalty : process (all)
   begin
-    behind_this <= 0;
-    if not seen.completed then
-      behind_this <= behind_traps_and_returns;
+    next_penalty <= 0;
+    if not observed.completed then
+      next_penalty <= trap_penalty;
     else
-      case kind_of(seen.word) is
-        when trap_return => behind_this <= behind_traps_and_returns;
-        when jump_register | fence_instruction => behind_this <= behind_late_jumps;
-        when jump => behind_this <= behind_early_jumps;
+      case kind_of(observed.word) is
+        when trap_return => next_penalty <= trap_penalty;
+        when jump_register | fence_instruction => next_penalty <= redirect_penalty;
+        when jump => next_penalty <= taken_penalty;
         when branch =>
-          if is_so and is_early then
-            behind_this <= behind_early_jumps;
-          elsif is_so or is_early then
-            behind_this <= behind_late_jumps;
+          if taken and predicted_taken then
+            next_penalty <= taken_penalty;
+          elsif taken or predicted_taken then
+            next_penalty <= redirect_penalty;
           end if;
         when others => null;
       end case;
     end if;
   end process;
 
-  waits <= has_waited or (is_waiting and not bus_active);
-  more <= 1 when waits else 0;
-  more_behind_this <= 1 when is_waiting else 0;
+  has_hazard <= had_hazard or (hazard_stall and not bus_active);
+  hazard_clocks <= 1 when has_hazard else 0;
+  next_hazard_clocks <= 1 when hazard_stall else 0;
 
-  follow : process
+  track : process
   begin
     wait until rising_edge(clk);
     started <= '1';
-    if told then
-      quiet_for <= 0 when is_held_up = '1' else 1;
-      behind <= behind_this;
-      has_waited <= is_waiting;
+    if event then
+      clocks_since_event <= 0 when externally_stalled = '1' else 1;
+      penalty <= next_penalty;
+      had_hazard <= hazard_stall;
     else
-      if not is_held_up then
-        quiet_for <= quiet_for + 1;
+      if not externally_stalled then
+        clocks_since_event <= clocks_since_event + 1;
       end if;
-      has_waited <= waits;
+      had_hazard <= has_hazard;
     end if;
     if reset then
-      quiet_for <= 1;
-      behind <= behind_reset;
-      has_waited <= '0';
+      clocks_since_event <= 1;
+      penalty <= reset_penalty;
+      had_hazard <= '0';
     end if;
   end process;
 
-  each_takes_its_time : assert always
-    ((started = '1' and (seen.completed = '1' or seen.refused = '1')) ->
-     ((has_waited = '0' and quiet_for = behind + 1) or (has_waited = '1' and quiet_for = behind + 2)));
-  no_more_is_behind_anything : assert always (behind <= behind_reset);
-  it_comes_exactly_in_its_time : assert always
-    ((started and not told and not bus_active) -> quiet_for + clocks_left = behind + 1 + more);
-  an_access_began_in_its_time : assert always
-    ((started and not told and bus_active) ->
-     ((has_waited = '0' and quiet_for = behind + 1) or (has_waited = '1' and quiet_for = behind + 2)));
-  what_is_told_leaves_its_clocks_behind : assert always
-    ((started and told) -> clocks_left = behind_this + 1 + more_behind_this);
+  instruction_time_is_right : assert always
+    ((started = '1' and (observed.completed = '1' or observed.exception = '1')) ->
+     ((had_hazard = '0' and clocks_since_event = penalty + 1) or
+      (had_hazard = '1' and clocks_since_event = penalty + 2)));
+  penalty_is_bounded : assert always (penalty <= reset_penalty);
+  remaining_clocks_are_right : assert always
+    ((started and not event and not bus_active) ->
+     clocks_since_event + clocks_to_retirement = penalty + 1 + hazard_clocks);
+  bus_access_begins_in_time : assert always
+    ((started and not event and bus_active) ->
+     ((had_hazard = '0' and clocks_since_event = penalty + 1) or
+      (had_hazard = '1' and clocks_since_event = penalty + 2)));
+  penalty_is_right : assert always
+    ((started and event) -> clocks_to_retirement = next_penalty + 1 + next_hazard_clocks);
 
 end architecture;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Of the interrupts requested and enabled the one that goes first is chosen, in the next clock.
+-- The highest-priority interrupt of those requested and enabled is selected, in the next clock.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -39,11 +39,11 @@ begin
     enabled_before <= enabled;
   end process;
 
-  only_what_exists_is_enabled : assume always ((enabled and not x"ffff0880") = x"00000000");
+  only_existing_interrupts_are_enabled : assume always ((enabled and not x"ffff0880") = x"00000000");
 
-  one_is_pending_where_one_was_enabled : assert always
+  pending_follows_enabled_request : assert always
     (started -> (pending = '1') = ((requested_before and enabled_before) /= x"00000000"));
-  the_first_in_order_is_chosen : assert always
+  cause_has_highest_priority : assert always
     ((started and pending) ->
      to_integer(unsigned(cause)) = first_of(requested_before and enabled_before));
 

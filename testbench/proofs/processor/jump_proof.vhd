@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Every instruction goes on where the instruction set says, for all operands and at all addresses: what
--- decode takes for the next, or what execute makes of it.
+-- Every instruction is followed by the one that the instruction set specifies, for all operands and
+-- addresses: predicted by decode, or redirected by execute.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -19,7 +19,7 @@ entity jump_proof is
     first_content : in value_t;
     second_content : in value_t;
     -- A trap, or a return from one.
-    redirect : in std_ulogic;
+    flush : in std_ulogic;
     to_handler : in std_ulogic;
     handler_address : in unsigned(31 downto 0);
     return_address : in unsigned(31 downto 0)
@@ -28,25 +28,26 @@ end entity;
 
 architecture proof of jump_proof is
 
-  signal decoded : decoded_t;
+  signal decoded : control_t;
   signal immediate : value_t;
   signal is_long, legal : std_ulogic;
-  signal is_first, is_second : std_ulogic_vector(4 downto 0);
+  signal first_index, second_index : std_ulogic_vector(4 downto 0);
   signal first, second, second_register : value_t;
   signal compared : comparison_t;
   signal offset, sum : unsigned(31 downto 0);
-  signal early, late, redirecting : std_ulogic;
-  signal early_target, early_target_plus_2, following, other, held_other : unsigned(31 downto 0);
-  signal turn, decoded_turn : late_turn_t;
-  signal late_target : unsigned(31 downto 0);
-  signal late_target_plus_2 : unsigned(31 downto 2);
-  signal next_address, pair_behind : unsigned(31 downto 0);
-  -- Of the specification.
+  signal predicted_taken, redirect, flushed : std_ulogic;
+  signal predicted_target, predicted_target_plus_2, predicted_next_address : unsigned(31 downto 0);
+  signal alternate_address, held_alternate_address : unsigned(31 downto 0);
+  signal condition, decoded_condition : redirect_condition_t;
+  signal redirect_target : unsigned(31 downto 0);
+  signal redirect_target_plus_2 : unsigned(31 downto 2);
+  signal next_address, specified_plus_2 : unsigned(31 downto 0);
+  -- Specified.
   signal word : value_t;
   signal kind : kind_t;
   signal link, specified : unsigned(31 downto 0);
   signal specified_first, specified_second : value_t;
-  signal started, resets, redirects : std_ulogic := '0';
+  signal started, reset_before, flush_before : std_ulogic := '0';
 
   default clock is rising_edge(clk);
 
@@ -59,13 +60,13 @@ begin
       is_word => is_long,
       decoded => decoded,
       immediate => immediate,
-      first => is_first,
-      second => is_second);
+      first => first_index,
+      second => second_index);
   legal <= or decoded.legal;
 
-  first <= x"00000000" when is_first = "00000" else first_content;
-  second_register <= x"00000000" when is_second = "00000" else second_content;
-  second <= immediate when decoded.second_is_constant else second_register;
+  first <= x"00000000" when first_index = "00000" else first_content;
+  second_register <= x"00000000" when second_index = "00000" else second_content;
+  second <= immediate when decoded.second_is_immediate else second_register;
   comparison : entity work.alu
     port map (
       first => first,
@@ -79,48 +80,50 @@ begin
       less => open,
       comparison => compared);
 
-  decode_jump : entity work.early_jump
+  branch_predictor : entity work.branch_predictor
     port map (
       valid => '1',
       address => address,
       instruction => instruction,
       is_word => is_long,
       decoded => decoded,
-      jump => early,
-      target => early_target,
-      target_plus_2 => early_target_plus_2,
-      following => following,
-      other => other,
-      turn => decoded_turn);
+      taken => predicted_taken,
+      target => predicted_target,
+      target_plus_2 => predicted_target_plus_2,
+      next_address => predicted_next_address,
+      alternate_address => alternate_address,
+      condition => decoded_condition);
 
-  -- As the pipeline holds it between the two.
-  turn <= any_turn when redirecting else decoded_turn;
-  held_other <= x"80000000" when resets else x"00000000" when redirects else other;
+  -- As in the pipeline register between decode and execute.
+  condition <= redirect_always when flushed else decoded_condition;
+  held_alternate_address <= x"80000000" when reset_before else
+                            x"00000000" when flush_before else
+                            alternate_address;
   offset <= unsigned(immediate);
   sum <= unsigned(first) + offset;
-  execute_jump : entity work.late_jump
+  branch_resolution : entity work.branch_resolution
     port map (
       clk => clk,
       reset => reset,
-      turn => turn,
+      condition => condition,
       comparison => compared,
-      other => held_other,
-      jump_register => decoded.jump_register and not redirects,
+      alternate_address => held_alternate_address,
+      jump_register => decoded.jump_register and not flush_before,
       base => unsigned(first),
       offset => offset,
       sum => sum,
-      redirect => redirect,
-      to_handler => redirects and not resets and to_handler,
-      to_return => redirects and not resets and not to_handler,
+      flush => flush,
+      to_handler => flush_before and not reset_before and to_handler,
+      to_return => flush_before and not reset_before and not to_handler,
       handler_address => handler_address,
       return_address => return_address,
-      jump => late,
-      target => late_target,
-      target_plus_2 => late_target_plus_2,
-      redirecting => redirecting);
-  next_address <= late_target(31 downto 1) & '0' when late else following;
+      redirect => redirect,
+      target => redirect_target,
+      target_plus_2 => redirect_target_plus_2,
+      flushed => flushed);
+  next_address <= redirect_target(31 downto 1) & '0' when redirect else predicted_next_address;
 
-  pair_behind <= late_target + 2;
+  specified_plus_2 <= redirect_target + 2;
 
   word <= instruction when is_long = '1' else expanded(instruction(15 downto 0));
   kind <= kind_of(word);
@@ -132,13 +135,13 @@ begin
   begin
     specified <= link;
     case kind is
-      when jump => specified <= address + constant_j(word);
+      when jump => specified <= address + immediate_j(word);
       when jump_register =>
-        specified <= unsigned(specified_first) + constant_i(word);
+        specified <= unsigned(specified_first) + immediate_i(word);
         specified(0) <= '0';
       when branch =>
         if is_taken(word, specified_first, specified_second) then
-          specified <= address + constant_b(word);
+          specified <= address + immediate_b(word);
         end if;
       when others => null;
     end case;
@@ -148,36 +151,37 @@ begin
   begin
     wait until rising_edge(clk);
     started <= '1';
-    resets <= reset;
-    redirects <= redirect or reset;
+    reset_before <= reset;
+    flush_before <= flush or reset;
   end process;
 
   it_starts_with_reset : assume always (not started -> reset);
-  instructions_lie_at_even_addresses : assume always (address(0) = '0');
-  handlers_begin_with_a_word : assume always (handler_address(1 downto 0) = "00" and return_address(0) = '0');
+  address_is_half_word_aligned : assume always (address(0) = '0');
+  handler_is_word_aligned : assume always (handler_address(1 downto 0) = "00" and return_address(0) = '0');
 
-  the_next_instruction_is_the_right_one : assert always
-    ((started and legal and not redirects) -> next_address = specified);
-  jal_is_taken_early : assert always (kind = jump -> (early = '1' and early_target = specified));
-  -- bne, bge, bgeu backwards.
-  branches_that_end_loops_are_taken_early : assert always
-    (kind = branch -> (early = '1') = (constant_b(word)(31) = '1' and word(12) = '1'));
-  nothing_else_is_taken_early : assert always
-    ((legal and early) -> (kind = jump or kind = branch));
-  the_pair_behind_is_asked_for : assert always
-    (early -> early_target_plus_2 = early_target + 2);
-  the_pair_behind_a_late_jump_is_asked_for : assert always
-    ((started and late and not redirects) ->
-     late_target_plus_2 = pair_behind(31 downto 2));
-  the_pair_behind_the_start_is_asked_for : assert always
-    ((started and resets) -> late_target_plus_2 = 30x"20000000");
-  the_pair_behind_a_return_is_asked_for : assert always
-    ((started and redirects and not resets and not to_handler) ->
-     late_target_plus_2 = pair_behind(31 downto 2));
-  reset_leads_to_the_start : assert always ((started and resets) -> next_address = x"80000000");
-  traps_lead_to_their_handler : assert always
-    ((started and redirects and not resets and to_handler) -> next_address = handler_address);
-  returns_lead_back : assert always
-    ((started and redirects and not resets and not to_handler) -> next_address = return_address);
+  next_address_is_right : assert always
+    ((started and legal and not flush_before) -> next_address = specified);
+  jal_is_taken_in_decode : assert always
+    (kind = jump -> (predicted_taken = '1' and predicted_target = specified));
+  -- bne, bge, bgeu.
+  backward_bne_bge_bgeu_are_predicted_taken : assert always
+    (kind = branch -> (predicted_taken = '1') = (immediate_b(word)(31) = '1' and word(12) = '1'));
+  only_jal_and_branches_are_predicted_taken : assert always
+    ((legal and predicted_taken) -> (kind = jump or kind = branch));
+  predicted_target_plus_2_is_right : assert always
+    (predicted_taken -> predicted_target_plus_2 = predicted_target + 2);
+  redirect_target_plus_2_is_right : assert always
+    ((started and redirect and not flush_before) ->
+     redirect_target_plus_2 = specified_plus_2(31 downto 2));
+  reset_target_plus_2_is_right : assert always
+    ((started and reset_before) -> redirect_target_plus_2 = 30x"20000000");
+  return_target_plus_2_is_right : assert always
+    ((started and flush_before and not reset_before and not to_handler) ->
+     redirect_target_plus_2 = specified_plus_2(31 downto 2));
+  reset_goes_to_reset_address : assert always ((started and reset_before) -> next_address = x"80000000");
+  traps_go_to_handler : assert always
+    ((started and flush_before and not reset_before and to_handler) -> next_address = handler_address);
+  returns_go_to_return_address : assert always
+    ((started and flush_before and not reset_before and not to_handler) -> next_address = return_address);
 
 end architecture;

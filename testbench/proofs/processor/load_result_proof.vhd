@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What a load takes out of a word is what the instruction set says, for all words and places.
+-- Loads extract and extend what the instruction set specifies, for all words and byte offsets.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -39,12 +39,12 @@ begin
   it_is_a_load : assume always (kind_of(word) = load);
   it_is_aligned : assume always (not is_misaligned(word, address));
 
-  bytes_are_taken_and_extended : assert always
+  bytes_are_extended : assert always
     (size(1 downto 0) = "00" -> result = loaded(word, memory, address));
-  half_words_are_taken_and_extended : assert always
+  half_words_are_extended : assert always
     (size(1 downto 0) = "01" -> result = loaded(word, memory, address));
-  words_are_taken_as_they_are : assert always
+  words_are_unchanged : assert always
     (size(1 downto 0) = "10" -> result = loaded(word, memory, address));
-  what_is_no_load_takes_nothing : assert always (nothing = x"00000000");
+  no_load_gives_zero : assert always (nothing = x"00000000");
 
 end architecture;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Of machine mode, for the proofs: in which order interrupts are taken, which registers there are.
+-- Specification of machine mode for the proofs: interrupt priorities and implemented CSRs.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -9,7 +9,7 @@ use work.instruction_set_pkg.all;
 
 package machine_mode_pkg is
 
-  -- The registers, as they are read; of those that begin with anything, whether something came into them.
+  -- The CSRs as they are read; for those without a reset value, whether they have been written.
   type machine_state_t is record
     mie : value_t;
     mtvec : value_t;
@@ -27,10 +27,10 @@ package machine_mode_pkg is
     mtval_known : std_ulogic;
   end record;
 
-  -- The interrupt that is taken first of a set: external, timer, 16, 17, .. 31; 0 of none.
+  -- The highest-priority interrupt of a set: external, timer, 16, 17, .. 31; 0 if empty.
   function first_of(set : value_t) return natural;
 
-  -- Whether there is a register of this number.
+  -- Whether the CSR is implemented.
   function csr_exists(number : std_ulogic_vector(11 downto 0)) return boolean;
 
 end package;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stands in for the multiplier in proofs of the processor: the same times, but values that a solver can
--- follow.
+-- Stand-in for the multiplier in proofs of the processor: the same latency, with values that a solver can
+-- handle.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor with memory, bus and interrupts of which nothing is known but their manners, and beside it
--- the instruction set as its specification says it: each instruction that `retirement` tells is judged.
+-- The processor with memory, bus and interrupts constrained only by their protocols, against a model of the
+-- instruction set: every retired instruction and every trap is checked.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,13 +14,13 @@ use work.short_instructions_pkg.all;
 
 entity processor_proof is
   generic (
-    -- The program begins with the instructions that let any interrupts through to any place (1), or that
-    -- sleep until any interrupt (2); what comes behind them is anything. So few clocks reach interrupts.
+    -- The program begins with instructions that enable any interrupts with any handler (1), or that sleep
+    -- until any interrupt (2), followed by anything: interrupts are reached in few clocks.
     prologue : natural range 0 to 2 := 0
   );
   port (
     clk : in std_ulogic;
-    -- Anything, in each clock anew.
+    -- Unconstrained in each clock.
     any_instruction : in value_t;
     any_data : in value_t;
     bus_response : in bus_response_t;
@@ -31,28 +31,28 @@ end entity;
 architecture proof of processor_proof is
 
   constant memory_end : unsigned(31 downto 0) := x"80010000";
-  -- Clocks in which something must be completed or refused while the processor does not sleep: most needs a
-  -- bus access behind a load, or a trap out of it.
+  -- Upper bound of clocks between two events while the processor does not sleep: a bus access with a
+  -- load-use hazard, or a trap by it, takes longest.
   constant most_clocks_between_events : positive := 10;
   constant most_clocks_of_bus : positive := 2;
-  -- Clocks after which a request must have been seen.
+  -- Clocks after which a request must be visible.
   constant clocks_to_settle : positive := 5;
-  -- So long does wfi sleep on at most with a request that mie lets through: a clock in which it is seen, and
-  -- one in which `csr_model` learns of an instruction that changed mie.
+  -- Upper bound of clocks that wfi sleeps with an enabled request: one to sample it, and one until
+  -- `csr_model` sees a write of mie.
   constant most_clocks_to_wake : positive := 2;
 
   attribute anyconst : boolean;
-  -- Any two registers: programs here read no others, but write all.
+  -- Any two registers: the programs read no others, but write all.
   signal first_register, second_register : register_index_t := (others => '0');
   attribute anyconst of first_register : signal is true;
   attribute anyconst of second_register : signal is true;
-  -- Any half word of the program, with the one behind it.
+  -- Any half word of the program, and the one after it.
   signal code_place : unsigned(31 downto 1) := (others => '0');
   signal code_low, code_high : std_ulogic_vector(15 downto 0) := (others => '0');
   attribute anyconst of code_place : signal is true;
   attribute anyconst of code_low : signal is true;
   attribute anyconst of code_high : signal is true;
-  -- Any word of the data, with what it is at first.
+  -- Any word of the data, with its initial value.
   signal data_place : unsigned(31 downto 2) := (others => '0');
   signal data_at_first : value_t := (others => '0');
   attribute anyconst of data_place : signal is true;
@@ -83,8 +83,8 @@ architecture proof of processor_proof is
   signal rested : std_ulogic := '0';
   signal retirement : retirement_t;
 
-  -- What happens in this clock.
-  signal event, completed, refused, interrupted, has_word : std_ulogic;
+  -- Events of this clock.
+  signal event, completed, exception, interrupted, has_word : std_ulogic;
   signal is_long : std_ulogic;
   signal word : value_t;
   signal kind : kind_t;
@@ -92,23 +92,23 @@ architecture proof of processor_proof is
   signal first, second, operand, immediate : value_t;
   signal data_address, fetch_fault_address : unsigned(31 downto 0);
   signal fetch_fault, misaligned, over_bus, is_access : std_ulogic;
-  signal must_trap, writes, asks_bus : std_ulogic;
+  signal must_trap, writes, requests_bus : std_ulogic;
   signal cause : std_ulogic_vector(4 downto 0);
   signal trap_value : value_t;
   signal expected : value_t;
 
-  -- The state of the model.
+  -- State of the model.
   signal first_content, second_content : value_t := (others => '0');
   signal expected_address : unsigned(31 downto 0) := x"80000000";
   signal address_known : std_ulogic := '1';
   signal word_in_memory : value_t := (others => '0');
   signal waited : natural range 0 to most_clocks_between_events + 1 := 0;
   signal due_before : std_ulogic := '0';
-  -- Asleep in the clock before, and awake in it behind one asleep.
+  -- Asleep in the previous clock; awake in it after sleep.
   signal slept, woken : std_ulogic := '0';
   signal asleep_for : natural range 0 to most_clocks_to_wake + 1 := 0;
 
-  -- The last answer on the bus that no instruction has told yet.
+  -- The last bus response without an event since.
   signal bus_answered : std_ulogic := '0';
   signal bus_failed, bus_wrote : std_ulogic;
   signal bus_address : unsigned(31 downto 0);
@@ -150,8 +150,8 @@ begin
   prologue_words(3) <= x"10500073" when prologue = 2 else x"30541073";
   prologue_words(4) <= x"00000013" when prologue = 2 else x"30046073";
 
-  -- The memory: of the program two half words are known and stay, of the data one word. What else it gives
-  -- is anything, but stays as long as nothing is asked.
+  -- The memory: two half words of the program are constant and known, and one word of the data. All others
+  -- are unconstrained, but stable without a request.
   memory : process
   begin
     wait until rising_edge(clk);
@@ -209,11 +209,11 @@ begin
   end process;
   settled <= '1' when requested_for = 0 or requested_for = clocks_to_settle else '0';
 
-  -- What is told in this clock, and what the specification says of it.
+  -- The event of this clock, and what the specification says of it.
   completed <= running and retirement.valid;
   interrupted <= running and retirement.trap and retirement.interrupt;
-  refused <= running and retirement.trap and not retirement.interrupt;
-  event <= completed or refused or interrupted;
+  exception <= running and retirement.trap and not retirement.interrupt;
+  event <= completed or exception or interrupted;
   address <= retirement.address;
   is_long <= and retirement.instruction(1 downto 0);
   word <= retirement.instruction when is_long = '1' else expanded(retirement.instruction(15 downto 0));
@@ -222,8 +222,8 @@ begin
 
   first <= x"00000000" when word(19 downto 15) = "00000" else first_content;
   second <= x"00000000" when word(24 downto 20) = "00000" else second_content;
-  immediate <= std_ulogic_vector(constant_s(word)) when kind = store else
-               std_ulogic_vector(constant_i(word));
+  immediate <= std_ulogic_vector(immediate_s(word)) when kind = store else
+               std_ulogic_vector(immediate_i(word));
   operand <= first when kind = csr and word(14) = '0' else
              x"000000" & "000" & word(19 downto 15) when kind = csr else
              second when word(5) = '1' else
@@ -236,7 +236,7 @@ begin
   fetch_fault <= '1' when address(31 downto 16) /= x"8000" or
                           (address = memory_end - 2 and is_long = '1') else '0';
   fetch_fault_address <= memory_end when address(31 downto 16) = x"8000" else address;
-  has_word <= completed or (refused and not fetch_fault);
+  has_word <= completed or (exception and not fetch_fault);
 
   judge_traps : process (all)
   begin
@@ -270,7 +270,7 @@ begin
       clk => clk,
       reset => reset,
       completed => completed,
-      refused => refused,
+      exception => exception,
       interrupted => interrupted,
       word => word,
       address => address,
@@ -292,14 +292,14 @@ begin
   choose_next_address : process (all)
   begin
     next_address <= link;
-    if refused or interrupted then
+    if exception or interrupted then
       next_address <= trap_target;
     elsif kind = jump then
-      next_address <= address + constant_j(word);
+      next_address <= address + immediate_j(word);
     elsif kind = jump_register then
       next_address <= data_address(31 downto 1) & '0';
     elsif kind = branch and is_taken(word, first, second) then
-      next_address <= address + constant_b(word);
+      next_address <= address + immediate_b(word);
     elsif kind = trap_return then
       next_address <= return_address;
     end if;
@@ -376,8 +376,8 @@ begin
     end if;
   end process;
 
-  expected <= std_ulogic_vector(constant_u(word)) when kind = load_upper else
-              std_ulogic_vector(address + constant_u(word)) when kind = add_upper else
+  expected <= std_ulogic_vector(immediate_u(word)) when kind = load_upper else
+              std_ulogic_vector(address + immediate_u(word)) when kind = add_upper else
               std_ulogic_vector(link) when kind = jump or kind = jump_register else
               stand_in(word(14 downto 12), first, second) when kind = multiplication or kind = division else
               sum(word, first, operand) when word(14 downto 12) = "000" else
@@ -386,31 +386,31 @@ begin
               logic(word, first, operand);
 
   writes <= '1' when completed = '1' and retirement.destination /= "00000" else '0';
-  asks_bus <= (completed or refused) and not fetch_fault and is_access and over_bus and not misaligned;
+  requests_bus <= (completed or exception) and not fetch_fault and is_access and over_bus and not misaligned;
 
-  -- Manners.
+  -- Constraints.
   only_these_registers_are_read : assume always (has_word ->
     ((not reads_first(word) or word(19 downto 15) = "00000" or word(19 downto 15) = first_register) and
      (not reads_second(word) or word(24 downto 20) = "00000" or word(24 downto 20) = second_register)));
-  the_bus_answers : assume always
+  bus_responds_within_limit : assume always
     ((bus_request.strobe = '1' and bus_waited = most_clocks_of_bus) ->
      (bus_response.acknowledge or bus_response.error));
-  the_bus_answers_in_one_way : assume always not (bus_response.acknowledge and bus_response.error);
+  bus_response_is_exclusive : assume always not (bus_response.acknowledge and bus_response.error);
 
-  instructions_come_from_their_address : assert always
+  instruction_is_from_its_address : assert always
     ((has_word = '1' and address(31 downto 1) = code_place) ->
      (retirement.instruction(15 downto 0) = code_low and
       ((is_long = '1' and retirement.instruction(31 downto 16) = code_high) or
        (is_long = '0' and retirement.instruction(31 downto 16) = x"0000"))));
-  each_instruction_follows_the_one_before : assert always
+  program_order_is_kept : assert always
     ((event and address_known) -> address = expected_address);
-  an_instruction_is_completed_or_refused : assert always
-    (not (completed and refused) and not (completed and interrupted));
-  what_must_trap_traps : assert always ((completed or refused) -> refused = must_trap);
-  each_instruction_writes_its_register : assert always
+  one_outcome_per_instruction : assert always
+    (not (completed and exception) and not (completed and interrupted));
+  traps_exactly_where_specified : assert always ((completed or exception) -> exception = must_trap);
+  destination_is_right : assert always
     (completed -> retirement.destination = destination_of(word));
 
-  upper_constants_are_right : assert always
+  upper_immediates_are_right : assert always
     ((writes = '1' and (kind = load_upper or kind = add_upper)) -> retirement.value = expected);
   links_are_right : assert always
     ((writes = '1' and (kind = jump or kind = jump_register)) -> retirement.value = expected);
@@ -423,38 +423,39 @@ begin
   logic_is_right : assert always
     ((writes = '1' and kind = operation and word(14) = '1' and word(13 downto 12) /= "01") ->
      retirement.value = expected);
-  products_and_quotients_are_passed_on : assert always
+  products_and_quotients_are_right : assert always
     ((writes = '1' and (kind = multiplication or kind = division)) -> retirement.value = expected);
 
-  loads_read_what_was_stored : assert always
+  loads_return_stored_data : assert always
     ((writes = '1' and kind = load and over_bus = '0' and data_address(31 downto 2) = data_place) ->
      retirement.value = loaded(word, word_in_memory, data_address));
-  the_bus_is_asked_for_the_right_thing : assert always
-    (asks_bus ->
+  bus_request_is_right : assert always
+    (requests_bus ->
      (bus_answered = '1' and bus_address = data_address and (bus_wrote = '1') = (kind = store) and
       bus_lanes = lanes(word, data_address) and
       (kind = load or stored(word, bus_written, second, data_address) = bus_written)));
-  the_bus_is_asked_for_nothing_else : assert always ((event and not asks_bus) -> not bus_answered);
-  loads_over_the_bus_are_right : assert always
-    ((writes = '1' and kind = load and asks_bus = '1') ->
+  no_other_bus_request : assert always ((event and not requests_bus) -> not bus_answered);
+  bus_loads_are_right : assert always
+    ((writes = '1' and kind = load and requests_bus = '1') ->
      retirement.value = loaded(word, bus_data, data_address));
 
-  registers_of_machine_mode_are_right : assert always
+  csr_reads_are_right : assert always
     ((writes = '1' and kind = csr and csr_known = '1') -> retirement.value = csr_value);
-  interrupts_are_due : assert always (interrupted -> (permitted = '1' and active /= x"00000000"));
-  due_interrupts_are_taken : assert always
+  only_enabled_interrupts_are_taken : assert always
+    (interrupted -> (permitted = '1' and active /= x"00000000"));
+  pending_interrupts_are_taken : assert always
     ((event = '1' and due_before = '1' and due = '1') ->
      (interrupted = '1' or (completed = '1' and kind = wait_for_interrupt)));
-  sleep_ends : assert always (asleep_for <= most_clocks_to_wake);
-  wfi_waits_for_what_is_let_through : assert always
+  wake_up_is_bounded : assert always (asleep_for <= most_clocks_to_wake);
+  wfi_waits_for_enabled_interrupt : assert always
     ((completed = '1' and kind = wait_for_interrupt) -> active /= x"00000000");
-  who_is_woken_goes_on_at_once : assert always
+  wfi_retires_after_wake_up : assert always
     (woken -> (completed = '1' and kind = wait_for_interrupt));
-  -- What a model relies on that leaves out the edges of the clock: the next one changes nothing.
-  nothing_changes_at_rest : assert always
+  -- Clock gating relies on it: the next edge changes nothing.
+  no_request_after_rest : assert always
     (rested -> (sleeping = '1' and event = '0' and instruction_request.enable = '0' and
                 memory_request.enable = '0' and bus_request.strobe = '0'));
-  nothing_happens_at_rest : assert always ((at_rest and running) -> event = '0');
-  something_happens : assert always (waited <= most_clocks_between_events);
+  nothing_retires_at_rest : assert always ((at_rest and running) -> event = '0');
+  pipeline_never_deadlocks : assert always (waited <= most_clocks_between_events);
 
 end architecture;

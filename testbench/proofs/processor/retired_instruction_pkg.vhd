@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What is seen of an instruction that the processor has completed or refused, and what each instruction
--- should do, as the specification says it: what it reads and writes, stores and asks for, where it goes on,
--- whether it traps.
+-- What is observed of an instruction that retires or traps, and the specification of each instruction:
+-- registers read and written, memory, bus and CSR accesses, next address, traps.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -19,119 +18,122 @@ package retired_instruction_pkg is
   type retired_instruction_t is record
     -- One of these.
     completed : std_ulogic;
-    refused : std_ulogic;
-    -- As the memory gave it, and as 32 bits.
-    told : value_t;
+    exception : std_ulogic;
+    -- As fetched, and expanded to 32 bits.
+    instruction : value_t;
     word : value_t;
     address : unsigned(31 downto 0);
-    -- The address behind it, and that of what is executed next.
+    -- The link address; address of the instruction executed next.
     link : unsigned(31 downto 0);
     next_address : unsigned(31 downto 0);
-    -- It was executed with what registers of these numbers hold; zero instead where it did not look at them.
-    looks_at_first : std_ulogic;
-    looks_at_second : std_ulogic;
+    -- Source registers used, their numbers and values; zero if not used.
+    uses_first : std_ulogic;
+    uses_second : std_ulogic;
     first_index : register_index_t;
     second_index : register_index_t;
     first : value_t;
     second : value_t;
-    -- What it wrote, number 0 where nothing.
+    -- Destination, 0 for none, and result.
     destination : register_index_t;
     value : value_t;
-    -- What was asked of the memory when it was executed, and what came.
+    -- Memory request in execute, and data returned.
     memory : memory_request_t;
     memory_data : value_t;
-    -- The last request on the bus, if it was answered in the clock before.
+    -- The last bus request, if it was answered in the previous clock.
     bus_answered : std_ulogic;
     bus_failed : std_ulogic;
-    bus_asked : bus_request_t;
+    bus_request : bus_request_t;
     bus_data : value_t;
-    -- What was asked of the CSRs when it was executed, and what they gave; that they were told of a return
-    -- from a trap.
-    csr_asked : std_ulogic;
+    -- CSR request in execute, and data read; mret was executed.
+    csr_accessed : std_ulogic;
     csr_request : csr_request_t;
     csr_value : value_t;
     returned : std_ulogic;
-    -- What they hold now: where a trap and a return from it go.
+    -- Current targets of traps and returns.
     trap_target : unsigned(31 downto 0);
     return_address : unsigned(31 downto 0);
-    -- What they are told of an exception.
+    -- Of an exception.
     cause : register_index_t;
     trap_value : value_t;
   end record;
 
-  -- It was executed with its registers and no others.
-  function reads_its_registers(seen : retired_instruction_t) return boolean;
-  -- Nothing was stored, nothing asked of the bus or the CSRs.
-  function is_quiet(seen : retired_instruction_t) return boolean;
-  -- Refused with this exception.
-  function traps(seen : retired_instruction_t; cause : register_index_t; value : value_t) return boolean;
-  -- It did what an instruction of this name does, or was refused for a reason that it has.
-  function is_right(name : name_t; seen : retired_instruction_t) return boolean;
+  -- It used its source registers and no others.
+  function reads_its_registers(observed : retired_instruction_t) return boolean;
+  -- No store, no bus or CSR access.
+  function is_quiet(observed : retired_instruction_t) return boolean;
+  -- It raised this exception.
+  function traps(observed : retired_instruction_t; cause : register_index_t; value : value_t) return boolean;
+  -- It did what an instruction of this name does, or raised an exception that it may raise.
+  function is_right(name : name_t; observed : retired_instruction_t) return boolean;
 
 end package;
 
 package body retired_instruction_pkg is
 
-  function reads_its_registers(seen : retired_instruction_t) return boolean is
+  function reads_its_registers(observed : retired_instruction_t) return boolean is
     variable first_is_right, second_is_right : boolean;
   begin
-    first_is_right := seen.first_index = seen.word(19 downto 15) when seen.looks_at_first = '1' else
-                      seen.word(19 downto 15) = "00000";
-    second_is_right := seen.second_index = seen.word(24 downto 20) when seen.looks_at_second = '1' else
-                       seen.word(24 downto 20) = "00000";
-    return (first_is_right or not reads_first(seen.word)) and
-           (second_is_right or not reads_second(seen.word));
+    first_is_right := observed.first_index = observed.word(19 downto 15) when
+                        observed.uses_first = '1' else
+                      observed.word(19 downto 15) = "00000";
+    second_is_right := observed.second_index = observed.word(24 downto 20) when
+                         observed.uses_second = '1' else
+                       observed.word(24 downto 20) = "00000";
+    return (first_is_right or not reads_first(observed.word)) and
+           (second_is_right or not reads_second(observed.word));
   end function;
 
-  function stores_nothing(seen : retired_instruction_t) return boolean is
+  function stores_nothing(observed : retired_instruction_t) return boolean is
   begin
-    return seen.memory.enable = '0' or seen.memory.write_bytes = "0000";
+    return observed.memory.enable = '0' or observed.memory.write_bytes = "0000";
   end function;
 
-  function is_quiet(seen : retired_instruction_t) return boolean is
+  function is_quiet(observed : retired_instruction_t) return boolean is
   begin
-    return stores_nothing(seen) and seen.bus_answered = '0' and seen.csr_asked = '0' and seen.returned = '0';
+    return stores_nothing(observed) and observed.bus_answered = '0' and observed.csr_accessed = '0' and
+           observed.returned = '0';
   end function;
 
-  function writes(seen : retired_instruction_t; value : value_t) return boolean is
+  function writes(observed : retired_instruction_t; value : value_t) return boolean is
   begin
-    return seen.completed = '1' and reads_its_registers(seen) and
-           seen.destination = seen.word(11 downto 7) and
-           (seen.destination = "00000" or seen.value = value);
+    return observed.completed = '1' and reads_its_registers(observed) and
+           observed.destination = observed.word(11 downto 7) and
+           (observed.destination = "00000" or observed.value = value);
   end function;
 
-  -- An operation: it writes this and goes on behind itself.
-  function gives(seen : retired_instruction_t; value : value_t) return boolean is
+  -- An operation: writes this result and continues after itself.
+  function gives(observed : retired_instruction_t; value : value_t) return boolean is
   begin
-    return writes(seen, value) and is_quiet(seen) and seen.next_address = seen.link;
+    return writes(observed, value) and is_quiet(observed) and observed.next_address = observed.link;
   end function;
 
-  function jumps(seen : retired_instruction_t; target : unsigned(31 downto 0)) return boolean is
+  function jumps(observed : retired_instruction_t; target : unsigned(31 downto 0)) return boolean is
   begin
-    return writes(seen, std_ulogic_vector(seen.link)) and is_quiet(seen) and
-           seen.next_address = (target and x"fffffffe");
+    return writes(observed, std_ulogic_vector(observed.link)) and is_quiet(observed) and
+           observed.next_address = (target and x"fffffffe");
   end function;
 
-  -- It goes there and does nothing else.
-  function goes(seen : retired_instruction_t; target : unsigned(31 downto 0)) return boolean is
+  -- Continues there, without side effect.
+  function goes(observed : retired_instruction_t; target : unsigned(31 downto 0)) return boolean is
   begin
-    return seen.completed = '1' and reads_its_registers(seen) and seen.destination = "00000" and
-           is_quiet(seen) and seen.next_address = target;
+    return observed.completed = '1' and reads_its_registers(observed) and observed.destination = "00000" and
+           is_quiet(observed) and observed.next_address = target;
   end function;
 
-  function branches(seen : retired_instruction_t) return boolean is
+  function branches(observed : retired_instruction_t) return boolean is
   begin
-    if is_taken(seen.word, seen.first, seen.second) then
-      return goes(seen, seen.address + constant_b(seen.word));
+    if is_taken(observed.word, observed.first, observed.second) then
+      return goes(observed, observed.address + immediate_b(observed.word));
     end if;
-    return goes(seen, seen.link);
+    return goes(observed, observed.link);
   end function;
 
-  function traps(seen : retired_instruction_t; cause : register_index_t; value : value_t) return boolean is
+  function traps(observed : retired_instruction_t; cause : register_index_t; value : value_t)
+    return boolean is
   begin
-    return seen.refused = '1' and seen.destination = "00000" and stores_nothing(seen) and
-           seen.returned = '0' and seen.cause = cause and seen.trap_value = value and
-           seen.next_address = seen.trap_target;
+    return observed.exception = '1' and observed.destination = "00000" and stores_nothing(observed) and
+           observed.returned = '0' and observed.cause = cause and observed.trap_value = value and
+           observed.next_address = observed.trap_target;
   end function;
 
   function is_in_memory(address : unsigned(31 downto 0)) return boolean is
@@ -139,111 +141,117 @@ package body retired_instruction_pkg is
     return address(31 downto 16) = x"8000";
   end function;
 
-  -- The bus was asked for this access.
-  function asks_bus(seen : retired_instruction_t; write : std_ulogic; address : unsigned(31 downto 0))
+  -- It made this bus access.
+  function requests_bus(observed : retired_instruction_t; write : std_ulogic; address : unsigned(31 downto 0))
     return boolean is
   begin
-    return seen.bus_answered = '1' and stores_nothing(seen) and seen.csr_asked = '0' and
-           seen.returned = '0' and seen.bus_asked.write = write and seen.bus_asked.address = address and
-           seen.bus_asked.select_bytes = lanes(seen.word, address);
+    return observed.bus_answered = '1' and stores_nothing(observed) and observed.csr_accessed = '0' and
+           observed.returned = '0' and observed.bus_request.write = write and
+           observed.bus_request.address = address and
+           observed.bus_request.select_bytes = lanes(observed.word, address);
   end function;
 
-  function loads(seen : retired_instruction_t) return boolean is
+  function loads(observed : retired_instruction_t) return boolean is
     variable address : unsigned(31 downto 0);
   begin
-    address := unsigned(seen.first) + constant_i(seen.word);
-    if is_misaligned(seen.word, address) then
-      return traps(seen, cause_load_misaligned, std_ulogic_vector(address)) and is_quiet(seen);
+    address := unsigned(observed.first) + immediate_i(observed.word);
+    if is_misaligned(observed.word, address) then
+      return traps(observed, cause_load_misaligned, std_ulogic_vector(address)) and is_quiet(observed);
     elsif is_in_memory(address) then
-      return gives(seen, loaded(seen.word, seen.memory_data, address)) and
-             seen.memory.enable = '1' and seen.memory.address = address(31 downto 2);
-    elsif seen.bus_failed then
-      return asks_bus(seen, '0', address) and
-             traps(seen, cause_load_access, std_ulogic_vector(address));
+      return gives(observed, loaded(observed.word, observed.memory_data, address)) and
+             observed.memory.enable = '1' and observed.memory.address = address(31 downto 2);
+    elsif observed.bus_failed then
+      return requests_bus(observed, '0', address) and
+             traps(observed, cause_load_access, std_ulogic_vector(address));
     end if;
-    return asks_bus(seen, '0', address) and writes(seen, loaded(seen.word, seen.bus_data, address)) and
-           seen.next_address = seen.link;
+    return requests_bus(observed, '0', address) and
+           writes(observed, loaded(observed.word, observed.bus_data, address)) and
+           observed.next_address = observed.link;
   end function;
 
-  function stores(seen : retired_instruction_t) return boolean is
+  function stores(observed : retired_instruction_t) return boolean is
     variable address : unsigned(31 downto 0);
     variable goes_on, is_data : boolean;
   begin
-    address := unsigned(seen.first) + constant_s(seen.word);
-    goes_on := seen.completed = '1' and reads_its_registers(seen) and seen.destination = "00000" and
-               seen.next_address = seen.link;
-    if is_misaligned(seen.word, address) then
-      return traps(seen, cause_store_misaligned, std_ulogic_vector(address)) and is_quiet(seen);
+    address := unsigned(observed.first) + immediate_s(observed.word);
+    goes_on := observed.completed = '1' and reads_its_registers(observed) and
+               observed.destination = "00000" and observed.next_address = observed.link;
+    if is_misaligned(observed.word, address) then
+      return traps(observed, cause_store_misaligned, std_ulogic_vector(address)) and is_quiet(observed);
     elsif is_in_memory(address) then
-      is_data := stored(seen.word, seen.memory.data, seen.second, address) = seen.memory.data;
-      return goes_on and is_data and seen.memory.enable = '1' and
-             seen.memory.write_bytes = lanes(seen.word, address) and
-             seen.memory.address = address(31 downto 2) and
-             seen.bus_answered = '0' and seen.csr_asked = '0' and seen.returned = '0';
+      is_data := stored(observed.word, observed.memory.data, observed.second, address) = observed.memory.data;
+      return goes_on and is_data and observed.memory.enable = '1' and
+             observed.memory.write_bytes = lanes(observed.word, address) and
+             observed.memory.address = address(31 downto 2) and
+             observed.bus_answered = '0' and observed.csr_accessed = '0' and observed.returned = '0';
     end if;
-    is_data := stored(seen.word, seen.bus_asked.data, seen.second, address) = seen.bus_asked.data;
-    if seen.bus_failed then
-      return asks_bus(seen, '1', address) and is_data and
-             traps(seen, cause_store_access, std_ulogic_vector(address));
+    is_data := stored(observed.word, observed.bus_request.data, observed.second, address) =
+               observed.bus_request.data;
+    if observed.bus_failed then
+      return requests_bus(observed, '1', address) and is_data and
+             traps(observed, cause_store_access, std_ulogic_vector(address));
     end if;
-    return asks_bus(seen, '1', address) and is_data and goes_on;
+    return requests_bus(observed, '1', address) and is_data and goes_on;
   end function;
 
-  -- What becomes of the register is told by the proof of the CSRs.
-  function accesses_csr(seen : retired_instruction_t) return boolean is
+  -- The update of the CSR is proved of control_status_registers.
+  function accesses_csr(observed : retired_instruction_t) return boolean is
     variable changes : boolean;
     variable operand : value_t;
   begin
-    changes := seen.word(13 downto 12) = "01" or seen.word(19 downto 15) /= "00000";
-    operand := 27x"0" & seen.word(19 downto 15) when seen.word(14) = '1' else seen.first;
-    if not csr_exists(seen.word(31 downto 20)) or (changes and seen.word(31 downto 30) = "11") then
-      return traps(seen, cause_illegal_instruction, seen.told) and seen.bus_answered = '0';
+    changes := observed.word(13 downto 12) = "01" or observed.word(19 downto 15) /= "00000";
+    operand := 27x"0" & observed.word(19 downto 15) when observed.word(14) = '1' else observed.first;
+    if not csr_exists(observed.word(31 downto 20)) or (changes and observed.word(31 downto 30) = "11") then
+      return traps(observed, cause_illegal_instruction, observed.instruction) and observed.bus_answered = '0';
     end if;
-    return writes(seen, seen.csr_value) and stores_nothing(seen) and seen.bus_answered = '0' and
-           seen.returned = '0' and seen.next_address = seen.link and
-           seen.csr_asked = '1' and seen.csr_request.address = seen.word(31 downto 20) and
-           seen.csr_request.operation = seen.word(13 downto 12) and
-           (seen.csr_request.writes = '1') = changes and
-           (seen.csr_request.operand = operand or not changes);
+    return writes(observed, observed.csr_value) and stores_nothing(observed) and
+           observed.bus_answered = '0' and observed.returned = '0' and
+           observed.next_address = observed.link and
+           observed.csr_accessed = '1' and observed.csr_request.address = observed.word(31 downto 20) and
+           observed.csr_request.operation = observed.word(13 downto 12) and
+           (observed.csr_request.writes = '1') = changes and
+           (observed.csr_request.operand = operand or not changes);
   end function;
 
-  function is_right(name : name_t; seen : retired_instruction_t) return boolean is
-    variable first, second, constant_operand, product : value_t;
+  function is_right(name : name_t; observed : retired_instruction_t) return boolean is
+    variable first, second, immediate, product : value_t;
   begin
-    first := seen.first;
-    second := seen.second;
-    constant_operand := std_ulogic_vector(constant_i(seen.word));
-    product := stand_in(seen.word(14 downto 12), first, second);
+    first := observed.first;
+    second := observed.second;
+    immediate := std_ulogic_vector(immediate_i(observed.word));
+    product := stand_in(observed.word(14 downto 12), first, second);
     case name is
-      when rv_lui => return gives(seen, std_ulogic_vector(constant_u(seen.word)));
-      when rv_auipc => return gives(seen, std_ulogic_vector(seen.address + constant_u(seen.word)));
-      when rv_jal => return jumps(seen, seen.address + constant_j(seen.word));
-      when rv_jalr => return jumps(seen, unsigned(first) + constant_i(seen.word));
-      when rv_beq | rv_bne | rv_blt | rv_bge | rv_bltu | rv_bgeu => return branches(seen);
-      when rv_lb | rv_lh | rv_lw | rv_lbu | rv_lhu => return loads(seen);
-      when rv_sb | rv_sh | rv_sw => return stores(seen);
-      when rv_addi => return gives(seen, sum(seen.word, first, constant_operand));
-      when rv_slti | rv_sltiu => return gives(seen, comparison(seen.word, first, constant_operand));
-      when rv_xori | rv_ori | rv_andi => return gives(seen, logic(seen.word, first, constant_operand));
-      when rv_slli | rv_srli | rv_srai => return gives(seen, shift(seen.word, first, constant_operand));
-      when rv_add | rv_sub => return gives(seen, sum(seen.word, first, second));
-      when rv_slt | rv_sltu => return gives(seen, comparison(seen.word, first, second));
-      when rv_xor | rv_or | rv_and => return gives(seen, logic(seen.word, first, second));
-      when rv_sll | rv_srl | rv_sra => return gives(seen, shift(seen.word, first, second));
-      when rv_mul | rv_mulh | rv_mulhsu | rv_mulhu => return gives(seen, product);
-      when rv_div | rv_divu | rv_rem | rv_remu => return gives(seen, product);
-      when rv_fence | rv_fence_i | rv_wfi => return goes(seen, seen.link);
+      when rv_lui => return gives(observed, std_ulogic_vector(immediate_u(observed.word)));
+      when rv_auipc =>
+        return gives(observed, std_ulogic_vector(observed.address + immediate_u(observed.word)));
+      when rv_jal => return jumps(observed, observed.address + immediate_j(observed.word));
+      when rv_jalr => return jumps(observed, unsigned(first) + immediate_i(observed.word));
+      when rv_beq | rv_bne | rv_blt | rv_bge | rv_bltu | rv_bgeu => return branches(observed);
+      when rv_lb | rv_lh | rv_lw | rv_lbu | rv_lhu => return loads(observed);
+      when rv_sb | rv_sh | rv_sw => return stores(observed);
+      when rv_addi => return gives(observed, sum(observed.word, first, immediate));
+      when rv_slti | rv_sltiu => return gives(observed, comparison(observed.word, first, immediate));
+      when rv_xori | rv_ori | rv_andi => return gives(observed, logic(observed.word, first, immediate));
+      when rv_slli | rv_srli | rv_srai => return gives(observed, shift(observed.word, first, immediate));
+      when rv_add | rv_sub => return gives(observed, sum(observed.word, first, second));
+      when rv_slt | rv_sltu => return gives(observed, comparison(observed.word, first, second));
+      when rv_xor | rv_or | rv_and => return gives(observed, logic(observed.word, first, second));
+      when rv_sll | rv_srl | rv_sra => return gives(observed, shift(observed.word, first, second));
+      when rv_mul | rv_mulh | rv_mulhsu | rv_mulhu => return gives(observed, product);
+      when rv_div | rv_divu | rv_rem | rv_remu => return gives(observed, product);
+      when rv_fence | rv_fence_i | rv_wfi => return goes(observed, observed.link);
       when rv_ecall =>
-        return traps(seen, cause_environment_call, x"00000000") and is_quiet(seen);
+        return traps(observed, cause_environment_call, x"00000000") and is_quiet(observed);
       when rv_ebreak =>
-        return traps(seen, cause_breakpoint, std_ulogic_vector(seen.address)) and is_quiet(seen);
+        return traps(observed, cause_breakpoint, std_ulogic_vector(observed.address)) and is_quiet(observed);
       when rv_mret =>
-        return seen.completed = '1' and seen.destination = "00000" and seen.returned = '1' and
-               stores_nothing(seen) and seen.bus_answered = '0' and seen.csr_asked = '0' and
-               seen.next_address = seen.return_address;
-      when rv_csrrw | rv_csrrs | rv_csrrc | rv_csrrwi | rv_csrrsi | rv_csrrci => return accesses_csr(seen);
+        return observed.completed = '1' and observed.destination = "00000" and observed.returned = '1' and
+               stores_nothing(observed) and observed.bus_answered = '0' and observed.csr_accessed = '0' and
+               observed.next_address = observed.return_address;
+      when rv_csrrw | rv_csrrs | rv_csrrc | rv_csrrwi | rv_csrrsi | rv_csrrci =>
+        return accesses_csr(observed);
       when no_instruction =>
-        return traps(seen, cause_illegal_instruction, seen.told) and is_quiet(seen);
+        return traps(observed, cause_illegal_instruction, observed.instruction) and is_quiet(observed);
     end case;
   end function;
 

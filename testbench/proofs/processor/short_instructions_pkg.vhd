@@ -1,13 +1,12 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Extension C as its specification says it, for the proofs: the instruction of 32 bits for which a short
--- one stands.
+-- Specification of extension C for the proofs: the 32-bit expansion of a compressed instruction.
 
 library ieee;
 use ieee.std_logic_1164.all;
 
 package short_instructions_pkg is
 
-  -- Zero, which is no instruction, where the half word is none.
+  -- Zero, which is illegal, if the half word is no instruction.
   function expanded(half : std_ulogic_vector(15 downto 0)) return std_ulogic_vector;
 
 end package;

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A trap is taken where and only where there is a reason, with the cause, address and value that the
--- specification gives to the first of the reasons.
+-- A trap is taken exactly where specified, with the cause, address and value of the highest-priority cause.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,7 +12,7 @@ entity trap_control_proof is
   port (
     clk : in std_ulogic;
     executing : in executing_t;
-    kind : in decoded_t;
+    control : in control_t;
     legal : in std_ulogic;
     ready : in std_ulogic;
     address : in unsigned(31 downto 0);
@@ -32,7 +31,7 @@ end entity;
 architecture proof of trap_control_proof is
 
   signal trap : trap_t;
-  -- mcause, mepc and mtval as they must become.
+  -- Specified mcause, mepc and mtval.
   signal traps, interrupts : std_ulogic;
   signal cause : natural range 0 to 31;
   signal exception_address : unsigned(31 downto 0);
@@ -46,7 +45,7 @@ begin
     generic map (memory_end => x"80010000")
     port map (
       executing => executing,
-      kind => kind,
+      control => control,
       legal => legal,
       ready => ready,
       address => address,
@@ -80,19 +79,19 @@ begin
       traps <= '0';
     elsif executing.fetch_fault then
       cause <= 1;
-      value <= x"80010000" when executing.leaves_memory = '1' else std_ulogic_vector(address);
-    elsif legal = '0' or (kind.csr = '1' and csr_legal = '0') then
+      value <= x"80010000" when executing.crosses_memory_end = '1' else std_ulogic_vector(address);
+    elsif legal = '0' or (control.csr = '1' and csr_legal = '0') then
       cause <= 2;
       value <= instruction;
-    elsif kind.breakpoint then
+    elsif control.breakpoint then
       cause <= 3;
       value <= std_ulogic_vector(address);
-    elsif kind.environment_call then
+    elsif control.environment_call then
       cause <= 11;
-    elsif kind.load = '1' and data_misaligned = '1' then
+    elsif control.load = '1' and data_misaligned = '1' then
       cause <= 4;
       value <= std_ulogic_vector(data_address);
-    elsif kind.store = '1' and data_misaligned = '1' then
+    elsif control.store = '1' and data_misaligned = '1' then
       cause <= 6;
       value <= std_ulogic_vector(data_address);
     else
@@ -100,28 +99,28 @@ begin
     end if;
   end process;
 
-  what_leaves_the_memory_cannot_be_fetched : assume always
-    (executing.leaves_memory -> executing.fetch_fault);
-  an_instruction_is_of_one_kind : assume always
-    ((kind.csr = '1' and kind.breakpoint = '0' and kind.environment_call = '0' and kind.load = '0' and
-      kind.store = '0') or
-     (kind.csr = '0' and kind.breakpoint = '1' and kind.environment_call = '0' and kind.load = '0' and
-      kind.store = '0') or
-     (kind.csr = '0' and kind.breakpoint = '0' and kind.environment_call = '1' and kind.load = '0' and
-      kind.store = '0') or
-     (kind.csr = '0' and kind.breakpoint = '0' and kind.environment_call = '0' and
-      (kind.load = '0' or kind.store = '0')));
-  nothing_is_ready_while_the_bus_is_at_work : assume always (bus_error -> (not ready and not take_interrupt));
+  crossing_the_memory_end_is_a_fetch_fault : assume always
+    (executing.crosses_memory_end -> executing.fetch_fault);
+  instruction_class_is_one_hot : assume always
+    ((control.csr = '1' and control.breakpoint = '0' and control.environment_call = '0' and
+      control.load = '0' and control.store = '0') or
+     (control.csr = '0' and control.breakpoint = '1' and control.environment_call = '0' and
+      control.load = '0' and control.store = '0') or
+     (control.csr = '0' and control.breakpoint = '0' and control.environment_call = '1' and
+      control.load = '0' and control.store = '0') or
+     (control.csr = '0' and control.breakpoint = '0' and control.environment_call = '0' and
+      (control.load = '0' or control.store = '0')));
+  not_ready_during_bus_access : assume always (bus_error -> (not ready and not take_interrupt));
 
-  a_trap_is_taken_where_there_is_a_reason : assert always (trap.enable = traps);
-  interrupts_are_told_from_exceptions : assert always (trap.enable -> trap.interrupt = interrupts);
-  the_cause_is_that_of_the_first_reason : assert always
+  trap_exactly_where_specified : assert always (trap.enable = traps);
+  trap_interrupt_is_right : assert always (trap.enable -> trap.interrupt = interrupts);
+  trap_cause_is_right : assert always
     (trap.enable -> to_integer(unsigned(trap.cause)) = cause);
-  the_trap_is_that_of_its_instruction : assert always
+  trap_address_is_right : assert always
     ((trap.enable and not bus_error) -> trap.address = exception_address);
-  the_value_is_that_of_the_cause : assert always ((trap.enable and not bus_error) -> trap.value = value);
-  an_access_is_told_with_what_it_needs_if_the_bus_refuses_it : assert always
-    ((executing.valid and ready and not trap.enable and (kind.load or kind.store)) ->
+  trap_value_is_right : assert always ((trap.enable and not bus_error) -> trap.value = value);
+  access_sets_address_and_value_for_bus_error : assert always
+    ((executing.valid and ready and not trap.enable and (control.load or control.store)) ->
      (trap.address = address and trap.value = std_ulogic_vector(data_address)));
 
 end architecture;

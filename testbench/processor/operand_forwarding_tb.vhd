@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Random instructions that read each other's results, some of them late, some behind a stop: each gets its
--- constant, or what registers that are written at once would hold.
+-- Random dependent instructions, some with late results, some stalled: each operand is its immediate, or
+-- what the register would hold if every instruction wrote it at once.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -9,44 +9,44 @@ use ieee.math_real.all;
 
 use work.processor_pkg.all;
 
-entity operand_reader_tb is
+entity operand_forwarding_tb is
 end entity;
 
-architecture tb of operand_reader_tb is
+architecture tb of operand_forwarding_tb is
 
   signal clk : std_ulogic := '0';
-  signal read, is_able, reads_first, reads_second, second_is_constant : std_ulogic := '0';
-  signal next_writes, next_is_late, write, await_result, awaits : std_ulogic := '0';
-  signal first_index, second_index, next_destination, destination : register_index_t := "00001";
-  signal constant_operand, next_result, first, second : word_t := (others => '0');
+  signal advance, executable, reads_first, reads_second, second_is_immediate : std_ulogic := '0';
+  signal execute_writes, execute_late, write, forward_late_result, hazard : std_ulogic := '0';
+  signal first_index, second_index, execute_destination, destination : register_index_t := "00001";
+  signal immediate, execute_result, first, second : word_t := (others => '0');
   signal write_data_late, write_data_early : word_t := (others => '0');
 
 begin
 
   clk <= not clk after 5 ns;
 
-  uut : entity work.operand_reader
+  uut : entity work.operand_forwarding
     port map (
       clk => clk,
-      read => read,
-      is_able => is_able,
+      advance => advance,
+      executable => executable,
       first_index => first_index,
       second_index => second_index,
       reads_first => reads_first,
       reads_second => reads_second,
-      second_is_constant => second_is_constant,
-      constant_operand => constant_operand,
-      next_writes => next_writes,
-      next_destination => next_destination,
-      next_is_late => next_is_late,
-      next_result => next_result,
+      second_is_immediate => second_is_immediate,
+      immediate => immediate,
+      execute_writes => execute_writes,
+      execute_destination => execute_destination,
+      execute_late => execute_late,
+      execute_result => execute_result,
       write => write,
       destination => destination,
       write_data => write_data_late or write_data_early,
       write_data_late => write_data_late,
       write_data_early => write_data_early,
-      await_result => await_result,
-      awaits => awaits,
+      forward_late_result => forward_late_result,
+      hazard => hazard,
       first => first,
       second => second);
 
@@ -60,7 +60,7 @@ begin
       return integer(floor(value * real(bound)));
     end function;
 
-    -- Few registers, of both halves, so that the same are read and written again and again.
+    -- Few registers, of both halves, for many dependencies.
     impure function random_index return register_index_t is
     begin
       return std_ulogic_vector(to_unsigned(14 + random(4), 5));
@@ -79,20 +79,20 @@ begin
     end procedure;
 
     type registers_t is array (0 to 31) of word_t;
-    -- With each instruction at once what it writes; as they were before the one in execute.
+    -- Architectural state: written at once by each instruction; the same before the instruction in execute.
     variable registers, registers_before : registers_t := (others => (others => '0'));
 
-    -- One after the other: an instruction is decoded, while the one before is in execute.
+    -- The instructions in decode, execute and write-back.
     type instruction_t is record
       first, second, destination : register_index_t;
-      writes, late, is_constant, able : boolean;
+      writes, late, is_immediate, executable : boolean;
       reads_first, reads_second : boolean;
-      constant_operand, value : word_t;
+      immediate, value : word_t;
     end record;
     variable decoded, executing, writing : instruction_t := (
-      first | second | destination => "00001", constant_operand | value => x"00000000",
+      first | second | destination => "00001", immediate | value => x"00000000",
       others => false);
-    variable awaited, stopped : natural := 0;
+    variable hazards, stalls : natural := 0;
 
     function content(contents : registers_t; index : register_index_t) return word_t is
     begin
@@ -100,15 +100,15 @@ begin
     end function;
 
     impure function random_instruction return instruction_t is
-      variable is_constant : boolean;
+      variable is_immediate : boolean;
     begin
-      is_constant := random(3) = 0;
+      is_immediate := random(3) = 0;
       return (
         first => random_index, second => random_index, destination => random_index,
-        writes => random(5) /= 0, late => random(3) = 0, is_constant => is_constant,
-        able => random(10) /= 0, reads_first => random(8) /= 0,
-        reads_second => not is_constant and random(8) /= 0,
-        constant_operand => random_word, value => random_word);
+        writes => random(5) /= 0, late => random(3) = 0, is_immediate => is_immediate,
+        executable => random(10) /= 0, reads_first => random(8) /= 0,
+        reads_second => not is_immediate and random(8) /= 0,
+        immediate => random_word, value => random_word);
     end function;
 
     procedure show_write_back(shown : boolean) is
@@ -129,11 +129,11 @@ begin
     procedure expect_operands is
     begin
       assert first = content(registers_before, executing.first) or not executing.reads_first
-        report "first " & to_hstring(first) & " after " & integer'image(awaited) severity failure;
+        report "first " & to_hstring(first) & " after " & integer'image(hazards) severity failure;
       assert second = content(registers_before, executing.second) or not executing.reads_second
-        report "second " & to_hstring(second) & " after " & integer'image(awaited) severity failure;
-      assert not executing.is_constant or second = executing.constant_operand
-        report "a constant" severity failure;
+        report "second " & to_hstring(second) & " after " & integer'image(hazards) severity failure;
+      assert not executing.is_immediate or second = executing.immediate
+        report "immediate" severity failure;
     end procedure;
   begin
     for count in 1 to 50_000 loop
@@ -142,52 +142,51 @@ begin
       second_index <= decoded.second;
       reads_first <= '1' when decoded.reads_first else '0';
       reads_second <= '1' when decoded.reads_second else '0';
-      second_is_constant <= '1' when decoded.is_constant else '0';
-      constant_operand <= decoded.constant_operand;
-      is_able <= '1' when decoded.able else '0';
-      next_writes <= '1' when executing.writes else '0';
-      next_destination <= executing.destination;
-      next_is_late <= '1' when executing.late else '0';
-      -- What comes late is not there yet.
-      next_result <= not executing.value when executing.late else executing.value;
+      second_is_immediate <= '1' when decoded.is_immediate else '0';
+      immediate <= decoded.immediate;
+      executable <= '1' when decoded.executable else '0';
+      execute_writes <= '1' when executing.writes else '0';
+      execute_destination <= executing.destination;
+      execute_late <= '1' when executing.late else '0';
+      -- A late result is not available yet.
+      execute_result <= not executing.value when executing.late else executing.value;
       show_write_back(true);
       wait for 1 ns;
 
-      if executing.able and awaits = '1' then
-        assert reads_late_result report "waits for nothing" severity failure;
+      if executing.executable and hazard = '1' then
+        assert reads_late_result report "hazard without a late result" severity failure;
         if random(4) = 0 then
-          -- It ends only later, and all stand still for it.
-          stopped := stopped + 1;
+          -- A bus access: the pipeline stalls.
+          stalls := stalls + 1;
           show_write_back(false);
           for clocks in 0 to random(3) loop
             clock;
           end loop;
           show_write_back(true);
         end if;
-        awaited := awaited + 1;
-        await_result <= '1';
+        hazards := hazards + 1;
+        forward_late_result <= '1';
         clock;
-        await_result <= '0';
+        forward_late_result <= '0';
         writing.writes := false;
         show_write_back(true);
         wait for 1 ns;
-        assert awaits = '0' severity failure;
+        assert hazard = '0' severity failure;
       end if;
-      if executing.able then
-        assert not reads_late_result report "does not wait" severity failure;
+      if executing.executable then
+        assert not reads_late_result report "missed hazard" severity failure;
         expect_operands;
       end if;
       if random(8) = 0 then
-        -- It takes some clocks, in which write back gets empty; its operands need not stay, its result
-        -- comes then.
+        -- It takes several clocks, and write-back becomes empty; its operands need not stay.
         writing.writes := false;
         clock;
         show_write_back(true);
       end if;
 
-      read <= '1';
+      advance <= '1';
       clock;
-      read <= '0';
+      advance <= '0';
       registers_before := registers;
       if executing.writes then
         registers_before(to_integer(unsigned(executing.destination))) := executing.value;
@@ -195,12 +194,12 @@ begin
       registers := registers_before;
       writing := executing;
       executing := decoded;
-      if not executing.able then
-        -- It traps: nothing of it happens, and the next one is none.
+      if not executing.executable then
+        -- It traps: no side effect, and the next instruction is flushed.
         executing.writes := false;
       end if;
     end loop;
-    assert awaited > 3000 and stopped > 700 report "too few of both" severity failure;
+    assert hazards > 3000 and stalls > 700 report "too few hazards or stalls" severity failure;
     std.env.finish;
   end process;
 
