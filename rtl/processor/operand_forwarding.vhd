@@ -32,8 +32,8 @@ entity operand_forwarding is
     write_data : in word_t;
     write_data_late : in word_t;
     write_data_early : in word_t;
-    -- The operands of the instruction in execute; they are missing as long as its `awaits`. It takes
-    -- what it awaits with the clock in which this is written, and `await_result` is high.
+    -- The operands of the instruction in execute. Load-use hazard: one of them is a late result; the
+    -- instruction stalls until this is written and forwarded, in the clock of `forward_late_result`.
     forward_late_result : in std_ulogic;
     hazard : out std_ulogic;
     first : out word_t;

@@ -94,7 +94,7 @@ architecture rtl of processor is
   signal bus_active, bus_done, bus_error : std_ulogic;
   signal csr_operand : word_t;
   signal asleep, interrupt_requested : std_ulogic;
-  -- Asleep in each of the previous clocks: write-back is empty when all are set.
+  -- Asleep in each of the previous clocks: when all are set, the stages behind execute are empty.
   signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
   signal csr_request : csr_request_t;
   signal csr_data : word_t;
@@ -250,6 +250,7 @@ begin
 
   -- An instruction with a fetch fault, or an illegal one, has no side effect.
   executable <= executing.executable;
+  -- `stalled`: no operands yet. Divisions and wfi have theirs, and hold back `advance` only.
   forward_late_result <= executable and hazard and not bus_active;
   stalled <= bus_active or (executable and hazard);
   -- Debug mode is entered as an interrupt is taken, but also before wfi.
@@ -260,7 +261,8 @@ begin
                      not (executing.valid and control.wait_for_interrupt) and
                      not debug_request.halted and not debug_request.step);
   start <= executable and not stalled and not take_interrupt;
-  -- An interrupted instruction is flushed: `advance` does not wait for it.
+  -- Stall of the whole pipeline. An interrupted instruction is flushed from execute even while `advance` is
+  -- low.
   advance <= not (bus_active or
                   (executable and
                    (hazard or (control.divide and not divider_done) or

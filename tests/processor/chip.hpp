@@ -15,7 +15,7 @@ class Vprocessor_with_memory;
 
 namespace processor {
 
-// A completed or refused instruction and the clock in which the chip told it.
+// A retired instruction, or a trap, and its clock.
 struct Retirement {
   std::uint64_t clock = 0;
   bool trap = false;
@@ -32,7 +32,7 @@ class Chip {
  public:
   static constexpr std::uint32_t memory_base = 0x80000000;
   static constexpr std::size_t memory_size = 65536;
-  // Whether this processor was made with the instructions of Zbb.
+  // Whether this processor implements Zbb.
   static const bool has_zbb;
 
   // Starts after reset with the image at the begin of the memory and zeros behind it.

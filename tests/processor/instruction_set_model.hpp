@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RV32IMC, with Zbb where it is wanted, and machine mode as the specification tells it, one
-// instruction at a time, without any clock.
+// Model of RV32IMC, optionally with Zbb, and machine mode by the specification: one instruction
+// at a time, untimed.
 #pragma once
 
 #include <array>

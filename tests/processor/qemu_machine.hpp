@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// QEMU running a program one instruction at a time, which tells its registers before each.
+// QEMU running a program one instruction at a time, with its registers before each.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace processor {
 
-// What QEMU's log tells before an instruction.
+// State in QEMU's log before an instruction.
 struct QemuState {
   std::uint32_t program_counter = 0;
   std::uint32_t mtvec = 0;
@@ -24,8 +24,8 @@ struct QemuState {
   std::array<std::uint32_t, 32> registers{};
 };
 
-// RV32IMC with machine mode only, its memory where the chip's is; beside the chip's peripherals'
-// place there is nothing.
+// RV32IMC with machine mode only, its memory where the chip's is, without the chip's
+// peripherals.
 class QemuMachine {
  public:
   // Starts it with the image at the begin of the memory, for RV32IMC with or without Zbb. Throws

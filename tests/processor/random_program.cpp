@@ -24,7 +24,7 @@ constexpr Word nowhere = 0xF0004000;
 constexpr std::size_t instructions_of_prologue = 120;
 // Jumps may lead a little beyond the end.
 constexpr std::size_t instructions_of_epilogue = 40;
-// Passes left, in the word below the one that tells the end.
+// Passes left, in the word below `tohost`.
 constexpr std::int32_t passes_offset = -4;
 
 void load_constant(RandomText& text, Word rd, Word value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says in which clock each instruction is completed or refused and each interrupt is taken, by
-// nothing but the table of times, the instructions before and the requests.
+// Predicts the clock in which each instruction retires or traps and each interrupt is taken, from
+// nothing but the table of times, the preceding instructions and the requests.
 #pragma once
 
 #include <cstdint>
@@ -25,12 +25,12 @@ class TimeModel {
     std::uint64_t clock = 0;
     bool interrupt = false;
   };
-  // When the instruction at which `model` stands is completed or refused, or that an interrupt
-  // takes its place, and when; nothing where it sleeps beyond the last clock noted, or none has
-  // been told before.
+  // When the next instruction of `model` retires or traps, or that it is interrupted, and when;
+  // nothing if it sleeps beyond the last clock noted, or before the first event has been
+  // noted.
   std::optional<Prediction> next(const InstructionSetModel& model) const;
 
-  // What the chip has told, and the model before it.
+  // An event of the chip, and the model before it.
   void note(const Retirement& event, const InstructionSetModel& model_before);
 
  private:
@@ -42,8 +42,8 @@ class TimeModel {
   unsigned bus_wait_;
   std::vector<std::uint32_t> requests_;
   bool begun_ = false;
-  // Of what was told last: its clock, the clocks that follow it before another begins, those in
-  // which no interrupt can be taken, the register to which it writes late (0: none).
+  // Of the last event: its clock, its penalty to the next instruction, the clocks in which no
+  // interrupt can be taken, the destination of its late result (0: none).
   std::uint64_t clock_ = 0;
   unsigned behind_ = 0;
   unsigned closed_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instruction is by the rows of the table of times: told from its bits and what it reads.
+// Classifies an instruction by the rows of the table of times, from its bits and its operands.
 #pragma once
 
 #include <cstdint>

@@ -69,8 +69,8 @@ class Run {
     if (++silent_for_ < longest_silence) return;
     const auto expected = times_.next(model_);
     if (expected && expected->clock <= chip_.clocks()) {
-      result_.difference = "nothing is told of what was due in clock " +
-                           std::to_string(expected->clock) + ", though it is " +
+      result_.difference = "no event, though one was expected in clock " +
+                           std::to_string(expected->clock) + ", and it is clock " +
                            std::to_string(chip_.clocks());
     }
     silent_for_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program on the chip and compares the clock of all that it tells with the table of times.
+// Runs a program on the chip and compares the clock of each event with the table of times.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ struct TimedRunSettings {
 };
 
 struct TimedRun {
-  // Empty: each was told in its clock; otherwise what was not, first.
+  // Empty: each event came in its clock; otherwise the first that did not.
   std::string difference;
   std::uint64_t instructions = 0;
   std::uint64_t interrupts = 0;
-  // Of each row of the table, how often an interrupt was taken instead of such an instruction, and
-  // right behind one.
+  // For each row of the table, how often such an instruction was interrupted, and how often an
+  // interrupt was taken right after one.
   std::map<std::string, std::uint64_t> interrupted;
   std::map<std::string, std::uint64_t> behind;
 };

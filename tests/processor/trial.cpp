@@ -41,7 +41,7 @@ void add_handler(ProgramBuilder& program) {
   program.add(encode::trap_return());
 }
 
-// What the handler reads, as the chip tells it.
+// What the handler reads, from the trace of the chip.
 void note(TrapFindings& findings, const Retirement& event) {
   switch (event.destination) {
     case cause:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tries instructions one behind the other on the chip, and tells of each whether it trapped, and
-// how.
+// Executes instructions one after the other on the chip, and records whether and how each
+// trapped.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@ namespace benchmarks {
 // Besides the one clock that every instruction takes.
 enum class Waiting : std::uint8_t {
   late_result,  // of a load, a multiplication or a CSR that the next instruction reads
-  branch,  // that is taken, or was taken early in vain
+  branch,  // taken, or mispredicted
   jump,
   division,
   other
