@@ -16,12 +16,12 @@ entity instruction_fetch_proof is
   );
   port (
     clk : in std_ulogic;
-    cancel : in std_ulogic;
-    late_jump : in std_ulogic;
-    late_address : in unsigned(31 downto 0);
-    early_jump : in std_ulogic;
-    early_address : in unsigned(31 downto 0);
-    following_address : in unsigned(31 downto 0);
+    flush : in std_ulogic;
+    redirect : in std_ulogic;
+    redirect_target : in unsigned(31 downto 0);
+    predicted_taken : in std_ulogic;
+    predicted_target : in unsigned(31 downto 0);
+    predicted_next_address : in unsigned(31 downto 0);
     advance : in std_ulogic;
     instruction_data : in value_t
   );
@@ -32,10 +32,10 @@ architecture proof of instruction_fetch_proof is
   constant memory_address : unsigned(31 downto 0) := x"80000000";
 
   signal instruction_request : instruction_request_t;
-  signal valid, is_word, fault, leaves_memory : std_ulogic;
+  signal valid, is_word, fault, crosses_memory_end : std_ulogic;
   signal instruction : value_t;
   signal address : unsigned(31 downto 0);
-  signal late_address_plus_2, early_address_plus_2 : unsigned(31 downto 0);
+  signal redirect_target_plus_2, predicted_target_plus_2 : unsigned(31 downto 0);
   -- Of the specification.
   signal begins_inside, ends_inside, asks_inside : std_ulogic;
 
@@ -51,8 +51,8 @@ architecture proof of instruction_fetch_proof is
 
 begin
 
-  late_address_plus_2 <= late_address + 2;
-  early_address_plus_2 <= early_address + 2;
+  redirect_target_plus_2 <= redirect_target + 2;
+  predicted_target_plus_2 <= predicted_target + 2;
 
   fetch : entity work.instruction_fetch
     generic map (
@@ -61,14 +61,14 @@ begin
       memory_lacks_quarter => memory_size_bytes /= 2 ** memory_address_bits)
     port map (
       clk => clk,
-      cancel => cancel,
-      late_jump => late_jump,
-      late_address => late_address,
-      late_address_plus_2 => late_address_plus_2(31 downto 2),
-      early_jump => early_jump,
-      early_address => early_address,
-      early_address_plus_2 => early_address_plus_2,
-      following_address => following_address,
+      flush => flush,
+      redirect => redirect,
+      redirect_target => redirect_target,
+      redirect_target_plus_2 => redirect_target_plus_2(31 downto 2),
+      predicted_taken => predicted_taken,
+      predicted_target => predicted_target,
+      predicted_target_plus_2 => predicted_target_plus_2,
+      predicted_next_address => predicted_next_address,
       advance => advance,
       instruction_request => instruction_request,
       instruction_data => instruction_data,
@@ -77,7 +77,7 @@ begin
       is_word => is_word,
       address => address,
       fault => fault,
-      leaves_memory => leaves_memory);
+      crosses_memory_end => crosses_memory_end);
 
   -- Addresses are even, so the last byte of a long instruction lies in its second half word.
   begins_inside <= is_inside(address);
@@ -87,8 +87,9 @@ begin
 
   addresses_are_even : assume always (address(0) = '0');
 
-  what_is_not_all_in_memory_faults : assert always (fault = not (begins_inside and ends_inside));
-  the_second_half_alone_is_told : assert always (leaves_memory = (begins_inside and not ends_inside));
-  only_the_memory_is_asked : assert always asks_inside;
+  an_instruction_outside_memory_faults : assert always (fault = not (begins_inside and ends_inside));
+  only_the_second_half_faults_at_the_end : assert always
+    (crosses_memory_end = (begins_inside and not ends_inside));
+  requests_are_inside_the_memory : assert always asks_inside;
 
 end architecture;
