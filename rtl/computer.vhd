@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What runs the software: the processor, its memory and, where it is wanted, the port for a debugger.
+-- The computer: processor, memory and, optionally, the debug port.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,11 +13,11 @@ entity computer is
     memory_size_bytes : positive;
     -- A debugger can halt the processor and reach the memory and the bus over JTAG.
     has_debug : boolean;
-    -- The processor has extension Zbb.
+    -- The processor implements extension Zbb.
     has_zbb : boolean := false
   );
   port (
-    -- Edges of `clk` may be left out while `at_rest` is high, not those of `always_clk`.
+    -- `clk` may be gated while `at_rest` is high, `always_clk` never.
     clk : in std_ulogic;
     always_clk : in std_ulogic;
     -- Synchronous: from outside the chip, for the debugger's own part; and with what the debugger asks for.
@@ -34,7 +34,7 @@ entity computer is
     tms : in std_ulogic;
     tdi : in std_ulogic;
     tdo : out std_ulogic;
-    -- The processor waits for an interrupt; it has completed an instruction.
+    -- The processor waits in wfi; an instruction has retired.
     sleeping : out std_ulogic;
     retired : out std_ulogic;
     at_rest : out std_ulogic

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Reads and writes the registers of the halted processor, by instructions that it gives it to execute.
+-- Abstract commands: access registers of the halted processor by injecting instructions.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,25 +8,25 @@ use ieee.numeric_std.all;
 use work.debug_pkg.all;
 use work.processor_pkg.all;
 
--- A register is read by an addition to x0, whose sum is seen on its way; written by lui and addi; a
--- CSR is written from x8, which is given back its value behind it.
+-- A register is read by adding it to x0, with the result taken from write-back, and written by lui and
+-- addi. A CSR is written from x8, which is restored afterwards.
 entity abstract_command is
   port (
     clk : in std_ulogic;
-    -- Gives up what is under way.
+    -- Aborts the current command.
     reset : in std_ulogic;
     halted : in std_ulogic;
-    -- For one clock, while not busy: do `command` (section 3.6.1 of the specification) with `data`.
+    -- For one clock, while not busy: execute `command` (section 3.6.1 of the specification) with `data`.
     start : in std_ulogic;
     command : in word_t;
     data : in word_t;
     busy : out std_ulogic;
-    -- For one clock: the command has ended, with its error; it has read `result`.
+    -- For one clock: the command is done, with its error code; `result` is the value read.
     done : out std_ulogic;
     error : out command_error_t;
     has_result : out std_ulogic;
     result : out word_t;
-    -- Registers that are kept beside the processor.
+    -- Debug registers outside the processor.
     csr_request : out debug_csr_request_t;
     csr_response : in debug_csr_response_t;
     inject : out std_ulogic;
@@ -54,7 +54,7 @@ architecture rtl of abstract_command is
     return upper & index & "0110111";
   end function;
 
-  -- The part of a value that lui loads: addi, which follows it, adds a signed number.
+  -- Immediate of lui, corrected for the signed immediate of the addi that follows.
   function upper_of(value : word_t) return upper_t is
   begin
     return std_ulogic_vector(unsigned(value(31 downto 12)) + unsigned'(0 => value(11)));

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The registers of the debug module, through which a debugger reaches the one processor and its memory.
+-- Debug module: the registers through which a debugger accesses the one hart and its memory.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -20,7 +20,7 @@ entity debug_module is
     dmi_request : in dmi_request_t;
     -- Of the register at the request's address.
     dmi_data : out word_t;
-    -- The chip is to be in reset, all but what debugs it.
+    -- Resets the chip, except for the debug logic (ndmreset).
     chip_reset : out std_ulogic;
     -- The processor is in reset.
     processor_reset : in std_ulogic;
@@ -210,8 +210,7 @@ begin
       bus_response => bus_response
     );
 
-  -- Of the one hart, so "any" and "all" are the same. A debugger need not authenticate; there may be a
-  -- halt at reset; version 0.13.
+  -- One hart, so "any" and "all" are equal. Authenticated; halt on reset supported; version 0.13.
   unavailable <= processor_reset;
   running <= not halted and not processor_reset;
   status <= (19 | 18 => has_been_reset, 17 | 16 => resume_acknowledged, 13 | 12 => unavailable,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What travels between the parts of the debug port, and the addresses of its registers.
+-- Interfaces within the debug port, and the addresses of its registers.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,8 +17,8 @@ package debug_pkg is
     data : word_t;
   end record;
 
-  -- A debugger's access to a control and status register that is kept beside the processor: written in
-  -- the clock of `write`; the data of a read follows `address` at once.
+  -- A debugger's access to a CSR outside the processor: written in the clock of `write`; read data is
+  -- combinational.
   type debug_csr_request_t is record
     write : std_ulogic;
     address : std_ulogic_vector(11 downto 0);

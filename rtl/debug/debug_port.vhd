@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Everything that debugs: from the JTAG pins to the processor, its memory and its bus.
+-- The debug logic: from the JTAG pins to the processor, its memory and its bus.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -10,7 +10,7 @@ use work.debug_pkg.all;
 use work.memory_pkg.all;
 use work.processor_pkg.all;
 
--- It lies between the processor and what that accesses. Pulled off, or never used, it is a piece of wire.
+-- It lies between the processor and its memory and bus. Without a debugger it is transparent.
 entity debug_port is
   generic (
     memory_size_bytes : positive := 65536
@@ -113,11 +113,11 @@ begin
       debug_response => debug_response
     );
 
-  -- Who has the memory is decided by what is known early, not by the processor's own `enable`.
+  -- Critical path: arbitrated by a signal that settles early, not by the processor's `enable`.
   memory_request <= processor_memory_request when processor_uses_memory else own_memory_request;
 
-  -- Taken while the processor has nothing on the bus, and given back a clock after the access: between two
-  -- accesses the strobe is low for a clock, whose ever they are.
+  -- Granted while the processor does not use the bus, and released a clock after the access, so that the
+  -- strobe is low for a clock between any two accesses.
   own_bus : process
   begin
     wait until rising_edge(clk);

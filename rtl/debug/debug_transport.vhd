@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The JTAG port: a test access port (IEEE 1149.1) whose data registers lead to the debug module.
+-- JTAG debug transport: a test access port (IEEE 1149.1) with the registers dtmcs and dmi.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,10 +8,9 @@ use ieee.numeric_std.all;
 use work.debug_pkg.all;
 use work.processor_pkg.all;
 
--- The pins are sampled with the chip's clock: nothing here has another clock, and a debugger that is
--- pulled out or never was there leaves nothing undefined. `tck` must be high for two clocks at least and
--- low for five, so that `tdo`, which changes with the fourth clock edge after it has fallen, is there
--- before it rises: at 50 MHz, 5 MHz are safe.
+-- The pins are sampled with the chip's clock, the only one here, so an unplugged debugger leaves nothing
+-- undefined. `tck` must be high for at least two clocks and low for five: `tdo` changes with the fourth clock
+-- edge after its falling edge, before the rising one. At 50 MHz, 5 MHz are safe.
 entity debug_transport is
   generic (
     -- Its lowest bit is 1; bits 11 to 1 are the manufacturer, which is none.
@@ -64,8 +63,8 @@ architecture rtl of debug_transport is
   constant select_control : instruction_t := 5x"10";
   constant select_module : instruction_t := 5x"11";
 
-  -- dtmcs: version 0.13, addresses of 7 bits. An access is done long before the next can come, so that
-  -- no error ever has to be told and no clocks of rest are asked for.
+  -- dtmcs: version 0.13, 7-bit addresses. An access is complete long before the next can begin, so there is
+  -- never a busy error and no idle clock is needed.
   constant control : word_t := x"00000071";
 
   signal pins : std_ulogic_vector(2 downto 0);

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Halts, resumes and steps the processor; keeps dcsr, dpc and the triggers of breakpoints.
+-- Hart control: halt, resume, single step; dcsr, dpc and the triggers of hardware breakpoints.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -20,7 +20,7 @@ entity hart_control is
     -- Levels: halt as soon as possible; halt before the first instruction after a reset.
     halt_request : in std_ulogic;
     halt_at_reset : in std_ulogic;
-    -- For one clock, while `halted`: go on.
+    -- For one clock, while `halted`: resume.
     resume : in std_ulogic;
     halted : out std_ulogic;
     -- dcsr, dpc, tselect, tdata1, tdata2, tinfo, for debuggers only: programs find no trigger.
@@ -84,7 +84,7 @@ begin
   halt : process
   begin
     wait until rising_edge(clk);
-    -- The instruction in the execute stage is one to halt before.
+    -- The instruction in execute matches a trigger: halt before it.
     if debug_response.advance then
       triggered <= debug_response.issue and next_matches and not halted;
     end if;

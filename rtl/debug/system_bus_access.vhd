@@ -10,8 +10,8 @@ use work.bus_pkg.all;
 use work.memory_pkg.all;
 use work.processor_pkg.all;
 
--- In the memory it takes clocks in which the processor does not need the data port, so that the
--- processor's times stay as they are; on the bus the processor waits for it, as for a slow peripheral.
+-- It uses clocks in which the processor does not need the memory's data port, so instruction times are
+-- unchanged; on the bus the processor waits for it, as for a slow peripheral.
 entity system_bus_access is
   generic (
     memory_address : unsigned(31 downto 0) := x"80000000";
@@ -31,7 +31,7 @@ entity system_bus_access is
     control : out word_t;
     address : out unsigned(31 downto 0);
     data : out word_t;
-    -- The memory's data port is ours in this clock.
+    -- The memory's data port is granted in this clock.
     port_free : in std_ulogic;
     memory_request : out memory_request_t;
     memory_data : in word_t;
@@ -188,7 +188,7 @@ begin
       end if;
     end if;
 
-    -- What is on the bus is not taken back.
+    -- A bus access cannot be cancelled.
     if reset then
       if state /= wait_for_bus then
         state <= idle;
