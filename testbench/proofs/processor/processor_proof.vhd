@@ -238,7 +238,7 @@ begin
   fetch_fault_address <= memory_end when address(31 downto 16) = x"8000" else address;
   has_word <= completed or (exception and not fetch_fault);
 
-  judge_traps : process (all)
+  specify_traps : process (all)
   begin
     must_trap <= '1';
     cause <= "00000";
