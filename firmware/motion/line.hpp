@@ -36,6 +36,7 @@ struct StepTiming {
   units::Hertz clock{};
   units::PerAxis<units::Hertz> max_step_rate{};  // by the drivers' pulse timing
   units::Microseconds least_line_time{};  // lines that are shorter come faster than it can be fed
+  units::Microseconds longest_pass{40'000};  // between two looks at whether it needs segments
 };
 
 struct Line {

@@ -175,6 +175,27 @@ TEST(planner, hands_over_no_more_than_the_horizon_needs) {
   EXPECT_LE(segments, 6);
 }
 
+// Handed over, the lines in which it would brake at the end of the ring could not become faster.
+TEST(planner, hands_over_no_more_than_it_keeps_to_plan_with) {
+  motion::StepTiming timing = motion_test::timing(50'000'000);
+  timing.longest_pass = Microseconds(3'000);
+  motion::Planner planner(mendel(), timing);
+  std::int64_t x = 0;
+  const auto fill = [&] {
+    while (planner.has_room()) ASSERT_TRUE(planner.append(to(x += 50'000, 0, 0, 0, 50'000), {}));
+  };
+  fill();  // 1 ms each at that speed
+  int segments = 0;
+  while (planner.next_segment({})) ++segments;
+  EXPECT_GE(segments, 5);
+  EXPECT_GE(planner.lines(), motion::Planner::capacity / 2 - 2);
+  // With little left, what a pass of the program needs.
+  for (int ms = 0; ms < 100; ms += 3) {
+    while (planner.next_segment(Microseconds(ms * 1'000))) ++segments;
+    EXPECT_TRUE(planner.empty() || segments >= ms + 3) << ms;
+  }
+}
+
 TEST(planner, collects_moves_of_less_than_a_step) {
   motion::Planner planner(mendel(), motion_test::timing(4'000'000));
   for (int i = 1; i <= 3; ++i) {
