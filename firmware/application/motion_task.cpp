@@ -19,6 +19,7 @@ constexpr std::uint32_t end_stop_filter_ns = 2000;
 // No line is planned shorter. To hand one over takes about half of it, its registers included, and
 // the queue, which holds 10 lines of three phases, lasts longer than any pass of the loop.
 constexpr std::int64_t least_line_clocks = 16'000;
+constexpr std::int64_t longest_pass_clocks = 10 * least_line_clocks;
 
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 constexpr std::uint32_t watchdog_ms = 200;
@@ -42,9 +43,12 @@ units::PerAxis<drivers::GuardTimings> guards_of(const MachineDescription& machin
 }
 
 motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clock) {
-  motion::StepTiming timing{
-      .clock = clock,
-      .least_line_time = units::Microseconds(least_line_clocks * 1'000'000 / clock.count() + 1)};
+  const auto time_of = [clock](std::int64_t clocks) {
+    return units::Microseconds(clocks * 1'000'000 / clock.count() + 1);
+  };
+  motion::StepTiming timing{.clock = clock,
+                            .least_line_time = time_of(least_line_clocks),
+                            .longest_pass = time_of(longest_pass_clocks)};
   const auto guards = guards_of(machine, clock);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));

@@ -37,8 +37,8 @@ class Planner {
   // Motion from rest waits until this much of it is planned, or for at most this long, or for
   // flush().
   static constexpr units::Microseconds start_delay{100'000};
-  // Segments are handed over only while less than this is still to be executed: the rest stays
-  // plannable.
+  // Segments are handed over only while less than this is still to be executed, and less than what
+  // is still in the ring, but for StepTiming::longest_pass: the rest stays plannable.
   static constexpr units::Microseconds horizon{40'000};
 
   Planner(const Limits& limits, const StepTiming& timing);
