@@ -38,12 +38,19 @@ struct Share {
   bool clean{};
 };
 
+// What is left of the processor where a driver's pulse is wide.
+struct DriverShare {
+  DriverGuard guard;
+  Share share;  // lines of 500 ticks
+};
+
 struct Figures {
   Stepping stepping{};
   std::vector<LoopRates> loops;
   std::vector<JitterFigure> jitter;
   std::vector<Train> trains;
-  std::vector<Share> shares;  // four axes
+  std::vector<Share> shares;  // four axes, lines of 50 ticks, no driver
+  std::vector<DriverShare> driver_shares;  // four axes
 };
 
 // `say` is called with what is measured now.

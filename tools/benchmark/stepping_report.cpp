@@ -63,6 +63,14 @@ Json figures_json(const Figures& figures, double clock_hz) {
                                  {"busy_percent", rounded(100 * share.busy)},
                                  {"clean", share.clean}});
   }
+  for (const DriverShare& figure : figures.driver_shares) {
+    json["processor_with_driver"].push_back(
+        {{"driver", figure.guard.driver},
+         {"clocks_per_tick", figure.share.interval_clocks},
+         {"ticks_per_second", rounded(clock_hz / figure.share.interval_clocks)},
+         {"busy_percent", rounded(100 * figure.share.busy)},
+         {"clean", figure.share.clean}});
+  }
   return json;
 }
 
@@ -161,6 +169,13 @@ std::string to_table(const Comparison& comparison) {
     add("processor, four axes at {:>7.0f} ticks/s: {:5.1f} % {:5.1f} %{}\n",
         clock / hard.interval_clocks, 100 * hard.busy, 100 * soft.busy,
         soft.clean ? "" : " (not clean)");
+  }
+  for (std::size_t i = 0; i < hardware.driver_shares.size(); ++i) {
+    const DriverShare& hard = hardware.driver_shares[i];
+    const DriverShare& soft = software.driver_shares[i];
+    add("processor, four axes at {:>7.0f} ticks/s, {:<7}: {:5.1f} % {:5.1f} %{}\n",
+        clock / hard.share.interval_clocks, hard.guard.driver, 100 * hard.share.busy,
+        100 * soft.share.busy, soft.share.clean ? "" : " (not clean)");
   }
   if (comparison.prints) {
     for (const PrintFigure& print : *comparison.prints) {
