@@ -48,7 +48,9 @@ FakeChip::FakeChip() {
   word(steps::Override::address) = 1u << 16;
   chip = this;
 }
-FakeChip::~FakeChip() { chip = nullptr; }
+FakeChip::~FakeChip() {
+  if (chip == this) chip = nullptr;
+}
 
 std::uint32_t FakeChip::duty_address(std::size_t channel) {
   return heat::Duty::address_of(channel);
@@ -78,11 +80,14 @@ std::size_t FakeChip::place_of(std::uint32_t address) {
   return peripheral * words_of_peripheral + place;
 }
 
+std::uint64_t FakeChip::alarm() const {
+  using namespace registers;
+  return std::uint64_t{word(timer::CompareHigh::address)} << 32 | word(timer::CompareLow::address);
+}
+
 bool FakeChip::wakes() const {
   using namespace registers;
-  const std::uint64_t deadline =
-      std::uint64_t{word(timer::CompareHigh::address)} << 32 | word(timer::CompareLow::address);
-  if (time >= deadline) return true;
+  if (time >= alarm()) return true;
   const auto interrupts = uart::Interrupts::decode(word(uart::Interrupts::address));
   const auto ends = uart::LineEnds::decode(word(uart::LineEnds::address));
   const bool line_waits = std::ranges::any_of(to_firmware, [&](char byte) {

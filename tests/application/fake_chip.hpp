@@ -16,8 +16,9 @@ class FakeChip {
  public:
   FakeChip();
   ~FakeChip();
-  FakeChip(const FakeChip&) = delete;
-  FakeChip& operator=(const FakeChip&) = delete;
+  // A copy holds the state for later; the firmware's bus stays that of the first one.
+  FakeChip(const FakeChip&) = default;
+  FakeChip& operator=(const FakeChip&) = default;
 
   std::uint32_t read(std::uint32_t address);
   void write(std::uint32_t address, std::uint32_t value);
@@ -26,6 +27,8 @@ class FakeChip {
 
   // Timer or serial line end the processor's sleep.
   bool wakes() const;
+  // When the timer does.
+  std::uint64_t alarm() const;
 
   // The serial line, from the host's side.
   std::deque<char> to_firmware;

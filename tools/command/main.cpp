@@ -12,6 +12,7 @@
 #include "tools/command/build.hpp"
 #include "tools/command/debug_job.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/fuzz_job.hpp"
 #include "tools/command/load_job.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/print_job.hpp"
@@ -40,6 +41,7 @@ struct Jobs {
   synthesis::Options synth;
   BenchOptions bench;
   DebugOptions debug;
+  FuzzOptions fuzz;
   std::vector<std::string> labels;
 };
 
@@ -249,6 +251,26 @@ void add_debug(CLI::App& app, DebugOptions& options) {
       "usage.");
 }
 
+void add_fuzz(CLI::App& app, FuzzOptions& options) {
+  CLI::App& job = *app.add_subcommand(
+      "fuzz",
+      "Run the fuzz targets (tests/fuzz) for long; `test fuzz` runs each for some seconds.");
+  job.add_option("targets", options.targets, "boot_loader, firmware, host_link, ...; default: all")
+      ->type_name("TARGET...");
+  job.add_option("--executions", options.executions, "inputs of each target")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  job.add_option("--seed", options.seed, "of the mutations; 0: another one each time")
+      ->capture_default_str();
+  job.add_flag("--minimise", options.minimise,
+               "then keep in tests/fuzz/corpus the fewest inputs that go wherever all go");
+  job.footer(
+      "New inputs are kept in <build>/fuzz/corpus/TARGET, from where the next run goes on; one "
+      "that\n"
+      "violates a property in <build>/fuzz/findings. Exit status: 0 none does, 1 one does, 2 bad "
+      "usage.");
+}
+
 // Waveforms and the debug port need other builds of the chip's model, which slow nothing else down.
 [[noreturn]] void become_other_program(const std::string& name, const char* model, int count,
                                        char** arguments) {
@@ -289,6 +311,9 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("bench")) {
     return bench(jobs.bench);
   }
+  if (app.got_subcommand("fuzz")) {
+    return fuzz(jobs.fuzz);
+  }
   if (app.got_subcommand("test")) {
     return test(jobs.labels);
   }
@@ -315,8 +340,9 @@ int run_command(int count, char** arguments) {
   add_run(app, jobs.run);
   add_load(app, jobs.load);
   app.add_subcommand("test", "Build everything and run all tests, or those of some labels.")
-      ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, ...")
+      ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, fuzz, ...")
       ->type_name("LABEL...");
+  add_fuzz(app, jobs.fuzz);
   proof::add_options(
       *app.add_subcommand("prove", "Try the formal proofs, and that each of them bites."),
       jobs.prove);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a fuzz target says that something which must always hold does not: the input is kept, and the
+// sentence stands above it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace fuzz {
+
+template <class... Arguments>
+[[noreturn]] void fail(fmt::format_string<Arguments...> sentence, Arguments&&... arguments) {
+  fmt::print(stderr, "property violated: {}\n",
+             fmt::format(sentence, std::forward<Arguments>(arguments)...));
+  std::abort();
+}
+
+template <class... Arguments>
+void require(bool holds, fmt::format_string<Arguments...> sentence, Arguments&&... arguments) {
+  if (!holds) fail(sentence, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace fuzz
