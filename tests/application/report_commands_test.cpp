@@ -171,6 +171,34 @@ TEST(report_commands, says_what_m118_is_given) {
   )");
 }
 
+// A host would take it for one, and count one line too many as done.
+TEST(report_commands, says_no_text_that_reads_as_an_answer) {
+  Printer printer;
+  printer.talk(R"(
+    -> M118 ok T:20
+    <- echo:ok T:20
+    <- ok
+    -> M118 Resend: 3
+    <- echo:Resend: 3
+    <- ok
+    -> M118 rs 3
+    <- echo:rs 3
+    <- ok
+    -> M118 OK
+    <- echo:OK
+    <- ok
+    -> M118 START
+    <- echo:START
+    <- ok
+    -> M118 A1 ok
+    <- //ok
+    <- ok
+    -> M118 o
+    <- o
+    <- ok
+  )");
+}
+
 TEST(report_commands, asks_the_host_to_pause_resume_or_cancel) {
   Printer printer;
   printer.talk(R"(
