@@ -23,6 +23,17 @@ constexpr std::array<host_link::Capability, 10> capabilities{
 
 constexpr std::array<std::string_view, 3> end_stop_names{"x_min", "y_min", "z_min"};
 
+// By what a host knows answers; in a message it would be one too many, or send the print back.
+bool reads_as_answer(std::string_view text) {
+  const auto begins_with = [text](std::string_view word) {
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      if (i == text.size() || (text[i] | 0x20) != word[i]) return false;
+    }
+    return true;
+  };
+  return begins_with("ok") || begins_with("resend") || begins_with("rs ") || begins_with("start");
+}
+
 }  // namespace
 
 // The first conversions take some 100 ms; before them a temperature would be 0.
@@ -111,7 +122,7 @@ CommandExecutor::Progress CommandExecutor::say_text() {
     }
   }
   host_link::TextLine line;
-  if (echo) line.text("echo:");
+  if (echo || (!action && reads_as_answer(text))) line.text("echo:");
   if (action) line.text("//");
   return say(line.text(text));
 }
