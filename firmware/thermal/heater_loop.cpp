@@ -38,7 +38,8 @@ void HeaterLoop::watch_plausibility(const Temperature& measured, units::Millisec
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
   using Finding = Plausibility::Finding;
   switch (plausibility_.update(measured ? std::optional(*measured) : std::nullopt, duty_,
-                               target_ != off, cooling_, elapsed)) {
+                               target_ != off ? std::optional(target_) : std::nullopt, cooling_,
+                               elapsed)) {
     case Finding::none:
       break;
     case Finding::heat_missing:
@@ -74,7 +75,8 @@ Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
   if (fault_ || target_ == off) return 0;
   arrival_.update(target_, measured, now);
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
-  const Duty duty = controller_.update(target_, measured, elapsed);
+  const Duty duty =
+      controller_.update(target_, measured - plausibility_.expected_answer(), elapsed);
   const bool settled =
       protection_.holding() && std::clamp(measured, target_ - near, target_ + near) == measured;
   return plausibility_.probe(settled, duty);

@@ -3,6 +3,7 @@
 #include "thermal/plausibility.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "thermal/low_pass.hpp"
 
@@ -20,11 +21,18 @@ constexpr std::int32_t sag = 5, wind = 30, filament = 15, offset = 2;
 constexpr std::int32_t ruled_out_milliseconds = 600'000;
 // After so long without heat another sock, plate or block may be mounted.
 constexpr std::int32_t forget_milliseconds = 120'000;
-// No single window finds a fault, for a disturbed conversion may be in it: each adds at most so
-// much of the limit, in percent.
-constexpr std::int32_t window_part = 60;
+// A heater that does not hold its target in draught with so much power left, in percent, is none,
+// unless the nominal one does not either.
+constexpr std::int32_t reserve = 20;
+// In mK: what no model explains is cut, so that no product exceeds 31 bits.
+constexpr std::int32_t most_in_window = 1'000'000;
+// Heat of so much of full power, in percent, is no cause to look for more.
+constexpr std::int32_t most_watched = 75;
 // In percent of the limit for heat that is missing.
-constexpr std::int32_t unasked_part = 60;
+constexpr std::int32_t unasked_part_at_target = 12, unasked_part_off = 60;
+// The sun, an enclosure or the other heater warm more slowly than that the limit is reached in this
+// time.
+constexpr std::int32_t neighbour_milliseconds = 60'000;
 
 // Part of the nominal value at one of `last` + 1 steps from `least` to `most` percent, with nearly
 // equal ratios: the mean of arithmetic and harmonic steps. 10 fractional bits.
@@ -34,90 +42,127 @@ constexpr std::int32_t factor(std::int32_t least, std::int32_t most, int step, i
       least * most / 100 * last * 1'024 / (most * (last - step) + least * step);
   return (arithmetic + harmonic) / 2;
 }
+constexpr std::int32_t nominal = 1'024;  // such a part
 static_assert(factor(50, 200, 0, 2) == 512 && factor(50, 200, 2, 2) == 2'048);
 static_assert(factor(50, 200, 1, 2) == (1'280 + 819) / 2);
+
+// mK/s at this temperature, of millionths per second.
+std::int32_t slope_lost(std::int32_t millicelsius, std::int32_t loss) {
+  return std::max<std::int32_t>(millicelsius - surroundings.count(), 0) / 16 * loss / 62'500;
+}
 
 }  // namespace
 
 Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> measured, Duty duty,
-                                           bool wanted, const Cooling& cooling,
-                                           units::Milliseconds elapsed) {
+                                           std::optional<units::Millicelsius> target,
+                                           const Cooling& cooling, units::Milliseconds elapsed) {
   if (model_->rise == 0) return Finding::none;
+  const bool wanted = target.has_value();
   const bool gap = !measured || elapsed > longest_gap || elapsed.count() <= 0;
   const auto milliseconds =
       static_cast<std::int32_t>(std::clamp(elapsed, units::Milliseconds(0), longest_gap).count());
   arriving_ = low_pass(arriving_, duty * duty_scale, model_->heater_lag, milliseconds);
   felt_ = low_pass(felt_, arriving_, model_->sensor_lag, milliseconds);
+  probe_.follow(milliseconds);
+  if (cooling.fan != fan_) probe_.disturb();
+  fan_ = cooling.fan;
   idle_ = idle_ && duty == 0;
   resting_ = wanted ? 0 : std::min(resting_ + milliseconds, forget_milliseconds);
   if (resting_ == forget_milliseconds) heaters_.fill({});
   if (gap) {
+    raw_windows_ = 0;
     before_.reset();
     begin_window();
     return Finding::none;
   }
   sum_.celsius += measured->count();
+  lowest_ = std::min(lowest_, measured->count());
+  highest_ = std::max(highest_, measured->count());
   sum_.duty += felt_ / duty_scale;
   sum_.milliseconds += milliseconds;
   ++updates_;
   if (sum_.milliseconds < static_cast<std::int32_t>(model_->window.count())) return Finding::none;
-  const Window now{sum_.celsius / updates_, sum_.duty / updates_, sum_.milliseconds};
+  noise_ = std::max(highest_ - lowest_, noise_ - noise_ / 8);
+  // Without the lowest and the highest, one of which may be disturbed.
+  const std::int32_t celsius =
+      updates_ > 2 ? (sum_.celsius - lowest_ - highest_) / (updates_ - 2) : sum_.celsius / updates_;
+  const Window raw{celsius, sum_.duty / updates_, sum_.milliseconds};
+  const Finding finding = compare(raw, target, cooling);
+  raw_ = {raw_[1], raw};
+  raw_windows_ = std::min(raw_windows_ + 1, 2);
+  begin_window();
+  return finding;
+}
+
+Plausibility::Finding Plausibility::compare(const Window& raw,
+                                            std::optional<units::Millicelsius> target,
+                                            const Cooling& cooling) {
+  const bool frozen = probe_.is_unanswered(
+      raw.celsius, slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
+  if (raw_windows_ < 2) return Finding::none;
+  // One window with a disturbed conversion is no middle one.
+  const auto [first, second] = raw_;
+  const auto [lower, upper] = std::minmax(first.celsius, second.celsius);
+  const Window now{std::clamp(raw.celsius, lower, upper), second.duty, second.milliseconds};
   Finding finding = Finding::none;
   if (before_) {
     const Slopes slopes = slopes_until(now, cooling);
-    if (is_heat_unasked(slopes, now.milliseconds)) {
+    if (is_heat_unasked(slopes, target.has_value(), now.milliseconds)) {
       finding = Finding::heat_unasked;
-    } else if (wanted && is_heat_missing(slopes, now.milliseconds)) {
+    } else if (target && is_heat_missing(slopes, *target, now.milliseconds)) {
       finding = Finding::heat_missing;
     }
   }
-  if (finding == Finding::none && probe_.is_unanswered(now.celsius)) {
-    finding = Finding::sensor_frozen;
-  }
+  if (finding == Finding::none && frozen) finding = Finding::sensor_frozen;
   before_ = now;
-  begin_window();
   return finding;
 }
 
 void Plausibility::begin_window() {
   sum_ = {};
   updates_ = 0;
+  lowest_ = std::numeric_limits<std::int32_t>::max();
+  highest_ = std::numeric_limits<std::int32_t>::min();
   idle_ = true;
 }
 
-// From the middle of one window to the middle of the next. What no model explains is cut, so that
-// no product below exceeds 31 bits.
+std::int32_t Plausibility::filament_loss(const Cooling& cooling) const {
+  return model_->filament_loss * (cooling.filament.count() / 64) / 16;
+}
+
+// From the middle of one window to the middle of the next.
 Plausibility::Slopes Plausibility::slopes_until(const Window& now, const Cooling& cooling) const {
   const std::int32_t milliseconds = (before_->milliseconds + now.milliseconds) / 2;
-  const std::int32_t above =
-      std::max<std::int32_t>((before_->celsius + now.celsius) / 2 - surroundings.count(), 0) / 16;
-  // Of millionths per second.
-  const auto lost = [above](std::int32_t loss) { return above * loss / 62'500; };
-  const std::int32_t steepest = 4 * model_->rise;
+  const std::int32_t celsius = (before_->celsius + now.celsius) / 2;
+  const std::int32_t steepest = most_in_window / milliseconds * 1'000;
   return {.measured = std::clamp((now.celsius - before_->celsius) * 1'000 / milliseconds, -steepest,
                                  steepest),
           .heating = model_->rise * ((before_->duty + now.duty) / 2) / full_duty,
-          .still = lost(model_->loss),
-          .blown = lost(model_->fan_loss * cooling.fan / 255),
-          .melted = lost(model_->filament_loss * (cooling.filament.count() / 64) / 16)};
+          .still = slope_lost(celsius, model_->loss),
+          .blown = slope_lost(celsius, model_->fan_loss * cooling.fan / 255),
+          .melted = slope_lost(celsius, filament_loss(cooling))};
 }
 
-// How fast it should cool down does not matter here.
-bool Plausibility::is_heat_unasked(const Slopes& slopes, std::int32_t milliseconds) {
-  if (!idle_) {
+// How fast it should cool down does not matter here. What rises while the duty goes down counts,
+// for a controller takes its time; but what is found is a fault only with the duty at 0.
+bool Plausibility::is_heat_unasked(const Slopes& slopes, bool wanted, std::int32_t milliseconds) {
+  if (slopes.heating > model_->rise * most_watched / 100) {
     unasked_ = 0;
     return false;
   }
   const std::int32_t explained =
       (model_->rise * offset + slopes.heating * model_->most_power) / 100;
-  const std::int32_t limit = model_->missing_limit.count() * unasked_part / 100;
-  const std::int32_t change = (slopes.measured - explained) * milliseconds / 1'000;
-  unasked_ = std::clamp<std::int32_t>(unasked_ + std::min(change, limit * window_part / 100), 0,
-                                      2 * limit);
-  return unasked_ > limit;
+  const std::int32_t limit =
+      model_->missing_limit.count() * (wanted ? unasked_part_at_target : unasked_part_off) / 100 +
+      noise_ / 2;
+  const std::int32_t change = (slopes.measured - explained) * milliseconds / 1'000 -
+                              unasked_ * milliseconds / neighbour_milliseconds;
+  unasked_ = std::clamp<std::int32_t>(unasked_ + change, 0, model_->missing_limit.count());
+  return idle_ && unasked_ > limit;
 }
 
-bool Plausibility::is_heat_missing(const Slopes& slopes, std::int32_t milliseconds) {
+bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius target,
+                                   std::int32_t milliseconds) {
   const auto in_window = [milliseconds](std::int32_t slope) {
     return slope * milliseconds / 1'000;
   };
@@ -136,23 +181,28 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, std::int32_t millisecon
     if (sum > limit) {
       sum = static_cast<std::int16_t>(change > 0 ? 2 * limit : sum - comes_back);
     } else {
-      const std::int32_t added =
-          std::max<std::int32_t>(sum + std::min(change, limit * window_part / 100), 0);
+      const std::int32_t added = std::max<std::int32_t>(sum + change, 0);
       sum = static_cast<std::int16_t>(added > limit ? 2 * limit : added);
     }
     return sum > limit;
   };
-  std::array<std::int32_t, steps> least_cools{}, most_cools{};
+  std::array<std::int32_t, steps> least_cools{}, most_cools{}, needed{}, parts{};
+  // To hold the target in the most draught, with the reserve.
+  const std::int32_t nominal_needed = slope_lost(target.count(), model_->loss) *
+                                      (100 + model_->draught) / 100 * (100 + reserve) / 100;
   for (int loss = 0; loss < steps; ++loss) {
     const std::int32_t part = factor(model_->least_loss, model_->most_loss, loss, steps - 1);
     const auto index = static_cast<std::size_t>(loss);
     least_cools[index] = least_lost * part / 1'024;
     most_cools[index] = most_lost * part / 1'024;
+    needed[index] = nominal_needed * part / 1'024;
+    parts[index] = part;
   }
   bool explained = false;
   for (int power = 0; power < steps; ++power) {
-    const std::int32_t warms =
-        heating * factor(model_->least_power, model_->most_power, power, steps - 1) / 1'024;
+    const std::int32_t part = factor(model_->least_power, model_->most_power, power, steps - 1);
+    const std::int32_t warms = heating * part / 1'024;
+    const std::int32_t full = model_->rise * part / 1'024 * (100 - sag) / 100;
     const std::int32_t most_missing = warms * (100 - sag) / 100 - spread - measured;
     const std::int32_t most_surplus = measured - warms - spread;
     for (int loss = 0; loss < steps; ++loss) {
@@ -162,7 +212,8 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, std::int32_t millisecon
       const bool is_too_weak = rules_out(against.surplus, most_surplus + least_cools[index]);
       // A heater stronger than any that is described is no danger that this could find.
       const bool strongest = power == steps - 1 && loss == 0;
-      explained = explained || (!is_too_strong && (!is_too_weak || strongest));
+      const bool holds = full >= needed[index] || (part >= nominal && parts[index] <= nominal);
+      explained = explained || (holds && !is_too_strong && (!is_too_weak || strongest));
     }
   }
   return !explained;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "thermal/controller.hpp"
@@ -21,8 +22,10 @@ namespace thermal {
 // measured, beyond draught and sag (parameter set estimation: Milanese, Vicino, Automatica 27,
 // 1991). Each has a sum of the rise that is missing, and one of the rise that it cannot explain; a
 // sum above the limit rules it out for ten minutes. No heater left: the sensor does not show what
-// is heated. With the duty at 0 whatever rises more than the heat that is still on its way explains
-// is summed up too.
+// is heated. What rises more than the strongest heater explains, cooling or not, is summed up too,
+// and is unasked for if the duty is 0 when the sum is above its limit. A window's mean leaves out
+// its lowest and its highest conversion, and of three windows the middle one counts: a disturbed
+// conversion is none, but a reading that jumps and stays is.
 class Plausibility {
  public:
   enum class Finding : std::uint8_t { none, heat_missing, heat_unasked, sensor_frozen };
@@ -31,12 +34,15 @@ class Plausibility {
   explicit constexpr Plausibility(const HeaterModel& model) : model_(&model), probe_(model) {}
 
   // Every 100 ms or so. `duty` is what the heater was given since the last call, `elapsed` ago. No
-  // temperature where the conversion has failed. Not `wanted`: the heater is off, and may cool down
-  // as it likes.
-  Finding update(std::optional<units::Millicelsius> measured, Duty duty, bool wanted,
-                 const Cooling& cooling, units::Milliseconds elapsed);
+  // temperature where the conversion has failed. Without a target the heater is off, and may cool
+  // down as it likes.
+  Finding update(std::optional<units::Millicelsius> measured, Duty duty,
+                 std::optional<units::Millicelsius> target, const Cooling& cooling,
+                 units::Milliseconds elapsed);
   // `duty` with the probe's rhythm.
   Duty probe(bool settled, Duty duty) { return probe_.modulate(settled, duty); }
+  // What the rhythm adds to the temperature: the controller must not work against it.
+  units::Millicelsius expected_answer() const { return probe_.expected_answer(); }
 
  private:
   static constexpr int steps = 9;  // of the grid, in both directions
@@ -62,21 +68,30 @@ class Plausibility {
   };
 
   void begin_window();
+  Finding compare(const Window& raw, std::optional<units::Millicelsius> target,
+                  const Cooling& cooling);
+  std::int32_t filament_loss(const Cooling& cooling) const;
   Slopes slopes_until(const Window& now, const Cooling& cooling) const;
-  bool is_heat_missing(const Slopes& slopes, std::int32_t milliseconds);
-  bool is_heat_unasked(const Slopes& slopes, std::int32_t milliseconds);
+  bool is_heat_missing(const Slopes& slopes, units::Millicelsius target, std::int32_t milliseconds);
+  bool is_heat_unasked(const Slopes& slopes, bool wanted, std::int32_t milliseconds);
 
   const HeaterModel* model_;
   Probe probe_;
   std::array<Evidence, static_cast<std::size_t>(steps* steps)> heaters_{};
   std::int32_t arriving_ = 0, felt_ = 0;  // duty after one lag and after both, 4 fractional bits
   std::int32_t unasked_ = 0;  // mK
+  std::int32_t noise_ = 0;  // mK from end to end, of the last windows
+  std::uint8_t fan_ = 0;
   // Sums of the window under way, and how many updates it has.
   Window sum_{};
   std::int32_t updates_ = 0;
+  std::int32_t lowest_ = std::numeric_limits<std::int32_t>::max();  // thousandths of a degree
+  std::int32_t highest_ = std::numeric_limits<std::int32_t>::min();
   std::int32_t resting_ = 0;  // ms since heat was wanted
   bool idle_ = true;  // the duty is 0 in this window
-  std::optional<Window> before_;
+  std::array<Window, 2> raw_{};  // the latest
+  int raw_windows_ = 0;
+  std::optional<Window> before_;  // the middle of three
 };
 
 }  // namespace thermal

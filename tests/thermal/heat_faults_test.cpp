@@ -73,7 +73,7 @@ TEST(hotend_faults, finds_a_bead_that_freezes_half_way) {
 
 TEST(hotend_faults, finds_a_bead_that_freezes_at_the_target) {
   Bench bench(tests::described_hotend(), hotend_settings(), 8e6, 20);
-  expect_found(find(bench, 205, 300, held_for(30), bead(BeadFault::frozen)), 90, 235);
+  expect_found(find(bench, 205, 300, held_for(30), bead(BeadFault::frozen)), 30, 210);
 }
 
 TEST(hotend_faults, finds_a_bead_that_drifts) {
@@ -93,7 +93,7 @@ TEST(hotend_faults, finds_a_heater_that_sticks) {
 
 TEST(bed_faults, finds_a_heater_that_sticks) {
   Bench bench(tests::described_bed(), bed_settings(), 8e6, 16);
-  expect_found(find(bench, 60, 600, held_for(60), stick), 90, 70);
+  expect_found(find(bench, 60, 600, held_for(60), stick), 20, 63);
 }
 
 TEST(bed_faults, finds_a_bead_that_freezes_while_it_heats_up) {
@@ -106,7 +106,7 @@ TEST(bed_faults, finds_a_bead_that_freezes_while_it_heats_up) {
 
 TEST(bed_faults, finds_a_bead_that_freezes_at_the_target) {
   Bench bench(tests::described_bed(), bed_settings(), 8e6, 21);
-  expect_found(find(bench, 60, 1'500, held_for(120), bead(BeadFault::frozen)), 400, 75);
+  expect_found(find(bench, 60, 1'500, held_for(120), bead(BeadFault::frozen)), 75, 62);
 }
 
 TEST(bed_faults, finds_a_bead_that_drifts) {

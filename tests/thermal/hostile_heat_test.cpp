@@ -102,6 +102,16 @@ TEST(hidden_faults, a_bead_that_drifts) {
   expect_found(break_while_holding(Part::bed, 600, drift), 20, 62);
 }
 
+// See the README: slow drifts are found late.
+TEST(hidden_faults, a_bead_that_drifts_slowly) {
+  const auto slow = [](Rig& rig) { rig.drift(0.5); };
+  expect_found(break_while_holding(Part::hotend, 300, slow), 80, 245);
+  expect_found(break_while_holding(Part::bed, 600, slow), 20, 62);
+  const auto slower = [](Rig& rig) { rig.drift(0.2); };
+  expect_found(break_while_holding(Part::hotend, 900, slower), 450, 295);
+  expect_found(break_while_holding(Part::bed, 600, slower), 40, 65);
+}
+
 TEST(hidden_faults, a_heater_that_sticks_on) {
   const auto stick = [](Rig& rig) { rig.stuck_at = 1; };
   expect_found(break_while_holding(Part::hotend, 300, stick), 10, 220);
@@ -158,7 +168,7 @@ void expect_harmless(Part part, double target, double at_most_above) {
 
 TEST(described_heaters, stay_near_the_target_while_a_frozen_bead_is_looked_for) {
   expect_harmless(Part::hotend, hotend_target, 8);
-  expect_harmless(Part::bed, bed_target, 2);
+  expect_harmless(Part::bed, bed_target, 4);
 }
 
 // What a script does, half an hour long, must neither end the heat nor unsettle it.

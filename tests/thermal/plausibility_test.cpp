@@ -21,8 +21,9 @@ struct Compared : testing::Test {
   Finding run(double slope, double seconds, thermal::Duty duty) {
     for (double t = 0; t < seconds; t += 0.1) {
       degrees += slope / 10;
-      const Finding finding =
-          plausibility.update(celsius(degrees), duty, duty != 0, {}, units::Milliseconds(100));
+      const Finding finding = plausibility.update(
+          celsius(degrees), duty, duty != 0 ? std::optional(celsius(205)) : std::nullopt, {},
+          units::Milliseconds(100));
       if (finding != Finding::none) return finding;
     }
     return Finding::none;
@@ -54,7 +55,7 @@ TEST_F(Compared, finds_heat_that_goes_missing) {
 TEST_F(Compared, bears_a_single_wild_conversion) {
   EXPECT_EQ(run(0, 20, 0), Finding::none);
   for (const double wild : {-60.0, 60.0}) {
-    plausibility.update(celsius(degrees + wild), 0, false, {}, units::Milliseconds(100));
+    plausibility.update(celsius(degrees + wild), 0, std::nullopt, {}, units::Milliseconds(100));
     EXPECT_EQ(run(0, 20, 0), Finding::none) << wild;
   }
 }
@@ -62,7 +63,8 @@ TEST_F(Compared, bears_a_single_wild_conversion) {
 TEST_F(Compared, says_nothing_of_a_heater_that_is_not_described) {
   Plausibility blind{thermal::no_heater_model};
   for (int i = 0; i < 1'000; ++i) {
-    EXPECT_EQ(blind.update(celsius(25 + i), 0, false, {}, units::Milliseconds(100)), Finding::none);
+    EXPECT_EQ(blind.update(celsius(25 + i), 0, std::nullopt, {}, units::Milliseconds(100)),
+              Finding::none);
   }
 }
 
