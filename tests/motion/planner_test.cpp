@@ -175,25 +175,38 @@ TEST(planner, hands_over_no_more_than_the_horizon_needs) {
   EXPECT_LE(segments, 6);
 }
 
+// Solves ticks = rate * t + acceleration / 2 * t^2.
+double microseconds_of(const motion::Segment& segment, double clock_hz) {
+  const double rate = std::ldexp(static_cast<double>(segment.rate), -64);
+  const double acceleration = std::ldexp(static_cast<double>(segment.acceleration), -84);
+  const double end_rate = std::sqrt(std::max(rate * rate + 2 * acceleration * segment.ticks, 0.0));
+  return 2 * segment.ticks / (rate + end_rate) / clock_hz * 1e6;
+}
+
 // Handed over, the lines in which it would brake at the end of the ring could not become faster.
 TEST(planner, hands_over_no_more_than_it_keeps_to_plan_with) {
-  motion::StepTiming timing = motion_test::timing(50'000'000);
+  constexpr int clock_hz = 50'000'000;
+  motion::StepTiming timing = motion_test::timing(clock_hz);
   timing.longest_pass = Microseconds(3'000);
   motion::Planner planner(mendel(), timing);
-  std::int64_t x = 0;
-  const auto fill = [&] {
-    while (planner.has_room()) ASSERT_TRUE(planner.append(to(x += 50'000, 0, 0, 0, 50'000), {}));
+  for (std::int64_t x = 50'000; planner.has_room(); x += 50'000) {
+    ASSERT_TRUE(planner.append(to(x, 0, 0, 0, 50'000), {}));  // 1 ms each at that speed
+  }
+  double handed_over = 0;
+  const auto hand_over = [&](int ms) {
+    while (const auto segment = planner.next_segment(Microseconds(1'000 * ms))) {
+      handed_over += microseconds_of(*segment, clock_hz);
+    }
   };
-  fill();  // 1 ms each at that speed
-  int segments = 0;
-  while (planner.next_segment({})) ++segments;
-  EXPECT_GE(segments, 5);
+  hand_over(0);
+  EXPECT_GT(handed_over, timing.longest_pass.count());
   EXPECT_GE(planner.lines(), motion::Planner::capacity / 2 - 2);
   // With little left, what a pass of the program needs.
-  for (int ms = 0; ms < 100; ms += 3) {
-    while (planner.next_segment(Microseconds(ms * 1'000))) ++segments;
-    EXPECT_TRUE(planner.empty() || segments >= ms + 3) << ms;
+  for (int ms = 0; ms < 150; ms += 3) {
+    hand_over(ms);
+    EXPECT_TRUE(planner.empty() || handed_over >= 1'000 * ms + 2'990) << ms;
   }
+  EXPECT_TRUE(planner.empty());
 }
 
 TEST(planner, collects_moves_of_less_than_a_step) {

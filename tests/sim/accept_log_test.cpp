@@ -25,7 +25,7 @@ constexpr std::uint32_t ring = tests::FakeChip::memory_start + 0x1000;
 class Firmware {
  public:
   void start() {
-    set(0, 2);
+    set(0, 3);
     set(12, ring);
   }
   void accept(const std::string& text, std::optional<std::int32_t> number) {
@@ -43,13 +43,14 @@ class Firmware {
     set(3, ++accepted_);
   }
   void finish(bool executed) { executed ? set(1, ++executed_) : set(2, ++refused_); }
+  void withdraw() { set(13, ++withdrawn_); }
   void set(std::uint32_t word, std::uint32_t value) { chip.write_memory(block + 4 * word, value); }
 
   tests::FakeChip chip;
   sim::ElfImage image{.segments = {}, .sizes = {}, .entry = 0, .symbols = {{"statistics", block}}};
 
  private:
-  std::uint32_t accepted_ = 0, executed_ = 0, refused_ = 0;
+  std::uint32_t accepted_ = 0, executed_ = 0, refused_ = 0, withdrawn_ = 0;
 };
 
 TEST(FirmwareWatch, tells_every_accepted_line_once_and_in_order) {
@@ -75,6 +76,26 @@ TEST(FirmwareWatch, tells_every_accepted_line_once_and_in_order) {
     expected += "-\tM105\n";
   }
   EXPECT_EQ(log, expected);
+}
+
+TEST(FirmwareWatch, passes_on_each_line_that_is_asked_for_again) {
+  Firmware firmware;
+  report::FirmwareWatch watch(firmware.image, firmware.chip);
+  int finished = 0;
+  int withdrawn = 0;
+  watch.on_finished = [&](sim::Clock, bool) { ++finished; };
+  watch.on_withdrawn = [&](sim::Clock) { ++withdrawn; };
+  watch.wake(1000);
+  firmware.start();
+  watch.wake(2000);
+  firmware.accept("G1 X10", 1);
+  firmware.accept("G1 X", 2);
+  watch.wake(3000);
+  firmware.finish(true);
+  firmware.withdraw();
+  watch.wake(4000);
+  EXPECT_EQ(finished, 1);
+  EXPECT_EQ(withdrawn, 1);
 }
 
 TEST(FirmwareWatch, counts_from_0_where_the_firmware_starts_again) {
