@@ -154,6 +154,14 @@ TEST(bench, link_measures_lines_and_their_answers) {
   }
   for (const auto& row : figures["arc_of_1200_segments"])
     EXPECT_GT(row["motion_seconds"], 0) << row;
+  EXPECT_EQ(figures["behind_a_waiting_move"].size(), 4u);
+  for (const auto& row : figures["behind_a_waiting_move"]) {
+    EXPECT_GT(row["mean_answer_us"], 0) << row;
+    EXPECT_GT(row["mean_stop_us"], 0) << row;
+    if (row["clock_hz"] == 4'000'000) continue;
+    // Neither a number nor what waits delays a stop.
+    EXPECT_LT(row["longest_stop_us"], 1'000) << row;
+  }
 }
 
 TEST(bench, model_tells_how_fast_it_runs_and_what_resting_blocks_bring) {

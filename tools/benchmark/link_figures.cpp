@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "tools/benchmark/urgent_run.hpp"
 
 namespace benchmarks {
 
@@ -54,19 +58,22 @@ Lines short_lines(bool quick) {
 }
 
 // As in the planner's tests (tests/motion): an arc of radius 20 mm, F12000, 3000 mm/s^2.
-Lines arc(bool quick) {
+std::vector<std::string> arc_commands(int segments) {
   constexpr double radius_mm = 20, segment_mm = 0.2;
-  const int segments = quick ? 100 : 1200;
-  NumberedLines lines;
-  lines.add("M204 P3000 T3000");
-  lines.add("G1 F12000");
-  const std::size_t first = lines.lines().size();
+  std::vector<std::string> commands{"M204 P3000 T3000", "G1 F12000"};
   for (int i = 1; i <= segments; ++i) {
     const double angle = i * segment_mm / radius_mm;
-    lines.add(fmt::format("G1 X{:.3f} Y{:.3f}", radius_mm * std::sin(angle),
-                          radius_mm * (1 - std::cos(angle))));
+    commands.push_back(fmt::format("G1 X{:.3f} Y{:.3f}", radius_mm * std::sin(angle),
+                                   radius_mm * (1 - std::cos(angle))));
   }
+  return commands;
+}
+
+Lines arc(bool quick) {
+  NumberedLines lines;
+  for (const std::string& command : arc_commands(quick ? 100 : 1200)) lines.add(command);
   lines.add("M400");
+  constexpr std::size_t first = 3;  // M110, M204, G1 F
   return {.lines = lines.lines(), .first_measured = first};
 }
 
@@ -101,6 +108,62 @@ class Measurement {
   const LinkScope& scope_;
   const std::function<void(const std::string&)>& say_;
 };
+
+// The job is the arc, of which lines always wait.
+UrgentFigure measure_urgent(const LinkScope& scope, std::uint32_t clock_hz, bool numbered) {
+  constexpr std::size_t questions = 60, quick_questions = 5, runs = 5, quick_runs = 1;
+  const auto& [baud, firmware] = *scope.firmware.begin();
+  std::vector<std::string> lines = arc_commands(1200);
+  lines.insert(lines.begin(), "G4 P800");  // until there are temperatures
+  UrgentOrder order{.lines = lines,
+                    .questions = scope.quick ? quick_questions : questions,
+                    .numbered = numbered,
+                    .clock_hz = clock_hz,
+                    .baud = baud};
+  UrgentFigure figure{.clock_hz = clock_hz, .numbered = numbered};
+  std::vector<double> answers, stops;
+  for (std::size_t i = 0; i < (scope.quick ? quick_runs : runs); ++i) {
+    order.seed = i + 1;
+    const UrgentRun run = run_urgent(firmware, scope.machine, order, scope.look);
+    answers.insert(answers.end(), run.answers_us.begin(), run.answers_us.end());
+    stops.push_back(run.stop_us);
+    order.questions = quick_questions;  // more of M112
+  }
+  const auto mean = [](const std::vector<double>& times) {
+    return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
+  };
+  figure.mean_answer_us = mean(answers);
+  figure.longest_answer_us = *std::ranges::max_element(answers);
+  figure.mean_stop_us = mean(stops);
+  figure.longest_stop_us = *std::ranges::max_element(stops);
+  return figure;
+}
+
+nlohmann::ordered_json json_of(const std::vector<UrgentFigure>& figures) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const UrgentFigure& figure : figures) {
+    json.push_back({{"clock_hz", figure.clock_hz},
+                    {"numbered", figure.numbered},
+                    {"mean_answer_us", figure.mean_answer_us},
+                    {"longest_answer_us", figure.longest_answer_us},
+                    {"mean_stop_us", figure.mean_stop_us},
+                    {"longest_stop_us", figure.longest_stop_us}});
+  }
+  return json;
+}
+
+std::string rows_of(const std::vector<UrgentFigure>& figures) {
+  std::string table = fmt::format("{:<24} {:>4} {:>9} {:>20} {:>20}\n", "behind a waiting G1",
+                                  "MHz", "numbered", "M105 us, longest", "M112 us, longest");
+  for (const UrgentFigure& figure : figures) {
+    table +=
+        fmt::format("{:<24} {:>4} {:>9} {:>20} {:>20}\n", "", figure.clock_hz / 1'000'000,
+                    figure.numbered ? "yes" : "no",
+                    fmt::format("{:.0f}, {:.0f}", figure.mean_answer_us, figure.longest_answer_us),
+                    fmt::format("{:.0f}, {:.0f}", figure.mean_stop_us, figure.longest_stop_us));
+  }
+  return table;
+}
 
 nlohmann::ordered_json json_of(const std::vector<LinkFigure>& figures) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -152,6 +215,11 @@ LinkFigures measure_link(const LinkScope& scope,
                       window);
     }
     measurement.add(figures.arcs, "an arc of short segments", arc(scope.quick), clock_hz, 1);
+    for (const bool numbered : {false, true}) {
+      say(fmt::format("M105 and M112 at {} MHz, {} number", clock_hz / 1'000'000,
+                      numbered ? "with" : "without"));
+      figures.urgent.push_back(measure_urgent(scope, clock_hz, numbered));
+    }
   }
   return figures;
 }
@@ -160,14 +228,15 @@ std::string to_json(const LinkFigures& figures) {
   const nlohmann::ordered_json json{{"benchmark", "link"},
                                     {"lines_of_27_characters", json_of(figures.rates)},
                                     {"lines_of_8_characters", json_of(figures.short_lines)},
-                                    {"arc_of_1200_segments", json_of(figures.arcs)}};
+                                    {"arc_of_1200_segments", json_of(figures.arcs)},
+                                    {"behind_a_waiting_move", json_of(figures.urgent)}};
   return json.dump(2) + "\n";
 }
 
 std::string to_table(const LinkFigures& figures) {
   return rows_of("lines of 27 characters", figures.rates) +
          rows_of("lines of 8 characters", figures.short_lines) +
-         rows_of("arc of 1200 segments", figures.arcs);
+         rows_of("arc of 1200 segments", figures.arcs) + rows_of(figures.urgent);
 }
 
 }  // namespace benchmarks

@@ -28,10 +28,19 @@ struct LinkFigure {
   LinkRun run;
 };
 
+// Of what is urgent, while lines of a job wait.
+struct UrgentFigure {
+  std::uint32_t clock_hz{};
+  bool numbered{};
+  double mean_answer_us{}, longest_answer_us{};  // of M105
+  double mean_stop_us{}, longest_stop_us{};  // of M112
+};
+
 struct LinkFigures {
   std::vector<LinkFigure> rates;  // lines of 27 characters
   std::vector<LinkFigure> short_lines;  // of 8 characters, one in flight
   std::vector<LinkFigure> arcs;  // 1200 segments of 0.2 mm
+  std::vector<UrgentFigure> urgent;  // at the lowest baud rate
 };
 
 LinkFigures measure_link(const LinkScope& scope,
