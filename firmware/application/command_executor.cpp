@@ -2,6 +2,9 @@
 // Takes lines, finds the handler of each command, and sends the ok when it is done.
 #include "application/command_executor.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "host_link/replies.hpp"
 
 namespace application {
@@ -117,12 +120,15 @@ CommandExecutor::Progress CommandExecutor::proceed(Now now) {
       host_link::not_executed(gcode::describe(*parse_error_), parse_error_->position, text_));
 }
 
-// There is no card. What a host sends in order to store it is no print; M105 and M110 come from the
-// host itself.
+// There is no card. What a host sends in order to store it is no print; questions and M110 come
+// from the host itself.
 CommandExecutor::Progress CommandExecutor::refuse_without_card() { return refuse("No SD card"); }
 
 bool CommandExecutor::is_withheld() const {
-  return storing_ && !command_.is('M', 29) && !command_.is('M', 105) && !command_.is('M', 110);
+  constexpr std::array<std::uint16_t, 6> from_the_host_itself{29, 105, 110, 114, 115, 119};
+  return storing_ && std::ranges::none_of(from_the_host_itself, [this](std::uint16_t code) {
+           return command_.is('M', code);
+         });
 }
 
 CommandExecutor::Progress CommandExecutor::execute(Now now) {
@@ -189,6 +195,7 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
     case 84:
       return switch_motors(false);
     case 23:
+    case 32:
       file_refused_ = true;
       return refuse_without_card();
     case 24:
@@ -260,6 +267,8 @@ CommandExecutor::Progress CommandExecutor::execute_m(Now now) {
 
 CommandExecutor::Progress CommandExecutor::execute_setting() {
   switch (command_.code) {
+    case 808:
+      return refuse("No repeats, the lines behind it are executed once");
     case 86:
       return set_host_silence();
     case 92:
