@@ -62,7 +62,7 @@ class Cascade {
  public:
   Cascade(Judges& judges, Findings& findings) : judges_(judges), findings_(findings) {}
 
-  // `quick`: on its own benches and by comparison alone.
+  // `quick`: on its own and on short benches, and by comparison alone.
   MutantOutcome try_mutant(const Unit& unit, const Mutant& mutant, const fs::path& folder,
                            bool quick) {
     const auto start = std::chrono::steady_clock::now();
@@ -149,6 +149,23 @@ class Cascade {
         return;
       }
     }
+    // Short benches, which take less than a solver, comparison, proofs of the unit, long benches,
+    // proofs of what contains it.
+    std::vector<std::string> benches = judges_.other_benches(unit.name);
+    std::map<std::string, double> seconds;
+    for (const std::string& bench : benches) {
+      seconds[bench] = bench_seconds(bench, folder);
+    }
+    std::ranges::sort(benches, {}, [&seconds](const std::string& bench) { return seconds[bench]; });
+    constexpr double short_seconds = 5;
+    const auto is_decided_by_benches = [&](bool are_short) {
+      return std::ranges::any_of(benches, [&](const std::string& bench) {
+        return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
+      });
+    };
+    if (is_decided_by_benches(true)) {
+      return;
+    }
     if (takes(ask(judges_.key_of_comparison(variant),
                   [&] { return judges_.compare(variant, folder); }),
               outcome)) {
@@ -159,25 +176,12 @@ class Cascade {
     }
     const std::string comparison = outcome.by;
     const std::vector<Proof> proofs = judges_.proofs_of(unit.name);
-    // Short benches, proofs of the unit, long benches, proofs of what contains it.
-    std::vector<std::string> benches = judges_.other_benches(unit.name);
-    std::map<std::string, double> seconds;
-    for (const std::string& bench : benches) {
-      seconds[bench] = bench_seconds(bench, folder);
-    }
-    std::ranges::sort(benches, {}, [&seconds](const std::string& bench) { return seconds[bench]; });
-    constexpr double short_seconds = 5;
-    const auto is_killed_by_benches = [&](bool are_short) {
-      return std::ranges::any_of(benches, [&](const std::string& bench) {
-        return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
-      });
-    };
     const auto is_killed_by_proofs = [&](bool are_own) {
       return std::ranges::any_of(proofs, [&](const Proof& proof) {
         return (proof.entity == unit.name) == are_own && ask_proof(proof);
       });
     };
-    if (!is_killed_by_benches(true) && !is_killed_by_proofs(true) && !is_killed_by_benches(false) &&
+    if (!is_killed_by_proofs(true) && !is_decided_by_benches(false) &&
         !is_killed_by_proofs(false)) {
       outcome.by = comparison;
     }

@@ -30,7 +30,7 @@ struct MutantOutcome {
   Fate fate{};
   std::string by;  // what killed it, or how it was decided
   bool is_listed = false;  // as surviving
-  bool is_quick = false;  // tried on its own benches and by comparison alone
+  bool is_quick = false;  // tried on its own and on short benches, and by comparison
   double seconds{};
 };
 
@@ -53,8 +53,7 @@ struct CampaignOptions {
   int sample = 0;  // so many, chosen by the seed; 0: all
   std::optional<std::uint64_t> seed;  // without one it is made of the files' contents
   std::filesystem::path json;
-  bool quick =
-      false;  // only the benches of the file itself, and the comparison: to work on a bench
+  bool quick = false;  // only its own benches, short ones that contain it, and the comparison
   bool recorded = false;  // not those that testbench/proofs/mutants says were not tried
   bool record = false;  // write the outcomes into testbench/proofs/mutants
   unsigned jobs = 0;

@@ -121,7 +121,7 @@ namespace {
 // machine's.
 std::string recorded_by(const MutantOutcome& outcome) {
   if (outcome.fate == Fate::surviving) {
-    return outcome.is_quick ? "its own benches and the comparison" : "all judges";
+    return outcome.is_quick ? "its own and short benches, the comparison" : "all judges";
   }
   return outcome.fate == Fate::killed ? outcome.by : "";
 }

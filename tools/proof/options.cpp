@@ -10,7 +10,7 @@ void add_options(CLI::App& job, Options& options) {
   job.add_flag(
       "--quick", options.quick,
       "only the proofs that take seconds, and no mutations; of --mutants only the bench of the "
-      "file itself\nand the comparison of netlists");
+      "file itself,\nthose that take less than 5 s, and the comparison of netlists");
   auto* only = job.add_flag_callback(
       "--mutations", [&options] { options.proofs = false; },
       "only the mutations: faults put into a copy of the sources, each of which must be found");
