@@ -417,7 +417,10 @@ begin
       clocks(4);
       assert made.moving = '1' severity failure;
       wait_until_idle;
+      -- It rests all the same.
+      other := clocks_left_out;
       clocks(30);
+      assert clocks_left_out - other > 10 severity failure;
       start <= '0';
       clocks(30);
     end loop;
