@@ -9,7 +9,6 @@
 
 #include "drivers/registers/end_stops_registers.hpp"
 #include "drivers/registers/fan_registers.hpp"
-#include "drivers/registers/heater_control_registers.hpp"
 #include "drivers/registers/identity_registers.hpp"
 #include "drivers/registers/step_generator_registers.hpp"
 #include "drivers/registers/temperature_converter_registers.hpp"
@@ -162,7 +161,10 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
                         .tripped = heaters[i].tripped}
         .encode();
   }
-  if (address == heat::Supply::address) return heat::Supply{.closed = supply_closed()}.encode();
+  if (address == heat::Supply::address) {
+    supply_closed();
+    return supply_.encode();
+  }
   if (const std::size_t i = index_of<sense::Status>(address); i < heaters.size()) {
     using State = sense::Status::State;
     const auto state = time < first_reading     ? State::never
@@ -208,14 +210,23 @@ void FakeChip::feed(std::uint32_t key) {
 }
 
 bool FakeChip::supply_closed() {
-  for (const Heater& heater : heaters) supply_closed_ = supply_closed_ && !heater.tripped;
-  return supply_closed_;
+  for (const Heater& heater : heaters) {
+    if (supply_.closed && heater.tripped) open_supply(&heat::Supply::trip_opened);
+  }
+  return supply_.closed;
+}
+
+void FakeChip::open_supply(bool heat::Supply::* cause) {
+  supply_ = {};
+  if (cause != nullptr) supply_.*cause = true;
 }
 
 void FakeChip::switch_supply(std::uint32_t key) {
   using Key = heat::Supply::Key;
-  if (key == static_cast<std::uint32_t>(Key::close)) supply_closed_ = true;
-  if (key == static_cast<std::uint32_t>(Key::open)) supply_closed_ = false;
+  if (key == static_cast<std::uint32_t>(Key::close)) {
+    supply_ = {.closed = !supply_refuses, .refused = supply_refuses};
+  }
+  if (key == static_cast<std::uint32_t>(Key::open)) supply_.closed = false;
 }
 
 void FakeChip::command(std::uint32_t value) {

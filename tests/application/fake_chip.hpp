@@ -8,6 +8,8 @@
 #include <deque>
 #include <string>
 
+#include "drivers/registers/heater_control_registers.hpp"
+
 namespace application_test {
 
 inline constexpr std::uint32_t clock_hz = 8'000'000;
@@ -63,7 +65,9 @@ class FakeChip {
   std::uint32_t wrong_watchdog_feeds{};  // not the key that was due
   // Gates and supply: no trip opens it without a heater's `tripped`.
   bool supply_closed();
-  void open_supply() { supply_closed_ = false; }
+  bool supply_refuses{};  // to be closed
+  // As `cause` has it latched, or with nothing latched.
+  void open_supply(bool registers::heater_control::Supply::* cause = nullptr);
   std::uint32_t motion_watchdog_feeds{};
   std::uint32_t underruns{};
   void stop_by_watchdog();
@@ -108,7 +112,7 @@ class FakeChip {
   std::int64_t line_tick_{};  // ticks of the line that are done
   double segment_time_{}, segment_time_left_{};  // clocks
   std::int64_t segment_end_tick_{};
-  bool supply_closed_{};
+  registers::heater_control::Supply supply_{};
   bool second_key_is_next_{};
   bool moving_{};
   bool stopped_{};

@@ -2,6 +2,8 @@
 // Heating, waiting, reporting, and every way in which heat ends the print.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {
@@ -65,6 +67,40 @@ TEST(heat_commands, the_supply_is_closed_before_heat_is_asked_for_and_its_loss_i
   printer.talk("<- Error:Heater supply cut off\n<- Error:Printer halted. kill() called!");
   EXPECT_EQ(printer.chip.heater_duty(0), 0u);
   EXPECT_FALSE(printer.chip.supply_closed());
+}
+
+TEST(heat_commands, the_loss_of_the_supply_is_named_by_its_cause) {
+  using Supply = registers::heater_control::Supply;
+  struct Cause {
+    bool Supply::* latched;
+    const char* name;
+  };
+  for (const Cause& cause :
+       {Cause{&Supply::veto_opened, "board's veto (clock watch)"},
+        Cause{&Supply::watchdog_opened, "watchdog not fed"}, Cause{&Supply::trip_opened, "trip"},
+        Cause{&Supply::emergency_stop_opened, "emergency stop"}}) {
+    Printer printer;
+    printer.run(0.5);
+    printer.talk("-> M104 S200\n<- ok");
+    printer.run(2);
+    printer.chip.open_supply(cause.latched);
+    printer.run(0.3);
+    printer.talk(std::string("<- Error:Heater supply cut off: ") + cause.name +
+                 "\n<- Error:Printer halted. kill() called!");
+    EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  }
+}
+
+TEST(heat_commands, a_supply_that_never_closes_is_no_failed_heating) {
+  Printer printer;
+  printer.chip.supply_refuses = true;
+  printer.run(5);
+  printer.talk(R"(
+    -> M104 S200
+    <- ok
+    <- Error:Heater supply does not close
+    <- Error:Printer halted. kill() called!
+  )");
 }
 
 TEST(heat_commands, a_broken_thermistor_ends_everything) {
