@@ -26,6 +26,8 @@ constexpr std::uint32_t hot_factor = 8;
 // Behind the heat that was still on its way to the sensor; a bed is slow.
 constexpr units::Milliseconds hotend_settle{15'000};
 constexpr units::Milliseconds bed_settle{60'000};
+// Heat is asked for and the supply does not close: what vetoes it at its start is not latched.
+constexpr units::Milliseconds supply_patience{2'000};
 constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
 
 // A bed is slow: Marlin's WATCH_BED_TEMP_PERIOD and THERMAL_PROTECTION_BED_HYSTERESIS.
@@ -44,6 +46,15 @@ thermal::HeaterSettings bed_settings_of(const HeaterDescription& heater) {
   thermal::HeaterSettings settings = settings_of(heater);
   settings.protection = bed_protection;
   return settings;
+}
+
+// What the host is sent: the rarest cause first, for it may bring the others with it.
+std::string_view describe_opening(const drivers::SupplyStatus& supply) {
+  if (supply.veto_opened) return "Error:Heater supply cut off: board's veto (clock watch)";
+  if (supply.emergency_stop_opened) return "Error:Heater supply cut off: emergency stop";
+  if (supply.watchdog_opened) return "Error:Heater supply cut off: watchdog not fed";
+  if (supply.trip_opened) return "Error:Heater supply cut off: trip";
+  return "Error:Heater supply cut off";
 }
 
 thermal::ReferenceResistors references_of(const ConverterDescription& converter) {
@@ -96,7 +107,7 @@ void HeatTask::start() {
 void HeatTask::update(Now now) {
   if (last_update_ && now.milliseconds - *last_update_ < thermal::HeaterLoop::period) return;
   last_update_ = now.milliseconds;
-  watch_supply();
+  watch_supply(now.milliseconds);
   for (Part& part : parts_) update(part, now);
   control_.feed(drivers::FeedKey::first);
   second_key_is_due_ = true;
@@ -110,10 +121,12 @@ void HeatTask::complete_feed() {
 
 // Closed once, when some heater has its limits and nothing is asked for; what opens it then is a
 // fault.
-void HeatTask::watch_supply() {
-  const bool closed = control_.supply().closed;
-  if (supply_closed_ && !closed) hardware_fault_ = "Error:Heater supply cut off";
-  supply_closed_ = supply_closed_ || closed;
+void HeatTask::watch_supply(units::Milliseconds now) {
+  const drivers::SupplyStatus supply = control_.supply();
+  if (supply_closed_ && !supply.closed && hardware_fault_.empty()) {
+    hardware_fault_ = describe_opening(supply);
+  }
+  supply_closed_ = supply_closed_ || supply.closed;
   if (supply_closed_ || !hardware_fault_.empty()) return;
   bool some_locked = false;
   for (Part& part : parts_) {
@@ -121,6 +134,11 @@ void HeatTask::watch_supply() {
     control_.clear_trips(part.description.heater_channel);
   }
   if (some_locked) control_.close_supply();
+  if (!some_locked || !wanted()) {
+    supply_missing_since_ = now;
+  } else if (now - supply_missing_since_ > supply_patience) {
+    hardware_fault_ = "Error:Heater supply does not close";
+  }
 }
 
 // A reading that is ok says how capacitor and threshold are, and so what the limits are in counts.

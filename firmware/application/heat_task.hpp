@@ -74,7 +74,7 @@ class HeatTask {
   const Part& part(Heater heater) const { return parts_[static_cast<std::size_t>(heater)]; }
   void update(Part& part, Now now);
   void lock_limits(Part& part, const thermal::SensorReading& reading);
-  void watch_supply();
+  void watch_supply(units::Milliseconds now);
 
   const MachineDescription& machine_;
   thermal::NominalCircuit circuit_;
@@ -86,6 +86,7 @@ class HeatTask {
   std::optional<units::Milliseconds> last_update_;
   std::string_view hardware_fault_;
   bool supply_closed_{};
+  units::Milliseconds supply_missing_since_{};  // though heat is asked for
   bool second_key_is_due_{};
 };
 
