@@ -24,6 +24,15 @@ void SensorChannel::set_fault(sim::Clock now, SensorFault fault) {
   show(now);
 }
 
+void SensorChannel::scale_capacitor(sim::Clock now, double factor) {
+  if (factor > 0) {
+    input_.scale_capacitor(rate_.seconds(now), factor);
+  } else {
+    input_.lose_capacitor(rate_.seconds(now));
+  }
+  show(now);
+}
+
 void SensorChannel::show(sim::Clock now) {
   const double seconds = rate_.seconds(now);
   const auto mask = static_cast<std::uint8_t>(1U << channel_);

@@ -19,6 +19,8 @@ class SensorChannel : public sim::Device {
   void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) override;
   void wake(sim::Clock now) override;
   void set_fault(sim::Clock now, SensorFault fault);
+  // 0: it is lost.
+  void scale_capacitor(sim::Clock now, double factor);
 
  private:
   void show(sim::Clock now);

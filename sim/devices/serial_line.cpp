@@ -14,7 +14,12 @@ constexpr unsigned rest = frame_bits + 1;  // no frame is on the wire
 
 SerialLine::SerialLine(sim::ClockRate rate, std::uint32_t baud, sim::InputPins& inputs,
                        const SerialFaults& faults)
-    : rate_(rate), baud_(baud), inputs_(inputs), faults_(faults), random_(faults.seed) {
+    : rate_(rate),
+      baud_(baud),
+      inputs_(inputs),
+      faults_(faults),
+      random_(faults.seed),
+      reply_random_(faults.seed + 1) {
   inputs_.receive = true;
 }
 
@@ -43,7 +48,7 @@ void SerialLine::set_baud(sim::Clock now, std::uint32_t baud) {
 
 void SerialLine::hang_up(sim::Clock now, sim::Clock low_for) {
   waiting_.clear();
-  inputs_.receive = false;
+  inputs_.receive = !connected_;
   sending_ = true;
   rest_until(now + low_for);
   schedule();
@@ -55,6 +60,21 @@ void SerialLine::rest_until(sim::Clock end) {
   send_at_ = end;
 }
 
+void SerialLine::connect(bool connected) {
+  connected_ = connected;
+  if (!connected) {
+    inputs_.receive = true;
+    transmit_level_ = true;
+  }
+}
+
+std::uint8_t SerialLine::with_noise(std::uint8_t byte, std::mt19937_64& random, double share,
+                                    std::uint64_t& count) {
+  if (share <= 0 || !std::bernoulli_distribution(share)(random)) return byte;
+  ++count;
+  return static_cast<std::uint8_t>(byte ^ (1U << (random() % 8)));
+}
+
 sim::Clock SerialLine::after_half_bits(sim::Clock start, std::uint64_t half_bits) const {
   const std::uint64_t per_half_bit = std::uint64_t{2} * baud_;
   return start + (half_bits * rate_.hertz() + per_half_bit / 2) / per_half_bit;
@@ -63,13 +83,9 @@ sim::Clock SerialLine::after_half_bits(sim::Clock start, std::uint64_t half_bits
 void SerialLine::schedule() { next_wake_ = std::min(send_at_, receive_at_); }
 
 void SerialLine::start_frame(sim::Clock now) {
-  std::uint8_t byte = waiting_.front();
+  const std::uint8_t byte =
+      with_noise(waiting_.front(), random_, faults_.corrupted_bytes, bytes_corrupted_);
   waiting_.pop_front();
-  if (faults_.corrupted_bytes > 0 &&
-      std::bernoulli_distribution(faults_.corrupted_bytes)(random_)) {
-    byte = static_cast<std::uint8_t>(byte ^ (1U << (random_() % 8)));
-    ++bytes_corrupted_;
-  }
   send_frame_ = static_cast<std::uint16_t>(unsigned{byte} << 1 | 1U << (frame_bits - 1));
   sending_ = true;
   sent_bits_ = 0;
@@ -101,12 +117,12 @@ void SerialLine::end_rest(sim::Clock now) {
 void SerialLine::drive_next_bit(sim::Clock now) {
   if (sent_bits_ == rest) return end_rest(now);
   if (sent_bits_ == frame_bits) {
-    ++bytes_sent_;
+    ++(connected_ ? bytes_sent_ : bytes_lost_);
     ++frames_since_start_;
     return go_on(now);
   }
   const bool level = (send_frame_ >> sent_bits_ & 1) != 0;
-  inputs_.receive = level;
+  inputs_.receive = level || !connected_;
   do {
     ++sent_bits_;
   } while (sent_bits_ < frame_bits && ((send_frame_ >> sent_bits_ & 1) != 0) == level);
@@ -114,7 +130,7 @@ void SerialLine::drive_next_bit(sim::Clock now) {
 }
 
 void SerialLine::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {
-  transmit_level_ = pins.transmit();
+  transmit_level_ = pins.transmit() || !connected_;
   if (!receiving_ && !transmit_level_) {
     receiving_ = true;
     received_bits_ = 0;
@@ -141,8 +157,11 @@ void SerialLine::sample_bit(sim::Clock now) {
     return;
   }
   ++bytes_received_;
+  const std::uint8_t byte =
+      with_noise(static_cast<std::uint8_t>(receive_frame_ >> 1), reply_random_,
+                 faults_.corrupted_replies, replies_corrupted_);
   if (listener_ != nullptr) {
-    listener_->byte_received(now, static_cast<std::uint8_t>(receive_frame_ >> 1));
+    listener_->byte_received(now, byte);
   }
 }
 

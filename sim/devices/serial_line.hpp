@@ -24,9 +24,10 @@ class ByteListener {
   virtual void all_sent([[maybe_unused]] sim::Clock now) {}
 };
 
-// What goes wrong on the wire, for each byte to the chip, from a seed.
+// What goes wrong on the wire, from a seed: shares of the bytes that get one flipped bit.
 struct SerialFaults {
-  double corrupted_bytes = 0;  // share of bytes with one flipped bit
+  double corrupted_bytes = 0;  // to the chip
+  double corrupted_replies = 0;  // from the chip
   std::uint64_t seed = 1;
 };
 
@@ -41,9 +42,13 @@ class SerialLine : public sim::Device {
   // bytes that wait: they were meant for the speed before.
   void set_baud(sim::Clock now, std::uint32_t baud);
 
-  // Nobody is there any more: the bytes that wait and the frame under way are lost, and the line is
+  // The host is gone: the bytes that wait and the frame under way are lost, and the line is
   // low for so long, a break. Bytes that are sent meanwhile follow it.
   void hang_up(sim::Clock now, sim::Clock low_for);
+
+  // Pulled out, both directions are dead: the chip's pin is idle, and what either end sends is
+  // lost.
+  void connect(bool connected);
 
   // Bytes to the chip, after those that still wait.
   void send(sim::Clock now, std::string_view bytes);
@@ -57,6 +62,9 @@ class SerialLine : public sim::Device {
   std::uint64_t bytes_sent() const { return bytes_sent_; }
   std::uint64_t bytes_received() const { return bytes_received_; }
   std::uint64_t bytes_corrupted() const { return bytes_corrupted_; }
+  std::uint64_t replies_corrupted() const { return replies_corrupted_; }
+  // To the chip, while the cable was pulled.
+  std::uint64_t bytes_lost() const { return bytes_lost_; }
   // Frames from the chip without a stop bit.
   std::uint64_t framing_errors() const { return framing_errors_; }
 
@@ -69,15 +77,18 @@ class SerialLine : public sim::Device {
   void start_frame(sim::Clock now);
   void drive_next_bit(sim::Clock now);
   void sample_bit(sim::Clock now);
+  static std::uint8_t with_noise(std::uint8_t byte, std::mt19937_64& random, double share,
+                                 std::uint64_t& count);
 
   sim::ClockRate rate_;
   std::uint32_t baud_;
   sim::InputPins& inputs_;
   SerialFaults faults_;
-  std::mt19937_64 random_;
+  std::mt19937_64 random_, reply_random_;  // one for each direction
   ByteListener* listener_ = nullptr;
 
   std::deque<std::uint8_t> waiting_;
+  bool connected_ = true;
   bool sending_ = false;
   unsigned sent_bits_ = 0;  // of the frame on the wire
   std::uint16_t send_frame_ = 0;  // start bit lowest
@@ -91,6 +102,7 @@ class SerialLine : public sim::Device {
   sim::Clock receive_start_ = 0, receive_at_ = sim::never;
 
   std::uint64_t bytes_sent_ = 0, bytes_received_ = 0, bytes_corrupted_ = 0, framing_errors_ = 0;
+  std::uint64_t replies_corrupted_ = 0, bytes_lost_ = 0;
 };
 
 }  // namespace devices

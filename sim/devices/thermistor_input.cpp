@@ -58,6 +58,16 @@ void ThermistorInput::set_fault(double seconds, SensorFault fault) {
   settle(seconds);
 }
 
+void ThermistorInput::set_capacitor(double seconds, double farads) {
+  start_volts_ = volts(seconds);
+  properties_.capacitor_farads = farads;
+  settle(seconds);
+}
+
+void ThermistorInput::scale_capacitor(double seconds, double factor) {
+  set_capacitor(seconds, properties_.capacitor_farads * factor);
+}
+
 double ThermistorInput::volts(double seconds) const {
   return final_volts_ +
          (start_volts_ - final_volts_) * std::exp(-(seconds - start_seconds_) / time_constant_);

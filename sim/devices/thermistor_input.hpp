@@ -49,6 +49,11 @@ class ThermistorInput {
   // Times never go back.
   void set_pins(double seconds, std::uint8_t drive, std::uint8_t level);
   void set_fault(double seconds, SensorFault fault);
+  // The capacitor has another value from now on, at the same voltage. One that is lost leaves what
+  // pins and tracks have.
+  void set_capacitor(double seconds, double farads);
+  void scale_capacitor(double seconds, double factor);
+  void lose_capacitor(double seconds) { set_capacitor(seconds, stray_farads); }
 
   // Whether the sense pin reads 1.
   bool sense(double seconds) const;
@@ -57,6 +62,7 @@ class ThermistorInput {
   double volts(double seconds) const;
 
  private:
+  static constexpr double stray_farads = 20e-12;
   // Norton's equivalent of what charges the capacitor.
   struct Charge {
     double siemens = 0;

@@ -31,11 +31,20 @@ constexpr std::array heater_faults{
     std::pair{std::string_view("heater-stuck-off"), HeaterFault::stuck_off}};
 constexpr std::array end_stop_faults{
     std::pair{std::string_view("end-stop-never-closes"), EndStopFault::never_closes},
-    std::pair{std::string_view("end-stop-never-opens"), EndStopFault::never_opens}};
+    std::pair{std::string_view("end-stop-never-opens"), EndStopFault::never_opens},
+    std::pair{std::string_view("end-stop-bounces"), EndStopFault::bounces}};
+
+// Of a capacitor's value: beyond it one may as well be lost, or another part.
+constexpr double most_capacitor_factor = 10;
 
 [[noreturn]] void refuse(std::string_view text) {
   throw std::invalid_argument(
       fmt::format("no such fault: {}. Possible are:\n{}", text, fault_forms()));
+}
+
+[[noreturn]] void refuse_value(std::string_view text, std::string_view what) {
+  throw std::invalid_argument(
+      fmt::format("fault {}: {}. Possible are:\n{}", text, what, fault_forms()));
 }
 
 std::optional<double> number(std::string_view text) {
@@ -54,6 +63,10 @@ std::optional<std::string_view> rest_after(std::string_view text, std::string_vi
 }
 
 bool add_heat_fault(FaultPlan& plan, Heated where, std::string_view name, double seconds) {
+  if (name == "capacitor-lost") {
+    plan.capacitors.push_back({seconds, where, 0});
+    return true;
+  }
   for (const auto& [known, fault] : sensor_faults) {
     if (name == known) {
       plan.sensors.push_back({seconds, where, fault});
@@ -71,6 +84,57 @@ bool add_heat_fault(FaultPlan& plan, Heated where, std::string_view name, double
       plan.heaters.push_back({seconds, where, fault});
       return true;
     }
+  }
+  return false;
+}
+
+// `name=VALUE@SECONDS`.
+struct TimedValue {
+  std::optional<double> value, seconds;
+};
+std::optional<TimedValue> timed_value(std::string_view text, std::string_view name) {
+  if (!text.starts_with(name) || !text.substr(name.size()).starts_with('=')) return std::nullopt;
+  text.remove_prefix(name.size() + 1);
+  const std::size_t at = text.find('@');
+  if (at == std::string_view::npos) return TimedValue{number(text), std::nullopt};
+  return TimedValue{number(text.substr(0, at)), number(text.substr(at + 1))};
+}
+
+bool add_cable_fault(FaultPlan& plan, std::string_view text) {
+  const auto times = timed_value(text, "cable-pulled");
+  if (!times) return false;
+  if (!times->value || !times->seconds || *times->value <= 0)
+    refuse_value(text, "for how many seconds, and from when on, as in cable-pulled=3@20");
+  plan.cable.push_back({*times->seconds, *times->value});
+  return true;
+}
+
+bool add_capacitor_fault(FaultPlan& plan, std::string_view text) {
+  for (const auto& [name, where] : {std::pair{std::string_view("hotend-capacitor"), Heated::hotend},
+                                    std::pair{std::string_view("bed-capacitor"), Heated::bed}}) {
+    const auto change = timed_value(text, name);
+    if (!change) continue;
+    if (!change->value || !change->seconds || *change->value <= 0 ||
+        *change->value > most_capacitor_factor) {
+      refuse_value(text, fmt::format("what part of its value it has, above 0 and up to {}, and "
+                                     "from when on, as in {}=0.5@30",
+                                     most_capacitor_factor, name));
+    }
+    plan.capacitors.push_back({*change->seconds, where, *change->value});
+    return true;
+  }
+  return false;
+}
+
+bool add_noise(FaultPlan& plan, std::string_view text) {
+  for (const auto& [name, share] :
+       {std::pair{std::string_view("serial="), &plan.corrupted_bytes},
+        std::pair{std::string_view("replies="), &plan.corrupted_replies}}) {
+    if (!text.starts_with(name)) continue;
+    const std::optional<double> value = number(text.substr(name.size()));
+    if (!value || *value > 1) refuse_value(text, "a share is 0 to 1");
+    *share = *value;
+    return true;
   }
   return false;
 }
@@ -97,21 +161,21 @@ std::string_view fault_forms() {
          "  hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down) hotend-detached@SECONDS\n"
          "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with "
          "bed-\n"
-         "  x-end-stop-never-closes x-end-stop-never-opens, and the same with y- and z-\n"
+         "  hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS of its value, and the "
+         "same "
+         "with bed-\n"
+         "  x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with "
+         "y- "
+         "and z-\n"
          "  serial=SHARE of the bytes to the chip that get one wrong bit, for example "
-         "serial=0.001\n";
+         "serial=0.001;\n"
+         "  replies=SHARE the same of the bytes from the chip\n"
+         "  cable-pulled=SECONDS@SECONDS for so long, from then on: both directions are dead\n";
 }
 
 void add_fault(FaultPlan& plan, std::string_view text) {
-  if (text.starts_with("serial=")) {
-    const std::optional<double> share = number(text.substr(text.find('=') + 1));
-    if (!share || *share > 1) {
-      refuse(text);
-    }
-    plan.corrupted_bytes = *share;
-    return;
-  }
-  if (add_end_stop_fault(plan, text)) {
+  if (add_noise(plan, text) || add_cable_fault(plan, text) || add_capacitor_fault(plan, text) ||
+      add_end_stop_fault(plan, text)) {
     return;
   }
   const std::size_t at = text.find('@');

@@ -33,19 +33,33 @@ struct TimedHeaterFault {
   plants::HeaterFault fault{};
 };
 
+struct TimedCapacitorFault {
+  double seconds{};
+  Heated where{};
+  double factor{};  // of its value; 0: it is lost
+};
+struct PulledCable {
+  double from_seconds{};
+  double for_seconds{};
+};
+
 struct FaultPlan {
   std::vector<TimedSensorFault> sensors;
   std::vector<TimedBeadFault> beads;
   std::vector<TimedHeaterFault> heaters;
+  std::vector<TimedCapacitorFault> capacitors;
+  std::vector<PulledCable> cable;
   std::array<devices::EndStopFault, 3> end_stops{};  // x y z
   double corrupted_bytes = 0;  // share of the bytes to the chip
+  double corrupted_replies = 0;  // share of the bytes from the chip
 };
 
 // The forms, one line each, for help texts.
 std::string_view fault_forms();
 
 // Adds the fault that `text` names: `hotend-open@30`, `bed-heater-stuck-on@0`, `hotend-frozen@60`,
-// `x-end-stop-never-closes`, `serial=0.001`. Throws std::invalid_argument with the possible forms.
+// `hotend-capacitor=0.5@30`, `x-end-stop-bounces`, `serial=0.001`, `cable-pulled=3@20`. Throws
+// std::invalid_argument with what is wrong and the possible forms.
 void add_fault(FaultPlan& plan, std::string_view text);
 
 }  // namespace machine

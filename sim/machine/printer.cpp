@@ -79,8 +79,9 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
                  sim::Simulation& simulation)
     : description_(description),
       simulation_(simulation),
-      serial_line_(simulation.rate(), options.baud, simulation.chip().inputs(),
-                   {options.faults.corrupted_bytes, options.seed}),
+      serial_line_(
+          simulation.rate(), options.baud, simulation.chip().inputs(),
+          {options.faults.corrupted_bytes, options.faults.corrupted_replies, options.seed}),
       hotend_(description.hotend, description.converter, options.hotend_start_c, options.seed + 1,
               simulation),
       bed_(description.bed, description.converter, options.bed_start_c, options.seed + 2,
@@ -92,7 +93,8 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
            }),
       extrusion_(std::make_unique<Extrusion>(description.axes[3].steps_per_mm, simulation.rate(),
                                              hotend_.block)),
-      saboteur_(std::make_unique<Saboteur>(options.faults, simulation.rate(), hotend_, bed_)) {
+      saboteur_(std::make_unique<Saboteur>(options.faults, simulation.rate(), hotend_, bed_,
+                                           serial_line_)) {
   make_axes(options);
   attach_all();
 }
@@ -113,8 +115,9 @@ void Printer::make_axes(const PrinterOptions& options) {
     motors_[i] =
         std::make_unique<devices::MotorDriver>(i, axis.driver, simulation_.rate(), *axes_[i]);
     if (axis.end_stop) {
-      end_stops_.push_back(std::make_unique<devices::EndStop>(i, *axis.end_stop, inputs, start,
-                                                              options.faults.end_stops[i]));
+      end_stops_.push_back(
+          std::make_unique<devices::EndStop>(i, *axis.end_stop, simulation_.rate(), inputs, start,
+                                             options.faults.end_stops[i], options.seed + i));
       motors_[i]->add_listener(*end_stops_.back());
     }
   }
@@ -124,6 +127,9 @@ void Printer::make_axes(const PrinterOptions& options) {
 void Printer::attach_all() {
   for (std::size_t i = 0; i < axis_count; ++i) {
     simulation_.attach(*motors_[i], sim::OutputPins::motor_pins(i));
+  }
+  for (const auto& end_stop : end_stops_) {
+    simulation_.attach(*end_stop, {});
   }
   simulation_.attach(serial_line_, sim::OutputPins::transmit_pin());
   simulation_.attach(fan_, sim::OutputPins::fan_pin());

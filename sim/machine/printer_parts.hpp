@@ -46,8 +46,9 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
 // Breaks parts when their time comes.
 class Printer::Saboteur : public sim::Device {
  public:
-  Saboteur(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed)
-      : plan_(std::move(plan)), rate_(rate), hotend_(hotend), bed_(bed) {
+  Saboteur(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed,
+           devices::SerialLine& line)
+      : plan_(std::move(plan)), rate_(rate), hotend_(hotend), bed_(bed), line_(line) {
     wake(0);
   }
 
@@ -72,6 +73,18 @@ class Printer::Saboteur : public sim::Device {
         fault.seconds = std::numeric_limits<double>::infinity();
       }
     }
+    for (TimedCapacitorFault& fault : plan_.capacitors) {
+      if (is_due(fault.seconds, seconds, next)) {
+        part(fault.where).sensor.scale_capacitor(now, fault.factor);
+        fault.seconds = std::numeric_limits<double>::infinity();
+      }
+    }
+    bool pulled = false;
+    for (const PulledCable& cable : plan_.cable) {
+      if (!is_due(cable.from_seconds, seconds, next)) continue;
+      pulled = pulled || !is_due(cable.from_seconds + cable.for_seconds, seconds, next);
+    }
+    line_.connect(!pulled);
     next_wake_ = std::isfinite(next) ? std::max(rate_.clocks(next), now + 1) : sim::never;
   }
 
@@ -89,6 +102,7 @@ class Printer::Saboteur : public sim::Device {
   sim::ClockRate rate_;
   HeatedPart& hotend_;
   HeatedPart& bed_;
+  devices::SerialLine& line_;
 };
 
 }  // namespace machine

@@ -135,4 +135,24 @@ TEST(thermistor_input, is_noisy_and_yet_the_same_for_the_same_seed) {
   EXPECT_NEAR(deviation, 5e-3 / 1.65 * time_constant, 0.1 * 5e-3 / 1.65 * time_constant);
 }
 
+TEST(thermistor_input, follows_a_capacitor_that_changes_or_is_lost) {
+  devices::ThermistorInput input(ideal(), [](double) { return 25.0; }, 1);
+  const double whole = charge_time(input, 2, 0);
+  input.scale_capacitor(1, 0.5);
+  EXPECT_NEAR(charge_time(input, 2, 1) / whole, 0.5, 1e-6);
+  input.scale_capacitor(2, 3);
+  EXPECT_NEAR(charge_time(input, 2, 2) / whole, 1.5, 1e-6);
+  // In the midst of charging the voltage stays, and the rest takes half as long.
+  input.set_pins(3, 7, 0);
+  input.set_pins(3.01, 4, 4);
+  const double middle = 3.01 + whole / 2;
+  const double rest = input.next_change() - middle;
+  const double volts = input.volts(middle);
+  input.scale_capacitor(middle, 0.5);
+  EXPECT_NEAR(input.volts(middle), volts, 1e-9);
+  EXPECT_NEAR((input.next_change() - middle) / rest, 0.5, 1e-6);
+  input.lose_capacitor(4);
+  EXPECT_LT(charge_time(input, 2, 4), whole / 1000);
+}
+
 }  // namespace

@@ -18,7 +18,8 @@ std::vector<std::uint8_t> program_of(std::initializer_list<std::uint32_t> segmen
   std::memcpy(header.e_ident, ELFMAG, SELFMAG);
   header.e_ident[EI_CLASS] = ELFCLASS32;
   header.e_ident[EI_DATA] = ELFDATA2LSB;
-  header.e_ident[EI_VERSION] = header.e_version = EV_CURRENT;
+  header.e_ident[EI_VERSION] = EV_CURRENT;
+  header.e_version = EV_CURRENT;
   header.e_type = ET_EXEC;
   header.e_machine = EM_RISCV;
   header.e_entry = 0x8000'0000;

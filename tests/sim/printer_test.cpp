@@ -195,7 +195,9 @@ TEST(FaultPlan, reads_every_form_and_refuses_others_with_help) {
   machine::FaultPlan plan;
   for (const char* text :
        {"hotend-open@30", "bed-short@1.5", "hotend-heater-stuck-on@0", "z-end-stop-never-opens",
-        "serial=0.001", "hotend-frozen@60", "bed-drifting@7", "hotend-detached@8"}) {
+        "serial=0.001", "hotend-frozen@60", "bed-drifting@7", "hotend-detached@8", "replies=0.002",
+        "cable-pulled=3@20.5", "y-end-stop-bounces", "bed-capacitor-lost@4",
+        "hotend-capacitor=1.5@9"}) {
     EXPECT_NO_THROW(machine::add_fault(plan, text)) << text;
   }
   EXPECT_EQ(plan.sensors.size(), 2U);
@@ -206,9 +208,41 @@ TEST(FaultPlan, reads_every_form_and_refuses_others_with_help) {
   EXPECT_EQ(plan.beads[1].fault, plants::BeadFault::drifting);
   EXPECT_EQ(plan.end_stops[2], devices::EndStopFault::never_opens);
   EXPECT_EQ(plan.corrupted_bytes, 0.001);
+  EXPECT_EQ(plan.corrupted_replies, 0.002);
+  EXPECT_EQ(plan.end_stops[1], devices::EndStopFault::bounces);
+  ASSERT_EQ(plan.cable.size(), 1U);
+  EXPECT_EQ(plan.cable[0].from_seconds, 20.5);
+  EXPECT_EQ(plan.cable[0].for_seconds, 3);
+  ASSERT_EQ(plan.capacitors.size(), 2U);
+  EXPECT_EQ(plan.capacitors[0].where, machine::Heated::bed);
+  EXPECT_EQ(plan.capacitors[0].factor, 0);
+  EXPECT_EQ(plan.capacitors[1].seconds, 9);
+  EXPECT_EQ(plan.capacitors[1].factor, 1.5);
   for (const char* text : {"", "hotend", "hotend-open@x", "e-end-stop-never-opens", "serial=2"}) {
     EXPECT_THROW(machine::add_fault(plan, text), std::invalid_argument) << text;
   }
+}
+
+std::string complaint_about(const char* fault) {
+  machine::FaultPlan plan;
+  try {
+    machine::add_fault(plan, fault);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FaultPlan, says_what_is_wrong_with_a_value) {
+  using testing::HasSubstr;
+  for (const char* text : {"replies=1.1", "replies=", "serial=-1", "serial=x"})
+    EXPECT_THAT(complaint_about(text), HasSubstr("a share is 0 to 1")) << text;
+  for (const char* text : {"cable-pulled=3", "cable-pulled=0@3", "cable-pulled=x@3",
+                           "cable-pulled=3@", "cable-pulled=-1@3"})
+    EXPECT_THAT(complaint_about(text), HasSubstr("cable-pulled=3@20")) << text;
+  for (const char* text : {"hotend-capacitor=0@3", "hotend-capacitor=1.5", "hotend-capacitor=11@3"})
+    EXPECT_THAT(complaint_about(text), HasSubstr("hotend-capacitor=0.5@30")) << text;
+  EXPECT_THAT(complaint_about("cable-pulled"), HasSubstr("no such fault"));
 }
 
 }  // namespace

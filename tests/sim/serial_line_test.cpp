@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "sim/simulation/simulation.hpp"
 #include "tests/sim/fake_chip.hpp"
 
@@ -122,7 +125,7 @@ TEST(SerialLine, spoils_the_share_of_bytes_that_it_is_asked_to_and_repeats_it_by
     tests::FakeChip chip(16);
     const sim::ClockRate rate(4'000'000);
     sim::Simulation simulation(chip, rate);
-    devices::SerialLine line(rate, 250'000, chip.inputs(), {0.1, seed});
+    devices::SerialLine line(rate, 250'000, chip.inputs(), {.corrupted_bytes = 0.1, .seed = seed});
     simulation.attach(line, sim::OutputPins::transmit_pin());
     std::string text;
     chip.firmware = [&](const std::string& came) {
@@ -137,6 +140,57 @@ TEST(SerialLine, spoils_the_share_of_bytes_that_it_is_asked_to_and_repeats_it_by
   };
   EXPECT_EQ(received(7), received(7));
   EXPECT_NE(received(7), received(8));
+}
+
+TEST(SerialLine, spoils_bytes_of_the_direction_that_is_asked_for) {
+  for (const bool replies : {false, true}) {
+    tests::FakeChip chip(16);
+    const sim::ClockRate rate(4'000'000);
+    sim::Simulation simulation(chip, rate);
+    devices::SerialFaults faults;
+    (replies ? faults.corrupted_replies : faults.corrupted_bytes) = 0.1;
+    devices::SerialLine line(rate, 250'000, chip.inputs(), faults);
+    Bytes bytes;
+    line.set_listener(bytes);
+    simulation.attach(line, sim::OutputPins::transmit_pin());
+    chip.say(std::string(1000, 'U'));
+    line.send(0, std::string(1000, 'U'));
+    simulation.run_until(300'000);
+    ASSERT_EQ(bytes.text.size(), 1000U);
+    const auto spoilt = static_cast<std::uint64_t>(1000 - std::ranges::count(bytes.text, 'U'));
+    EXPECT_EQ(spoilt, line.replies_corrupted());
+    EXPECT_EQ(line.replies_corrupted() > 50, replies);
+    EXPECT_EQ(line.bytes_corrupted() > 50, !replies);
+  }
+}
+
+TEST(SerialLine, carries_nothing_in_either_direction_while_the_cable_is_pulled) {
+  tests::FakeChip chip(16);
+  const sim::ClockRate rate(4'000'000);
+  sim::Simulation simulation(chip, rate);
+  devices::SerialLine line(rate, 250'000, chip.inputs());
+  Bytes bytes;
+  line.set_listener(bytes);
+  simulation.attach(line, sim::OutputPins::transmit_pin());
+  std::vector<std::string> came;
+  chip.firmware = [&](const std::string& text) {
+    came.push_back(text);
+    return std::string();
+  };
+  const auto say_in_both_directions = [&](const std::string& text) {
+    line.send(chip.now(), text + "\n");
+    chip.say(text + "\n");
+    simulation.run_until(chip.now() + 5000);
+  };
+  say_in_both_directions("one");
+  line.connect(false);
+  say_in_both_directions("two");
+  EXPECT_TRUE(chip.inputs().receive);
+  line.connect(true);
+  say_in_both_directions("three");
+  EXPECT_EQ(bytes.text, "one\nthree\n");
+  EXPECT_THAT(came, testing::ElementsAre("one", "three"));
+  EXPECT_EQ(line.bytes_lost(), 4U);
 }
 
 }  // namespace
