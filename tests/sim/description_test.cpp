@@ -46,6 +46,14 @@ TEST(Description, names_what_it_does_not_know) {
               HasSubstr("line 10: serial.parity: is not an entry"));
 }
 
+// A chip may have four, the simulated one has two.
+TEST(Description, names_channels_that_the_simulated_chip_does_not_have) {
+  EXPECT_THAT(complaint("heater_channel = 0", "heater_channel = 2"),
+              HasSubstr("hotend.heater_channel: is 2, but the simulated chip has 0 to 1"));
+  EXPECT_THAT(complaint("sensor_channel = 1", "sensor_channel = 3"),
+              HasSubstr("bed.sensor_channel: is 3, but the simulated chip has 0 to 1"));
+}
+
 TEST(Description, may_hold_any_language_in_comments_and_ascii_elsewhere) {
   EXPECT_EQ(complaint("jerk_mm_s = 10.0", "jerk_mm_s = 10.0 # \xC3\xBC \xF0\x9F\x98\x80 \"'"), "");
   EXPECT_THAT(complaint("name = \"Prusa Mendel\"", "name = \"M\xC3\xBCller\""),
