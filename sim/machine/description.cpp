@@ -3,11 +3,16 @@
 // firmware's generator passes on it.
 #include "sim/machine/description.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <string_view>
 #include <toml++/toml.hpp>
+#include <utility>
 
 #include "machine_generator/header.hpp"
 #include "machine_generator/reader.hpp"
+#include "sim/simulation/pins.hpp"
 
 namespace machine {
 
@@ -73,8 +78,23 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
           thermistor["beta_k"].number()};
 }
 
+void check_channels(const toml::table& table, const std::filesystem::path& file) {
+  machine_generator::Reader root(file, table);
+  for (const char* heater : {"hotend", "bed"}) {
+    machine_generator::Reader reader = root.table(heater);
+    for (const auto& [key, count] : {std::pair{"heater_channel", sim::heater_count},
+                                     std::pair{"sensor_channel", sim::sensor_count}}) {
+      const auto last = static_cast<std::int64_t>(count) - 1;
+      const std::int64_t channel = reader.whole(key, 0, std::numeric_limits<std::int64_t>::max());
+      if (channel > last)
+        reader.fail(key, fmt::format("is {}, but the simulated chip has 0 to {}", channel, last));
+    }
+  }
+}
+
 Description description_of(const toml::table& table, const std::filesystem::path& file) {
   machine_generator::check(table, file);
+  check_channels(table, file);
   const Entry root{toml::node_view<const toml::node>(table)};
   Description description;
   description.name = root["name"].text();

@@ -56,14 +56,14 @@ bool run(const std::string& target, const FuzzOptions& options, const fs::path& 
   return good;
 }
 
-// The fewest inputs that go wherever all of them go take the kept ones' place.
+// The fewest inputs that go wherever all of them go, however often, take the kept ones' place.
 bool minimise(const std::string& target, const fs::path& found) {
   const fs::path kept = kept_corpus(target);
   const fs::path fewest = fuzz_folder() / "minimised" / target;
   fs::remove_all(fewest);
   fs::create_directories(fewest);
-  if (run_program({program_of(target), "-set_cover_merge=1", fewest.string(), kept.string(),
-                   found.string()}) != 0) {
+  if (run_program({program_of(target), "-set_cover_merge=1", "-use_counters=0", fewest.string(),
+                   kept.string(), found.string()}) != 0) {
     return false;
   }
   fs::remove_all(kept);
