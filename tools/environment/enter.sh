@@ -28,9 +28,11 @@ visible_host_folders() {
   done
 }
 
-# Printrun is not in Debian 13. Where the host has it, its tests find it and its parts here.
+# Printrun is not in Debian 13, and Cura is large. Where the host has them, their tests find them and their parts here.
 host_python=/usr/lib/python3/dist-packages
 inner_host_python=/run/host_python
+host_cura=/usr/lib/cura
+inner_host_cura=/run/host_cura
 
 # The environment inside: a fixed path and language, and what a user sets on purpose.
 inner_environment() {
@@ -75,7 +77,8 @@ enter_with_bubblewrap() {
   shift
   local arguments=(--bind "$root" / --dev-bind /dev /dev --proc /proc --tmpfs /run --die-with-parent)
   while read -r folder; do arguments+=(--bind "$folder" "$folder"); done < <(visible_host_folders)
-  [ ! -d "$host_python/printrun" ] || arguments+=(--ro-bind "$host_python" "$inner_host_python")
+  [ ! -d "$host_python/serial" ] || arguments+=(--ro-bind "$host_python" "$inner_host_python")
+  [ ! -d "$host_cura/plugins" ] || arguments+=(--ro-bind "$host_cura" "$inner_host_cura")
   arguments+=(--chdir "$PWD" --clearenv)
   while read -r setting; do
     arguments+=(--setenv "${setting%%=*}" "${setting#*=}")
@@ -87,7 +90,8 @@ enter_with_proot() {
   local root=$1 folder setting
   shift
   local arguments=(-r "$root" -b /dev -b /proc -w "$PWD")
-  [ ! -d "$host_python/printrun" ] || arguments+=(-b "$host_python:$inner_host_python")
+  [ ! -d "$host_python/serial" ] || arguments+=(-b "$host_python:$inner_host_python")
+  [ ! -d "$host_cura/plugins" ] || arguments+=(-b "$host_cura:$inner_host_cura")
   local settings=()
   while read -r folder; do arguments+=(-b "$folder"); done < <(visible_host_folders)
   while read -r setting; do settings+=("$setting"); done < <(inner_environment)
