@@ -39,7 +39,7 @@ class HostLink {
   // received is broken.
   void receive_fault() { receiver_.spoil(); }
   // The host is gone, and the next byte is another one's: a line that is not finished never will
-  // be, and nobody waits for an answer.
+  // be, and no answer is awaited.
   void hang_up();
 
   // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.

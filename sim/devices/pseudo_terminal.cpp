@@ -142,7 +142,7 @@ void PseudoTerminal::wake(sim::Clock now) {
   send_what_is_left(now);
 }
 
-// POLLIN: something to read; POLLHUP: nobody has the port open.
+// POLLIN: something to read; POLLHUP: the port is not open.
 short PseudoTerminal::look() const {
   pollfd event{master_, POLLIN, 0};
   return poll(&event, 1, 0) > 0 ? event.revents : short{0};

@@ -98,7 +98,7 @@ TEST_F(HangUp, does_not_hide_what_the_next_host_loses) {
   )");
 }
 
-// Nobody waits for them.
+// They are awaited no longer.
 TEST_F(HangUp, ends_the_oks_that_wake_a_host) {
   printer.talk(R"(
     -> N0 M110 N0*125

@@ -39,7 +39,7 @@ expect 3 run "$work/program.elf"
 # The status is the program's, whether its words are read or not.
 status=0
 "$stepfabric" run "$work/program.elf" --baud 250000 > >(exec true) 2> >(exec true) || status=$?
-[ "$status" = 3 ] || { echo "exit status $status where nobody reads"; failures=$((failures + 1)); }
+[ "$status" = 3 ] || { echo "exit status $status where it is not read"; failures=$((failures + 1)); }
 # It is not overwritten by what is asked of it.
 cp "$work/program.elf" "$work/copy.elf"
 expect 125 run "$work/program.elf" --signature "$work/program.elf"
