@@ -149,7 +149,7 @@ begin
   begin
     wait until falling_edge(clk);
     assert rested = made
-      report "a rest has changed something: step, direction, enable, moving, idle, interrupts, data: " &
+      report "a rest has changed step, direction, enable, moving, idle, interrupts or data: " &
       to_string(rested.step & rested.direction & rested.enable & rested.moving & rested.idle &
         rested.queue_interrupt & rested.stop_interrupt) & " " & to_hstring(rested.response.data) & ", not " &
       to_string(made.step & made.direction & made.enable & made.moving & made.idle & made.queue_interrupt &
