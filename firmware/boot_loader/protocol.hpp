@@ -11,8 +11,8 @@
 
 namespace boot_loader {
 
-// No frame and no line of G-code begins with it, and on the wire it is one low bit only: whoever
-// begins to listen in the middle of many of them hears nothing else.
+// No frame and no line of G-code begins with it, and on the wire it is one low bit only: any
+// program that begins to listen in the middle of many of them hears nothing else.
 inline constexpr std::uint8_t knock = 0xFF;
 // So many without another byte between them, and the loader stays.
 inline constexpr unsigned knocks = 8;

@@ -28,9 +28,9 @@ bool only_asks(std::string_view text) {
   }
 }
 
-// May be executed as far as the link can tell.
+// May be executed as far as the link can judge.
 bool trusted(const ReceivedLine& line) {
-  return !line.spoilt && !line.too_long && (!line.framed() || line.checksum == Checksum::right);
+  return !line.corrupted && !line.too_long && (!line.framed() || line.checksum == Checksum::right);
 }
 
 // Typed by hand: `M117 5 * 3 = 15`. What is behind the last star cannot be a checksum.
@@ -89,7 +89,7 @@ void HostLink::handle(const ReceivedLine& received) {
 }
 
 void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
-  if (line.spoilt) return notify(Notice::spoilt);
+  if (line.corrupted) return notify(Notice::corrupted);
   if (line.too_long) return notify(Notice::too_long);
   if (line.text.empty() || line.text.front() == ';') {
     // A host without line numbers may wait for an answer even to an empty line. Among numbered

@@ -97,9 +97,9 @@ class HostLink {
   const LineQueue::Slot* accepted_lines() const { return queue_.slots(); }
 
  private:
-  // Told to the host about lines that are answered but not executed. They are counted, so that no
+  // Sent to the host about lines that are answered but not executed. They are counted, so that no
   // answer is lost while the transmit queue is full.
-  enum class Notice : std::uint8_t { too_long, spoilt, unfinished, queue_full, awaiting_resend };
+  enum class Notice : std::uint8_t { too_long, corrupted, unfinished, queue_full, awaiting_resend };
   static constexpr std::size_t notice_count = 5;
   static std::string_view describe(Notice notice);
 

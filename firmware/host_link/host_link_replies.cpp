@@ -44,7 +44,7 @@ std::string_view HostLink::describe(Notice notice) {
   switch (notice) {
     case Notice::too_long:
       return "Line too long, not executed";
-    case Notice::spoilt:
+    case Notice::corrupted:
       return "Line damaged on the serial line, not executed";
     case Notice::unfinished:
       return "Line not finished, not executed";

@@ -7,7 +7,7 @@
 namespace host_link {
 namespace {
 
-// FNV-1a (Fowler, Noll, Vo), 32 bits: tells whether a repeated number brings the same text.
+// FNV-1a (Fowler, Noll, Vo), 32 bits: shows whether a repeated number brings the same text.
 std::uint32_t fingerprint_of(std::string_view text) {
   std::uint32_t hash = 2'166'136'261;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
@@ -32,7 +32,7 @@ std::string_view describe(LineError error) {
       return "byte outside ASCII";
     case LineError::unfinished:
       return "line not finished";
-    case LineError::spoilt:
+    case LineError::corrupted:
       return "serial line disturbed";
     case LineError::not_understood:
       return "not understood";
@@ -55,7 +55,7 @@ bool LineNumbering::asked_recently(units::Milliseconds now) const {
 }
 
 Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now) {
-  if (line.spoilt) return judge_broken(line, LineError::spoilt, now);
+  if (line.corrupted) return judge_broken(line, LineError::corrupted, now);
   if (line.checksum != Checksum::right) {
     if (line.too_long) return judge_broken(line, LineError::too_long, now);
     return judge_broken(
@@ -92,8 +92,8 @@ Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
   return {Verdict::refuse, error};
 }
 
-// A spoilt first line or M110 must be asked for as line 0: the number that the old numbering wants
-// means nothing to this host, or, worse, another line of its new job.
+// A corrupted first line or M110 must be asked for as line 0: the number that the old numbering
+// wants means nothing to this host, or, worse, another line of its new job.
 bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Milliseconds now) const {
   if (!line.number) return false;
   const LineNumber number = *line.number;
@@ -121,7 +121,8 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   return refuse_or_ignore(now);
 }
 
-// A Resend whose number was spoilt on its way can send a host back to the M110 that opened its job.
+// A Resend whose number was corrupted on its way can send a host back to the M110 that opened its
+// job.
 bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
   return awaiting_resend_ && !lost_start_ && history_size_ != 0 && now - asked_ < restart_pause;
 }
@@ -138,8 +139,8 @@ Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
                                             units::Milliseconds now) const {
   const std::uint32_t fingerprint = fingerprint_of(line.text);
   const bool taken = taken_before(*line.number, fingerprint);
-  // The same opening again, after a pause: the same job started anew, unless a Resend whose number
-  // was spoilt on its way explains it.
+  // The same opening again, after a pause: the same job started again, unless a Resend whose number
+  // was corrupted on its way explains it.
   const bool explained = asked_recently(now) || now - last_taken_ < restart_pause;
   const bool known = taken || opened_with(*line.number, fingerprint);
   if (looks_like_command(line.text) && !(known && explained)) return {Verdict::accept};

@@ -22,7 +22,7 @@ enum class LineError : std::uint8_t {
   too_long,
   unprintable,
   unfinished,
-  spoilt,
+  corrupted,
   not_understood,
 };
 
@@ -48,7 +48,7 @@ class LineNumbering {
   static constexpr units::Milliseconds resend_patience{1000};
   // Repeats of old lines are explained by a resend request at most this long ago.
   static constexpr units::Milliseconds resend_memory{10'000};
-  // A host that comes with its first lines sooner than this has not been started anew.
+  // A host that comes with its first lines sooner than this has not been restarted.
   static constexpr units::Milliseconds restart_pause{2000};
 
   // Of a line with number or checksum. Takes nothing, but remembers what it refuses.
@@ -107,7 +107,7 @@ class LineNumbering {
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
   std::optional<Taken> taken_back_{};
-  // The line with which a host has begun a new numbering, known to have come spoilt.
+  // The line with which a host has begun a new numbering, known to have come corrupted.
   std::optional<LineNumber> lost_start_{};
   std::uint8_t lost_start_asked_{};
   std::optional<LineNumber> refused_number_{};  // as far as it could be read

@@ -80,7 +80,7 @@ ReceivedLine LineReceiver::read() const {
   ReceivedLine line;
   line.too_long = length_ > max_line_length;
   line.unprintable = unprintable_;
-  line.spoilt = spoilt_;
+  line.corrupted = corrupted_;
   line.torn = torn_;
   std::string_view text(buffer_.data(), line.too_long ? max_line_length : length_);
   if (star_seen_) {
@@ -115,7 +115,7 @@ void LineReceiver::clear() {
   star_seen_ = false;
   checksum_malformed_ = false;
   unprintable_ = false;
-  spoilt_ = false;
+  corrupted_ = false;
   torn_ = false;
 }
 

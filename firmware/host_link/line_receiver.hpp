@@ -28,7 +28,7 @@ struct ReceivedLine {
   std::string_view behind_star{};  // of the last '*': the digits of a checksum, or something else
   bool too_long{};  // more than max_line_length: text is its beginning
   bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
-  bool spoilt{};  // the uart saw an error in it
+  bool corrupted{};  // the uart saw an error in it
   bool torn{};  // behind a line that was given up: it may be the rest of that
   // Number or checksum is there: the host keeps it for a resend.
   bool framed() const { return starts_with_n || checksum != Checksum::none; }
@@ -48,7 +48,7 @@ class LineReceiver {
   void give_up();
 
   // The line in progress is broken, whatever its checksum says.
-  void spoil() { spoilt_ = true; }
+  void spoil() { corrupted_ = true; }
 
   bool unfinished() const { return length_ != 0; }
   // Whether it has a number or a checksum.
@@ -71,7 +71,7 @@ class LineReceiver {
   std::uint8_t exclusive_or_before_star_{};
   bool star_seen_{};
   bool unprintable_{};
-  bool spoilt_{};
+  bool corrupted_{};
   bool torn_{};
   bool after_carriage_return_{};
 };

@@ -14,7 +14,7 @@
 
 namespace host_link {
 
-// Sent once after a reset: hosts start their numbering anew when they see it.
+// Sent once after a reset: hosts restart their numbering when they see it.
 inline constexpr std::string_view greeting = "start";
 
 struct HeaterState {

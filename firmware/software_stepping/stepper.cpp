@@ -472,7 +472,7 @@ void Stepper::come_to_rest(const Positions& positions) {
   tick_.trap_base = ways().careful;
 }
 
-// No step from now on: a pulse that is out has been ended by whoever made it.
+// No step from now on: a pulse that is out has been ended by its maker.
 void Stepper::stop(std::uint8_t end_stops) {
   if (stopped_) return;
   stopped_ = true;

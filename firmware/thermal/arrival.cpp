@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells when a temperature has arrived at its target and stays, as Marlin's M109 and M190 wait for
+// Finds when a temperature has arrived at its target and stays, as Marlin's M109 and M190 wait for
 // it.
 #include "thermal/arrival.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells when a temperature has arrived at its target and stays, as Marlin's M109 and M190 wait for
+// Finds when a temperature has arrived at its target and stays, as Marlin's M109 and M190 wait for
 // it.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace thermal {
 
 struct ArrivalSettings {
   units::Millicelsius window{1'000};  // the residency begins within this of the target
-  units::Millicelsius hysteresis{3'000};  // and begins anew beyond this
+  units::Millicelsius hysteresis{3'000};  // and starts over beyond this
   units::Milliseconds residency{5'000};
 };
 

@@ -11,7 +11,7 @@ namespace devices {
 
 class FanGate : public sim::Device {
  public:
-  // Told at intervals, where it has changed: 0 to 1.
+  // Called at intervals, where it has changed: 0 to 1.
   using SpeedListener = std::function<void(double seconds, double speed)>;
 
   FanGate(sim::ClockRate rate, SpeedListener listener);

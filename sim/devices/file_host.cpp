@@ -287,7 +287,7 @@ bool FileHost::asked_too_often(std::size_t number) {
          resends_of_line_ > most_resends_of_line;
 }
 
-// The errors that announce a resend are those that hosts tell apart by these words; others are
+// The errors that announce a resend are those that hosts distinguish by these words; others are
 // fatal.
 void FileHost::take_error(sim::Clock, const std::string& reply) {
   last_error_ = reply;

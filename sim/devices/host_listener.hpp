@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who sends commands to the chip, and what is noticed of them, told to the recorder.
+// Who sends commands to the chip, and what is noticed of them, passed to the recorder.
 #pragma once
 
 #include <cstddef>

@@ -67,7 +67,7 @@ PathLock::PathLock(const std::filesystem::path& path) : name_(lock_name(path)) {
           fmt::format("{} is in use by {}", path.string(),
                       process.empty() ? "another process" : "process " + process));
     }
-    // Whoever had it may have removed the file between the two calls.
+    // Its holder may have removed the file between the two calls.
   } while (!is_in_place());
   note_left_behind_ = contents_of(file_).note;
   try {

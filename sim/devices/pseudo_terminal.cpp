@@ -83,7 +83,7 @@ void PseudoTerminal::make_slave() {
     fail("cannot name the pseudo-terminal");
   }
   slave_path_ = name.data();
-  // Only after its first use does a terminal tell that nobody has it open.
+  // Only after its first use does a terminal show that it is not open.
   const int slave = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave < 0) {
     fail("cannot open the pseudo-terminal");

@@ -12,7 +12,7 @@
 namespace devices {
 
 // As with a USB serial adapter, hosts come and go: who comes finds a raw terminal at the chip's
-// speed and nothing old in it; what is said while nobody is there is lost; the wire runs at the
+// speed and nothing old in it; what is said while no host is there is lost; the wire runs at the
 // speed that the host chooses, right or wrong. What a host has written goes out after it has closed
 // the port, for 30 s at most as in Linux, unless the next one opens it before. Then the line is low
 // for some time, so that the chip can give up a line that is not finished. A host that closes and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rising edge on a step pin and what it did, told to everything that wants to know.
+// A rising edge on a step pin and what it did, for all listeners.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor channel beside the chip: capacitor, thermistor, two references, and the pins that charge
-// it.
+// A sensor channel outside the chip: capacitor, thermistor, two references, and the pins that
+// charge it.
 #include "sim/devices/thermistor_input.hpp"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace devices {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-// Nobody waits longer: a threshold that a mere leakage reaches in years is not reached.
+// No wait is longer: a threshold that a mere leakage reaches in years is not reached.
 constexpr double longest_delay_seconds = 1e6;
 constexpr double temperature_refresh_seconds = 0.005;
 

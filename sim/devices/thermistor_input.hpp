@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sensor channel beside the chip: capacitor, thermistor, two references, and the pins that charge
-// it.
+// A sensor channel outside the chip: capacitor, thermistor, two references, and the pins that
+// charge it.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct ThermistorInputProperties {
   double pin_ohms = 25;  // of each output, in series
   double supply_volts{};
   double threshold_volts{};
-  double threshold_noise_volts = 2e-3;  // standard deviation, drawn anew for each charge
+  double threshold_noise_volts = 2e-3;  // standard deviation, drawn for each charge
   SensorPulls pulls{};
 };
 

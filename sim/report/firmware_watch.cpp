@@ -83,7 +83,7 @@ bool FirmwareWatch::firmware_is_in_memory() const {
   return std::ranges::all_of(code_, [this](const CodeWord& code) { return is_unchanged(code); });
 }
 
-void FirmwareWatch::begin_anew() { accepted_ = executed_ = refused_ = withdrawn_ = resends_ = 0; }
+void FirmwareWatch::start_over() { accepted_ = executed_ = refused_ = withdrawn_ = resends_ = 0; }
 
 void FirmwareWatch::compare_some(sim::Clock now) {
   if (code_.empty()) return;
@@ -97,7 +97,7 @@ void FirmwareWatch::compare_some(sim::Clock now) {
   if (there == firmware_is_there_) return;
   firmware_is_there_ = there;
   other_programs_ += there ? 0 : 1;
-  begin_anew();
+  start_over();
   if (on_program) on_program(now, there);
 }
 
@@ -135,7 +135,7 @@ void FirmwareWatch::wake(sim::Clock now) {
   compare_some(now);
   if (!firmware_is_there_) return;
   if (word(Word::version) < least_version) {
-    begin_anew();  // not started yet; or started again, by the boot loader
+    start_over();  // not started yet; or started again, by the boot loader
     return;
   }
   resends_ = word(Word::resends);

@@ -51,7 +51,7 @@ class FirmwareWatch : public sim::Device {
   bool firmware_is_in_memory() const;
 
   // The chip has been reset: its counters begin at 0.
-  void begin_anew();
+  void start_over();
 
   void wake(sim::Clock now) override;
 

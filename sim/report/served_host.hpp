@@ -24,7 +24,7 @@ class ServedHost : public devices::Host {
   void heard(sim::Clock now, char byte);
   void set_resends(std::uint64_t count) { counts_.resends = count; }
   // The chip has been reset: what it had not done it has forgotten.
-  void begin_anew() { waiting_.clear(); }
+  void start_over() { waiting_.clear(); }
 
  private:
   struct Command {

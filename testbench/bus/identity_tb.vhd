@@ -49,7 +49,7 @@ begin
     reset <= '0';
     for index in expected'range loop
       bus_read(clk, request, response, identity_address + 4 * index, word);
-      tells_what_it_was_built_with : assert word = expected(index)
+      reports_what_it_was_built_with : assert word = expected(index)
         report "word " & to_string(index) & " is " & to_hstring(word) severity error;
       bus_access(clk, request, response, identity_address + 4 * index, '1', "1111", x"FFFFFFFF",
         word, failed, clocks);

@@ -50,7 +50,7 @@ begin
       wait until falling_edge(clk);
       delays_by_two : assert clock < 2 or after_two = samples(2)
         report "two stages: " & to_string(after_two) severity error;
-      tells_of_a_new_level : assert clock < 2 or (settling = '1') = (samples(1) /= samples(2))
+      reports_a_new_level : assert clock < 2 or (settling = '1') = (samples(1) /= samples(2))
         report "settling: " & to_string(settling) severity error;
       delays_by_three : assert clock < 3 or after_three = samples(3)
         report "three stages: " & to_string(after_three) severity error;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each command becomes the instructions that it is meant to, and an exception is told.
+-- Each command becomes the instructions that it is meant to, and an exception is reported.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -45,7 +45,7 @@ begin
                   (exists => '0', data => x"00000000");
 
   -- A processor that completes each instruction three clocks after it was given, with a value that
-  -- tells which it was.
+  -- shows which it was.
   execute : process
   begin
     wait until rising_edge(clk);
@@ -121,7 +121,7 @@ begin
         (x"00040013", x"00000437", x"00140413", x"12341073", x"08009437", x"f0040413"));
     traps_at <= 99;
 
-    -- Registers beside the processor need none of its instructions.
+    -- Registers outside the processor need none of its instructions.
     run(x"002207b1", x"00000000", command_error_none, none);
     expect_result(x"0000feed");
     -- No transfer, of any size: nothing.

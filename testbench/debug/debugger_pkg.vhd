@@ -44,7 +44,7 @@ package debugger_pkg is
                            value : word_t);
   -- A word on the bus or in the memory, read past the processor.
   procedure expect_memory(signal jtag : inout jtag_t; address : unsigned(31 downto 0); value : word_t);
-  -- Halted before this address, for the reason that dcsr's cause tells.
+  -- Halted before this address, for the reason in dcsr.cause.
   procedure expect_halt(signal jtag : inout jtag_t; address : unsigned(31 downto 0); cause : natural);
   -- One instruction, which ends so far from the beginning of the memory.
   procedure step_to(signal jtag : inout jtag_t; address : natural);

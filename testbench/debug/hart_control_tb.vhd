@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Each reason to halt is told as such, and triggers compare what is about to be executed.
+-- Each reason to halt is reported as such, and triggers compare what is about to be executed.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -105,7 +105,7 @@ package body jtag_pkg is
     scan_data(jtag, address & x"00000000" & "01", captured);
     scan_data(jtag, 41x"0", captured);
     assert captured(40 downto 34) = address report "the answer names the register" severity failure;
-    assert captured(1 downto 0) = "00" report "an access is told to have failed" severity failure;
+    assert captured(1 downto 0) = "00" report "an access is reported to have failed" severity failure;
     data := captured(33 downto 2);
   end procedure;
 

@@ -103,9 +103,9 @@ begin
     begin
       wait until rising_edge(clk);
       bus_read(clk, request, response, status, word);
-      status_tells_each_stage : assert word = x"00" & expected_triggered & filtered & raw
+      status_reports_each_stage : assert word = x"00" & expected_triggered & filtered & raw
         report "status " & to_hstring(word) severity error;
-      output_is_what_the_status_tells : assert triggered = expected_triggered
+      output_is_what_the_status_reports : assert triggered = expected_triggered
         report "triggered " & to_hstring(triggered) severity error;
     end procedure;
   begin

@@ -105,7 +105,7 @@ begin
     a_stray_store_takes_no_pin : assert step = "01010" severity error;
     wait until rising_edge(clk);
     bus_read(clk, request, response, status, word);
-    the_refusal_is_told : assert word = x"00000002" severity error;
+    the_refusal_is_reported : assert word = x"00000002" severity error;
     write(status, 2);
     write(control, 0);
     bus_read(clk, request, response, status, word);
@@ -137,7 +137,7 @@ begin
     bus_read(clk, request, response, control, word);
     nothing_changes_in_motion : assert word = x"00000000" severity error;
     bus_read(clk, request, response, status, word);
-    the_refusals_are_told : assert word = x"00000003" severity error;
+    the_refusals_are_reported : assert word = x"00000003" severity error;
     write(status, 0);
     bus_read(clk, request, response, status, word);
     zero_forgets_nothing : assert word = x"00000003" severity error;
@@ -211,7 +211,7 @@ begin
     steps_again : assert step = "10110" severity error;
     wait until rising_edge(clk);
     bus_read(clk, request, response, stop, word);
-    tells_that_it_is_over : assert word = x"00000000" severity error;
+    reports_that_it_is_over : assert word = x"00000000" severity error;
 
     -- The generator is not stopped here: it has a stop latch of its own.
     write(step_register, 0);

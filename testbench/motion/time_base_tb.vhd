@@ -123,7 +123,7 @@ begin
     end function;
   begin
     wait until rising_edge(clk);
-    tells_what_the_rate_does : assert not is_moving or
+    reports_what_the_rate_does : assert not is_moving or
       ((accelerating = '1') = was_positive and (decelerating = '1') = was_negative)
       report "accelerating " & to_string(accelerating) & " decelerating " & to_string(decelerating)
         & " at " & to_string(acceleration) & " after leaps of " & to_string(to_integer(leap))

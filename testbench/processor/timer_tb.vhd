@@ -143,7 +143,7 @@ begin
     wait for 100 ns;
     forgets_its_deadline_at_reset : assert timer_interrupt = '0' report "interrupt" severity error;
     read_time;
-    begins_anew : assert now_cycles = strobe_clocks + 1 report to_hstring(now_cycles)
+    starts_over : assert now_cycles = strobe_clocks + 1 report to_hstring(now_cycles)
       severity error;
 
     -- Tearing: the low half overflows around the two reads, at every distance.

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- The receiver gets every byte of a sender 3 % too fast or slow, from 4 clocks per bit on; noise,
--- missing stop bits and breaks are told apart from bytes.
+-- missing stop bits and breaks are distinguished from bytes.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -167,10 +167,10 @@ begin
         noise_is_outvoted : assert last_byte = x"96"
           report "received " & to_hstring(last_byte) severity error;
       end loop;
-      noise_is_told : assert noisy_bytes /= 0 severity error;
+      noise_is_reported : assert noisy_bytes /= 0 severity error;
     end procedure;
 
-    procedure tells_errors_from_bytes (clocks_per_bit : real) is
+    procedure distinguishes_errors_from_bytes (clocks_per_bit : real) is
     begin
       start(clocks_per_bit);
       send_byte(receive, x"41", bit_time, stop_level => '0');
@@ -200,7 +200,7 @@ begin
       receives_a_stream(rates(rate), 0.03);
       receives_a_stream(rates(rate), -0.03);
       ignores_noise_on_an_idle_line(rates(rate));
-      tells_errors_from_bytes(rates(rate));
+      distinguishes_errors_from_bytes(rates(rate));
     end loop;
     -- Between 4 and 4.4 clocks per bit, where samples cannot be placed well, a little less is left.
     for tenths in 41 to 44 loop

@@ -285,7 +285,7 @@ begin
     begin
       check_interrupts(what, expected_interrupt, '0');
       read(status);
-      status_tells_whether_a_line_waits : assert word(29) = expected_line report what severity error;
+      status_reports_whether_a_line_waits : assert word(29) = expected_line report what severity error;
     end procedure;
 
     procedure interrupts_at_the_end_of_a_line is

@@ -82,7 +82,7 @@ begin
     -- A discharge ends by time alone: in the clock after the one to wake in, and this is a change.
     if discharging = '0' and discharging_before = '1' and enable = '1' and restart = '0' and reset = '0'
       and discharging_earlier = '1' and drive_enable /= "000" then
-      tells_a_change : assert changes = '1' report "no change" severity error;
+      reports_a_change : assert changes = '1' report "no change" severity error;
       wakes_in_time : assert wake_before + 2 = seen_cycles
         report to_hstring(wake_before) & " before " & to_hstring(seen_cycles) severity error;
     end if;
@@ -117,7 +117,7 @@ begin
       has_its_state : assert state = expected
         report why & ": state " & to_string(to_integer(state)) severity error;
       clock;
-      tells_once : assert updated = '0' report "updated for two clocks" severity error;
+      reports_once : assert updated = '0' report "updated for two clocks" severity error;
     end procedure;
 
     procedure expect_counts (of_thermistor, of_low, of_high : natural; why : string) is

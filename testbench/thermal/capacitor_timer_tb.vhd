@@ -91,11 +91,11 @@ begin
       wait until rising_edge(clk) and updated = '1' for 100 ms;
       converts : assert updated = '1' report "no conversion" severity failure;
       wait until rising_edge(clk);
-      tells_once : assert updated = '0' report "updated for two clocks" severity error;
+      reports_once : assert updated = '0' report "updated for two clocks" severity error;
     end procedure;
 
     -- Once more, if a conversion has begun before what it is to see.
-    procedure convert_anew is
+    procedure convert_again is
     begin
       convert;
       convert;
@@ -181,12 +181,12 @@ begin
     -- One resistor alone: it has to empty the capacitor too.
     references <= '0';
     discharge_cycles <= to_unsigned(20_000, 24);
-    convert_anew;
+    convert_again;
     forget <= '1';
     wait until rising_edge(clk);
     wait until rising_edge(clk);
     forget <= '0';
-    convert_anew;
+    convert_again;
     works_without_references : assert state = temperature_converter_status_state_ok
       and abs (real(to_integer(thermistor_count)) * ohms_per_count - 1_000.0) < 20.0
       report "counts " & to_string(to_integer(thermistor_count)) severity error;

@@ -149,7 +149,7 @@ begin
       trips : assert word(bit_number) = '1' and word(7) = '1' and word(0) = '0'
         report "status " & to_hstring(word) & " instead of bit " & to_string(bit_number) severity error;
       wait_clocks(2);
-      tells_the_processor : assert interrupt = '1' report "no interrupt" severity error;
+      interrupts_the_processor : assert interrupt = '1' report "no interrupt" severity error;
     end procedure;
 
     procedure clear_trips (
@@ -252,7 +252,7 @@ begin
     write(settle, 120 * ticks_per_s, 1);
     read(status, 1);
     takes_the_bounds_themselves : assert word(6 downto 2) = "01111" report to_hstring(word) severity error;
-    tells_the_converter : assert limits_locked = '1' report "not locked" severity error;
+    locks_the_converter : assert limits_locked = '1' report "not locked" severity error;
     read(status);
     locks_each_channel_alone : assert word(6 downto 2) = "00000" report to_hstring(word) severity error;
 

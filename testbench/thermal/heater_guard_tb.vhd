@@ -162,7 +162,7 @@ begin
     reset <= '0';
     wait_clocks(3);
     needs_a_conversion : assert permitted = '0' report "permitted without a sensor" severity error;
-    is_no_trip_while_nobody_heats : assert trips = heater_trips_none report "trips at rest" severity error;
+    is_no_trip_while_nothing_heats : assert trips = heater_trips_none report "trips at rest" severity error;
     heat_fully;
 
     -- 16384 of 65535 slots, in two rounds.

@@ -125,7 +125,7 @@ begin
     -- About 19 clocks per charge, and 189 through 10 kOhm.
     wait until rising_edge(clk) and readings(0).updated = '1';
     read(thermistors);
-    tells_software_what_it_tells_the_heaters : assert unsigned(word) = readings(0).count
+    software_reads_what_the_heaters_get : assert unsigned(word) = readings(0).count
       and readings(0).valid = '1' report to_hstring(word) severity error;
     counts_the_thermistor : assert unsigned(word) > 4 * 17 and unsigned(word) < 4 * 23
       report to_string(to_integer(unsigned(word))) severity error;
@@ -140,7 +140,7 @@ begin
     bed_ohms <= -1.0;
     wait_clocks(20_000);
     read_state(1, temperature_converter_status_state_open);
-    is_told_invalid : assert readings(1).valid = '0' report "valid" severity error;
+    is_reported_invalid : assert readings(1).valid = '0' report "valid" severity error;
     bed_stuck_low <= '1';
     wait_clocks(20_000);
     read_state(1, temperature_converter_status_state_time_out);

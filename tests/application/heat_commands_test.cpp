@@ -15,7 +15,7 @@ TEST(heat_commands, reports_temperatures_with_the_ok) {
   printer.talk("-> M105\n<* ok T:2\n");
 }
 
-TEST(heat_commands, m109_tells_each_second_until_the_target_holds) {
+TEST(heat_commands, m109_reports_each_second_until_the_target_holds) {
   Printer printer;
   printer.run(0.3);
   printer.send("M109 S100");

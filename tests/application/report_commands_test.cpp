@@ -7,7 +7,7 @@
 namespace application_test {
 namespace {
 
-TEST(report_commands, tells_what_it_is_and_can) {
+TEST(report_commands, reports_what_it_is_and_can) {
   Printer printer;
   printer.send("M115");
   const auto first = printer.reply();
@@ -24,7 +24,7 @@ TEST(report_commands, tells_what_it_is_and_can) {
   EXPECT_TRUE(autoreport);
 }
 
-TEST(report_commands, tells_which_end_stops_are_triggered) {
+TEST(report_commands, reports_which_end_stops_are_triggered) {
   Printer printer;
   printer.chip.mechanical[1] = 0;
   printer.talk(R"(

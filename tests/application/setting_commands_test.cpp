@@ -48,7 +48,7 @@ TEST(setting_commands, m92_changes_the_steps_of_later_moves) {
   EXPECT_EQ(printer.chip.position[0], 1000);
 }
 
-TEST(setting_commands, m113_tells_and_sets_the_busy_interval) {
+TEST(setting_commands, m113_reports_and_sets_the_busy_interval) {
   Printer printer;
   printer.talk(
       "-> M113\n<- echo:M113 S2\n<- ok\n-> M113 S5\n<- ok\n-> M113\n<- echo:M113 S5\n<- ok");

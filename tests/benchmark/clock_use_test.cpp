@@ -89,7 +89,7 @@ TEST(clock_use, a_division_behind_a_jump_has_its_own_clocks) {
   EXPECT_EQ(executed.use().count(Event::jump_direct), 1u);
 }
 
-TEST(clock_use, what_has_no_known_cause_is_told) {
+TEST(clock_use, what_has_no_known_cause_is_reported) {
   Executed executed;
   executed.then(encode::nop(), 4);
   EXPECT_EQ(executed.use().waited(Waiting::other), 3u);

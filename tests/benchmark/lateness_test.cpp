@@ -31,7 +31,7 @@ TEST(lateness, exact_ticks_are_not_late) {
   EXPECT_LT(largest_lateness(exact_ticks(3.3, 1000), 3.3), 1);
 }
 
-TEST(lateness, a_single_late_tick_is_told_to_the_clock) {
+TEST(lateness, a_single_late_tick_is_reported_to_the_clock) {
   for (const sim::Clock late : {1u, 49u, 50u, 51u, 500u}) {
     for (const std::size_t place : {0u, 1u, 500u, 999u}) {
       Ticks ticks = exact_ticks(1000, 1000);
@@ -71,7 +71,7 @@ TEST(lateness, a_rate_that_is_not_held_adds_up) {
   EXPECT_NEAR(largest_lateness(exact_ticks(1000.1, 1001), 1000), 100, 1);
 }
 
-TEST(lateness, a_run_that_is_watched_tells_the_same) {
+TEST(lateness, a_run_that_is_watched_reports_the_same) {
   Ticks ticks = exact_ticks(300, 1000);
   ticks[0] += 20;
   ticks[600] += 45;

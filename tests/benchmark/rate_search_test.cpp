@@ -58,7 +58,7 @@ TEST(rate_search, one_clock_more_than_the_tolerance_is_not_punctual) {
   EXPECT_EQ(stepper.limits(2).punctual.interval_clocks, 301u);
 }
 
-TEST(rate_search, whoever_is_bound_by_nothing_is_at_the_shortest_interval) {
+TEST(rate_search, what_is_bound_by_nothing_is_at_the_shortest_interval) {
   Stepper stepper;
   const Limits limits = stepper.limits(2);
   EXPECT_EQ(limits.clean.interval_clocks, 2u);
@@ -74,7 +74,7 @@ TEST(rate_search, does_not_accept_a_rate_where_a_slightly_lower_one_fails) {
   EXPECT_EQ(limits.punctual.interval_clocks, 104u);
 }
 
-TEST(rate_search, a_run_tells_of_both_rules_and_is_made_once) {
+TEST(rate_search, a_run_reports_both_rules_and_is_made_once) {
   Stepper stepper{.clean_from = 300, .late_clocks_at_zero = 500};
   stepper.limits(2);
   std::ranges::sort(stepper.runs);

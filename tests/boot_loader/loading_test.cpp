@@ -146,7 +146,7 @@ TEST(loading, a_chip_that_needs_a_second_for_each_frame_is_waited_for) {
   EXPECT_EQ(figures.restarts, 0u);
 }
 
-TEST(loading, it_arrives_whole_whatever_bytes_are_spoilt_or_lost) {
+TEST(loading, it_arrives_whole_whatever_bytes_are_corrupted_or_lost) {
   unsigned repeated = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     Chip chip;

@@ -35,7 +35,7 @@ struct Fan : testing::Test {
   }
 };
 
-TEST_F(Fan, is_off_until_it_is_told) { EXPECT_EQ(watch(10'000).clocks_on, 0u); }
+TEST_F(Fan, is_off_until_it_is_set) { EXPECT_EQ(watch(10'000).clocks_on, 0u); }
 
 TEST_F(Fan, finds_the_nearest_frequency) {
   static_assert(drivers::Fan::slot_cycles(Hertz(100), Hertz(50'000'000)) == 1961);

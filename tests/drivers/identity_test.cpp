@@ -12,7 +12,7 @@
 
 namespace {
 
-TEST(Identity, tells_what_the_chip_was_built_with) {
+TEST(Identity, reports_what_the_chip_was_built_with) {
   tests::VerilatedPeripheral<Videntity> chip{registers::identity::base};
   chip->clock_frequency_hz = 12'345'678;
   chip.clock();

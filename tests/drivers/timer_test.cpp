@@ -27,7 +27,7 @@ struct Timer : testing::Test {
   }
 };
 
-TEST_F(Timer, tells_the_clocks_between_two_looks) {
+TEST_F(Timer, reports_the_clocks_between_two_looks) {
   // The same clock of each call is the one that counts.
   const std::uint64_t clocks_before = chip.now();
   const Cycles before = timer.now();

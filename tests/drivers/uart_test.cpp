@@ -153,7 +153,7 @@ TEST(Uart, takes_a_stream_of_any_length_when_it_is_served) {
   EXPECT_EQ(line.host.received(), text);
 }
 
-TEST(Uart, tells_and_counts_lost_bytes) {
+TEST(Uart, reports_and_counts_lost_bytes) {
   Line line = fast_line();
   const std::string text = all_bytes(receive_depth + 5);
   line.host.send(text);
@@ -167,7 +167,7 @@ TEST(Uart, tells_and_counts_lost_bytes) {
   EXPECT_EQ(line.uart.error_counts().overruns, 5);
 }
 
-TEST(Uart, tells_and_counts_framing_errors_and_breaks) {
+TEST(Uart, reports_and_counts_framing_errors_and_breaks) {
   Line line = fast_line();
   line.host.send("a");
   line.host.send_without_stop_bit('b');

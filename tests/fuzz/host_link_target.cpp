@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The firmware's end of the serial conversation: bytes, faults and pauses as the input says; then a
-// host that begins anew gets its lines through.
+// host that starts over gets its lines through.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays every dialogue of the folder beside this file.
+// Plays every dialogue of the folder next to this file.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What no receiver can know for spoilt: lines with a right checksum that the host never sent.
+// What no receiver can know for corrupted: lines with a right checksum that the host never sent.
 #pragma once
 
 #include <set>

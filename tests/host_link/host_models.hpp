@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts as far as the line can tell them apart: when each sends the next line, and what it makes of
+// Hosts as far as they differ on the line: when each sends the next line, and what it makes of
 // replies.
 #pragma once
 

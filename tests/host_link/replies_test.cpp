@@ -49,7 +49,7 @@ TEST(text_line, writes_integers_of_any_size) {
   EXPECT_EQ(integer(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
 }
 
-TEST(text_line, tells_what_does_not_fit) {
+TEST(text_line, reports_what_does_not_fit) {
   TextLine line;
   line.text(std::string(TextLine::capacity, 'x'));
   EXPECT_TRUE(line.complete());

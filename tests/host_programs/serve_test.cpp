@@ -157,7 +157,7 @@ TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
 }
 
 // Which clock depends on the machine; the report must have the one that was announced.
-TEST_F(Serve, in_real_time_the_chip_gets_a_clock_of_which_is_told) {
+TEST_F(Serve, in_real_time_the_chip_gets_a_clock_that_is_reported) {
   start({}, "real");
   const int host = open_port();
   EXPECT_TRUE(connect(host));

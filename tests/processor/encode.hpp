@@ -20,7 +20,7 @@ constexpr Word operation(Word funct3, Word funct7, Word rd, Word rs1, Word rs2) 
 constexpr Word operation_immediate(Word funct3, Word rd, Word rs1, std::int32_t immediate) {
   return immediate_type(0x13, funct3, rd, rs1, immediate);
 }
-// Zbb's with one register: the upper 12 bits tell which.
+// Zbb's with one register: the upper 12 bits say which.
 constexpr Word of_one_register(Word code, Word funct3, Word rd, Word rs1) {
   return 0x13 | rd << 7 | funct3 << 12 | rs1 << 15 | code << 20;
 }

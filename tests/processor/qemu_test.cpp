@@ -26,7 +26,7 @@ std::string describe(const Retirement& event, std::uint64_t count) {
   return text.str();
 }
 
-// The chip's registers as its completed instructions tell them.
+// The chip's registers as its retired instructions give them.
 class Registers {
  public:
   void note(const Retirement& event) {
@@ -50,7 +50,7 @@ class Registers {
 };
 
 // Both start with registers of their own, so all are written before they are read.
-void run_beside_qemu(std::uint32_t seed, const RandomProgramSettings& settings, Count& count) {
+void run_with_qemu(std::uint32_t seed, const RandomProgramSettings& settings, Count& count) {
   const auto image = random_program(seed, settings);
   Chip chip(image);
   QemuMachine qemu(image, Chip::has_zbb);
@@ -93,7 +93,7 @@ TEST(Qemu, does_the_same_as_the_chip) {
                                          .portable = true,
                                          .zbb = Chip::has_zbb,
                                          .passes = 25};
-    run_beside_qemu(seed, settings, count);
+    run_with_qemu(seed, settings, count);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
   }
   // The programs must have been worth running.

@@ -65,7 +65,7 @@ TEST(campaign, is_not_good_with_an_entry_out_of_date) {
   EXPECT_FALSE(proof::is_good(killed(10), {"one"}, true));
 }
 
-TEST(campaign, tells_the_entries_that_are_out_of_date) {
+TEST(campaign, reports_the_entries_that_are_out_of_date) {
   const proof::Judgement judgement{proof::Judgement::Kind::equivalent, "because"};
   const std::map<std::string, proof::Judgement> judgements{
       {"a", judgement}, {"b", judgement}, {"c", judgement}, {"d", judgement}};

@@ -57,7 +57,7 @@ TEST(vhdl_tokens, knows_comments_characters_ticks_and_bit_strings) {
   EXPECT_THROW(proof::tokens_of("s <= \"01"), std::runtime_error);
 }
 
-TEST(vhdl_tokens, tells_where_they_stand) {
+TEST(vhdl_tokens, reports_where_they_stand) {
   const auto tokens = proof::tokens_of("-- x\n  ab;");
   EXPECT_EQ(tokens.at(0).begin, 7u);
   EXPECT_EQ(tokens.at(0).end, 9u);

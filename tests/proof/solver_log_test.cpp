@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(solver_log, tells_the_properties_that_failed_and_when) {
+TEST(solver_log, reports_the_properties_that_failed_and_when) {
   const proof::SolverLog log = proof::read_solver_log(
       "##   0:00:00  Checking assertions in step 3..\n"
       "##   0:00:00  Checking assertions in step 4..\n"
@@ -28,7 +28,7 @@ TEST(solver_log, holds_only_where_the_solver_says_so) {
             std::nullopt);
 }
 
-TEST(solver_log, tells_the_solutions_by_the_values_in_their_last_clock) {
+TEST(solver_log, reports_the_solutions_by_the_values_in_their_last_clock) {
   const std::string text =
       "SAT solving finished - model found:\n\n"
       "  Time Signal Name   Dec   Hex   Bin\n"

@@ -122,7 +122,7 @@ TEST_F(Trial, an_induction_proves_what_always_holds) {
   EXPECT_THAT(outcome.asserted, ElementsAre("counter_properties_count_stays_below_six"));
 }
 
-TEST_F(Trial, an_induction_that_does_not_close_is_told) {
+TEST_F(Trial, an_induction_that_does_not_close_is_reported) {
   const auto outcome = outcome_of(proof_of("count_is_never_seven", proof::Method::induction, 1));
   EXPECT_EQ(outcome.verdict, Verdict::fails);
   EXPECT_THAT(outcome.explanation, HasSubstr("the induction does not close"));
@@ -246,7 +246,7 @@ TEST_F(Trial, a_fault_in_a_lemma_is_caught_where_it_has_a_solution) {
   EXPECT_EQ(try_mutation(folders_, fault, lemma, limit).verdict, Verdict::broken);
 }
 
-TEST_F(Trial, sources_that_do_not_compile_are_told) {
+TEST_F(Trial, sources_that_do_not_compile_are_reported) {
   folder_.write("rtl/counter.vhd", counter + "nonsense");
   const auto outcome = outcome_of(proof_of("count_stays_below_six", proof::Method::induction, 1));
   EXPECT_EQ(outcome.verdict, Verdict::broken);

@@ -164,7 +164,7 @@ TEST(bench, link_measures_lines_and_their_answers) {
   }
 }
 
-TEST(bench, model_tells_how_fast_it_runs_and_what_resting_blocks_bring) {
+TEST(bench, model_reports_how_fast_it_runs_and_what_resting_blocks_bring) {
   const auto folder = scenarios::scratch_folder();
   const auto file = folder / "model.json";
   std::filesystem::remove(file);

@@ -53,7 +53,7 @@ class Firmware {
   std::uint32_t accepted_ = 0, executed_ = 0, refused_ = 0, withdrawn_ = 0;
 };
 
-TEST(FirmwareWatch, tells_every_accepted_line_once_and_in_order) {
+TEST(FirmwareWatch, reports_every_accepted_line_once_and_in_order) {
   Firmware firmware;
   report::FirmwareWatch watch(firmware.image, firmware.chip);
   std::string log;
@@ -200,7 +200,7 @@ class Listener : public devices::HostListener {
   std::vector<std::string> events;
 };
 
-TEST(ServedHost, tells_commands_one_after_the_other_although_more_are_accepted) {
+TEST(ServedHost, reports_commands_one_after_the_other_although_more_are_accepted) {
   report::ServedHost host;
   Listener listener;
   host.add_listener(listener);

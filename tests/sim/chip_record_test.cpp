@@ -36,7 +36,7 @@ TEST_F(ChipRecordTest, sees_the_depth_of_the_queue_change) {
   EXPECT_EQ(depth.buckets()[250].high, 1);
 }
 
-TEST_F(ChipRecordTest, tells_when_underruns_came_and_how_many) {
+TEST_F(ChipRecordTest, reports_when_underruns_came_and_how_many) {
   chip.queue.underruns = 7;  // from before
   report::ChipRecord record(chip, rate);
   simulation.attach(record, {});

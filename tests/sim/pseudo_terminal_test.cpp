@@ -100,7 +100,7 @@ TEST_F(PseudoTerminalTest, gives_a_new_host_nothing_that_was_said_to_the_one_bef
   int opened = 0, closed = 0;
   terminal.on_open = [&](sim::Clock) { ++opened; };
   terminal.on_close = [&](sim::Clock) { ++closed; };
-  chip.say("to nobody\n");
+  chip.say("to no host\n");
   simulation.run_until(simulation.now() + rate.clocks(0.05));
   EXPECT_FALSE(terminal.connected());
   // One that never reads, and is gone in the midst of a line.

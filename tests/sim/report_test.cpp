@@ -80,7 +80,7 @@ TEST(JsonReport, has_every_name_of_the_contract) {
   }
 }
 
-TEST(JsonReport, tells_values_as_they_are) {
+TEST(JsonReport, reports_values_as_they_are) {
   const nlohmann::json json = nlohmann::json::parse(report::to_json(some_results()));
   EXPECT_EQ(json["result"], "faulted");
   EXPECT_EQ(json["fault"], "Error:Thermal Runaway");

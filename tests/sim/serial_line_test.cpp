@@ -157,8 +157,8 @@ TEST(SerialLine, spoils_bytes_of_the_direction_that_is_asked_for) {
     line.send(0, std::string(1000, 'U'));
     simulation.run_until(300'000);
     ASSERT_EQ(bytes.text.size(), 1000U);
-    const auto spoilt = static_cast<std::uint64_t>(1000 - std::ranges::count(bytes.text, 'U'));
-    EXPECT_EQ(spoilt, line.replies_corrupted());
+    const auto corrupted = static_cast<std::uint64_t>(1000 - std::ranges::count(bytes.text, 'U'));
+    EXPECT_EQ(corrupted, line.replies_corrupted());
     EXPECT_EQ(line.replies_corrupted() > 50, replies);
     EXPECT_EQ(line.bytes_corrupted() > 50, !replies);
   }

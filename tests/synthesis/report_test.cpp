@@ -51,7 +51,7 @@ class SynthesisReport : public testing::Test {
       std::filesystem::path(testing::TempDir()) / "stepfabric_synthesis_report_test";
 };
 
-TEST_F(SynthesisReport, tells_what_the_tools_have_written) {
+TEST_F(SynthesisReport, reports_what_the_tools_have_written) {
   write(cells, layout);
   const Report report = read_report(folder_, folder_, Family::ecp5);
   EXPECT_EQ(report.lut4, 7000);
@@ -90,7 +90,7 @@ TEST_F(SynthesisReport, knows_the_parts_of_an_ice40) {
   EXPECT_THROW(read_report(folder_, folder_, Family::ecp5), std::runtime_error);
 }
 
-TEST_F(SynthesisReport, tells_the_clock_of_each_placement) {
+TEST_F(SynthesisReport, reports_the_clock_of_each_placement) {
   write(cells, layout);
   Report report = read_report(folder_, folder_, Family::ecp5);
   report.placements = {{.seed = 4, .fastest_mhz = 60.04}};

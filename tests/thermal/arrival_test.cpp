@@ -35,7 +35,7 @@ TEST_F(Wait, ends_when_the_target_was_held_for_the_residency) {
   EXPECT_TRUE(arrival.arrived());
 }
 
-TEST_F(Wait, bears_the_hysteresis_and_begins_anew_beyond_it) {
+TEST_F(Wait, bears_the_hysteresis_and_starts_over_beyond_it) {
   hold(200, 1'000);
   hold(202.9, 2'000);
   hold(203.1, 100);

@@ -13,7 +13,7 @@ entity thermal_chain is
     clk : in std_ulogic;
     reset : in std_ulogic;
     clock_frequency_hz : in unsigned(31 downto 0);
-    -- Bit 12 of the address tells the two peripherals apart.
+    -- Bit 12 of the address selects one of the two peripherals.
     request : in bus_request_t;
     response : out bus_response_t;
     sense : in std_ulogic_vector(1 downto 0);

@@ -138,7 +138,7 @@ TEST_F(Chain, holds_its_target_and_cuts_off_when_the_firmware_hangs) {
   EXPECT_GT(lowest, target - 2);
   EXPECT_EQ(loop.fault(), std::nullopt);
 
-  // The last duty stands and nobody feeds.
+  // The last duty stands and there is no feed.
   control.set_duty(0, thermal::full_duty);
   chip.clock(clock_hz);
   EXPECT_FALSE(control.status(0).gate);

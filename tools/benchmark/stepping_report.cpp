@@ -111,15 +111,15 @@ std::string to_json(const Comparison& comparison) {
   Json json{{"benchmark", "stepping"},
             {"clock_hz", comparison.clock_hz},
             {"tolerance_us", comparison.tolerance_us}};
-  const auto tell = [&](Rule rule, const char* rate, const char* ratio) {
+  const auto add = [&](Rule rule, const char* rate, const char* ratio) {
     for (const RatePair& pair : rate_pairs(comparison)) {
       json[rate][pair.name] =
           pair_json(pair.hardware.of(rule), pair.software.of(rule), comparison.clock_hz);
       json[ratio][pair.name] = rounded(pair.ratio(rule));
     }
   };
-  tell(Rule::clean, "highest_clean_rate", "ratio");
-  tell(Rule::punctual, "highest_punctual_rate", "punctual_ratio");
+  add(Rule::clean, "highest_clean_rate", "ratio");
+  add(Rule::punctual, "highest_punctual_rate", "punctual_ratio");
   for (const Figures& figures : comparison.figures) {
     json[name_of(figures.stepping)] = figures_json(figures, comparison.clock_hz);
   }

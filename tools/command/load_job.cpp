@@ -17,12 +17,12 @@ int load(const LoadOptions& options) {
   ignore_closed_pipes();  // a load that is broken off leaves a chip without a program
   const loading::Program program = loading::read_program(options.program);
   loading::SerialPort port(options.port, options.baud);
-  constexpr std::size_t told_bytes = 8192;
+  constexpr std::size_t reported_bytes = 8192;
   loading::Progress progress{
       .say = [](const std::string& what) { say_to(stderr, "stepfabric: {}\n", what); },
       .sent =
           [&](std::size_t bytes) {
-            if (bytes % told_bytes == 0)
+            if (bytes % reported_bytes == 0)
               say_to(stderr, "stepfabric: {} of {} bytes\n", bytes, program.bytes.size());
           }};
   try {

@@ -135,7 +135,7 @@ class Service {
     };
     watch_.on_program = [this](sim::Clock, bool firmware) {
       firmware_is_there_ = firmware;
-      host_.begin_anew();
+      host_.start_over();
       say(firmware ? "the firmware is in the chip again"
                    : "another program is loaded: which lines it takes is not known");
     };
@@ -163,8 +163,8 @@ class Service {
     setup_.chip().reset();
     sim::load(setup_.firmware(), setup_.chip());
     setup_.set_speed_of_line();
-    watch_.begin_anew();
-    host_.begin_anew();
+    watch_.start_over();
+    host_.start_over();
   }
 
   void say(const std::string& text) {

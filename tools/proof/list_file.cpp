@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of proofs and mutations, read completely: an entry that nobody reads is an error.
+// The lists of proofs and mutations, read completely: an entry that is not read is an error.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -21,8 +21,8 @@ struct SolverLog {
 
 SolverLog read_solver_log(std::string_view text);
 
-// What Yosys' solver tells of the solutions that it found, each as the values that the signals have
-// in its last clock, one text for all of them; without the one in which all are zero.
+// What Yosys' solver reports of the solutions that it found, each as the values that the signals
+// have in its last clock, one text for all of them; without the one in which all are zero.
 std::set<std::string> read_solutions(std::string_view text);
 
 }  // namespace proof

@@ -72,7 +72,7 @@ Stage from_start(int depth) { return {"bounded", "", depth}; }
 enum class Answer { yes, no, unknown };
 
 // Whether one half of a proof holds, by Yosys' own solver: it is far faster than z3 for most of
-// this, but tells little where it does not hold.
+// this, but says little where it does not hold.
 Answer ask_sat(const SolverInput& input, const char* half, int depth, const fs::path& folder,
                std::chrono::seconds limit) {
   const fs::path log = folder / "sat.log";
