@@ -14,7 +14,7 @@ entity data_access is
     memory_address : unsigned(31 downto 0);
     -- The memory holds 2 to this power bytes.
     memory_address_bits : positive;
-    -- Its last quarter is not implemented.
+    -- If true, the last quarter of these is outside the memory.
     memory_lacks_quarter : boolean := false
   );
   port (

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Prints with Cura's own USB device through `stepfabric serve`, over a good line and over a bad one: each line taken
-# once and in order, and the same pulses as of `stepfabric print`. Usage: print_with_cura.sh STEPFABRIC FOLDER. STEPFABRIC_CURA: the folder of the
-# plugin USBPrinting, where it is not at its usual place. Status 77: there is no Cura here.
+# Prints with Cura's own USB device through `stepfabric serve`, over a good line and over a bad one: each line
+# taken once and in order, and the same pulses as of `stepfabric print`. Usage: print_with_cura.sh STEPFABRIC
+# FOLDER. STEPFABRIC_CURA: the folder of the plugin USBPrinting, where it is not at its usual place. Status 77:
+# there is no Cura here.
 set -euo pipefail
 stepfabric=$1
 folder=$2
