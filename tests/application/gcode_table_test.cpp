@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "directories.hpp"
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {

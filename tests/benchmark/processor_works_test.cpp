@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "directories.hpp"
 #include "firmware/benchmark/checksum.hpp"
 #include "firmware/benchmark/core_work.hpp"
 #include "firmware/benchmark/linked_list.hpp"

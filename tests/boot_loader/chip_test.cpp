@@ -6,6 +6,7 @@
 #include <deque>
 #include <string>
 
+#include "directories.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"

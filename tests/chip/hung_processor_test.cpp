@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "directories.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"

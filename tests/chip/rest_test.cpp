@@ -8,6 +8,7 @@
 #include <random>
 #include <string_view>
 
+#include "directories.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "tests/chip/resting_twins.hpp"

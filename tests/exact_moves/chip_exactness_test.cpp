@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"

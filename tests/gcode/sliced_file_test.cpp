@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "directories.hpp"
 #include "gcode/parser.hpp"
 
 namespace gcode {

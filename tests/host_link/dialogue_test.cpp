@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "directories.hpp"
 #include "tests/host_link/dialogue.hpp"
 
 namespace host_link::test {

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "directories.hpp"
 #include "sim/devices/terminal_settings.hpp"
 
 namespace {

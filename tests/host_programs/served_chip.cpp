@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "directories.hpp"
 #include "tests/host_link/dialogue.hpp"
 
 namespace host_programs {

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "directories.hpp"
 #include "tests/motion/print_run.hpp"
 
 namespace {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "directories.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "tests/netlist/netlist_twin.hpp"

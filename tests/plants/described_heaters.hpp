@@ -2,6 +2,7 @@
 // Hotend and bed of the default machine's description, as the simulated printer has them.
 #pragma once
 
+#include "directories.hpp"
 #include "sim/machine/description.hpp"
 
 namespace tests {

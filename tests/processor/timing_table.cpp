@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading of the table of times.
 #include "tests/processor/timing_table.hpp"
+#include "directories.hpp"
 
 #include <fstream>
 #include <regex>

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "directories.hpp"
 #include "tests/temporary_folder.hpp"
 #include "tools/proof/campaign_report.hpp"
 #include "tools/proof/campaign_summary.hpp"

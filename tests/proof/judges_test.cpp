@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "directories.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {

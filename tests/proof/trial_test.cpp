@@ -3,6 +3,7 @@
 // reported.
 #include <gmock/gmock.h>
 
+#include "directories.hpp"
 #include "tests/temporary_folder.hpp"
 #include "tools/proof/task.hpp"
 

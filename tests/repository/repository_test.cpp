@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "directories.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <thread>
 
+#include "directories.hpp"
 #include "tests/scenarios/job.hpp"
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts the `stepfabric` program of this build and collects what it leaves.
 #include "tests/scenarios/job.hpp"
+#include "directories.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

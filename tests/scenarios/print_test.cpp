@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "directories.hpp"
 #include "tests/scenarios/job.hpp"
 
 namespace {

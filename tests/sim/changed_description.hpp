@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "directories.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace tests {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
 #include "sim/machine/surroundings.hpp"
 #include "sim/report/recorder.hpp"

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "directories.hpp"
 #include "sim/devices/path_lock.hpp"
 
 namespace synthesis {

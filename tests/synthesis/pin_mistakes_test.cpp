@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "directories.hpp"
 #include "tests/synthesis/pin_needs.hpp"
 
 namespace synthesis {

@@ -11,6 +11,7 @@
 #include <regex>
 #include <sstream>
 
+#include "directories.hpp"
 #include "tests/synthesis/board_pins.hpp"
 #include "tests/synthesis/pin_needs.hpp"
 
