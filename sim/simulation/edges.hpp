@@ -6,7 +6,8 @@
 
 namespace sim {
 
-// Those that change something; or all, which gives the same, more slowly, and serves to show it.
-enum class Edges : std::uint8_t { needed, all };
+// As few as possible: many clocks in which blocks only count are carried over at once; or those of
+// the blocks that are not at rest; or all. Each gives the same, more slowly, and serves to show it.
+enum class Edges : std::uint8_t { leaping, resting, all };
 
 }  // namespace sim

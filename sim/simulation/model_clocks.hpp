@@ -7,7 +7,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim/counting/chip_counts.hpp"
 #include "sim/simulation/edges.hpp"
+#include "sim/simulation/pins.hpp"
 #include "Vprinter_controller.h"
 #include "Vprinter_controller___024root.h"
 
@@ -16,18 +18,53 @@
 [[gnu::weak]] void Vprinter_controller___024root___eval_triggers__act(
     Vprinter_controller___024root* root);
 [[gnu::weak]] void Vprinter_controller___024root___eval_nba(Vprinter_controller___024root* root);
+// Makes all that depends on registers fit them again.
+[[gnu::weak]] void Vprinter_controller___024root___eval_settle(Vprinter_controller___024root* root);
 
 namespace sim {
 
 // Of all clocks, `clk` never rests; each other one has an output that says that its next edge
-// changes nothing. After an input has changed all have an edge. `Model` is the chip; a template, so
-// that what another version of Verilator keeps elsewhere is simply not used.
+// changes nothing. After an input has changed all have an edge. While all of these rest, what
+// counts on `clk` is carried over many clocks at once. `Model` is the chip; a template, so that
+// what another version of Verilator keeps elsewhere is simply not used.
 template <class Model>
 class ModelClocks {
  public:
   ModelClocks(Model& model, Edges edges) : model_(model), edges_(edges) {
     model_.eval();  // Initial values.
     learn_triggers();
+    leaps_ = direct_ && edges_ == Edges::leaping &&
+             Vprinter_controller___024root___eval_settle != nullptr;
+  }
+
+  // No other clock than `clk` would have an edge now, unless an input changes.
+  bool rests() const {
+    return model_.processor_at_rest && model_.bus_at_rest && model_.axes_at_rest &&
+           model_.peripherals_at_rest;
+  }
+
+  // Puts the model into the state in which its counters are these.
+  void set_counts(const counting::Counts& counts) {
+    if constexpr (counting::has_counts<Root>) {
+      counting::write_counts(counts, *model_.rootp);
+      Vprinter_controller___024root___eval_settle(model_.rootp);
+    }
+  }
+
+  // Up to `most` clocks at once, if there is nothing to do in them but to count; none otherwise. To
+  // be called without a new input. Returns their number.
+  Clock leap(Clock most) {
+    if constexpr (counting::has_counts<Root>) {
+      if (leaps_ && most >= least_leap && rests() && counting::counts_are_usual(*model_.rootp)) {
+        counting::Counts counts = counting::read_counts(*model_.rootp);
+        const Clock clocks = counts.carry(most, least_leap);
+        if (clocks != 0) {
+          set_counts(counts);
+        }
+        return clocks;
+      }
+    }
+    return 0;
   }
 
   // One clock. Says whether another clock than `clk` had an edge.
@@ -53,6 +90,11 @@ class ModelClocks {
   }
 
  private:
+  using Root = std::remove_pointer_t<decltype(std::declval<Model&>().rootp)>;
+
+  // Fewer clocks are sooner done one by one.
+  static constexpr Clock least_leap = 12;
+
   // Bits of a set of clocks.
   static constexpr unsigned always = 1, processor = 2, bus = 4, axes = 8, peripherals = 16,
                             sets = 32;
@@ -124,6 +166,7 @@ class ModelClocks {
   Model& model_;
   Edges edges_;
   bool direct_ = false;
+  bool leaps_ = false;
   decltype(no_triggers()) triggers_ = no_triggers();
 };
 

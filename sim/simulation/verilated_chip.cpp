@@ -109,13 +109,20 @@ void VerilatedChip::advance(Clock limit) {
   const OutputPins before = outputs_;
   while (now_ < limit) {
     const bool fan_gate = model.fan_gate;
-    const bool others = clocks_->clock(input_has_changed);
-    input_has_changed = false;
-    ++now_;
-    processor_.sleeping_clocks += model.sleeping;
-    processor_.instructions += model.retired;
-    if (trace_) {
-      trace_->record(now_);
+    bool others = false;
+    if (const Clock leap = !input_has_changed && !trace_ ? clocks_->leap(limit - now_) : 0;
+        leap != 0) {
+      now_ += leap;
+      processor_.sleeping_clocks += model.sleeping ? leap : 0;
+    } else {
+      others = clocks_->clock(input_has_changed);
+      input_has_changed = false;
+      ++now_;
+      processor_.sleeping_clocks += model.sleeping;
+      processor_.instructions += model.retired;
+      if (trace_) {
+        trace_->record(now_);
+      }
     }
     // The fan's is the only pin that `clk` alone changes.
     if (others || model.fan_gate != fan_gate) {

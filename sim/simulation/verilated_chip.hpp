@@ -24,7 +24,7 @@ class HardwareAssertion : public std::runtime_error {
 // reset do not count.
 class VerilatedChip : public Chip {
  public:
-  explicit VerilatedChip(std::uint32_t clock_hz, Edges edges = Edges::needed);
+  explicit VerilatedChip(std::uint32_t clock_hz, Edges edges = Edges::leaping);
   ~VerilatedChip() override;
 
   // Lets the firmware drive the step and direction pins itself, which no board does. Before the

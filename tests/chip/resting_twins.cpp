@@ -15,7 +15,7 @@ constexpr std::uint32_t memory_start = 0x8000'0000, memory_bytes = 98304;
 RestingTwins::RestingTwins(std::uint32_t clock_hz)
     : Twins(all_edges_, needed_edges_),
       all_edges_(clock_hz, sim::Edges::all),
-      needed_edges_(clock_hz, sim::Edges::needed) {
+      needed_edges_(clock_hz, sim::Edges::leaping) {
   compare();
 }
 

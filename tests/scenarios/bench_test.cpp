@@ -164,7 +164,7 @@ TEST(bench, link_measures_lines_and_their_answers) {
   }
 }
 
-TEST(bench, model_reports_how_fast_it_runs_and_what_resting_blocks_bring) {
+TEST(bench, model_reports_how_fast_it_runs_and_what_leaps_and_resting_blocks_bring) {
   const auto folder = scenarios::scratch_folder();
   const auto file = folder / "model.json";
   std::filesystem::remove(file);
@@ -172,15 +172,17 @@ TEST(bench, model_reports_how_fast_it_runs_and_what_resting_blocks_bring) {
   ASSERT_EQ(job.status, 0) << job.output;
   std::ifstream stream(file);
   const auto works = nlohmann::json::parse(stream)["works"];
-  ASSERT_EQ(works.size(), 3u);
+  ASSERT_EQ(works.size(), 4u);
   for (const auto& work : works) {
     EXPECT_GT(work["clocks_per_second"], 0) << work;
-    EXPECT_GT(work["clocks_per_second_all_edges"], 0) << work;
+    EXPECT_GT(work["clocks_per_second_without_leaps"], 0) << work;
+    EXPECT_EQ(work["clocks_per_second_all_edges"] > 0, work["clock_hz"] == 4'000'000) << work;
   }
   EXPECT_LT(works[0]["awake"], 0.5);
   EXPECT_GT(works[1]["awake"].get<double>(), works[0]["awake"].get<double>());
-  EXPECT_EQ(works[2]["awake"], 1);
-  EXPECT_GT(works[2]["instructions_per_clock"], 0.7);
+  EXPECT_LT(works[2]["awake"].get<double>(), works[1]["awake"].get<double>());
+  EXPECT_EQ(works[3]["awake"], 1);
+  EXPECT_GT(works[3]["instructions_per_clock"], 0.7);
 }
 
 }  // namespace

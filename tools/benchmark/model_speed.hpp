@@ -26,18 +26,20 @@ struct ModelScope {
 
 struct ModelWork {
   std::string name;
+  std::uint32_t clock_hz{};
   std::uint64_t clocks{};  // measured ones
   double awake{};  // share of these in which the processor does not sleep
   double instructions_per_clock{};
-  // Clocks per second of processor time, the best of some runs, by which edges are evaluated.
-  std::array<double, 2> clocks_per_second{};
+  // Clocks per second of processor time, the best of some runs, by which edges are evaluated; 0
+  // where that was not measured.
+  std::array<double, 3> clocks_per_second{};
 
   double speed(sim::Edges edges) const {
     return clocks_per_second[static_cast<std::size_t>(edges)];
   }
 };
 
-// Runs of both kinds alternate, so that a busy machine is unfair to neither. Throws
+// Runs of all kinds alternate, so that a busy machine is unfair to none. Throws
 // std::runtime_error where a program does not do what it should.
 std::vector<ModelWork> measure_model(const ModelScope& scope,
                                      const std::function<void(const std::string&)>& say);

@@ -53,6 +53,7 @@ function(add_verilated_model target)
     COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh ${directory} ${target} ${argument_TOP}
       ${rtl_files} ${extra} -- ${argument_GENERICS} -- ${arguments}
     DEPENDS ${rtl_files} ${extra} ${control} ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh
+      ${CMAKE_SOURCE_DIR}/tools/hardware/name_registers.awk
     COMMENT "Verilating ${argument_TOP}" VERBATIM)
   add_custom_target(${target}_build DEPENDS ${library})
   add_library(${target} INTERFACE)

@@ -16,6 +16,7 @@ struct PrinterChoices {
   std::optional<std::uint32_t> baud;
   std::uint64_t seed = 1;
   bool warm = false;
+  bool every_clock = false;  // no leaps, no edges left out
   std::string stepping = "hardware";
   std::vector<std::string> faults;
   std::filesystem::path accept_log;

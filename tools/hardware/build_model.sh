@@ -16,8 +16,9 @@ mkdir -p "$directory/work" "$directory/verilated"
 cd "$directory"
 ghdl -i --std=08 -fpsl --workdir=work "${files[@]}"
 ghdl -m --std=08 -fpsl --workdir=work "$entity" > ghdl.log || { cat ghdl.log; exit 1; }
-ghdl synth --std=08 -fpsl --no-assert-cover --workdir=work --out=verilog "${generics[@]}" "$entity" > "$entity.v" 2> synth.log ||
+ghdl synth --std=08 -fpsl --no-assert-cover --workdir=work --out=verilog "${generics[@]}" "$entity" > work/netlist.v 2> synth.log ||
   { cat synth.log; exit 1; }
+awk -f "$(dirname "$0")/name_registers.awk" work/netlist.v work/netlist.v > "$entity.v"
 
 # The netlist has no delays and many helper nets: names and unused nets are of no interest, all else is.
 export OBJCACHE=${OBJCACHE-$(command -v ccache || true)}

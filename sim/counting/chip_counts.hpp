@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the Verilated chip keeps what counts: the only file that knows the names of these
+// registers.
+#pragma once
+
+#include "sim/counting/counts.hpp"
+
+namespace counting {
+
+// Registers have the names of their signals, see tools/hardware/name_registers.awk.
+#define REGISTER(path, name) root.printer_controller__DOT__##path##__DOT__##name##_q
+#define BASE(name) REGISTER(motion__DOT__core__DOT__base, name)
+#define PACE(name) REGISTER(motion__DOT__core__DOT__pace, name)
+#define WATCH(name) REGISTER(motion__DOT__core__DOT__watch, name)
+#define FAN(name) REGISTER(cooling_fan__DOT__modulator, name)
+#define FAN_SETTING(name) REGISTER(cooling_fan__DOT__registers, name)
+#define PROCESSOR(path, name) \
+  REGISTER(computing__DOT__cpu__DOT__control_status_registers##path, name)
+
+// `Root` is the structure of all the model's variables. A template, so that a model without these
+// names can be used without leaps.
+template <class Root>
+inline constexpr bool has_counts = requires(Root& root) {
+  REGISTER(machine_timer, now_cycles);
+  REGISTER(heat, slot_phase);
+  BASE(phase);
+};
+
+// Where time must not be carried over although all blocks are at rest.
+template <class Root>
+bool counts_are_usual(const Root& root) {
+  // In a leap the time base does several of its clocks in one.
+  return PACE(leap) == 0;
+}
+
+template <class Root>
+Counts read_counts(const Root& root) {
+  constexpr std::uint32_t last_of_tick = 1023;
+  return {.timer = {.now = REGISTER(machine_timer, now_cycles),
+                    .deadline = REGISTER(machine_timer, deadline_cycles),
+                    .reached = REGISTER(machine_timer, reached) != 0},
+          .motion_time = REGISTER(motion__DOT__core, now),
+          .processor_cycles = PROCESSOR(__DOT__cycle_counter, counted),
+          .processor_cycles_stopped = PROCESSOR(, cycle_stopped) != 0,
+          .converter_tick = {.phase = REGISTER(sensors, tick_phase), .last = last_of_tick},
+          .heater_tick = {.phase = REGISTER(heat, tick_phase), .last = last_of_tick},
+          .heater_slot = {.phase = REGISTER(heat, slot_phase), .last = REGISTER(heat, last_phase)},
+          .converter_cycles = {REGISTER(sensors, now_cycles)},
+          .converter_wakes = {REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles),
+                              REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles)},
+          .motion_watchdog = {.limit = REGISTER(motion__DOT__registers, watchdog_stored),
+                              .moving = BASE(active) != 0,
+                              .left = WATCH(left),
+                              .expired = WATCH(expired) != 0},
+          .time_base = {.active = BASE(active) != 0,
+                        .advance = PACE(advance) != 0,
+                        .phase = BASE(phase),
+                        .rate = BASE(rate),
+                        .acceleration = static_cast<std::int64_t>(BASE(acceleration)),
+                        .jerk = static_cast<std::int64_t>(BASE(jerk)),
+                        .rate_floor = REGISTER(motion__DOT__settings, rate_floor),
+                        .accelerating = BASE(accelerating) != 0,
+                        .decelerating = BASE(decelerating) != 0},
+          .fan = {.slot_cycles = FAN_SETTING(period_stored),
+                  .duty = FAN_SETTING(duty_stored),
+                  .remaining_cycles = REGISTER(cooling_fan, remaining_cycles),
+                  .slot = FAN(slot),
+                  .slots_on = FAN(slots_on),
+                  .level = FAN(level) != 0}};
+}
+
+// All of them, those that only software changes as well; the counters that are read again are as
+// they have been written.
+template <class Root>
+void write_counts(const Counts& counts, Root& root) {
+  REGISTER(machine_timer, now_cycles) = counts.timer.now;
+  REGISTER(machine_timer, deadline_cycles) = counts.timer.deadline;
+  REGISTER(machine_timer, reached) = counts.timer.reached;
+  REGISTER(motion__DOT__core, now) = counts.motion_time;
+  PROCESSOR(__DOT__cycle_counter, counted) = counts.processor_cycles;
+  PROCESSOR(, cycle_stopped) = counts.processor_cycles_stopped;
+  REGISTER(sensors, tick_phase) = static_cast<std::uint16_t>(counts.converter_tick.phase);
+  REGISTER(heat, tick_phase) = static_cast<std::uint16_t>(counts.heater_tick.phase);
+  REGISTER(heat, slot_phase) = counts.heater_slot.phase;
+  REGISTER(heat, last_phase) = counts.heater_slot.last;
+  REGISTER(sensors, now_cycles) = counts.converter_cycles.now;
+  REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles) = counts.converter_wakes[0];
+  REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles) = counts.converter_wakes[1];
+  REGISTER(motion__DOT__registers, watchdog_stored) = counts.motion_watchdog.limit;
+  WATCH(left) = counts.motion_watchdog.left;
+  WATCH(expired) = counts.motion_watchdog.expired;
+  BASE(active) = counts.time_base.active;
+  PACE(advance) = counts.time_base.advance;
+  BASE(phase) = counts.time_base.phase;
+  BASE(rate) = counts.time_base.rate;
+  BASE(acceleration) = static_cast<std::uint64_t>(counts.time_base.acceleration);
+  BASE(jerk) = static_cast<std::uint64_t>(counts.time_base.jerk);
+  REGISTER(motion__DOT__settings, rate_floor) = counts.time_base.rate_floor;
+  BASE(accelerating) = counts.time_base.accelerating;
+  BASE(decelerating) = counts.time_base.decelerating;
+  FAN_SETTING(period_stored) = counts.fan.slot_cycles;
+  FAN_SETTING(duty_stored) = counts.fan.duty;
+  REGISTER(cooling_fan, remaining_cycles) = counts.fan.remaining_cycles;
+  FAN(slot) = counts.fan.slot;
+  FAN(slots_on) = counts.fan.slots_on;
+  FAN(level) = counts.fan.level;
+}
+
+#undef PROCESSOR
+#undef FAN_SETTING
+#undef FAN
+#undef WATCH
+#undef PACE
+#undef BASE
+#undef REGISTER
+
+}  // namespace counting

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// As far as all blocks only count, all of them.
+#include "sim/counting/counts.hpp"
+
+#include <algorithm>
+
+namespace counting {
+
+sim::Clock Counts::carry(sim::Clock most, sim::Clock least) {
+  sim::Clock clocks = std::min({most, timer.quiet(), converter_tick.quiet(), heater_tick.quiet(),
+                                heater_slot.quiet(), motion_watchdog.quiet()});
+  for (const std::uint32_t wake : converter_wakes) {
+    clocks = std::min(clocks, converter_cycles.quiet_until(wake));
+  }
+  if (clocks < least) return 0;
+
+  // These two find the end themselves.
+  TimeBase carried_base = time_base;
+  clocks = carried_base.carry(clocks);
+  if (clocks < least) return 0;
+  Fan carried_fan = fan;
+  const sim::Clock clocks_of_fan = carried_fan.carry(clocks);
+  if (clocks_of_fan < clocks) {
+    if (clocks_of_fan < least) return 0;
+    clocks = clocks_of_fan;
+    carried_base = time_base;
+    carried_base.carry(clocks);
+  }
+  time_base = carried_base;
+  fan = carried_fan;
+
+  timer.carry(clocks);
+  motion_time += clocks;
+  processor_cycles += processor_cycles_stopped ? 0 : clocks;
+  converter_tick.carry(clocks);
+  heater_tick.carry(clocks);
+  heater_slot.carry(clocks);
+  converter_cycles.carry(clocks);
+  motion_watchdog.carry(clocks);
+  return clocks;
+}
+
+}  // namespace counting
