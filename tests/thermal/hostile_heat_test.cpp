@@ -130,47 +130,6 @@ TEST(hidden_faults, a_heater_that_breaks) {
   expect_found(break_while_holding(Part::bed, 600, open), 90, 61);
 }
 
-// A bead that freezes exactly at the target does no harm for as long as it is not found, in all
-// heaters of the description that reach the target.
-void expect_harmless(Part part, double target, double at_most_above) {
-  const thermal::HeaterModel& model =
-      part == Part::bed ? machine::machine.bed.model : machine::machine.hotend.model;
-  const auto between = [](std::int32_t least, std::int32_t most, int step) {
-    return (least * std::pow(static_cast<double>(most) / least, step / 8.0)) / 100;
-  };
-  double highest = -300, latest = 0;
-  int held = 0, found = 0;
-  for (int power = 0; power < 9; ++power) {
-    for (int loss = 0; loss < 9; ++loss) {
-      Rig rig(part, {.power = between(model.least_power, model.most_power, power),
-                     .loss = between(model.least_loss, model.most_loss, loss),
-                     .start = target - 10,
-                     .seed = static_cast<std::uint64_t>(9 * power + loss)});
-      rig.hold(target, 60 + power + loss);
-      if (!rig.loop.at_target() || rig.loop.fault()) continue;  // too weak for this target
-      ++held;
-      const double broken_at = rig.now;
-      rig.sense = [target](double, double) { return target; };
-      rig.run(900);
-      found += rig.loop.fault() == Fault::sensor_frozen ? 1 : 0;
-      highest = std::max(highest, rig.highest);
-      latest = std::max(latest, rig.now - broken_at);
-    }
-  }
-  std::printf(
-      "%d of 81 heaters hold %.0f degrees; frozen there %d found, at most after %.1f s, "
-      "block at most %.1f degrees\n",
-      held, target, found, latest, highest);
-  EXPECT_GT(held, 60);
-  EXPECT_EQ(found, held);
-  EXPECT_LT(highest, target + at_most_above);
-}
-
-TEST(described_heaters, stay_near_the_target_while_a_frozen_bead_is_looked_for) {
-  expect_harmless(Part::hotend, hotend_target, 8);
-  expect_harmless(Part::bed, bed_target, 4);
-}
-
 // What a script does, half an hour long, must neither end the heat nor unsettle it.
 void expect_peace(const char* what, Part part, const tests::RigSettings& settings, double target,
                   const Rig::Script& script, double within = 3) {
