@@ -28,6 +28,15 @@ struct HeaterModel {
 
 inline constexpr HeaterModel no_heater_model{};
 
+// How fast the temperature changes, and would by the nominal heater. In mK/s.
+struct Slopes {
+  std::int32_t measured{};
+  std::int32_t heating{};
+  std::int32_t still{};  // lost in still air
+  std::int32_t blown{};  // lost to the fan
+  std::int32_t melted{};  // lost to the filament
+};
+
 // What cools the block that the heater's own loop does not know of.
 struct Cooling {
   std::uint8_t fan{};  // of 255

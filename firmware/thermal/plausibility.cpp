@@ -3,6 +3,7 @@
 #include "thermal/plausibility.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "thermal/low_pass.hpp"
@@ -11,6 +12,9 @@ namespace thermal {
 namespace {
 
 constexpr units::Millicelsius surroundings{25'000};
+// About the target, in which the heat that it needs is compared with what it needed before. An
+// enclosure that is opened counts for more than draught at lower targets.
+constexpr units::Millicelsius held_band{20'000}, least_compared{125'000};
 constexpr units::Milliseconds longest_gap{1'000};
 
 // What differs from one minute to the next, in percent: of the heat (a supply that sags), of the
@@ -42,7 +46,7 @@ constexpr std::int32_t factor(std::int32_t least, std::int32_t most, int step, i
       least * most / 100 * last * 1'024 / (most * (last - step) + least * step);
   return (arithmetic + harmonic) / 2;
 }
-constexpr std::int32_t nominal = 1'024;  // such a part
+constexpr std::int32_t nominal = Demand::Power::scale;  // such a part
 static_assert(factor(50, 200, 0, 2) == 512 && factor(50, 200, 2, 2) == 2'048);
 static_assert(factor(50, 200, 1, 2) == (1'280 + 819) / 2);
 
@@ -107,6 +111,7 @@ Plausibility::Finding Plausibility::compare(const Window& raw,
   Finding finding = Finding::none;
   if (before_) {
     const Slopes slopes = slopes_until(now, cooling);
+    watch_demand(slopes, now, target);
     if (is_heat_unasked(slopes, target.has_value(), now.milliseconds)) {
       finding = Finding::heat_unasked;
     } else if (target && is_heat_missing(slopes, *target, now.milliseconds)) {
@@ -130,8 +135,29 @@ std::int32_t Plausibility::filament_loss(const Cooling& cooling) const {
   return model_->filament_loss * (cooling.filament.count() / 64) / 16;
 }
 
+// As long as one target is held, near enough to it and so hot that the room matters little.
+void Plausibility::watch_demand(const Slopes& slopes, const Window& now,
+                                std::optional<units::Millicelsius> target) {
+  const bool holds = target && *target >= least_compared &&
+                     std::abs(now.celsius - target->count()) < held_band.count();
+  if (!holds || held_ != target) {
+    demand_.restart();
+    needs_too_much_.fill(false);
+  }
+  held_ = target;
+  if (!holds || !demand_.add(slopes, now.milliseconds)) return;
+  const auto halfway = [&model = *model_](int half_steps) {
+    constexpr int last = 2 * (steps - 1);
+    return factor(model.least_power, model.most_power, std::clamp(half_steps, 0, last), last);
+  };
+  for (int power = 0; power < steps; ++power) {
+    needs_too_much_[static_cast<std::size_t>(power)] =
+        demand_.has_grown({halfway(2 * power - 1), halfway(2 * power + 1)});
+  }
+}
+
 // From the middle of one window to the middle of the next.
-Plausibility::Slopes Plausibility::slopes_until(const Window& now, const Cooling& cooling) const {
+Slopes Plausibility::slopes_until(const Window& now, const Cooling& cooling) const {
   const std::int32_t milliseconds = (before_->milliseconds + now.milliseconds) / 2;
   const std::int32_t celsius = (before_->celsius + now.celsius) / 2;
   const std::int32_t steepest = most_in_window / milliseconds * 1'000;
@@ -205,6 +231,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
     const std::int32_t full = model_->rise * part / 1'024 * (100 - sag) / 100;
     const std::int32_t most_missing = warms * (100 - sag) / 100 - spread - measured;
     const std::int32_t most_surplus = measured - warms - spread;
+    const bool needs_too_much = needs_too_much_[static_cast<std::size_t>(power)];
     for (int loss = 0; loss < steps; ++loss) {
       const auto index = static_cast<std::size_t>(loss);
       Evidence& against = heaters_[static_cast<std::size_t>(power * steps + loss)];
@@ -213,7 +240,8 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
       // A heater stronger than any that is described is no danger that this could find.
       const bool strongest = power == steps - 1 && loss == 0;
       const bool holds = full >= needed[index] || (part >= nominal && parts[index] <= nominal);
-      explained = explained || (holds && !is_too_strong && (!is_too_weak || strongest));
+      explained =
+          explained || (holds && !needs_too_much && !is_too_strong && (!is_too_weak || strongest));
     }
   }
   return !explained;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "thermal/controller.hpp"
+#include "thermal/demand.hpp"
 #include "thermal/heater_model.hpp"
 #include "thermal/probe.hpp"
 #include "units/quantity.hpp"
@@ -31,7 +32,8 @@ class Plausibility {
   enum class Finding : std::uint8_t { none, heat_missing, heat_unasked, sensor_frozen };
 
   // The model must outlive it.
-  explicit constexpr Plausibility(const HeaterModel& model) : model_(&model), probe_(model) {}
+  explicit constexpr Plausibility(const HeaterModel& model)
+      : model_(&model), probe_(model), demand_(model) {}
 
   // Every 100 ms or so. `duty` is what the heater was given since the last call, `elapsed` ago. No
   // temperature where the conversion has failed. Without a target the heater is off, and may cool
@@ -58,25 +60,22 @@ class Plausibility {
     std::int32_t duty{};  // as it has come to the sensor
     std::int32_t milliseconds{};
   };
-  // Slopes in mK/s.
-  struct Slopes {
-    std::int32_t measured{};
-    std::int32_t heating{};  // by the model, at factor 1
-    std::int32_t still{};  // lost in still air
-    std::int32_t blown{};  // lost to the fan
-    std::int32_t melted{};  // lost to the filament
-  };
 
   void begin_window();
   Finding compare(const Window& raw, std::optional<units::Millicelsius> target,
                   const Cooling& cooling);
   std::int32_t filament_loss(const Cooling& cooling) const;
   Slopes slopes_until(const Window& now, const Cooling& cooling) const;
+  void watch_demand(const Slopes& slopes, const Window& now,
+                    std::optional<units::Millicelsius> target);
   bool is_heat_missing(const Slopes& slopes, units::Millicelsius target, std::int32_t milliseconds);
   bool is_heat_unasked(const Slopes& slopes, bool wanted, std::int32_t milliseconds);
 
   const HeaterModel* model_;
   Probe probe_;
+  Demand demand_;
+  std::optional<units::Millicelsius> held_;  // what demand_ is about
+  std::array<bool, static_cast<std::size_t>(steps)> needs_too_much_{};  // by power
   std::array<Evidence, static_cast<std::size_t>(steps* steps)> heaters_{};
   std::int32_t arriving_ = 0, felt_ = 0;  // duty after one lag and after both, 4 fractional bits
   std::int32_t unasked_ = 0;  // mK

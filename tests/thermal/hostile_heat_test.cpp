@@ -181,6 +181,39 @@ TEST(peace, bears_the_fan_in_any_rhythm) {
                [](Rig& rig, double time) { rig.fan = time > 150 ? 1 : 0; });
 }
 
+// A hotend needs half as much heat again, for all that the firmware knows without a cause.
+TEST(peace, bears_draught_that_begins_while_the_supply_falls) {
+  const plants::HeatedBlockProperties hotend = tests::described_hotend();
+  const double draught =
+      0.3 * hotend.loss_watts_per_kelvin / hotend.fan_loss_watts_per_kelvin;  // as described
+  for (const double begin : {20.0, 35.0, 60.0, 120.0}) {
+    for (const double start : {22.0, 205.0}) {
+      expect_peace(
+          "draught and sag", Part::hotend, {.start = start}, hotend_target,
+          [begin, draught](Rig& rig, double time) {
+            const bool windy = std::fmod(time, 2 * begin) > begin;
+            rig.draught = windy ? draught : 0;
+            rig.supply = windy ? 0.85 : 1;
+          },
+          4);
+    }
+  }
+}
+
+// A fan that cools more than described, and twice as much as its speed says.
+TEST(peace, bears_a_fan_that_blows_more_than_it_says) {
+  for (const double start : {22.0, 205.0}) {
+    expect_peace(
+        "fan", Part::hotend, {.start = start}, hotend_target,
+        [](Rig& rig, double time) {
+          const bool blows = std::fmod(time, 60) > 30;
+          rig.fan = blows ? 0.5 : 0;
+          rig.draught = blows ? 0.5 : 0;
+        },
+        4);
+  }
+}
+
 TEST(peace, bears_heaters_and_rooms_of_all_kinds) {
   for (const Part part : {Part::hotend, Part::bed}) {
     const double target = part == Part::bed ? bed_target : hotend_target;

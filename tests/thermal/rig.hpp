@@ -47,7 +47,7 @@ class Rig {
     const double end = now + seconds;
     while (now < end && !loop.fault() && !done()) {
       script(*this, now);
-      block.set_fan(now, fan);
+      block.set_fan(now, fan + draught);
       block.set_extrusion(now, flow);
       constexpr double filament_square_mm = 2.405;
       loop.set_cooling({.fan = static_cast<std::uint8_t>(std::lround(std::min(fan, 1.0) * 255)),
@@ -80,6 +80,7 @@ class Rig {
   }
 
   double fan = 0, flow = 0;  // of full speed, mm^3/s
+  double draught = 0;  // as a fan that the loop does not know of
   double supply = 1;  // of full power
   double noise;
   std::optional<double> stuck_at;  // what the heater gets instead of its duty, of full power

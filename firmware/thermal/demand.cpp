@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The heat that a held temperature needs, compared with what it needed a little earlier.
+#include "thermal/demand.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace thermal {
+namespace {
+
+// A supply that falls to so much of what it was, in percent.
+constexpr std::int32_t least_supply = 80;
+// What fan and filament take may be so many times as much of the loss in still air as described.
+constexpr std::int32_t most_carried = 2;
+// The lags may be so much longer or shorter, in percent.
+constexpr std::int32_t lag_tolerance = 25;
+// Of a quotient, so that no product of sums exceeds 31 bits.
+constexpr std::int32_t growth_scale = 256;
+
+}  // namespace
+
+void Demand::restart() {
+  sum_ = {};
+  milliseconds_ = 0;
+  seen_ = 0;
+}
+
+bool Demand::add(const Slopes& slopes, std::int32_t milliseconds) {
+  const auto in_window = [milliseconds](std::int32_t slope) {
+    return slope * milliseconds / 1'000;
+  };
+  const std::int32_t first = milliseconds_ == 0 ? slopes.heating : sum_.first;
+  sum_ = both(sum_, {in_window(slopes.heating), in_window(slopes.measured), in_window(slopes.still),
+                     in_window(slopes.blown + slopes.melted), slopes.heating, slopes.heating});
+  sum_.first = first;
+  milliseconds_ += milliseconds;
+  if (milliseconds_ < span_) return false;
+  std::shift_left(spans_.begin(), spans_.end(), 1);
+  spans_.back() = sum_;
+  sum_ = {};
+  milliseconds_ = 0;
+  seen_ = std::min(seen_ + 1, length);
+  return true;
+}
+
+// What may be on its way to the sensor, or have come from it, otherwise than by the model.
+std::int32_t Demand::stored(const Span& span) const {
+  const auto lag = static_cast<std::int32_t>((model_->heater_lag + model_->sensor_lag).count());
+  return std::abs(span.last - span.first) * lag / 1'000 * lag_tolerance / 100;
+}
+
+bool Demand::has_grown(const Power& power) const {
+  // Two spans against two: one is too short for the noise.
+  if (seen_ < 4) return false;
+  const Span now = both(spans_[length - 2], spans_[length - 1]);
+  const std::int32_t least_now =
+      (now.heating - stored(now)) * power.least / Power::scale - now.measured;
+  const std::int32_t explained = least_now * least_supply / (100 + model_->draught);
+  const std::int32_t cooled_now = now.still + most_carried * now.carried;
+  for (std::size_t i = length - seen_; i + 3 < length; ++i) {
+    const Span before = both(spans_[i], spans_[i + 1]);
+    // From a colder block less is lost; how much less depends on the room, too.
+    if (before.still < now.still / 16 * 15 || before.still <= 0) continue;
+    const std::int32_t most_before =
+        (before.heating + stored(before)) * power.most / Power::scale - before.measured;
+    const std::int32_t cooled_before = before.still + most_carried * before.carried;
+    const std::int32_t more_cooled =
+        std::max(cooled_now, cooled_before) * growth_scale / cooled_before;
+    if (explained > std::max<std::int32_t>(most_before, 0) * more_cooled / growth_scale)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace thermal
