@@ -10,7 +10,7 @@ namespace {
 
 // Less than this percentage of the nominal heater's answer is none. The weakest heater leaves 60 %;
 // a disturbance that begins may cancel much of it for a while, but not for twice as long.
-constexpr std::int32_t least_answer = 15, least_lasting_answer = 40;
+constexpr std::int32_t least_answer = 16, least_lasting_answer = 40;
 // Thousandths of a degree: a rhythm that has too little room shows nothing.
 constexpr std::int32_t least_swing = 100;
 // In which what the block itself loses brings an answer back.

@@ -43,7 +43,7 @@ class Probe {
   static constexpr std::array<std::int8_t, 3> halves{3, 2, 4};
   // The rhythm begins in the middle of its first half, so that its answer swings about 0.
   static constexpr int first_windows = halves[0] / 2;
-  static constexpr std::size_t length = 20;  // windows of a verdict: at least two whole halves
+  static constexpr std::size_t length = 18;  // windows of a verdict: one whole rhythm
   static constexpr std::int32_t answer_scale = 16;
 
   // What the rhythm should bring, in thousandths of a degree from end to end, if two fifths of

@@ -51,8 +51,8 @@ void expect_found(const Worst& worst, double within, double below) {
 
 TEST(hidden_faults, a_bead_that_freezes_at_the_target) {
   const auto freeze = [](Rig& rig) { rig.freeze(); };
-  expect_found(break_while_holding(Part::hotend, 600, freeze), 25, 210);
-  expect_found(break_while_holding(Part::bed, 900, freeze), 75, 62);
+  expect_found(break_while_holding(Part::hotend, 600, freeze), 20, 210);
+  expect_found(break_while_holding(Part::bed, 900, freeze), 60, 62);
 }
 
 TEST(hidden_faults, a_bead_that_freezes_at_the_target_with_noise_on_it) {

@@ -89,12 +89,12 @@ TEST_F(Probed, has_no_half_as_long_as_the_next_but_one) {
   EXPECT_GE(lengths.size(), 3U);
 }
 
-TEST_F(Probed, finds_a_frozen_sensor_within_twenty_windows_of_the_freeze) {
+TEST_F(Probed, finds_a_frozen_sensor_within_nineteen_windows_of_the_freeze) {
   EXPECT_EQ(run(100, alive), -1);
   const double reading = 205'000.0 + probe.expected_answer().count();
   const int found = run(100, [reading](double, double) { return reading; });
   EXPECT_GE(found, 8);
-  EXPECT_LE(found, 20);
+  EXPECT_LE(found, 19);
 }
 
 TEST_F(Probed, takes_the_weakest_heater_and_the_strongest_for_alive) {
@@ -137,14 +137,14 @@ TEST_F(Probed, looks_longer_in_much_filament) {
 TEST_F(Probed, looks_longer_when_the_fan_changes) {
   EXPECT_EQ(run(30, alive), -1);
   probe.disturb();
-  EXPECT_EQ(run(19, frozen), -1);
+  EXPECT_EQ(run(17, frozen), -1);
   EXPECT_NE(run(30, frozen), -1);
 }
 
 TEST_F(Probed, begins_again_after_the_heater_was_away_from_its_target) {
-  EXPECT_EQ(run(18, frozen), -1);
+  EXPECT_EQ(run(16, frozen), -1);
   EXPECT_EQ(run(1, frozen, false), -1);
-  EXPECT_EQ(run(18, frozen), -1);
+  EXPECT_EQ(run(16, frozen), -1);
 }
 
 TEST(probe, has_room_in_any_duty) {
