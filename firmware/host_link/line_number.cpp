@@ -34,7 +34,8 @@ bool looks_like_command(std::string_view text) {
 
 bool sets_numbering(std::string_view text) {
   constexpr std::string_view command = "M110";
-  return text.starts_with(command) && (text.size() == command.size() || !is_digit(text[4]));
+  if (!text.starts_with(command)) return false;
+  return text.size() == command.size() || (!is_digit(text[4]) && text[4] != '.');
 }
 
 std::optional<LineNumber> number_set_by(std::string_view text) {

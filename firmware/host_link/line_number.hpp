@@ -25,7 +25,8 @@ std::optional<LineNumber> take_line_number(std::string_view& text);
 // G, M or T and a digit: not the remnant of a torn line.
 bool looks_like_command(std::string_view text);
 
-// Whether a line's text (without its own number) is an M110.
+// Whether a line's text (without its own number) is an M110. M110.1 is another command, as for the
+// parser and for hosts, which keep only M110 itself back.
 bool sets_numbering(std::string_view text);
 
 // The N of an M110's text, if it has one: M110 N0.
