@@ -2,6 +2,8 @@
 // Bits of the line are read back as a uart does it; the link's lines are answered as they come.
 #include "tests/fuzz/wire.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -57,8 +59,8 @@ class Print : public devices::HostListener {
   void take(const host_link::AcceptedLine& line);
   // With number and checksum the next line is longer than a line may be: it is answered only.
   bool may_be_left_out() const {
-    return wanted_[arrived_].size() + std::string_view("N1 *123").size() >
-           host_link::max_line_length;
+    const std::size_t number = arrived_ + 1;  // 0 is the host's own M110
+    return fmt::format("N{} {}*123", number, wanted_[arrived_]).size() > host_link::max_line_length;
   }
   units::Milliseconds milliseconds() const {
     return units::Milliseconds(static_cast<std::int64_t>(now_ / clocks_per_ms));
