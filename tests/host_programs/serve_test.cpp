@@ -1,134 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // `stepfabric serve` as a host program meets it: a port that may be opened, left and opened again,
 // and a job that ends well on Ctrl-C.
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <poll.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <regex>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "directories.hpp"
 #include "sim/devices/terminal_settings.hpp"
+#include "tests/host_programs/serve_fixture.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-// Of the wall, on a machine that does other things as well.
-constexpr auto patience = 120s;
-
-class Serve : public testing::Test {
- protected:
-  void start(const std::vector<std::string>& options, const char* speed = "max") {
-    folder_ = fs::path(BUILD_DIRECTORY) / "scenarios" /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    port = folder_ / "port";
-    std::vector<std::string> words{BUILD_DIRECTORY "/bin/stepfabric",
-                                   "serve",
-                                   "--speed",
-                                   speed,
-                                   "--pty",
-                                   port,
-                                   "--report",
-                                   folder_ / "report",
-                                   "--accept-log",
-                                   folder_ / "accepted"};
-    words.insert(words.end(), options.begin(), options.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words) {
-      arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
-    setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
-    const std::string output = folder_ / "output";
-    job_ = fork();
-    if (job_ == 0) {
-      dup2(open(output.c_str(), O_WRONLY | O_CREAT, 0644), STDOUT_FILENO);
-      execv(arguments[0], arguments.data());
-      _exit(127);
-    }
-    const auto end = std::chrono::steady_clock::now() + patience;
-    while (!fs::is_symlink(port) && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(50ms);
-    }
-    ASSERT_TRUE(fs::is_symlink(port));
-  }
-
-  // Ctrl-C; the exit status.
-  int stop() {
-    kill(job_, SIGINT);
-    int status = 0;
-    waitpid(job_, &status, 0);
-    job_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  ~Serve() override {
-    if (job_ > 0) {
-      kill(job_, SIGKILL);
-      waitpid(job_, nullptr, 0);
-    }
-  }
-
-  std::string file_path(const char* name) const { return folder_ / name; }
-  std::string file(const char* name) const {
-    std::ifstream stream(file_path(name));
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
-  int open_port() const { return open(port.c_str(), O_RDWR | O_NOCTTY); }
-
-  // All that is read until `wanted` comes, or nothing within the patience.
-  static std::string read_until(int descriptor, const std::string& wanted,
-                                std::chrono::seconds time = patience) {
-    std::string text;
-    const auto end = std::chrono::steady_clock::now() + time;
-    while (text.find(wanted) == std::string::npos && std::chrono::steady_clock::now() < end) {
-      pollfd event{descriptor, POLLIN, 0};
-      if (poll(&event, 1, 200) <= 0) {
-        continue;
-      }
-      char byte = 0;
-      if (read(descriptor, &byte, 1) == 1) {
-        text += byte;
-      }
-    }
-    return text;
-  }
-
-  // As hosts do: what is said while the chip starts is lost, so they ask again.
-  static bool connect(int descriptor) {
-    for (int i = 0; i < 20; ++i) {
-      write_text(descriptor, "M105\n");
-      if (read_until(descriptor, "ok T:", 5s).find("ok T:") != std::string::npos) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  static void write_text(int descriptor, const std::string& text) {
-    ASSERT_EQ(write(descriptor, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
-
-  fs::path port;
-
- private:
-  fs::path folder_;
-  pid_t job_ = 0;
-};
+using host_programs::Serve;
 
 TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
   start({});
