@@ -27,7 +27,7 @@ AcceptLog::AcceptLog(const std::filesystem::path& file)
   }
 }
 
-void AcceptLog::put(const AcceptedLine& line) { stream_ << accept_log_row(line); }
+void AcceptLog::put(const AcceptedLine& line) { stream_ << accept_log_row(line) << std::flush; }
 
 void AcceptLog::close() {
   stream_.close();

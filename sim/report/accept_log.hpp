@@ -18,9 +18,8 @@ class AcceptLog {
   // Throws std::runtime_error where the file cannot be written.
   explicit AcceptLog(const std::filesystem::path& file);
 
+  // Into the file at once: a program may read it while the printer runs, and a kill leaves it.
   void put(const AcceptedLine& line);
-  // What has been put is in the file: a program may read it while the printer runs.
-  void flush() { stream_.flush(); }
   // The disk has not taken everything.
   bool failed() const { return !stream_; }
   // Throws std::runtime_error where the disk did not take all rows.

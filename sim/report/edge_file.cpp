@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffered writing of edges.
+// Rows are gathered and written some hundred at a time.
 #include "sim/report/edge_file.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +14,8 @@ namespace report {
 
 namespace {
 constexpr std::string_view axis_names = "xyze";
+// Of rows that wait to be written together.
+constexpr std::size_t most_waiting_bytes = 4000;
 
 [[noreturn]] void fail(fmt::format_string<std::string, std::string> text,
                        const std::filesystem::path& file, int error) {
@@ -28,26 +30,32 @@ EdgeFile::EdgeFile(const std::filesystem::path& file)
   if (!file_) {
     fail("cannot write {}: {}", file, errno);
   }
-  // Written at once: a full disk is noticed before the job.
-  if (std::fputs("cycle,axis,direction,position\n", file_.get()) < 0 ||
-      std::fflush(file_.get()) != 0) {
-    fail("cannot write {}: {}", file, errno);
-  }
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  // A full disk is noticed before the job.
+  rows_ = "cycle,axis,direction,position\n";
+  flush();
+  if (failed()) fail("cannot write {}: {}", file, error_);
 }
 
 void EdgeFile::stepped(const devices::StepEdge& edge) {
   if (edge.axis >= axis_names.size()) {
     return;
   }
-  fmt::memory_buffer row;
-  fmt::format_to(std::back_inserter(row), "{},{},{},{}\n", edge.clock, axis_names[edge.axis],
+  fmt::format_to(std::back_inserter(rows_), "{},{},{},{}\n", edge.clock, axis_names[edge.axis],
                  edge.direction, edge.position);
-  if (std::fwrite(row.data(), 1, row.size(), file_.get()) != row.size() && error_ == 0) {
+  if (rows_.size() >= most_waiting_bytes) flush();
+}
+
+void EdgeFile::flush() {
+  if (file_ && std::fwrite(rows_.data(), 1, rows_.size(), file_.get()) != rows_.size() &&
+      error_ == 0) {
     error_ = errno;
   }
+  rows_.clear();
 }
 
 void EdgeFile::close() {
+  flush();
   if (std::fclose(file_.release()) != 0 && error_ == 0) {
     error_ = errno;
   }

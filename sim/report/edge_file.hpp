@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every rising step edge as a row of a CSV file: cycle,axis,direction,position.
+// Every rising step edge as a row of a CSV file: cycle,axis,direction,position. Whole rows are
+// written, so that the file of a job that was killed holds no part of one.
 #pragma once
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "sim/devices/step_edge.hpp"
 
@@ -14,8 +16,13 @@ class EdgeFile : public devices::StepListener {
  public:
   // Throws std::runtime_error where the file cannot be written, also for want of room.
   explicit EdgeFile(const std::filesystem::path& file);
+  EdgeFile(const EdgeFile&) = delete;
+  EdgeFile& operator=(const EdgeFile&) = delete;
+  ~EdgeFile() override { flush(); }
 
   void stepped(const devices::StepEdge& edge) override;
+  // All rows so far are in the file.
+  void flush();
   // The disk has not taken everything.
   bool failed() const { return error_ != 0; }
   // Throws std::runtime_error where the disk did not take everything.
@@ -27,6 +34,7 @@ class EdgeFile : public devices::StepListener {
   };
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
+  std::string rows_;  // not yet in the file
   int error_ = 0;  // the first, of errno
 };
 

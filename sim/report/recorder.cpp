@@ -180,6 +180,10 @@ Courses Recorder::courses() const {
 
 bool Recorder::edges_failed() const { return edges_ && edges_->failed(); }
 
+void Recorder::flush_edges() {
+  if (edges_) edges_->flush();
+}
+
 void Recorder::close_edges() {
   if (edges_) {
     edges_->close();

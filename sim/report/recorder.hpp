@@ -36,6 +36,8 @@ class Recorder : public devices::HostListener {
   // print's end are the caller's, and then the verdict.
   Results results(const sim::ElfImage& firmware) const;
   Courses courses() const;
+  // All edges so far are in their file: a job that is killed leaves them.
+  void flush_edges();
   // Throws std::runtime_error where the disk did not take all edges.
   void close_edges();
   // The disk has not taken all edges; close_edges() says why.

@@ -188,9 +188,7 @@ class Service {
     shown_wall_ = wall;
     shown_seconds_ = seconds;
     shown_lines_ = lines;
-    if (accept_log_) {
-      accept_log_->flush();
-    }
+    recorder_.flush_edges();
     complain_if_disk_is_full();
     complain_if_slow(ratio, wall_passed);
   }
