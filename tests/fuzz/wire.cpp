@@ -76,6 +76,7 @@ class Print : public devices::HostListener {
   sim::Clock now_ = 0;
   std::vector<std::string> wanted_;
   std::size_t arrived_ = 0;
+  bool lied_ = false;
   std::string last_sent_;
   std::size_t lines_ = 0, place_ = 0;  // on the wire
   unsigned flips_ = 0;
@@ -139,16 +140,14 @@ bool Print::lies(std::string_view text) const {
 
 void Print::take(const host_link::AcceptedLine& line) {
   if (line.text == "M110 N0") return;
-  if (line.text.empty()) {
-    if (arrived_ < wanted_.size() && lies(line.text)) ++arrived_;
-    return;
-  }
+  lied_ = lied_ || (arrived_ < wanted_.size() && lies(line.text));
+  if (line.text.empty() || lied_) return;
   while (arrived_ < wanted_.size() && wanted_[arrived_] != line.text && may_be_left_out())
     ++arrived_;
   if (line.text == "M400" && arrived_ == wanted_.size()) return;
   require(arrived_ < wanted_.size(), "\"{}\" arrived behind the end of the file", line.text);
-  require(wanted_[arrived_] == line.text || lies(line.text),
-          "\"{}\" arrived where \"{}\" was wanted", line.text, wanted_[arrived_]);
+  require(wanted_[arrived_] == line.text, "\"{}\" arrived where \"{}\" was wanted", line.text,
+          wanted_[arrived_]);
   ++arrived_;
 }
 
@@ -171,17 +170,24 @@ void Print::serve_link() {
 
 void Print::run() {
   constexpr std::size_t most_passes = 20'000;
-  for (std::size_t pass = 0; pass < most_passes && !host_.ended(); ++pass) {
+  for (std::size_t pass = 0; pass < most_passes && !host_.ended() && !lied_; ++pass) {
     carry_bytes();
     serve_link();
     if (line_.waiting_bytes() != 0 || line_.next_wake() != sim::never) continue;
     now_ += 50 * clocks_per_ms;
     if (host_.next_wake() <= now_) host_.wake(now_);
   }
+  if (lied_) return;  // an ok too many: what host and chip believe of the rest differs
   require(host_.ended(), "the print has no end; the last line was \"{}\"", last_sent_);
   if (host_.state() == devices::HostState::faulted) {
     require(host_.fault().contains("boot loader"), "the print faulted: {}", host_.fault());
     return;
+  }
+  // A repeat brings an ok too many, for which the host takes a line that is still under way for
+  // done.
+  while (line_.next_wake() != sim::never || link_.waiting_lines() != 0) {
+    carry_bytes();
+    serve_link();
   }
   while (arrived_ < wanted_.size() && may_be_left_out()) ++arrived_;
   require(arrived_ == wanted_.size(), "{} of {} lines arrived", arrived_, wanted_.size());
