@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host that prints with four lines in flight, and pauses now and then to ask something.
+// A host that prints with some lines in flight, and pauses now and then to ask something.
 #include "tools/benchmark/urgent_run.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,6 @@ namespace benchmarks {
 namespace {
 
 constexpr double room_c = 25;
-constexpr std::size_t window = 4;
 constexpr std::size_t lines_between_questions = 10;
 // A pass of the loop at 4 MHz and more.
 constexpr double longest_pause_seconds = 0.04;
@@ -94,7 +93,7 @@ class Host : public sim::Device, public devices::ByteListener {
       next_wake_ = now + rate_.clocks(pause) + 1;
       return;
     }
-    while (sent_ < order_.lines.size() && sent_ < answered_ + window) {
+    while (sent_ < order_.lines.size() && sent_ < answered_ + order_.in_flight) {
       line_.send(now, framed(number_++, order_.lines[sent_++]));
     }
   }

@@ -14,8 +14,9 @@
 namespace benchmarks {
 
 struct UrgentOrder {
-  std::vector<std::string> lines;  // of the job, numbered from 0; four are in flight
+  std::vector<std::string> lines;  // of the job, numbered from 0
   std::size_t questions{};  // before M112, each at another moment, with three lines in flight
+  std::size_t in_flight = 4;
   bool numbered{};  // M105 and M112, as OctoPrint sends them
   std::uint32_t clock_hz{};
   std::uint32_t baud{};
