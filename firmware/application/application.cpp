@@ -80,8 +80,7 @@ bool Application::update() {
     counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line while the rest of the pass is done.
     transmit();
-    motion_.refill();
-    more = more || executor_.has_got_room();
+    more = refill() || more || executor_.has_got_room();
     note_cooling(now);
     heat_.update(now);
     look_for_faults();
@@ -105,37 +104,6 @@ void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   hardware_.uart.interrupt_on({.receive_level = wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(at_rest ? ticks_at_rest : ticks_at_work));
-}
-
-void Application::exchange_bytes(Now now) {
-  receive(now);
-  link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
-  link_.update(now.milliseconds, executor_.activity());
-}
-
-void Application::receive(Now now) {
-  std::array<char, 128> bytes;
-  const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
-  const auto [count, gap_before_last] = hardware_.uart.read(bytes);
-  const bool emptied = count < bytes.size() && !gap_before_last;
-  if (hang_up_.seen(errors, gap_before_last, emptied, now.milliseconds)) link_.hang_up();
-  if (count == 0) return;
-  std::span<const char> received(bytes.data(), count);
-  if (gap_before_last && !hang_up_.explains(errors)) {
-    link_.receive(received.first(count - 1), now.milliseconds);
-    link_.receive_fault();
-    received = received.last(1);
-  }
-  link_.receive(received, now.milliseconds);
-  counters_.lines_accepted = link_.statistics().accepted;
-}
-
-void Application::transmit() {
-  for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
-    const std::size_t sent = hardware_.uart.write(bytes);
-    link_.sent(sent);
-    if (sent < bytes.size()) return;
-  }
 }
 
 void Application::act_on_emergencies() {
@@ -272,7 +240,7 @@ void Application::halt(std::string_view fault) {
 // answered with the fault again, at most once a second, so that a host that connects now learns
 // why.
 void Application::serve_halted(Now now) {
-  std::array<char, 128> bytes;
+  std::array<char, most_bytes> bytes;
   const std::size_t count = hardware_.uart.read(bytes).count;
   const bool line_ended =
       std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;

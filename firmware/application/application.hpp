@@ -2,6 +2,7 @@
 // The task set: what runs in each pass of the loop, in order of priority, and how everything ends.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "application/command_executor.hpp"
@@ -35,8 +36,11 @@ class Application {
 
  private:
   void set_alarms();
-  void exchange_bytes(Now now);
-  void receive(Now now);
+  // Bytes that a pass takes at most.
+  static constexpr std::size_t most_bytes = 128;
+  void exchange_bytes(Now now, std::size_t most = most_bytes);
+  void receive(Now now, std::size_t most);
+  bool refill();
   void transmit();
   void act_on_emergencies();
   void note_cooling(Now now);

@@ -35,6 +35,12 @@ class CommandExecutor {
 
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
   bool update(Now now);
+  // Between two passes, and no more than that: questions ahead of the line in hand, or whose turn
+  // it is.
+  void answer_questions(Now now) {
+    if (link_.temperatures_wanted()) update(now);
+    answer_queries();
+  }
 
   // M108, M410, M602, M876 and the host's actions, the moment they are received.
   void cancel_wait() {

@@ -179,17 +179,19 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
   }
 }
 
-void MotionTask::refill() {
+bool MotionTask::refill() {
   queue_full_ = false;
-  if (stopping_) return;
+  if (stopping_) return false;
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
     const auto segment = planner_.next_segment(pace_.time());
-    if (!segment) return;
+    if (!segment) return false;
     if (!segment->continues_line) begin_line();
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
-    if (!step_generator_.append(*segment)) return;
+    if (!step_generator_.append(*segment)) return false;
+    if (planner_.between_lines()) return true;
   }
   queue_full_ = true;
+  return false;
 }
 
 void MotionTask::set_stretch(Stretch now, Stretch behind) {

@@ -27,9 +27,9 @@ class MotionTask {
   void start();
   // Every pass of the loop: the sign of life, stops, homing.
   void update(Now now);
-  // Every pass after that: hands over what the step generator has room for and what is due, which
-  // takes the time of a line or more.
-  void refill();
+  // Every pass after that, until it is false: hands over the next line, or what of it the step
+  // generator has room for, if that is due.
+  bool refill();
   // refill() had no more room for segments: these may be short, so less than the planner's horizon
   // may be in hand.
   bool queue_full() const { return queue_full_; }

@@ -219,6 +219,12 @@ bool HostLink::in_numbered_session() const {
   return framed_seen_ && now_ - last_framed_ < session_memory;
 }
 
+bool HostLink::temperatures_wanted() const {
+  if (in_hand_ || queue_.size() == 0) return false;
+  std::string_view text = queue_.front().text;
+  return take_m_code(text) == 105;
+}
+
 std::optional<AcceptedLine> HostLink::next_line() {
   if (in_hand_ || queue_.size() == 0) return std::nullopt;
   in_hand_ = true;

@@ -46,6 +46,8 @@ class HostLink {
   std::span<const char> to_send() const { return transmit_.front(); }
   void sent(std::size_t count) { transmit_.drop(count); }
 
+  // Whether the line that next_line() gives asks for temperatures (M105).
+  bool temperatures_wanted() const;
   // The oldest accepted line, if none is in hand. It stays in hand, and its text valid, until
   // finished(). The text may be empty (a numbered comment): it wants nothing but its ok.
   std::optional<AcceptedLine> next_line();

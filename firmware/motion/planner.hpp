@@ -49,7 +49,9 @@ class Planner {
 
   bool has_room() const { return count_ < capacity; }
   // Nothing left to hand over (the step generator may still be busy).
-  bool empty() const { return count_ == 0 && next_phase_ == profile_.count; }
+  bool empty() const { return count_ == 0 && between_lines(); }
+  // All segments of the line that was begun last have been handed over.
+  bool between_lines() const { return next_phase_ == profile_.count; }
   std::size_t lines() const { return count_; }
 
   // A fault leaves everything as it was. A move that steps no axis takes no room: its distance is

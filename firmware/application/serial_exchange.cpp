@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes from and to the host, in a pass of the loop and between the lines that it hands over.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "application/application.hpp"
+
+namespace application {
+namespace {
+
+// So much is handed over in any case: it lasts longer in motion than it takes to receive a line, to
+// answer it and to hand over the next, so that what has begun from rest does not run dry.
+constexpr unsigned lines_without_look = 2;
+constexpr std::size_t bytes_of_a_line = 32;
+
+}  // namespace
+
+void Application::exchange_bytes(Now now, std::size_t most) {
+  receive(now, most);
+  link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
+  link_.update(now.milliseconds, executor_.activity());
+}
+
+void Application::receive(Now now, std::size_t most) {
+  std::array<char, most_bytes> bytes;
+  const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
+  const auto [count, gap_before_last] = hardware_.uart.read(std::span(bytes).first(most));
+  const bool emptied = count < most && !gap_before_last;
+  if (hang_up_.seen(errors, gap_before_last, emptied, now.milliseconds)) link_.hang_up();
+  if (count == 0) return;
+  std::span<const char> received(bytes.data(), count);
+  if (gap_before_last && !hang_up_.explains(errors)) {
+    link_.receive(received.first(count - 1), now.milliseconds);
+    link_.receive_fault();
+    received = received.last(1);
+  }
+  link_.receive(received, now.milliseconds);
+  counters_.lines_accepted = link_.statistics().accepted;
+}
+
+// Between lines, and behind the last, a stop is obeyed and a question answered whose turn it is:
+// the planner, full, has many for a start from rest. True if something has come that may have to be
+// executed.
+bool Application::refill() {
+  bool come = false;
+  bool more = true;
+  for (unsigned lines = 1; more && !halted_; ++lines) {
+    more = motion_.refill();
+    if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
+    come = true;
+    const Now now = clock_.update(hardware_.timer.now());
+    exchange_bytes(now, bytes_of_a_line);
+    act_on_emergencies();
+    if (!halted_) executor_.answer_questions(now);
+    transmit();
+  }
+  return come;
+}
+
+void Application::transmit() {
+  for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
+    const std::size_t sent = hardware_.uart.write(bytes);
+    link_.sent(sent);
+    if (sent < bytes.size()) return;
+  }
+}
+
+}  // namespace application
