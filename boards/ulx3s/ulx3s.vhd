@@ -17,6 +17,8 @@ entity ulx3s is
     -- Serial line of the USB bridge, named from its side.
     ftdi_txd : in std_ulogic;
     ftdi_rxd : out std_ulogic;
+    -- Its DTR: low while a host that raises DTR has the port open.
+    ftdi_ndtr : in std_ulogic;
     -- High, or the board's radio module takes over.
     wifi_gpio0 : out std_ulogic;
     led : out std_ulogic_vector(7 downto 0);
@@ -82,7 +84,14 @@ architecture rtl of ulx3s is
 
   constant clock_frequency_hz : positive := 50_000_000;
 
+  -- 2 ms, two frames at 9600 baud: the bridge has sent all that it has.
+  constant quiet_clocks : positive := clock_frequency_hz / 500;
+  -- 20 ms, as long as the simulated port: a break at any rate.
+  constant break_clocks : positive := clock_frequency_hz / 50;
+
   signal clk, locked : std_ulogic;
+  -- From the host, with a break behind one that has closed its port.
+  signal receive : std_ulogic;
   signal reset_done : std_ulogic_vector(15 downto 0) := (others => '0');
   -- The chip's pins, a clock before the board's.
   signal step_level, direction_level, motor_enable : std_ulogic_vector(4 downto 0);
@@ -115,6 +124,10 @@ begin
     reset_done <= reset_done(14 downto 0) & locked;
   end process;
 
+  watch_port : entity work.port_watch
+    generic map (quiet_clocks => quiet_clocks, break_clocks => break_clocks)
+    port map (clk => clk, line => ftdi_txd, closed => ftdi_ndtr, receive => receive);
+
   chip : entity work.printer_controller
     generic map (axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb)
     port map (
@@ -126,7 +139,7 @@ begin
       clock_frequency_hz => to_unsigned(clock_frequency_hz, 32),
       software_stepping => '0',
       reset => not reset_done(15),
-      receive => ftdi_txd,
+      receive => receive,
       transmit => ftdi_rxd,
       step => step_level,
       direction => direction_level,

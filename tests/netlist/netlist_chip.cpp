@@ -51,6 +51,7 @@ void NetlistChip::clock() {
 
 void NetlistChip::set_inputs() {
   model_->ftdi_txd = inputs_.receive;
+  model_->ftdi_ndtr = 0;  // a host has the port open
   model_->end_stop = inputs_.end_stops;
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;

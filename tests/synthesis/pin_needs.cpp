@@ -59,6 +59,7 @@ struct Need {
 constexpr std::array needs{Need{"clk_25mhz", oscillator},
                            Need{"ftdi_txd", rests_high},
                            Need{"ftdi_rxd", on_the_board},
+                           Need{"ftdi_ndtr", rests_high},
                            Need{"wifi_gpio0", on_the_board},
                            Need{"led", on_the_board},
                            Need{"emergency_stop", fail_safe},
