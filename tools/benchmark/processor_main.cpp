@@ -3,11 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "sim/report/write_file.hpp"
 #include "tools/benchmark/processor_report.hpp"
+
+namespace {
+
+// Whether somebody reads it or not.
+void say_to(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
+
+}  // namespace
 
 int main(int count, char** arguments) {
   benchmarks::ProcessorScope scope;
@@ -19,15 +28,16 @@ int main(int count, char** arguments) {
   app.add_option("--report", report, "folder for processor.html");
   app.add_flag("--quick", scope.quick, "one iteration of each");
   CLI11_PARSE(app, count, arguments);
+  std::signal(SIGPIPE, SIG_IGN);
   try {
     const auto figures = benchmarks::measure_processor(
-        scope, [](const std::string& what) { fmt::print(stderr, "stepfabric: {}\n", what); });
+        scope, [](const std::string& what) { say_to(stderr, "stepfabric: " + what + "\n"); });
     if (!json.empty()) report::write_file(json, benchmarks::to_json(figures));
     report::write_file(report / "processor.html", benchmarks::to_html(figures));
-    fmt::print("{}report: {}\n", benchmarks::to_table(figures),
-               (report / "processor.html").string());
+    say_to(stdout, fmt::format("{}report: {}\n", benchmarks::to_table(figures),
+                               (report / "processor.html").string()));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "stepfabric: {}\n", error.what());
+    say_to(stderr, fmt::format("stepfabric: {}\n", error.what()));
     return 1;
   }
   return 0;
