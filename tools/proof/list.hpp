@@ -32,7 +32,8 @@ struct Proof {
   std::vector<std::string> except;  // properties that another proof is for
   std::vector<std::string>
       free;  // entities within, of which nothing is known: their outputs are free
-  // Files relative to the list: each takes the place of the source with its name before the dot.
+  // Files relative to the folder of all lists: each takes the place of the source with its name
+  // before the dot.
   std::vector<std::filesystem::path> stand_ins;
   // Copies of a generate statement, as "LABEL_n2", of which nothing is known and nothing is proved.
   std::vector<std::string> free_copies;
@@ -40,7 +41,7 @@ struct Proof {
   // how many other values they have together within `depth` clocks after the start.
   std::vector<std::string> signals;
   int values{};
-  std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the list
+  std::filesystem::path lemma;  // SMT-LIB file of an arithmetic proof, relative to the folder
   bool quick{};
 };
 
@@ -48,6 +49,7 @@ struct Proof {
 // sighting or the lemma that it is put into fail.
 struct Mutation {
   std::string name;
+  std::filesystem::path list;  // where this stands
   std::filesystem::path file;  // relative to the project
   std::string from;  // occurs exactly once in the file
   std::string to;
@@ -61,9 +63,9 @@ struct List {
   std::vector<Mutation> mutations;
 };
 
-// Reads `proofs.toml` and `mutations.toml` of a folder and of those within it. Throws
-// std::runtime_error naming the entry at fault: unknown keys, names given twice, a mutation of an
-// unknown proof.
+// Reads the files GROUP/proofs/*.toml and GROUP/mutations/*.toml of a folder. Throws
+// std::runtime_error naming the file and the entry at fault: unknown keys, names given twice, a
+// mutation of an unknown proof.
 List read_list(const std::filesystem::path& folder);
 
 const char* name_of(Method method);

@@ -90,6 +90,7 @@ class Entry {
     return values;
   }
 
+  const std::filesystem::path& file() const { return file_; }
   bool has(const std::string& key) const { return table_->contains(key); }
 
   void finish() const {
@@ -166,6 +167,7 @@ Mutation mutation_of(Entry& entry) {
   constexpr int usual_depth = 20;
   Mutation mutation;
   mutation.name = entry.text("name");
+  mutation.list = entry.file();
   mutation.file = entry.text("file");
   mutation.from = entry.text("from");
   mutation.to = entry.text("to");
@@ -204,17 +206,20 @@ void read(const std::filesystem::path& file, const char* key, Item (*make)(Entry
   }
 }
 
-// The file of this name in the folder, then those in the folders within it.
-std::vector<std::filesystem::path> files_named(const std::string& name,
-                                               const std::filesystem::path& folder) {
+// The lists in the folders of this name within the folders of `folder`.
+std::vector<std::filesystem::path> lists_in(const std::filesystem::path& folder, const char* name) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_directory() && exists(entry.path() / name)) {
-      files.push_back(entry.path() / name);
+  for (const auto& group : std::filesystem::directory_iterator(folder)) {
+    if (!is_directory(group.path() / name)) {
+      continue;
+    }
+    for (const auto& file : std::filesystem::directory_iterator(group.path() / name)) {
+      if (file.path().extension() == ".toml") {
+        files.push_back(file.path());
+      }
     }
   }
   std::ranges::sort(files);
-  files.insert(files.begin(), folder / name);
   return files;
 }
 
@@ -238,10 +243,10 @@ const char* name_of(Method method) {
 
 List read_list(const std::filesystem::path& folder) {
   List list;
-  for (const std::filesystem::path& file : files_named("proofs.toml", folder)) {
+  for (const std::filesystem::path& file : lists_in(folder, "proofs")) {
     read(file, "proof", proof_of, list.proofs);
   }
-  for (const std::filesystem::path& file : files_named("mutations.toml", folder)) {
+  for (const std::filesystem::path& file : lists_in(folder, "mutations")) {
     read(file, "mutation", mutation_of, list.mutations);
   }
   for (const Mutation& mutation : list.mutations) {
@@ -254,9 +259,9 @@ List read_list(const std::filesystem::path& folder) {
     };
     if (std::ranges::none_of(list.proofs, is_its_proof)) {
       throw std::runtime_error(
-          fmt::format("{}: {}: there is no proof {} of an entity with a property to "
-                      "break, and no bench, sighting or lemma of this name without one",
-                      folder.string(), mutation.name, mutation.proof));
+          fmt::format("{}: {}: there is no proof {} of an entity with a property to break, "
+                      "and no bench, sighting or lemma of this name without one",
+                      mutation.list.string(), mutation.name, mutation.proof));
     }
   }
   return list;

@@ -11,8 +11,9 @@ namespace proof {
 std::string mutated(const std::string& text, const Mutation& mutation) {
   const std::size_t place = text.find(mutation.from);
   const auto fail = [&mutation](const char* what) {
-    throw std::runtime_error(fmt::format("mutation {} does not apply to {}: its text {}",
-                                         mutation.name, mutation.file.string(), what));
+    throw std::runtime_error(fmt::format("{}: mutation {} does not apply to {}: its text {}",
+                                         mutation.list.string(), mutation.name,
+                                         mutation.file.string(), what));
   };
   if (place == std::string::npos) {
     fail("is not there");

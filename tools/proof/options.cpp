@@ -43,11 +43,11 @@ void add_options(CLI::App& job, Options& options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   job.footer(
-      "The properties stand in testbench/proofs, the list of proofs in proofs.toml there, the "
-      "faults in\n"
-      "mutations.toml. A proof by induction holds for all times; a bounded one for its number of "
-      "clocks\n"
-      "after the start. Where one fails, a trace (VCD) is left in <build>/proofs/NAME.\n"
+      "The properties stand in testbench/proofs/FOLDER, the proofs in the lists of FOLDER/proofs,\n"
+      "the faults in those of FOLDER/mutations. A proof by induction holds for all times; a "
+      "bounded\n"
+      "one for its number of clocks after the start. Where one fails, a trace (VCD) is left in\n"
+      "<build>/proofs/NAME.\n"
       "Of --mutants, 97 % of those that are not equivalent must be killed, and each survivor be "
       "listed\n"
       "in testbench/proofs/mutants.\n"
