@@ -144,4 +144,9 @@ bool is_reserved(std::string_view word) {
   return words.contains(word);
 }
 
+bool is_logical(std::string_view word) {
+  return word == "and" || word == "or" || word == "xor" || word == "nand" || word == "nor" ||
+         word == "xnor";
+}
+
 }  // namespace proof

@@ -21,5 +21,7 @@ struct Token {
 std::vector<Token> tokens_of(std::string_view text);
 
 bool is_reserved(std::string_view word);
+// and, or, xor, nand, nor, xnor.
+bool is_logical(std::string_view word);
 
 }  // namespace proof
