@@ -104,17 +104,17 @@ class Judging : public testing::Test {
       text.replace(text.find(from), from.size(), to);
       return text;
     };
-    return {"counter", replaced(judges_->simulated().text_of("counter")),
-            replaced(judges_->synthesized().text_of("counter"))};
+    return {"counter", replaced(judges_->sources.simulated().text_of("counter")),
+            replaced(judges_->sources.synthesized().text_of("counter"))};
   }
   Finding by_bench(const std::string& from, const std::string& to) {
-    return judges_->ask_bench("counter_tb", variant(from, to), trial_).finding;
+    return judges_->benches.ask("counter_tb", variant(from, to), trial_).finding;
   }
   Finding by_comparison(const std::string& from, const std::string& to) {
-    return judges_->compare(variant(from, to), trial_).finding;
+    return judges_->netlists.ask(variant(from, to), trial_).finding;
   }
   Finding by_proof(const std::string& from, const std::string& to) {
-    return judges_->ask_proof(list_.proofs.front(), variant(from, to), trial_).finding;
+    return judges_->proofs.ask(list_.proofs.front(), variant(from, to), trial_).finding;
   }
 
   TemporaryFolder folder_;
@@ -162,9 +162,9 @@ end package;
   }
   proof::Judges judges(proof::Folders{folder_.path(), folder_.path() / "work"}, list_);
   const auto by_comparison_of = [&](const std::string& from, const std::string& to) {
-    std::string text = judges.synthesized().text_of("numbers_pkg");
+    std::string text = judges.sources.synthesized().text_of("numbers_pkg");
     text.replace(text.find(from), from.size(), to);
-    return judges.compare({"numbers_pkg", text, text}, trial_).finding;
+    return judges.netlists.ask({"numbers_pkg", text, text}, trial_).finding;
   };
   EXPECT_EQ(by_comparison_of("natural := 1", "natural := 4"), Finding::passes);
   EXPECT_EQ(by_comparison_of("natural := 2", "natural := 4"), Finding::passes);
@@ -185,15 +185,15 @@ TEST_F(Judging, a_proof_kills_what_breaks_its_property_from_the_start) {
 TEST_F(Judging, the_key_of_a_judge_is_made_of_all_that_it_depends_on) {
   const auto one = variant("count + 1", "count + 2");
   const auto other = variant("count + 1", "count + 3");
-  EXPECT_EQ(judges_->key_of_bench("counter_tb", one), judges_->key_of_bench("counter_tb", one));
-  EXPECT_NE(judges_->key_of_bench("counter_tb", one), judges_->key_of_bench("counter_tb", other));
-  EXPECT_NE(judges_->key_of_comparison(one), judges_->key_of_comparison(other));
+  EXPECT_EQ(judges_->benches.key("counter_tb", one), judges_->benches.key("counter_tb", one));
+  EXPECT_NE(judges_->benches.key("counter_tb", one), judges_->benches.key("counter_tb", other));
+  EXPECT_NE(judges_->netlists.key(one), judges_->netlists.key(other));
 }
 
 TEST_F(Judging, benches_and_proofs_are_found_by_what_they_contain) {
-  EXPECT_THAT(judges_->own_benches("counter"), ElementsAre("counter_tb"));
-  EXPECT_THAT(judges_->other_benches("counter"), ElementsAre());
-  EXPECT_EQ(judges_->proofs_of("counter").size(), 1u);
+  EXPECT_THAT(judges_->benches.own_benches("counter"), ElementsAre("counter_tb"));
+  EXPECT_THAT(judges_->benches.other_benches("counter"), ElementsAre());
+  EXPECT_EQ(judges_->proofs.proofs_of("counter").size(), 1u);
 }
 
 }  // namespace

@@ -13,8 +13,7 @@
 #include <thread>
 
 #include "tools/proof/campaign_report.hpp"
-#include "tools/proof/findings.hpp"
-#include "tools/proof/mutant_judges.hpp"
+#include "tools/proof/cascade.hpp"
 #include "tools/proof/process.hpp"
 
 namespace proof {
@@ -22,11 +21,6 @@ namespace proof {
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Unit {
-  std::string name;
-  std::string text;
-};
 
 std::vector<Unit> units_of(const fs::path& project) {
   std::vector<Unit> units;
@@ -56,140 +50,6 @@ std::vector<std::string> constants_near(const SourceTree& sources, const std::st
   }
   return constants;
 }
-
-// Tries one mutant after the other on its judges, the cheapest first.
-class Cascade {
- public:
-  Cascade(Judges& judges, Findings& findings) : judges_(judges), findings_(findings) {}
-
-  // `quick`: on its own and on short benches, and by comparison alone.
-  MutantOutcome try_mutant(const Unit& unit, const Mutant& mutant, const fs::path& folder,
-                           bool quick) {
-    const auto start = std::chrono::steady_clock::now();
-    MutantOutcome outcome{unit.name, mutant, Fate::refused, "", false, quick, 0};
-    // The first text that compiles counts.
-    for (std::size_t choice = 0; choice < mutant.texts.size(); ++choice) {
-      decide(unit, choice, folder, quick, outcome);
-      if (outcome.fate != Fate::refused) {
-        break;
-      }
-    }
-    outcome.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return outcome;
-  }
-
- private:
-  static std::string changed(const Unit& unit, const std::string& woven, const Mutant& mutant,
-                             std::size_t choice) {
-    if (!woven.starts_with(std::string_view(unit.text).substr(0, mutant.end))) {
-      throw std::runtime_error(unit.name + ": the weaver changes more than the end");
-    }
-    return with_mutant(woven, mutant, choice);
-  }
-
-  template <typename Ask>
-  Judged ask(const std::string& key, const Ask& judge) {
-    if (const auto found = findings_.find(key)) {
-      return *found;
-    }
-    const Judged judged = judge();
-    findings_.add(key, judged);
-    return judged;
-  }
-
-  // Measured once for each text of the bench and what it needs.
-  double bench_seconds(const std::string& bench, const fs::path& folder) {
-    const std::string key = "time_" + judges_.key_of_bench(bench, {});
-    const Judged seconds = ask(key, [&] {
-      return Judged{Finding::passes, std::to_string(judges_.bench_seconds(bench, folder))};
-    });
-    judges_.know_seconds(bench, std::stod(seconds.detail));
-    return std::stod(seconds.detail);
-  }
-
-  // Returns true where this decides.
-  static bool takes(const Judged& judged, MutantOutcome& outcome) {
-    outcome.by = judged.detail;
-    switch (judged.finding) {
-      case Finding::passes:
-        outcome.fate = Fate::surviving;
-        return false;
-      case Finding::killed:
-        outcome.fate = Fate::killed;
-        return true;
-      case Finding::refused:
-        outcome.fate = Fate::refused;
-        return true;
-      case Finding::equivalent:
-        outcome.fate = Fate::proved_equivalent;
-        return true;
-    }
-    return true;
-  }
-
-  void decide(const Unit& unit, std::size_t choice, const fs::path& folder, bool quick,
-              MutantOutcome& outcome) {
-    const Variant variant{
-        unit.name, changed(unit, judges_.simulated().text_of(unit.name), outcome.mutant, choice),
-        changed(unit, judges_.synthesized().text_of(unit.name), outcome.mutant, choice)};
-    const auto ask_bench = [&](const std::string& bench) {
-      bench_seconds(bench, folder);
-      return takes(ask(judges_.key_of_bench(bench, variant),
-                       [&] { return judges_.ask_bench(bench, variant, folder); }),
-                   outcome);
-    };
-    const auto ask_proof = [&](const Proof& proof) {
-      return takes(ask(judges_.key_of_proof(proof, variant),
-                       [&] { return judges_.ask_proof(proof, variant, folder); }),
-                   outcome);
-    };
-    for (const std::string& bench : judges_.own_benches(unit.name)) {
-      if (ask_bench(bench)) {
-        return;
-      }
-    }
-    // Short benches, which take less than a solver, comparison, proofs of the unit, long benches,
-    // proofs of what contains it.
-    std::vector<std::string> benches = judges_.other_benches(unit.name);
-    std::map<std::string, double> seconds;
-    for (const std::string& bench : benches) {
-      seconds[bench] = bench_seconds(bench, folder);
-    }
-    std::ranges::sort(benches, {}, [&seconds](const std::string& bench) { return seconds[bench]; });
-    constexpr double short_seconds = 5;
-    const auto is_decided_by_benches = [&](bool are_short) {
-      return std::ranges::any_of(benches, [&](const std::string& bench) {
-        return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
-      });
-    };
-    if (is_decided_by_benches(true)) {
-      return;
-    }
-    if (takes(ask(judges_.key_of_comparison(variant),
-                  [&] { return judges_.compare(variant, folder); }),
-              outcome)) {
-      return;
-    }
-    if (quick) {
-      return;
-    }
-    const std::string comparison = outcome.by;
-    const std::vector<Proof> proofs = judges_.proofs_of(unit.name);
-    const auto is_killed_by_proofs = [&](bool are_own) {
-      return std::ranges::any_of(proofs, [&](const Proof& proof) {
-        return (proof.entity == unit.name) == are_own && ask_proof(proof);
-      });
-    };
-    if (!is_killed_by_proofs(true) && !is_decided_by_benches(false) &&
-        !is_killed_by_proofs(false)) {
-      outcome.by = comparison;
-    }
-  }
-
-  Judges& judges_;
-  Findings& findings_;
-};
 
 struct Task {
   const Unit* unit;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "tools/proof/mutant_judges.hpp"
+#include "tools/proof/judged.hpp"
 
 namespace proof {
 
