@@ -8,6 +8,10 @@
 
 #include "tools/benchmark/lateness.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct BenchOptions {
@@ -18,6 +22,9 @@ struct BenchOptions {
   double tolerance_us = benchmarks::default_tolerance_us;  // of punctual ticks
   bool quick = false;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, BenchOptions& options);
 
 // Returns the exit status of the job.
 int bench(const BenchOptions& options);

@@ -8,6 +8,10 @@
 
 #include "tools/command/print_job.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 // Where OpenOCD looks in tools/debug/simulation.cfg by default.
@@ -23,6 +27,9 @@ struct DebugOptions {
   std::optional<double> until_seconds;
   PrinterChoices printer;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, DebugOptions& options);
 
 // Runs until interrupted, in a program whose model has the debug port. Returns the exit status of
 // the job.

@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct FuzzOptions {
@@ -14,6 +18,9 @@ struct FuzzOptions {
   std::uint32_t seed = 0;  // 0: another one each time
   bool minimise = false;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, FuzzOptions& options);
 
 // Returns the exit status of the job.
 int fuzz(const FuzzOptions& options);

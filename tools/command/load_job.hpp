@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct LoadOptions {
@@ -12,6 +16,9 @@ struct LoadOptions {
   std::filesystem::path port;
   std::uint32_t baud = 250'000;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, LoadOptions& options);
 
 // Returns the exit status of the job.
 int load(const LoadOptions& options);

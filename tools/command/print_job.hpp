@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct PrinterChoices {
@@ -32,6 +36,9 @@ struct PrintOptions {
   std::optional<double> until_seconds;
   PrinterChoices printer;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, PrintOptions& options);
 
 // Returns the exit status of the job.
 int print(const PrintOptions& options);

@@ -11,6 +11,10 @@ class Chip;
 struct ElfImage;
 }  // namespace sim
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct RunOptions {
@@ -21,6 +25,9 @@ struct RunOptions {
   std::filesystem::path signature;  // written when the program has ended
   std::filesystem::path trace;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, RunOptions& options);
 
 // A program may begin elsewhere than where the chip starts: then a jump is put there. Throws
 // std::runtime_error where there is no room for it.

@@ -9,6 +9,10 @@
 #include "tools/command/clock_choice.hpp"
 #include "tools/command/print_job.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace command {
 
 struct ServeOptions {
@@ -23,6 +27,9 @@ struct ServeOptions {
   std::optional<std::uint32_t> clock_hz;
   PrinterChoices printer;
 };
+
+// Adds the job to the program.
+void add_options(CLI::App& app, ServeOptions& options);
 
 // Runs until interrupted. Returns the exit status of the job.
 int serve(ServeOptions options);

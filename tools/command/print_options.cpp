@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the job `print`, and what its help says.
+#include "tools/command/print_job.hpp"
+#include "tools/command/printer_options.hpp"
+
+namespace command {
+
+namespace {
+
+// As many lines as the firmware keeps waiting.
+constexpr std::size_t most_window = 8;
+
+}  // namespace
+
+void add_options(CLI::App& app, PrintOptions& options) {
+  CLI::App& job = *app.add_subcommand("print", "Print a G-code file on the simulated printer.");
+  job.add_option("file", options.file, "the G-code file")->required()->type_name("FILE.gcode");
+  job.add_option("--report", options.report, "folder for report.json and report.html")
+      ->type_name("DIR")
+      ->capture_default_str();
+  job.add_option("--edges", options.edges,
+                 "write every rising step edge: cycle,axis,direction,position")
+      ->type_name("FILE.csv");
+  job.add_option("--trace", options.trace, "write all signals of the chip; slow, and large")
+      ->type_name("FILE.fst");
+  job.add_option("--stepping", options.printer.stepping,
+                 "who makes the steps; software: the processor, in its timer interrupt")
+      ->check(CLI::IsMember({"hardware", "software"}))
+      ->capture_default_str();
+  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  job.add_option("--window", options.window,
+                 "lines sent and not answered yet; 1 as Printrun and OctoPrint, 4 as Cura")
+      ->check(CLI::Range(std::size_t{1}, most_window))
+      ->capture_default_str();
+  job.add_flag("--no-answer", options.no_answer,
+               "do not answer M0 and M1 (as a user who presses Continue at once): end there");
+  add_printer_options(job, options.printer);
+  job.footer(
+      R"(The file is sent as a host does it: without comments, with the host's own line numbers and
+checksums; M110 is not sent, and a number or a right checksum in the file is taken off.
+
+Exit status: 0 the print is good: all of the file (or, with --until, of what was sent by then)
+was made to the step. 1 it is bad: it faulted; the chip refused or lost a line that should move
+or heat; X, Y, Z or E was not at its step at the end of a line; the queue ran dry; a pulse was
+illegal or a step lost. 2 bad usage or a file that cannot be printed. 130 interrupted. From the
+begin on the folder has a report of this job alone: one that says that it has not ended, until
+it has. Only bad usage leaves an earlier one there. Refused lines that move and heat nothing are
+warnings.)");
+}
+
+}  // namespace command

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the simulated printer is, and what of it is broken.
+#include "tools/command/printer_options.hpp"
+
+#include "sim/machine/fault_plan.hpp"
+
+namespace command {
+
+void add_printer_options(CLI::App& job, PrinterChoices& choices) {
+  job.add_option(
+         "--machine", choices.machine,
+         "description of the simulated printer (TOML); the firmware is built for the default")
+      ->type_name("FILE.toml");
+  job.add_option("--baud", choices.baud,
+                 "baud rate of the serial line, at both ends; default: the machine's. At most a "
+                 "quarter of the clock")
+      ->check(CLI::Range(lowest_baud, highest_baud));
+  job.add_option("--seed", choices.seed,
+                 "seed of all that is random: start position, tolerances, noise")
+      ->capture_default_str();
+  job.add_flag("--warm", choices.warm,
+               "the heaters start near their targets, which saves simulated minutes");
+  job.add_option("--accept-log", choices.accept_log,
+                 "write each line that the firmware took: <number or ->TAB<command>")
+      ->type_name("FILE");
+  job.add_option(
+         "--fault", choices.faults,
+         "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
+      ->type_name("FAULT");
+}
+
+}  // namespace command

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the job `run`, and what its help says.
+#include "tools/command/printer_options.hpp"
+#include "tools/command/run_job.hpp"
+
+namespace command {
+
+void add_options(CLI::App& app, RunOptions& options) {
+  CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IMC program on the chip.");
+  job.add_option("program", options.program,
+                 "linked to 0x80000000, 96 KiB; ends by a store to `tohost`")
+      ->required()
+      ->type_name("PROGRAM.elf");
+  job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  job.add_option("--clock-hz", options.clock_hz, "clock that the chip reports to the program")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  job.add_option("--baud", options.baud,
+                 "show what the program sends on the serial line at this rate")
+      ->check(CLI::Range(lowest_baud, highest_baud));
+  job.add_option("--signature", options.signature,
+                 "write the words from `begin_signature` to `end_signature` at the program's end, "
+                 "for the architecture tests")
+      ->type_name("FILE");
+  job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
+  job.footer(
+      R"(Exit status: the program's, which is 0 where 1 was stored to `tohost`, otherwise the value >> 1;
+from 123 on it is 123, and the output says the real one. Above that it is this command's: 124
+nothing was stored within --max-cycles, 125 bad usage or a file that is no such program, 130
+interrupted.)");
+}
+
+}  // namespace command
