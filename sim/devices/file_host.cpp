@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <optional>
+
+#include "sim/devices/host_text.hpp"
 
 namespace devices {
 
@@ -23,72 +23,6 @@ constexpr double resend_patience_seconds = 0.5;
 // without that one more is done.
 constexpr unsigned most_resends_of_line = 10;
 constexpr unsigned most_resends_without_progress = 100;
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-bool contains_any(const std::string& text, std::initializer_list<std::string_view> words) {
-  return std::ranges::any_of(words, [&](std::string_view word) { return text.contains(word); });
-}
-
-std::optional<std::size_t> first_number(std::string_view text) {
-  const std::size_t begin = text.find_first_of("0123456789");
-  if (begin == std::string_view::npos) {
-    return std::nullopt;
-  }
-  std::size_t number = 0;
-  const auto result = std::from_chars(text.data() + begin, text.data() + text.size(), number);
-  return result.ec == std::errc{} ? std::optional(number) : std::nullopt;
-}
-
-std::string numbered_line(std::size_t number, std::string_view command) {
-  std::string line = fmt::format("N{} {}", number, command);
-  unsigned checksum = 0;
-  for (const char character : line) {
-    checksum ^= static_cast<std::uint8_t>(character);
-  }
-  return line + fmt::format("*{}\n", checksum);
-}
-
-// `name` in capital letters, with its number.
-bool is_command(std::string_view text, std::string_view name) {
-  const std::string start = lower_case(text.substr(0, name.size()));
-  const char next = text.size() > name.size() ? text[name.size()] : ' ';
-  return start == lower_case(name) && std::isdigit(static_cast<unsigned char>(next)) == 0 &&
-         next != '.';
-}
-
-// M0 S5, M1 P500: until then, or until the user's answer. A message may follow the numbers.
-bool waits_for_a_time(std::string_view text) {
-  std::size_t at = text.find_first_of("01");
-  while (at != std::string_view::npos) {
-    at = text.find_first_not_of(' ', at + 1);
-    const std::size_t digits =
-        at == std::string_view::npos ? at : text.find_first_not_of(' ', at + 1);
-    double number = 0;
-    if (digits == std::string_view::npos ||
-        std::from_chars(text.data() + digits, text.data() + text.size(), number).ec !=
-            std::errc{}) {
-      return false;
-    }
-    const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(text[at])));
-    if ((letter == 'S' || letter == 'P') && number > 0) {
-      return true;
-    }
-    at = text.find_first_not_of("+-.0123456789", digits);
-    at = at == std::string_view::npos ? at : at - 1;
-  }
-  return false;
-}
-
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
 
 }  // namespace
 
