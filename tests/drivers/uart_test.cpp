@@ -1,66 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial line's driver against the serial line, with a host at the other end of the wire.
-#include "drivers/uart.hpp"
-
-#include <gtest/gtest.h>
-
-#include <Vuart.h>
-#include <array>
-#include <span>
-#include <string>
-
-#include "drivers/registers/uart_registers.hpp"
-#include "tests/drivers/serial_host.hpp"
-#include "tests/drivers/verilated_bus.hpp"
+// The serial line's driver: speeds, bytes in and out, lost and broken ones.
+#include "tests/drivers/uart_line.hpp"
 
 namespace {
 
-constexpr std::size_t receive_depth = 2048;
-constexpr std::size_t transmit_depth = 512;
-
-// A line of `baud` on a chip that is clocked with `clock_hz`; the host's speed is off by
-// `deviation`.
-class Line {
- public:
-  Line(std::uint32_t baud, std::uint32_t clock_hz, double deviation = 0)
-      : host((1 + deviation) * clock_hz / baud) {
-    chip->receive = 1;
-    chip.after_clock = [this] { chip->receive = host.clock(chip->transmit != 0); };
-    EXPECT_TRUE(uart.configure(baud, units::Hertz(clock_hz)));
-  }
-
-  // Until the host has sent everything, and a frame longer.
-  void finish_sending() {
-    while (host.sending()) chip.clock();
-    chip.clock(50);
-  }
-  void finish_receiving() {
-    while (!uart.transmit_idle()) chip.clock();
-    chip.clock(50);
-  }
-
-  std::string read(std::size_t most) {
-    std::string text(most, '\0');
-    std::size_t count = 0;
-    for (std::size_t more = 1; more != 0; count += more) {
-      more = uart.read(std::span(text).subspan(count)).count;
-    }
-    text.resize(count);
-    return text;
-  }
-
-  tests::VerilatedPeripheral<Vuart> chip{registers::uart::base};
-  tests::SerialHost host;
-  drivers::Uart uart;
-};
-
-Line fast_line() { return {1'000'000, 4'000'000}; }
-
-std::string all_bytes(std::size_t count) {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += static_cast<char>(i * 7 + i / 256);
-  return text;
-}
+using tests::all_bytes;
+using tests::fast_line;
+using tests::receive_depth;
+using tests::transmit_depth;
+using Line = tests::UartLine;
 
 TEST(Uart, rounds_the_increment_to_nearest) {
   using drivers::Uart;
@@ -215,109 +163,6 @@ TEST(Uart, marks_the_byte_behind_an_overrun) {
   EXPECT_EQ(rest.count, receive_depth - 100 + 1);
   EXPECT_TRUE(rest.gap_before_last);
   EXPECT_EQ(text[rest.count - 1], 'z');
-}
-
-TEST(Uart, interrupts_at_its_thresholds) {
-  Line line = fast_line();
-  line.uart.interrupt_on({.receive_level = 2, .transmit_space = transmit_depth});
-  line.chip.clock(2);
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  EXPECT_TRUE(line.chip->transmit_interrupt);
-  line.host.send("a");
-  line.finish_sending();
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  line.host.send("b");
-  line.finish_sending();
-  EXPECT_TRUE(line.chip->receive_interrupt);
-  line.read(1);
-  line.chip.clock(2);
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  line.uart.write(std::string("xyz"));
-  line.chip.clock(2);
-  EXPECT_FALSE(line.chip->transmit_interrupt);
-  line.finish_receiving();
-  EXPECT_TRUE(line.chip->transmit_interrupt);
-  line.uart.interrupt_on({});
-  line.host.send("cdefg");
-  line.finish_sending();
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  EXPECT_FALSE(line.chip->transmit_interrupt);
-}
-
-TEST(Uart, interrupts_while_the_end_of_a_line_waits) {
-  for (const char* end : {"\n", "\r", "\r\n"}) {
-    Line line = fast_line();
-    line.uart.interrupt_on({.line_end = true});
-    line.host.send("M105");
-    line.finish_sending();
-    EXPECT_FALSE(line.chip->receive_interrupt);
-    EXPECT_FALSE(line.uart.line_waits());
-    line.host.send(std::string(end) + "G1");
-    line.finish_sending();
-    EXPECT_TRUE(line.chip->receive_interrupt);
-    EXPECT_TRUE(line.uart.line_waits());
-    EXPECT_EQ(line.read(4), "M105");
-    line.chip.clock(2);
-    EXPECT_TRUE(line.chip->receive_interrupt);
-    const std::string_view ending(end);
-    EXPECT_EQ(line.read(ending.size()), ending);
-    line.chip.clock(2);
-    EXPECT_FALSE(line.chip->receive_interrupt);
-    EXPECT_FALSE(line.uart.line_waits());
-    EXPECT_EQ(line.read(10), "G1");
-  }
-}
-
-TEST(Uart, ends_lines_with_the_bytes_that_it_is_given) {
-  Line line = fast_line();
-  line.uart.interrupt_on({.line_end = true});
-  line.uart.set_line_ends(';', ';');
-  line.host.send("M105\n\r");
-  line.finish_sending();
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  line.host.send(";");
-  line.finish_sending();
-  EXPECT_TRUE(line.chip->receive_interrupt);
-}
-
-// The model sleeps between bytes: whatever the clock in which software reads a line, it is woken
-// for the next one, and not again for what it has read.
-TEST(Uart, loses_no_line_and_wakes_for_none_twice_whenever_it_is_read) {
-  for (unsigned delay = 0; delay < 60; ++delay) {
-    Line line = fast_line();
-    line.uart.interrupt_on({.line_end = true});
-    line.host.send("ab\n\ncd\n");
-    std::string received;
-    unsigned wakes = 0;
-    for (const std::uint64_t end = line.chip.now() + 1000; line.chip.now() < end;) {
-      line.chip.clock();
-      if (!line.chip->receive_interrupt) continue;
-      ++wakes;
-      EXPECT_TRUE(line.uart.line_waits());
-      line.chip.clock(delay);
-      received += line.read(10);
-      line.chip.clock(2);
-    }
-    EXPECT_EQ(received, "ab\n\ncd\n") << delay;
-    EXPECT_FALSE(line.uart.line_waits());
-    EXPECT_LE(wakes, 3u) << delay;
-  }
-}
-
-TEST(Uart, is_not_woken_by_a_line_end_that_was_lost) {
-  Line line = fast_line();
-  line.uart.interrupt_on({.line_end = true});
-  line.host.send(std::string(receive_depth, 'x') + "\n\n");
-  line.finish_sending();
-  EXPECT_EQ(line.uart.error_counts().overruns, 2);
-  EXPECT_FALSE(line.chip->receive_interrupt);
-  EXPECT_EQ(line.read(1), "x");
-  line.host.send("\n");
-  line.finish_sending();
-  EXPECT_TRUE(line.chip->receive_interrupt);
-  EXPECT_EQ(line.read(receive_depth).size(), receive_depth);
-  line.chip.clock(2);
-  EXPECT_FALSE(line.chip->receive_interrupt);
 }
 
 }  // namespace
