@@ -32,10 +32,9 @@ architecture simulation of feed_override_tb is
   signal standing : std_ulogic;
   signal working : std_ulogic;
 
-  -- Base clocks done, and how many the scale has owed, both while moving; the latter in 2^-32.
-  signal done : natural := 0;
-  signal owed : unsigned(63 downto 0) := (others => '0');
-  signal permitted_leap : leap_t := to_unsigned(2, 2);
+  -- Base clocks done and owed, see the watch.
+  signal done : natural;
+  signal owed : unsigned(63 downto 0);
   signal clear : boolean := false;
 
 begin
@@ -49,40 +48,13 @@ begin
       brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
       advance => advance, leap => leap, scale => scale, standing => standing, working => working);
 
-  -- Without work, and with the inputs as they are for three clocks, an edge of the clock changes nothing.
-  watch_work : process
-    variable inputs, inputs_before : std_ulogic_vector(89 downto 0) := (others => '0');
-    variable outputs, outputs_before : std_ulogic_vector(37 downto 0) := (others => '0');
-    variable quiet_clocks : natural := 0;
-  begin
-    wait until rising_edge(clk);
-    inputs := reset & moving & std_ulogic_vector(target) & std_ulogic_vector(slope) & accelerating
-      & decelerating & braking & std_ulogic_vector(brake_slope) & stalled & std_ulogic_vector(longest_leap);
-    outputs := advance & std_ulogic_vector(leap) & std_ulogic_vector(scale) & standing;
-    nothing_changes_without_work : assert quiet_clocks < 3 or outputs = outputs_before
-      report "changes without work" severity failure;
-    quiet_clocks := quiet_clocks + 1 when working = '0' and inputs = inputs_before else 0;
-    inputs_before := inputs;
-    outputs_before := outputs;
-  end process;
-
-  count : process
-  begin
-    wait until rising_edge(clk);
-    if clear then
-      done <= 0;
-      owed <= (others => '0');
-    elsif moving = '1' and stalled = '0' then
-      owed <= owed + scale;
-      if advance then
-        done <= done + 2 ** to_integer(leap);
-      end if;
-    end if;
-    assert leap <= permitted_leap report "leap too long" severity failure;
-    if not stalled then
-      permitted_leap <= longest_leap;
-    end if;
-  end process;
+  watch : entity work.feed_override_watch
+    port map (
+      clk => clk, reset => reset, moving => moving, target => target, slope => slope,
+      accelerating => accelerating, decelerating => decelerating, braking => braking,
+      brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
+      advance => advance, leap => leap, scale => scale, standing => standing, working => working,
+      done => done, owed => owed, clear => clear);
 
   test : process
     variable random : random_source_t;
