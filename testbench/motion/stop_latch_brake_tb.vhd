@@ -7,6 +7,7 @@ use ieee.std_logic_1164.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.step_generator_pkg.all;
 use work.stop_latch_harness_pkg.all;
 

@@ -4,6 +4,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 
+use work.clocked_bench_pkg.all;
 use work.step_generator_pkg.all;
 
 package stop_latch_harness_pkg is
@@ -39,8 +40,6 @@ package stop_latch_harness_pkg is
   -- Until outputs follow their inputs within a clock.
   procedure settle;
 
-  procedure wait_for_clock (signal clk : in std_ulogic);
-
   procedure acknowledge_stop (signal clk : in std_ulogic; signal inputs : inout stop_latch_inputs_t);
 
 end package;
@@ -50,12 +49,6 @@ package body stop_latch_harness_pkg is
   procedure settle is
   begin
     wait for 1 ns;
-  end procedure;
-
-  procedure wait_for_clock (signal clk : in std_ulogic) is
-  begin
-    wait until rising_edge(clk);
-    settle;
   end procedure;
 
   procedure acknowledge_stop (signal clk : in std_ulogic; signal inputs : inout stop_latch_inputs_t) is

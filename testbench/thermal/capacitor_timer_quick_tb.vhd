@@ -9,6 +9,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.temperature_converter_registers_pkg.all;
 use work.thermal_pkg.all;
 
@@ -104,19 +105,13 @@ begin
 
     variable before : natural;
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure convert (expected : natural; why : string) is
     begin
       wait until rising_edge(clk) and updated = '1' for 100 us;
       converts : assert updated = '1' report why & ": no conversion" severity failure;
       has_its_state : assert state = expected
         report why & ": state " & to_string(to_integer(state)) severity error;
-      clock;
+      wait_for_clock(clk);
       reports_once : assert updated = '0' report "updated for two clocks" severity error;
     end procedure;
 
@@ -153,11 +148,11 @@ begin
       + 3 * charges * (discharge + 1 + 1) + 3 * dither * (0 + 1 + 2) + 1 + pause + 1;
 
   begin
-    clock;
-    clock;
+    wait_for_clock(clk);
+    wait_for_clock(clk);
     reset <= '0';
     for i in 1 to 10 loop
-      clock;
+      wait_for_clock(clk);
       is_high_impedance_at_rest : assert drive_enable = "000" and updated = '0' severity error;
     end loop;
     enable <= '1';
@@ -223,7 +218,7 @@ begin
     -- A restart anywhere forgets all; nothing of the conversion before is in the next.
     for delay in 0 to 40 loop
       for i in 1 to 13 * delay + 1 loop
-        clock;
+        wait_for_clock(clk);
       end loop;
       if delay mod 3 = 0 then
         restart <= '1';
@@ -232,14 +227,14 @@ begin
       else
         enable <= '0';
       end if;
-      clock;
+      wait_for_clock(clk);
       lets_go : assert drive_enable = "000" and discharging = '0' and updated = '0' severity error;
       if delay mod 3 /= 2 then
         forgets : assert state = temperature_converter_status_state_never severity error;
         expect_counts(0, 0, 0, "forgotten");
       else
         for i in 1 to 60 loop
-          clock;
+          wait_for_clock(clk);
           rests_while_disabled : assert drive_enable = "000" and updated = '0' severity error;
         end loop;
       end if;
@@ -255,10 +250,10 @@ begin
     -- Nor with a restart in it.
     wait until rising_edge(clk) and discharging = '0' and drive_enable = "001";
     for i in 1 to longest loop
-      clock;
+      wait_for_clock(clk);
     end loop;
     restart <= '1';
-    clock;
+    wait_for_clock(clk);
     is_not_updated_by_a_restart : assert updated = '0' and state = temperature_converter_status_state_never
       severity error;
     restart <= '0';
@@ -267,12 +262,12 @@ begin
     speeds(thermistor) <= 0;
     wait until rising_edge(clk) and discharging = '0' and drive_enable = "001";
     for i in 1 to longest loop
-      clock;
+      wait_for_clock(clk);
     end loop;
     is_at_its_end : assert discharging = '1' severity error;
     enable <= '0';
     for i in 1 to 10 loop
-      clock;
+      wait_for_clock(clk);
       publishes_nothing : assert updated = '0' and state = temperature_converter_status_state_ok
         severity error;
     end loop;
@@ -280,9 +275,9 @@ begin
 
     -- One resistor alone: no precharge, and the references are never driven.
     settings.references <= '0';
-    clock;
+    wait_for_clock(clk);
     driven <= force "000";
-    clock;
+    wait_for_clock(clk);
     driven <= release;
     enable <= '1';
     convert(temperature_converter_status_state_ok, "alone");

@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.temperature_converter_registers_pkg.all;
 use work.thermal_pkg.all;
 
@@ -50,12 +51,6 @@ begin
     variable expected : converter_settings_t := converter_settings_none;
     variable expected_enable, expected_refused : std_ulogic := '0';
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure check (what : string; expected_restart : std_ulogic := '0') is
     begin
       holds_its_settings : assert settings = expected report what & ": settings" severity error;
@@ -76,14 +71,14 @@ begin
       elsif changes then
         begins := '1';
       end if;
-      clock;
+      wait_for_clock(clk);
       from_software.control_written <= '0';
       from_software.discharge_written <= '0';
       from_software.timeout_written <= '0';
       from_software.pause_written <= '0';
       from_software.short_limit_written <= '0';
       check(what, begins);
-      clock;
+      wait_for_clock(clk);
       check(what & ", a clock later");
     end procedure;
 
@@ -137,7 +132,7 @@ begin
     begin
       from_software.settings_lock.refused <= forget;
       from_software.settings_lock_written <= written;
-      clock;
+      wait_for_clock(clk);
       from_software.settings_lock_written <= '0';
       if forget = '1' and written = '1' then
         expected_refused := '0';
@@ -148,7 +143,7 @@ begin
     procedure start_again is
     begin
       reset <= '1';
-      clock;
+      wait_for_clock(clk);
       reset <= '0';
       expected_enable := '0';
       expected_refused := '0';
@@ -158,12 +153,12 @@ begin
       else
         check("reset while locked");
       end if;
-      clock;
+      wait_for_clock(clk);
       check("after reset");
     end procedure;
 
   begin
-    clock;
+    wait_for_clock(clk);
     start_again;
     -- A time-out is at most an eighth of a second.
     write_timeout(longest_charge - 1, longest_charge - 1);
@@ -194,16 +189,16 @@ begin
     from_software.timeout.cycles <= x"444444";
     from_software.pause.cycles <= x"555555";
     from_software.short_limit.cycles <= x"66666666";
-    clock;
+    wait_for_clock(clk);
     check("nothing written");
 
     -- The lock itself begins a conversion: in its first clock.
     limits_locked <= '1';
     wait for 1 ns;
     check("limits locked", '1');
-    clock;
+    wait_for_clock(clk);
     check("limits stay locked");
-    clock;
+    wait_for_clock(clk);
     check("limits stay locked");
     write_control('0', '1', 16#A5#, 16#3C#, changes => false);
     write_control('1', '1', 16#A5#, 16#3C#, changes => false);
@@ -225,7 +220,7 @@ begin
     from_software.settings_lock_written <= '1';
     from_software.pause.cycles <= x"000009";
     from_software.pause_written <= '1';
-    clock;
+    wait_for_clock(clk);
     from_software.settings_lock_written <= '0';
     from_software.pause_written <= '0';
     expected_refused := '1';
@@ -235,7 +230,7 @@ begin
     write_others(7, 8, 9);
     write_control('1', '1', 16#A5#, 16#3C#, changes => false);
     limits_locked <= '0';
-    clock;
+    wait_for_clock(clk);
     check("unlocked");
     write_others(7, 8, 9);
     start_again;

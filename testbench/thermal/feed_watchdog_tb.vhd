@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.thermal_pkg.all;
 
 entity feed_watchdog_tb is
@@ -38,29 +39,13 @@ begin
 
   test : process
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
-    procedure ticks (count : natural) is
-    begin
-      for i in 1 to count loop
-        tick <= '1';
-        clock;
-        tick <= '0';
-        clock;
-      end loop;
-    end procedure;
-
     procedure feed (key : key_t; is_mistake : boolean := false; with_tick : std_ulogic := '0') is
     begin
       fed <= '1';
       first_key <= '1' when key = first else '0';
       second_key <= '1' when key = second else '0';
       tick <= with_tick;
-      clock;
+      wait_for_clock(clk);
       fed <= '0';
       tick <= '0';
       first_key <= '0';
@@ -68,13 +53,13 @@ begin
       finds_mistakes : assert (violated = '1') = is_mistake
         report key_t'image(key) & ": violated is " & to_string(violated) severity error;
       is_dead_at_once : assert alive = '0' or not is_mistake report "alive" severity error;
-      clock;
+      wait_for_clock(clk);
       says_it_once : assert violated = '0' report "violated for two clocks" severity error;
     end procedure;
 
     procedure expect_alive (expected : std_ulogic; why : string) is
     begin
-      clock;
+      wait_for_clock(clk);
       lives_as_it_should : assert alive = expected
         report why & ": alive is " & to_string(alive) severity error;
     end procedure;
@@ -89,106 +74,106 @@ begin
     procedure restart is
     begin
       reset <= '1';
-      clock;
+      wait_for_clock(clk);
       reset <= '0';
     end procedure;
 
   begin
-    clock;
+    wait_for_clock(clk);
     restart;
     expect_alive('0', "after reset");
-    ticks(3);
+    give_ticks(clk, tick, 3);
     expect_alive('0', "never fed");
 
     -- The first feed after reset waits for no window, however late it comes, and lasts for the time-out to
     -- the tick.
     feed_both;
-    ticks(timeout - 1);
+    give_ticks(clk, tick, timeout - 1);
     expect_alive('1', "a tick before the time-out");
-    ticks(1);
+    give_ticks(clk, tick, 1);
     expect_alive('0', "at the time-out");
-    ticks(2);
+    give_ticks(clk, tick, 2);
     expect_alive('0', "after the time-out");
     no_mistake_was_made : assert violated = '0' report "violated" severity error;
 
     -- A feed restarts the time, also in the clock of a tick.
     feed_both;
-    ticks(timeout - 1);
+    give_ticks(clk, tick, timeout - 1);
     feed(first);
     feed(second, with_tick => '1');
-    ticks(timeout - 1);
+    give_ticks(clk, tick, timeout - 1);
     expect_alive('1', "fed in the clock of a tick");
-    ticks(1);
+    give_ticks(clk, tick, 1);
     expect_alive('0', "at the time-out of the second feed");
 
     -- Half a feed is none, and the second key may come at any later time.
     feed_both;
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first);
-    ticks(timeout - window);
+    give_ticks(clk, tick, timeout - window);
     expect_alive('0', "only the first key");
-    ticks(10);
+    give_ticks(clk, tick, 10);
     feed(second);
     expect_alive('1', "the second key comes late");
 
     -- The window opens a sixteenth of the time-out after the last first key.
-    ticks(timeout);
+    give_ticks(clk, tick, timeout);
     feed_both;
-    ticks(window - 1);
+    give_ticks(clk, tick, window - 1);
     feed(first, is_mistake => true);
     expect_alive('0', "too early");
     -- After a mistake, too.
-    ticks(window - 1);
+    give_ticks(clk, tick, window - 1);
     feed(first, is_mistake => true);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first);
     feed(second);
     expect_alive('1', "after the window has opened");
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed_both;
     feed(first, is_mistake => true);
 
     -- Wrong keys, and the right ones out of turn.
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(second, is_mistake => true);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed_both;
-    ticks(1);
+    give_ticks(clk, tick, 1);
     feed(second, is_mistake => true);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed_both;
     feed(wrong, is_mistake => true);
     -- It has forgotten the first key: the second alone is a mistake again.
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first);
     feed(wrong, is_mistake => true);
     feed(second, is_mistake => true);
     expect_alive('0', "after mistakes");
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first, is_mistake => true);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(second, is_mistake => true);
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed_both;
 
     -- What software does not feed is no key.
     first_key <= '1';
     second_key <= '1';
-    clock;
-    clock;
+    wait_for_clock(clk);
+    wait_for_clock(clk);
     is_no_feed : assert violated = '0' and alive = '1' report "key without a write" severity error;
     first_key <= '0';
     second_key <= '0';
 
     -- Reset forgets the first key, the window, and that it lived.
-    ticks(window);
+    give_ticks(clk, tick, window);
     feed(first);
     restart;
     is_dead_in_reset : assert alive = '0' report "alive" severity error;
     expect_alive('0', "after a later reset");
-    ticks(2);
+    give_ticks(clk, tick, 2);
     expect_alive('0', "some ticks after a later reset");
     feed_both;
     restart;
@@ -198,23 +183,23 @@ begin
     restart;
     feed_both;
     fed <= '1';
-    clock;
+    wait_for_clock(clk);
     restart;
     mistakes_end_with_reset : assert violated = '0' report "violated in reset" severity error;
     fed <= '0';
-    clock;
+    wait_for_clock(clk);
 
     -- Another time-out, with another window.
     restart;
     timeout_ticks <= to_unsigned(160, tick_count_bits);
     feed_both;
-    ticks(9);
+    give_ticks(clk, tick, 9);
     feed(first, is_mistake => true);
-    ticks(10);
+    give_ticks(clk, tick, 10);
     feed_both;
-    ticks(159);
+    give_ticks(clk, tick, 159);
     expect_alive('1', "longer time-out");
-    ticks(1);
+    give_ticks(clk, tick, 1);
     expect_alive('0', "longer time-out");
     finish;
   end process;

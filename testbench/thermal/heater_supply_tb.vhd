@@ -8,6 +8,8 @@ use ieee.std_logic_1164.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
+
 entity heater_supply_tb is
 end entity;
 
@@ -38,12 +40,6 @@ begin
 
   test : process
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure expect (
       what : string; expected_closed : std_ulogic; expected_opened : std_ulogic_vector(3 downto 0);
       expected_refused : std_ulogic := '0') is
@@ -59,21 +55,21 @@ begin
     procedure wish_closed is
     begin
       close <= '1';
-      clock;
+      wait_for_clock(clk);
       close <= '0';
     end procedure;
 
     procedure wish_open is
     begin
       open_again <= '1';
-      clock;
+      wait_for_clock(clk);
       open_again <= '0';
     end procedure;
 
     procedure restart is
     begin
       reset <= '1';
-      clock;
+      wait_for_clock(clk);
       reset <= '0';
       expect("reset", '0', "0000");
     end procedure;
@@ -81,16 +77,16 @@ begin
     variable cause : std_ulogic_vector(3 downto 0);
 
   begin
-    clock;
+    wait_for_clock(clk);
     restart;
-    clock;
+    wait_for_clock(clk);
     expect("not asked for", '0', "0000");
     wish_closed;
     expect("closed", '1', "0000");
-    clock;
+    wait_for_clock(clk);
     expect("stays closed", '1', "0000");
     all_at_rest <= '0';
-    clock;
+    wait_for_clock(clk);
     expect("heating is no danger", '1', "0000");
     wish_closed;
     expect("closed while it heats: refused, but stays closed", '1', "0000", '1');
@@ -99,7 +95,7 @@ begin
     wish_closed;
     expect("not at rest", '0', "0000", '1');
     all_at_rest <= '1';
-    clock;
+    wait_for_clock(clk);
     expect("not closed afterwards", '0', "0000", '1');
     wish_closed;
     expect("the last wish was granted", '1', "0000");
@@ -115,16 +111,16 @@ begin
       wish_closed;
       expect("closed", '1', "0000");
       causes <= cause;
-      clock;
+      wait_for_clock(clk);
       expect("opened by " & to_string(cause), '0', cause);
       causes <= not cause;
-      clock;
+      wait_for_clock(clk);
       expect("what comes later has not opened it", '0', cause);
       causes <= cause;
       wish_closed;
       expect("the cause lasts", '0', cause, '1');
       causes <= "0000";
-      clock;
+      wait_for_clock(clk);
       expect("remembered", '0', cause, '1');
       all_at_rest <= '0';
       wish_closed;

@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.thermal_pkg.all;
 
 entity unasked_heat_watch_tb is
@@ -38,19 +39,10 @@ begin
 
   test : process
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure ticks (count : natural) is
     begin
       for i in 1 to count loop
-        tick <= '1';
-        clock;
-        tick <= '0';
-        clock;
+        give_ticks(clk, tick, 1);
         finds_nothing_without_a_conversion : assert found = '0' report "found" severity error;
       end loop;
     end procedure;
@@ -60,11 +52,11 @@ begin
       updated : std_ulogic := '1') is
     begin
       reading <= (updated => updated, valid => valid, count => to_unsigned(count, 32));
-      clock;
+      wait_for_clock(clk);
       reading.updated <= '0';
       finds_heat_alone : assert (found = '1') = is_heat
         report "count " & to_string(count) & ": found is " & to_string(found) severity error;
-      clock;
+      wait_for_clock(clk);
       finds_it_for_one_clock : assert found = '0' report "found for two clocks" severity error;
     end procedure;
 
@@ -72,8 +64,8 @@ begin
     procedure heat is
     begin
       gate <= '1';
-      clock;
-      clock;
+      wait_for_clock(clk);
+      wait_for_clock(clk);
       gate <= '0';
     end procedure;
 
@@ -85,7 +77,7 @@ begin
     end procedure;
 
   begin
-    clock;
+    wait_for_clock(clk);
     reset <= '0';
 
     -- Within the settling time nothing is a reference, and nothing is found.
