@@ -10,15 +10,15 @@ namespace {
 constexpr std::uint32_t charges = 16;
 // The capacitor is empty to 2^-16 after so many time constants of the low reference.
 constexpr std::int64_t discharge_time_constants = 11;
-// A charge may take so much longer than at the lowest temperature before it counts as an open
-// sensor.
+// A charge may take so much longer than at the lowest temperature before it counts as
+// an open sensor.
 constexpr std::int64_t charge_margin = 2;
 constexpr units::Microseconds pause{1'000};
 constexpr units::Microseconds gate_slot{2'000};
 constexpr units::Milliseconds watchdog_timeout{1'000};
 constexpr units::Milliseconds sensor_timeout{1'000};
-// The hardware cuts off beyond the software's own limits, so that the fault has its proper name
-// first.
+// The hardware cuts off beyond the software's own limits, so that the fault has its
+// proper name first.
 constexpr units::Millicelsius cut_off_margin{10'000};
 // Hot enough that no neighbour makes it so is a part below so many times the count of its cut-off:
 // above 150 degrees with the hotend's limit, above 60 with the bed's.
@@ -119,8 +119,8 @@ void HeatTask::complete_feed() {
   control_.feed(drivers::FeedKey::second);
 }
 
-// Closed once, when some heater has its limits and nothing is asked for; what opens it then is a
-// fault.
+// Closed once, when some heater has its limits and nothing is asked for; what opens it then
+// is a fault.
 void HeatTask::watch_supply(units::Milliseconds now) {
   const drivers::SupplyStatus supply = control_.supply();
   if (supply_closed_ && !supply.closed && hardware_fault_.empty()) {

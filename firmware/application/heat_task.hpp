@@ -35,8 +35,8 @@ class HeatTask {
   void start();
   // Every pass of the loop; works every thermal::HeaterLoop::period.
   void update(Now now);
-  // At the end of a pass, after all tasks: the watchdog's second key, if update() has fed the
-  // first.
+  // At the end of a pass, after all tasks: the watchdog's second key, if update() has
+  // fed the first.
   void complete_feed();
   // For good: no heat, no supply, and the watchdog is not fed any more.
   void shut_down();

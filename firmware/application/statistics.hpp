@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the firmware counts about itself. The simulation reads it from memory by the symbol
-// `statistics`.
+// What the firmware counts about itself. The simulation reads it from memory by
+// the symbol `statistics`.
 #pragma once
 
 #include <cstdint>
 
 namespace application {
 
-// The layout is a contract with the simulation: words only, new ones at the end, and then a new
-// version.
+// The layout is a contract with the simulation: words only, new ones at the end, and then
+// a new version.
 struct Statistics {
   static constexpr std::uint32_t current_version = 3;
 

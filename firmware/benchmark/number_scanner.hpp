@@ -13,8 +13,8 @@ class NumberScanner {
   static constexpr std::size_t text_length = 660;
 
   void fill(std::uint32_t seed);
-  // Scans the text as it is and again with every `stride`th character corrupted; then it is as
-  // before.
+  // Scans the text as it is and again with every `stride`th character corrupted; then it
+  // is as before.
   std::uint16_t run(std::size_t stride);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines in while there is room, segments out as soon as they are given, and the time that they
-// take.
+// Lines in while there is room, segments out as soon as they are given, and the time
+// that they take.
 #include "benchmark/planner_work.hpp"
 
 #include "application/coordinates.hpp"

@@ -13,8 +13,8 @@ namespace benchmark {
 class PlannerWork {
  public:
   PlannerWork();
-  // Reads the moves from lines of G0 and G1 in absolute millimetres; the first only says where to
-  // begin.
+  // Reads the moves from lines of G0 and G1 in absolute millimetres; the first only says
+  // where to begin.
   void prepare(std::string_view text);
   // An iteration is all moves, there and then back; units are moves.
   ProcessorResult run(std::uint32_t iterations);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the loader does with the frames of a host: fills memory, answers, and says when a program is
-// whole.
+// What the loader does with the frames of a host: fills memory, answers, and says when a
+// program is whole.
 #pragma once
 
 #include <array>

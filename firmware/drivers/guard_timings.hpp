@@ -33,9 +33,9 @@ struct GuardTimings {
   std::uint32_t low{1};
   std::uint32_t direction_setup{1};
   std::uint32_t direction_hold{1};
-  // Each edge of step is a step, for drivers set to that (DEDGE of the TMC2209 and TMC5160): half
-  // the edges for the same speed. High and low are then least times. To be changed while step is
-  // low.
+  // Each edge of step is a step, for drivers set to that (DEDGE of the TMC2209 and TMC5160):
+  // half the edges for the same speed. High and low are then least times. To be changed while
+  // step is low.
   bool both_edges{};
 
   // Never shorter than asked: rounded up. What exceeds the hardware's range becomes its longest.

@@ -64,10 +64,10 @@ class StepGenerator {
   // Whether what follows up to start() and the watchdog are there. Where software makes the steps
   // they are not: setting them has no effect.
   bool stretches_time() const;
-  // How fast time passes for motion, its path unchanged: 65536 as segments ask, 0 for a feed hold,
-  // below 4 * 65536. Approached by the slope while a segment is executed, taken at once at rest.
-  // Above 65536 the tick rate limits it: from 7/64 tick per clock on to 2, from 15/64 on to 1
-  // times.
+  // How fast time passes for motion, its path unchanged: 65536 as segments ask, 0 for a feed
+  // hold, below 4 * 65536. Approached by the slope while a segment is executed, taken at once at
+  // rest. Above 65536 the tick rate limits it: from 7/64 tick per clock on to 2, from 15/64 on
+  // to 1 times.
   void set_override(std::uint32_t scale_65536ths);
   void set_override_percent(std::uint32_t percent);
   // Changes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
@@ -81,8 +81,8 @@ class StepGenerator {
   // A feed hold has come to its end: a segment is executed, but nothing moves.
   bool held() const;
 
-  // Begins a segment that waits for its start (as the start input does); not remembered if none
-  // does.
+  // Begins a segment that waits for its start (as the start input does); not remembered
+  // if none does.
   void start();
   // At rest, with a next segment that waits.
   bool waiting() const;

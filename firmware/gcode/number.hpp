@@ -16,8 +16,8 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // Whether a number, well formed or not, starts with this character.
 constexpr bool starts_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 
-// Reads at `position` and moves it behind the number. Beyond nine decimals it rounds half away from
-// zero.
+// Reads at `position` and moves it behind the number. Beyond nine decimals it rounds half
+// away from zero.
 std::expected<Number, ParseError> read_number(std::string_view line, std::size_t& position);
 
 }  // namespace gcode

@@ -38,8 +38,8 @@ bool takes_text(const Command& command) {
   }
 }
 
-// Parameters first, and a message from the first word without a number on: M0 S5 Change the
-// filament
+// Parameters first, and a message from the first word without a number on: M0 S5
+// Change the filament
 bool may_end_in_text(const Command& command) { return command.is('M', 0) || command.is('M', 1); }
 
 class LineParser {

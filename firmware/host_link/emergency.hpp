@@ -23,8 +23,8 @@ struct EmergencyCommand {
   std::uint16_t value{};  // of M220 and M876: its S, otherwise 0
 };
 
-// The code of the M command at the start of `text`, which is then moved behind it; 0 if there is
-// none.
+// The code of the M command at the start of `text`, which is then moved behind it; 0 if
+// there is none.
 std::uint32_t take_m_code(std::string_view& text);
 
 // The emergency command (M112, M108, M410, M602, M876 or //action:) in a line's text (without line

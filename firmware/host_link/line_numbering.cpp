@@ -121,8 +121,8 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   return refuse_or_ignore(now);
 }
 
-// A Resend whose number was corrupted on its way can send a host back to the M110 that opened its
-// job.
+// A Resend whose number was corrupted on its way can send a host back to the M110 that
+// opened its job.
 bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
   return awaiting_resend_ && !lost_start_ && history_size_ != 0 && now - asked_ < restart_pause;
 }

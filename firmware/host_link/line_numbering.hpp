@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides from number, checksum and history whether a framed line is taken, answered or asked for
-// again.
+// Decides from number, checksum and history whether a framed line is taken, answered or
+// asked for again.
 #pragma once
 
 #include <array>

@@ -36,8 +36,8 @@ struct ReceivedLine {
 
 class LineReceiver {
  public:
-  // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty lines are
-  // lines.
+  // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty
+  // lines are lines.
   bool put(char byte);
   // The line as far as it has come, which is then forgotten.
   ReceivedLine take();

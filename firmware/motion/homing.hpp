@@ -13,8 +13,8 @@
 
 namespace motion {
 
-// What homing sees. To be taken after everything that the last request asked for has been passed
-// on.
+// What homing sees. To be taken after everything that the last request asked for has
+// been passed on.
 struct HomingObservation {
   bool at_rest{};  // planner empty and step generator idle (or stopped, and acknowledged)
   bool stopped{};  // the hardware ended the last requested move by its stop mask

@@ -101,9 +101,9 @@ class Geometry {
   Scaled max_tick_acceleration_{};  // um/s^2 at 1 tick/nm that the segment's format can hold
 };
 
-// The highest speed, not above `speed`, at which no axis changes its speed by more than its jerk
-// when the path's direction changes by `change`. From and to rest, `change` is the direction
-// itself.
+// The highest speed, not above `speed`, at which no axis changes its speed by more than
+// its jerk when the path's direction changes by `change`. From and to rest, `change` is
+// the direction itself.
 units::MicrometersPerSecond jerk_limited_speed(const Direction& change, const Limits& limits,
                                                units::MicrometersPerSecond speed);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic of 32 significant bits, with at most two 32-bit divisions in a quotient and one in a
-// root.
+// Arithmetic of 32 significant bits, with at most two 32-bit divisions in a quotient and one
+// in a root.
 #include "motion/scaled.hpp"
 
 #include <bit>

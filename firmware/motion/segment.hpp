@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the step generator executes: one stretch of one straight line at one course of the tick
-// rate.
+// What the step generator executes: one stretch of one straight line at one course of
+// the tick rate.
 #pragma once
 
 #include <cstdint>

@@ -24,9 +24,9 @@ struct StepPosition {
   StepParts residual{};
 };
 
-// position in nm * steps_per_meter / 10^9, rounded to the nearest step, halves away from 0, without
-// error; the residual is rounded to a part. |position| <= max_position, steps_per_meter <=
-// max_steps_per_meter.
+// position in nm * steps_per_meter / 10^9, rounded to the nearest step, halves away from 0,
+// without error; the residual is rounded to a part. |position| <= max_position,
+// steps_per_meter <= max_steps_per_meter.
 StepPosition steps_at(const units::Position& position, units::StepsPerMeter steps_per_meter);
 
 // The position of a step count, rounded to the nearest nanometre, halves away from 0.

@@ -12,8 +12,8 @@ constexpr unsigned word_bits = 32;
 constexpr unsigned half_bits = 16;
 constexpr std::uint32_t half_mask = 0xFFFF;
 
-// One digit of 16 bits: of rest * 2^16 + next over a divisor whose highest bit is 1; rest <
-// divisor.
+// One digit of 16 bits: of rest * 2^16 + next over a divisor whose highest bit is 1;
+// rest < divisor.
 std::uint32_t half_digit(std::uint32_t& rest, std::uint32_t next, std::uint32_t divisor) {
   const std::uint32_t high = divisor >> half_bits;
   std::uint32_t digit = rest / high;
@@ -53,8 +53,8 @@ std::uint64_t divide(std::uint64_t dividend, std::uint64_t divisor) {
         divide_word(dividend_high % divisor_low, static_cast<std::uint32_t>(dividend), divisor_low);
     return std::uint64_t{high} << word_bits | low;
   }
-  // The quotient fits a word. It is estimated with the divisor's upper 32 bits, at most 1 too
-  // large.
+  // The quotient fits a word. It is estimated with the divisor's upper 32 bits, at most
+  // 1 too large.
   const auto shift = static_cast<unsigned>(std::countl_zero(divisor_high));
   const std::uint64_t half = dividend >> 1;
   const auto upper = static_cast<std::uint32_t>(divisor << shift >> word_bits);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names by which the compiler calls for copies. They take the place of its library's, which go
-// byte by byte, and know nothing of registers that an image keeps for itself
-// (software_stepping/tick.S).
+// The names by which the compiler calls for copies. They take the place of its
+// library's, which go byte by byte, and know nothing of registers that an image keeps
+// for itself (software_stepping/tick.S).
 #include "platform/memory.hpp"
 
 extern "C" {

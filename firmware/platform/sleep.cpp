@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sleep on the chip where no interrupt runs code: wfi, ended by whatever is pending. Only in the
-// image.
+// Sleep on the chip where no interrupt runs code: wfi, ended by whatever is pending. Only
+// in the image.
 #include "platform/processor.hpp"
 
 namespace platform {

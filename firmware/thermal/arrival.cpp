@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds when a temperature has arrived at its target and stays, as Marlin's M109 and M190 wait for
-// it.
+// Finds when a temperature has arrived at its target and stays, as Marlin's M109 and M190
+// wait for it.
 #include "thermal/arrival.hpp"
 
 namespace thermal {

@@ -11,8 +11,8 @@ constexpr std::int64_t milli = 1'000;
 constexpr std::int64_t filter_scale = 256;
 constexpr std::int64_t integral_scale = 65'536;
 
-// Conversion noise is smoothed over the first time; the slope is what the second filter lags
-// behind.
+// Conversion noise is smoothed over the first time; the slope is what the second
+// filter lags behind.
 constexpr std::int64_t smoothing_ms = 300;
 constexpr std::int64_t slope_ms = 1'500;
 

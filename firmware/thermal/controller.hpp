@@ -24,8 +24,8 @@ class Controller {
  public:
   explicit constexpr Controller(const ControllerGains& gains) : gains_(gains) {}
 
-  // One step, `elapsed` after the one before (0 for the first). Steps should come about every 100
-  // ms.
+  // One step, `elapsed` after the one before (0 for the first). Steps should come about
+  // every 100 ms.
   Duty update(units::Millicelsius target, units::Millicelsius measured,
               units::Milliseconds elapsed);
   // Forgets the past.

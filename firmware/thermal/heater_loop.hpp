@@ -38,8 +38,8 @@ class HeaterLoop {
         protection_(settings.protection),
         plausibility_(*settings.model) {}
 
-  // `off`, or a temperature, which is cut to highest_target(). No heat after a fault, whatever the
-  // target.
+  // `off`, or a temperature, which is cut to highest_target(). No heat after a fault,
+  // whatever the target.
   void set_target(units::Millicelsius target);
   units::Millicelsius target() const { return target_; }
   units::Millicelsius highest_target() const { return settings_.maximum - settings_.target_margin; }

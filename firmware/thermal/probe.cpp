@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small rhythm in the duty of a heater that holds its temperature: a sensor that lives answers
-// it.
+// A small rhythm in the duty of a heater that holds its temperature: a sensor that
+// lives answers it.
 #include "thermal/probe.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small rhythm in the duty of a heater that holds its temperature: a sensor that lives answers
-// it.
+// A small rhythm in the duty of a heater that holds its temperature: a sensor that
+// lives answers it.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace thermal {
 
-// A sensor that froze at the target shows no error, so nothing else finds it. Over the last windows
-// the sensor must move by a part of what the rhythm alone brings by the model. Noise and
-// disturbances add to what it moves; the halves of the rhythm differ in length, so that no periodic
-// disturbance stays opposite to it, and where the filament's heat could cancel it there is no
-// verdict.
+// A sensor that froze at the target shows no error, so nothing else finds it. Over the last
+// windows the sensor must move by a part of what the rhythm alone brings by the model. Noise and
+// disturbances add to what it moves; the halves of the rhythm differ in length, so that no
+// periodic disturbance stays opposite to it, and where the filament's heat could cancel it there
+// is no verdict.
 class Probe {
  public:
   explicit constexpr Probe(const HeaterModel& model)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thermistor on a converter channel: from its newest conversion to a temperature or a named
-// fault.
+// A thermistor on a converter channel: from its newest conversion to a temperature or
+// a named fault.
 #pragma once
 
 #include <expected>
@@ -33,8 +33,8 @@ class Sensor {
   std::optional<CountLimits> limits(units::Millicelsius minimum, units::Millicelsius maximum,
                                     const SensorReading& reading) const;
 
-  // The count at the end of the table, below which the thermistor must be shorted, with nominal
-  // parts.
+  // The count at the end of the table, below which the thermistor must be shorted,
+  // with nominal parts.
   static std::uint32_t short_limit(const ThermistorTable& table, const NominalCircuit& circuit);
 
  private:

@@ -132,9 +132,9 @@ bool DebugAdapter::move_pins() {
   return false;
 }
 
-// Section "remote_bitbang" of OpenOCD's manual for developers: digits are the levels of TCK, TMS
-// and TDI, R asks for TDO, Q ends it; B, b (a lamp) and r to u (reset lines) have nothing to move
-// here.
+// Section "remote_bitbang" of OpenOCD's manual for developers: digits are the levels of TCK,
+// TMS and TDI, R asks for TDO, Q ends it; B, b (a lamp) and r to u (reset lines) have nothing
+// to move here.
 bool DebugAdapter::obey(char request) {
   if (request >= '0' && request <= '7') {
     const int levels = request - '0';

@@ -10,9 +10,9 @@
 
 namespace devices {
 
-// One debugger at a time; a second one waits until the first has left. Only programs of this
-// machine can connect. Reset lines are not connected: OpenOCD resets the chip through its debug
-// module.
+// One debugger at a time; a second one waits until the first has left. Only programs of
+// this machine can connect. Reset lines are not connected: OpenOCD resets the chip through
+// its debug module.
 class DebugAdapter : public sim::Device {
  public:
   // Port 0 takes any that is free. Throws std::system_error where the port cannot be had.

@@ -221,8 +221,8 @@ bool FileHost::asked_too_often(std::size_t number) {
          resends_of_line_ > most_resends_of_line;
 }
 
-// The errors that announce a resend are those that hosts distinguish by these words; others are
-// fatal.
+// The errors that announce a resend are those that hosts distinguish by these words;
+// others are fatal.
 void FileHost::take_error(sim::Clock, const std::string& reply) {
   last_error_ = reply;
   const std::string text = lower_case(reply);

@@ -15,8 +15,8 @@ namespace devices {
 
 namespace {
 
-// The number of bytes of the UTF-8 character at the beginning of `text`, or nothing where it is
-// none.
+// The number of bytes of the UTF-8 character at the beginning of `text`, or nothing where
+// it is none.
 std::optional<std::size_t> character_length(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text.front());
   std::size_t length = 1;

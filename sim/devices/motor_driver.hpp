@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stepper driver chip such as the A4988: takes steps whose timing keeps its data sheet, loses
-// others.
+// A stepper driver chip such as the A4988: takes steps whose timing keeps its data
+// sheet, loses others.
 #pragma once
 
 #include <vector>

@@ -11,8 +11,8 @@ class PrivateFolder {
  public:
   // $XDG_RUNTIME_DIR/stepfabric, and where there is no such folder of this user's own,
   // /tmp/stepfabric-USER with the user's number. Made where it is missing. Throws
-  // std::runtime_error where another user's folder, a symlink, or a folder open to others stands
-  // there.
+  // std::runtime_error where another user's folder, a symlink, or a folder open to
+  // others stands there.
   PrivateFolder();
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;

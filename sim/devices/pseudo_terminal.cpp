@@ -25,8 +25,8 @@ namespace {
 constexpr double poll_interval_seconds = 0.0005;
 // Bytes that wait for the wire; the kernel holds back the rest, as a USB adapter's buffer would.
 constexpr std::size_t line_buffer_bytes = 64;
-// What the kernel does not take because the host does not read is kept up to this size, then
-// dropped.
+// What the kernel does not take because the host does not read is kept up to this
+// size, then dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
 // As Linux's closing_wait.
 constexpr double closing_seconds = 30;

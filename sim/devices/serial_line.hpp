@@ -46,8 +46,8 @@ class SerialLine : public sim::Device {
   // low for so long, a break. Bytes that are sent meanwhile follow it.
   void hang_up(sim::Clock now, sim::Clock low_for);
 
-  // Pulled out, both directions are dead: the chip's pin is idle, and what either end sends is
-  // lost.
+  // Pulled out, both directions are dead: the chip's pin is idle, and what either end
+  // sends is lost.
   void connect(bool connected);
 
   // Bytes to the chip, after those that still wait.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inner parts of the printer that follow no pin: filament that takes heat along, and planned
-// faults.
+// Inner parts of the printer that follow no pin: filament that takes heat along,
+// and planned faults.
 #pragma once
 
 #include <cmath>

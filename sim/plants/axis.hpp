@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stepper motor with the axis that it moves: follows steps while its torque suffices, up to the
-// frame.
+// A stepper motor with the axis that it moves: follows steps while its torque suffices, up
+// to the frame.
 #pragma once
 
 #include <cstdint>

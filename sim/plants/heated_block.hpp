@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels it. SI
-// units.
+// A hotend or a heated bed: heat capacities, losses, and the lag until the sensor feels
+// it. SI units.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of codes, from RS-274 and from the firmwares of the field (Marlin, RepRapFirmware,
-// Prusa).
+// The table of codes, from RS-274 and from the firmwares of the field
+// (Marlin, RepRapFirmware, Prusa).
 #include "sim/report/code_effects.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct Range {
   int last{};
 };
 
-// All others move (G0-G3 G5 G10 G11 G12 G27-G30 G38 ...) or change where moves go (G20 G53-G59
-// G90-G92).
+// All others move (G0-G3 G5 G10 G11 G12 G27-G30 G38 ...) or change where moves go
+// (G20 G53-G59 G90-G92).
 constexpr std::array harmless_g{
     Range{4, 4},  // dwell
     Range{17, 19},  // plane of arcs, which are refused by themselves

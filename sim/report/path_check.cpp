@@ -114,8 +114,8 @@ void PathCheck::pass_reached_lines() {
   }
 }
 
-// The next line is nearer than the present one: it was left without arriving at its end to the
-// step.
+// The next line is nearer than the present one: it was left without arriving at its end
+// to the step.
 void PathCheck::pass_lost_line() {
   const Item& item = items_.front();
   const bool near = std::abs(position_[0] - item.target[0]) <= near_end_steps &&

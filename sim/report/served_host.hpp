@@ -11,9 +11,9 @@
 
 namespace report {
 
-// Turns accepted and finished lines into the commands that the recorder listens to: one after the
-// other, each counted as sent when the one before it is done. `file_line` counts the accepted
-// lines.
+// Turns accepted and finished lines into the commands that the recorder listens to: one
+// after the other, each counted as sent when the one before it is done. `file_line` counts
+// the accepted lines.
 class ServedHost : public devices::Host {
  public:
   void accepted(sim::Clock now, const AcceptedLine& line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device connected to the chip: it is called when a pin that it watches changes, or when its time
-// comes.
+// A device connected to the chip: it is called when a pin that it watches changes, or when
+// its time comes.
 #pragma once
 
 #include "sim/simulation/pins.hpp"
@@ -17,8 +17,8 @@ class Device {
   Device& operator=(const Device&) = delete;
   virtual ~Device() = default;
 
-  // At least one watched output differs from before; `changed` has a 1 for every output that
-  // differs.
+  // At least one watched output differs from before; `changed` has a 1 for every
+  // output that differs.
   virtual void pins_changed([[maybe_unused]] Clock now, [[maybe_unused]] OutputPins pins,
                             [[maybe_unused]] OutputPins changed) {}
   // The clock `next_wake()` has come. It is set to `never` before the call.

@@ -16,8 +16,8 @@ using benchmarks::Trial;
 
 constexpr double tolerance = 50;
 
-// A source of steps that is clean from one interval on, with a lateness that falls towards longer
-// ones.
+// A source of steps that is clean from one interval on, with a lateness that falls
+// towards longer ones.
 struct Stepper {
   std::uint32_t clean_from{};
   std::uint32_t late_clocks_at_zero{};

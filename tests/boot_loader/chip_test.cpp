@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole chip is given programs over its simulated serial line, and comes through what goes
-// wrong.
+// The whole chip is given programs over its simulated serial line, and comes through
+// what goes wrong.
 #include <gtest/gtest.h>
 
 #include <deque>

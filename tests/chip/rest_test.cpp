@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clock edges that the model leaves out change nothing: the whole chip prints with and without
-// them.
+// Clock edges that the model leaves out change nothing: the whole chip prints with
+// and without them.
 #include <gtest/gtest.h>
 
 #include <array>

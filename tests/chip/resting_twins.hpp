@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two models of the chip, of which the first evaluates all clock edges, the second those that
-// matter.
+// Two models of the chip, of which the first evaluates all clock edges, the second
+// those that matter.
 #pragma once
 
 #include "sim/simulation/verilated_chip.hpp"

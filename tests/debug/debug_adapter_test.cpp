@@ -131,8 +131,8 @@ class DebugAdapterTest : public testing::Test {
  protected:
   DebugAdapterTest() { simulation.attach(adapter, sim::OutputPins::jtag_pin()); }
 
-  // Runs until that is so: how soon bytes get through the machine's network is not for a test to
-  // say.
+  // Runs until that is so: how soon bytes get through the machine's network is not for a
+  // test to say.
   template <typename Predicate>
   void run_until(Predicate holds) {
     const auto end = std::chrono::steady_clock::now() + patience;

@@ -27,8 +27,8 @@ struct Ramp {
   }
   long double rate_at(long double t) const { return (jerk / 2 * t + acceleration) * t + rate; }
 
-  // Sums of what is added in each clock are the ramp itself at the clock edges (Newton's forward
-  // differences).
+  // Sums of what is added in each clock are the ramp itself at the clock edges
+  // (Newton's forward differences).
   void put(Segment& segment) const {
     segment.rate =
         static_cast<std::uint64_t>(std::roundl(std::ldexp(rate + acceleration / 2 + jerk / 6, 64)));

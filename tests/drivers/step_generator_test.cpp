@@ -85,8 +85,8 @@ TEST_F(StepGeneratorTest, keeps_a_line_straight_over_all_its_segments) {
 }
 
 TEST_F(StepGeneratorTest, begins_a_line_a_quarter_of_a_step_early_or_late) {
-  // The only step of an axis in 8 ticks comes at the fourth, early at the second, late at the
-  // sixth.
+  // The only step of an axis in 8 ticks comes at the fourth, early at the second, late
+  // at the sixth.
   for (std::size_t axis = 0; axis < 4; ++axis) {
     for (const int shift : {0, 1, -1}) {
       Segment segment = line({0, 0, 0, 0}, rate(0.01));

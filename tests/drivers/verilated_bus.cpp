@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines platform::bus_read and bus_write for host tests: they go to the peripherals that live
-// now.
+// Defines platform::bus_read and bus_write for host tests: they go to the peripherals
+// that live now.
 #include "tests/drivers/verilated_bus.hpp"
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs firmware drivers, compiled unchanged, against Verilated peripherals: the host's end of the
-// bus.
+// Runs firmware drivers, compiled unchanged, against Verilated peripherals: the host's end
+// of the bus.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ class BusError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What platform::bus_read and bus_write reach: while it lives, the peripheral at the 4 KiB page
-// `base`.
+// What platform::bus_read and bus_write reach: while it lives, the peripheral at the 4
+// KiB page `base`.
 class ClockedPeripheral {
  public:
   explicit ClockedPeripheral(std::uint32_t base);
@@ -55,8 +55,8 @@ class VerilatedPeripheral : public ClockedPeripheral {
   // Clocks since reset.
   std::uint64_t now() const { return now_; }
 
-  // Called after each rising edge, when the outputs are settled: to watch outputs and to drive
-  // inputs.
+  // Called after each rising edge, when the outputs are settled: to watch outputs and
+  // to drive inputs.
   std::function<void()> after_clock;
 
   void clock(std::uint64_t count = 1) {
@@ -74,9 +74,9 @@ class VerilatedPeripheral : public ClockedPeripheral {
   void write(std::uint32_t address, std::uint32_t value) override { access(address, true, value); }
 
  private:
-  // A peripheral has a clock for its registers too; here they always run together. Where it says
-  // that it is at rest the edge of its other clock is left out, as the simulation of the whole chip
-  // does.
+  // A peripheral has a clock for its registers too; here they always run together. Where it
+  // says that it is at rest the edge of its other clock is left out, as the simulation of the
+  // whole chip does.
   void set_clocks(unsigned char level) {
     if constexpr (requires { model_->at_rest; }) {
       model_->clk = level != 0 && (!model_->at_rest || input_may_have_changed_);

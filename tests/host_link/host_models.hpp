@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts as far as they differ on the line: when each sends the next line, and what it makes of
-// replies.
+// Hosts as far as they differ on the line: when each sends the next line, and what it
+// makes of replies.
 #pragma once
 
 #include <memory>
@@ -36,11 +36,11 @@ class HostModel {
   bool ended_ = false;
 };
 
-// Printrun's printcore: a boolean that any ok and any Resend sets, no time-out at all, M105 polls
-// between.
+// Printrun's printcore: a boolean that any ok and any Resend sets, no time-out at all,
+// M105 polls between.
 std::unique_ptr<HostModel> printcore(std::vector<std::string> job);
-// OctoPrint: acknowledgements counted to one, 50 lines of history, a simulated ok after a bare
-// Resend.
+// OctoPrint: acknowledgements counted to one, 50 lines of history, a simulated ok after
+// a bare Resend.
 std::unique_ptr<HostModel> octoprint(std::vector<std::string> job);
 // Cura: four lines at the start, one more for each ok, goes on blindly after six seconds.
 std::unique_ptr<HostModel> cura(std::vector<std::string> job);

@@ -12,8 +12,8 @@ namespace host_link::test {
 
 class NoisyLine {
  public:
-  // Of every byte, independently: a flipped bit, another byte, lost, doubled, or one inserted
-  // before.
+  // Of every byte, independently: a flipped bit, another byte, lost, doubled, or
+  // one inserted before.
   NoisyLine(double faults_per_byte, std::uint64_t seed)
       : faults_per_byte_(faults_per_byte), random_(seed) {}
 

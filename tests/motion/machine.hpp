@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine under test: limits of a Prusa Mendel, built in code to be free of the description's
-// changes.
+// The machine under test: limits of a Prusa Mendel, built in code to be free of
+// the description's changes.
 #pragma once
 
 #include "motion/limits.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reference: how many base clocks the common base does in each clock, under override, hold and
-// brake.
+// Reference: how many base clocks the common base does in each clock, under override,
+// hold and brake.
 #pragma once
 
 #include <cstdint>

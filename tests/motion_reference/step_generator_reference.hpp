@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step generator as its specification has it, written apart from the VHDL, to be compared with
-// it.
+// The step generator as its specification has it, written apart from the VHDL, to be
+// compared with it.
 #pragma once
 
 #include <deque>

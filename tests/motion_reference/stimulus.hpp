@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the step generator is given and what it answers, clock by clock: the language of the
-// comparisons.
+// What the step generator is given and what it answers, clock by clock: the language
+// of the comparisons.
 #pragma once
 
 #include <cstdint>
@@ -39,9 +39,9 @@ struct Edge {
   bool operator==(const Edge&) const = default;
 };
 
-// One a line: `clock kind offset value` (decimal, decimal, hexadecimal offset in the 4 KiB page,
-// hexadecimal), and `clock step direction` (decimal, hexadecimal), which the VHDL bench reads and
-// writes.
+// One a line: `clock kind offset value` (decimal, decimal, hexadecimal offset in the 4 KiB
+// page, hexadecimal), and `clock step direction` (decimal, hexadecimal), which the VHDL bench
+// reads and writes.
 void save(std::ostream& out, const std::vector<Stimulus>& stimuli);
 std::vector<Stimulus> load_stimuli(std::istream& in, std::uint32_t base);
 void save(std::ostream& out, const std::vector<Edge>& edges);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ULX3S's netlist of ECP5 cells, its firmware in the cells' initial values, as a chip of the
-// co-simulation.
+// The ULX3S's netlist of ECP5 cells, its firmware in the cells' initial values, as a chip
+// of the co-simulation.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program on the chip and on the instruction-set model side by side, instruction by
-// instruction.
+// Runs a program on the chip and on the instruction-set model side by side,
+// instruction by instruction.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random programs do on the chip what they do in QEMU, register by register, instruction by
-// instruction.
+// Random programs do on the chip what they do in QEMU, register by register,
+// instruction by instruction.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -17,8 +17,8 @@ using encode::Word;
 constexpr Word base = 8;
 constexpr Word word_access = 2;
 constexpr Word memory_end = Chip::memory_base + Chip::memory_size;
-// The start-up of what is tried lies at the beginning of the memory: its first words may be read
-// only.
+// The start-up of what is tried lies at the beginning of the memory: its first words may
+// be read only.
 constexpr Word inside = 0x8000F004;
 
 bool is_answered(Word address) {
@@ -80,8 +80,8 @@ TEST(RefusedAccess, has_its_cause_and_address_for_every_width_and_place) {
   }
 }
 
-// The offsets of short instructions are multiples of 4, so the base decides; sp is a base of its
-// own.
+// The offsets of short instructions are multiples of 4, so the base decides; sp is a base
+// of its own.
 TEST(RefusedAccess, of_short_instructions_has_its_cause_and_address) {
   namespace compressed = encode::compressed;
   constexpr Word data = 9, stack_pointer = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What answers on the bus in the processor's tests: a few words and a register of interrupt
-// requests.
+// What answers on the bus in the processor's tests: a few words and a register
+// of interrupt requests.
 #pragma once
 
 #include <array>

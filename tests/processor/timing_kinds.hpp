@@ -37,9 +37,9 @@ struct Placed {
   encode::Word next = 0;
 };
 
-// The first of them lies at the begin of a word or, `in_the_middle`, at its second half. With a
-// handler interrupts are let through, and traps go there; otherwise they go behind the
-// instructions.
+// The first of them lies at the begin of a word or, `in_the_middle`, at its second half.
+// With a handler interrupts are let through, and traps go there; otherwise they go
+// behind the instructions.
 Placed place(const std::vector<encode::Word>& tested, bool in_the_middle, encode::Word handler = 0);
 
 }  // namespace processor

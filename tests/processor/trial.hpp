@@ -37,9 +37,9 @@ constexpr encode::Word ones = 26;  // all ones
 constexpr encode::Word destination = 6;  // may be written
 }  // namespace trial
 
-// All of them have `bytes` bytes, 2 or 4. None may jump, sleep, or change mtvec: what is tried must
-// come back. Throws std::runtime_error where the chip did not come through all of them in their
-// order.
+// All of them have `bytes` bytes, 2 or 4. None may jump, sleep, or change mtvec: what is
+// tried must come back. Throws std::runtime_error where the chip did not come through all of
+// them in their order.
 std::vector<Outcome> try_instructions(const std::vector<encode::Word>& instructions,
                                       unsigned bytes);
 

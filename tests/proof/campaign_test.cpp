@@ -76,8 +76,8 @@ TEST(campaign, reports_the_entries_that_are_out_of_date) {
               ElementsAre(HasSubstr("no such mutant is made: d"), HasSubstr("is killed ()")));
 }
 
-// A solver has a time limit: a fast machine proves what a slow one leaves to the reason in the
-// list.
+// A solver has a time limit: a fast machine proves what a slow one leaves to the reason
+// in the list.
 TEST(campaign, takes_a_proof_of_a_judgement_as_agreement) {
   const std::map<std::string, proof::Judgement> judgements{
       {"a", {proof::Judgement::Kind::equivalent, "because"}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mutation that does not apply must be reported, or it would count as caught or survived without
-// reason.
+// A mutation that does not apply must be reported, or it would count as caught or
+// survived without reason.
 #include "tools/proof/mutation.hpp"
 
 #include <gmock/gmock.h>

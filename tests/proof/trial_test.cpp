@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way with GHDL, Yosys and the solvers, on a counter: what holds holds, what does not is
-// reported.
+// The whole way with GHDL, Yosys and the solvers, on a counter: what holds holds, what does
+// not is reported.
 #include <gmock/gmock.h>
 
 #include "directories.hpp"

@@ -33,8 +33,8 @@ TEST(bad_input, a_binary_file_is_refused_before_anything_moves) {
   EXPECT_EQ(print.report["result"], "faulted");
 }
 
-// Every kind of bad line between good ones, cold: the good ones are executed, the bad ones are
-// named.
+// Every kind of bad line between good ones, cold: the good ones are executed, the bad
+// ones are named.
 TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_executed) {
   const std::string gcode =
       "G28 X Y\n"

@@ -31,8 +31,8 @@ void expect_bed_fault(const std::string& fault, const std::string& name) {
 TEST(heat_faults, a_frozen_hotend_sensor_ends_the_print) {
   expect_hotend_fault("frozen@30", "thermistor frozen");
 }
-// After a minute of heat: sooner after a warm start it looks like a weak heater in much wind
-// (firmware/thermal/README.md).
+// After a minute of heat: sooner after a warm start it looks like a weak heater in
+// much wind (firmware/thermal/README.md).
 TEST(heat_faults, a_drifting_hotend_sensor_ends_the_print) {
   expect_hotend_fault("drifting@60", "Thermal Runaway");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real prints on the whole chip: every point is reached to the step, no pulse is illegal, at any
-// clock.
+// Real prints on the whole chip: every point is reached to the step, no pulse is illegal,
+// at any clock.
 #include <gmock/gmock.h>
 
 #include <fstream>

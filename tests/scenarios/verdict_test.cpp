@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A wrong print is red: its exit status, its summary and its report say so, with the lines to
-// blame.
+// A wrong print is red: its exit status, its summary and its report say so, with the
+// lines to blame.
 #include <gmock/gmock.h>
 
 #include <string>

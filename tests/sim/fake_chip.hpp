@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chip for tests of the world around it: its pins do what a test plans, its serial line answers
-// lines.
+// A chip for tests of the world around it: its pins do what a test plans, its serial
+// line answers lines.
 #pragma once
 
 #include <functional>

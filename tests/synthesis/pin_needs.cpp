@@ -33,8 +33,8 @@ struct Kind {
   int most_drive_ma = 0;
   // What holds the signal while the FPGA does not: up, down, or nothing.
   std::string_view outside{};
-  // What drives power, or must keep its distance to another signal, comes from a register in its
-  // pad.
+  // What drives power, or must keep its distance to another signal, comes from a register
+  // in its pad.
   bool registered = false;
 };
 

@@ -36,8 +36,8 @@ TEST(Pins, of_every_board_are_as_their_signals_need) {
   EXPECT_GE(boards, 1);
 }
 
-// A row of the wiring table of boards/ulx3s: the signals, their places on the header, what to
-// connect.
+// A row of the wiring table of boards/ulx3s: the signals, their places on the header,
+// what to connect.
 struct Wiring {
   std::vector<std::string> header;
   std::string connect;

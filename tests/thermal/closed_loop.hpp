@@ -78,8 +78,8 @@ class Bench {
   double now() const { return now_; }
 
  private:
-  // Sixteen dithered charges; their time does not count here, for the temperature changes little in
-  // it.
+  // Sixteen dithered charges; their time does not count here, for the temperature changes
+  // little in it.
   std::uint32_t count(unsigned pin) {
     std::uint32_t sum = 0;
     for (int charge = 0; charge < 16; ++charge) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults that hide, found in time; and circumstances that look like faults, in which the heat goes
-// on.
+// Faults that hide, found in time; and circumstances that look like faults, in which the
+// heat goes on.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What motor drivers want of their step and direction pins, in clocks of 50 MHz, from their data
-// sheets.
+// What motor drivers want of their step and direction pins, in clocks of 50 MHz, from
+// their data sheets.
 #pragma once
 
 #include <array>

@@ -32,9 +32,9 @@ double largest_lateness(std::span<const sim::Clock> ticks, double interval_clock
   return lateness.clocks();
 }
 
-// The largest lateness is convex in the interval (a maximum of straight lines), and where it is
-// least the last tick is off by no more than with the mean interval: so a search in thirds finds
-// it.
+// The largest lateness is convex in the interval (a maximum of straight lines), and where it
+// is least the last tick is off by no more than with the mean interval: so a search in
+// thirds finds it.
 double largest_lateness_in_even_series(std::span<const sim::Clock> ticks) {
   if (ticks.size() < 2) return 0;
   const auto intervals = static_cast<double>(ticks.size() - 1);

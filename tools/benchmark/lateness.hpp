@@ -15,8 +15,8 @@ namespace benchmarks {
 // wants between two edges, and a hundredth of the interval at 10 000 steps/s.
 inline constexpr double default_tolerance_us = 1.0;
 
-// The clocks in which any axis steps, in order, each once: axes that step at one tick do so at
-// once.
+// The clocks in which any axis steps, in order, each once: axes that step at one tick do
+// so at once.
 std::vector<sim::Clock> ticks_of(const std::array<PinWatch::Axis, axes>& pins);
 
 // By how much the latest of the ticks so far is late where one is due every `interval_clocks`. Time

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip with its printer, a host with some lines in flight, and the clocks at which replies
-// came.
+// The chip with its printer, a host with some lines in flight, and the clocks at
+// which replies came.
 #include "tools/benchmark/link_run.hpp"
 
 #include <fmt/format.h>

@@ -9,9 +9,9 @@
 
 namespace benchmarks {
 
-// What is asked of the ticks. Clean: every pulse is made, the guard kept, no tick is so late that
-// the next one is due. Punctual: clean, and each tick comes within the tolerance of its exact
-// instant.
+// What is asked of the ticks. Clean: every pulse is made, the guard kept, no tick is so
+// late that the next one is due. Punctual: clean, and each tick comes within the tolerance
+// of its exact instant.
 enum class Rule : std::uint8_t { clean, punctual };
 
 // What a run has shown.

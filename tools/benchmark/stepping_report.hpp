@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports the figures of `bench stepping`: to programs, on the terminal, as a picture and as a
-// page.
+// Reports the figures of `bench stepping`: to programs, on the terminal, as a picture and
+// as a page.
 #pragma once
 
 #include <array>

@@ -12,9 +12,9 @@ std::filesystem::path project_folder();
 // STEPFABRIC_BUILD_DIR, or where this program was built.
 std::filesystem::path build_folder();
 
-// Builds targets, with the output in <build>/build.log. Throws std::runtime_error with the end of
-// the log. As run_program(), ends what it has started and throws Interrupted on a signal
-// (signals.hpp).
+// Builds targets, with the output in <build>/build.log. Throws std::runtime_error with
+// the end of the log. As run_program(), ends what it has started and throws Interrupted
+// on a signal (signals.hpp).
 void build(const std::vector<std::string>& targets);
 
 // Runs a program with this one's terminal and waits for it; returns its exit status (128 + signal).

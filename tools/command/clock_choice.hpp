@@ -18,10 +18,10 @@ struct ClockChoice {
   double model_clocks_per_second{};
 };
 
-// Prints for about a second of wall time on a chip of its own. The clock is the highest round one
-// that leaves a quarter of the model's speed over, and not below `lowest_serve_clock_hz` even where
-// this machine does not reach that. Builds the firmware; throws std::runtime_error where that
-// fails.
+// Prints for about a second of wall time on a chip of its own. The clock is the highest round
+// one that leaves a quarter of the model's speed over, and not below `lowest_serve_clock_hz`
+// even where this machine does not reach that. Builds the firmware; throws std::runtime_error
+// where that fails.
 ClockChoice clock_that_keeps_up(const PrinterChoices& choices);
 
 }  // namespace command

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saying something to somebody who may have left: a job does not end because its words are not
-// read.
+// Saying something to somebody who may have left: a job does not end because its words
+// are not read.
 #pragma once
 
 #include <fmt/format.h>

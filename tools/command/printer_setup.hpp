@@ -16,8 +16,8 @@ struct StartTemperatures {
   double bed_c{};
 };
 
-// Builds the firmware and reads the machine description: throws std::runtime_error where that
-// fails.
+// Builds the firmware and reads the machine description: throws std::runtime_error
+// where that fails.
 class PrinterSetup {
  public:
   // `warm` counts where the choices ask for a warm start.

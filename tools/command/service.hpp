@@ -29,8 +29,8 @@ class Service {
 
   report::Results results();
   report::Courses courses() const { return recorder_.courses(); }
-  // What the disk did not take of the edges and the accepted lines; the first complaint, or
-  // nothing.
+  // What the disk did not take of the edges and the accepted lines; the first
+  // complaint, or nothing.
   std::string close_files();
 
  private:

@@ -23,8 +23,8 @@ struct Signature {
 // chip's memory.
 Signature find_signature(const sim::ElfImage& image, const sim::Chip& chip);
 
-// A word to a line, eight hexadecimal digits. Throws std::runtime_error where the file cannot be
-// written.
+// A word to a line, eight hexadecimal digits. Throws std::runtime_error where the file
+// cannot be written.
 void write_signature(const Signature& signature, const sim::Chip& chip,
                      const std::filesystem::path& file);
 

@@ -172,8 +172,8 @@ std::string heater(Reader& reader, Reader& thermistors) {
       model(reader.table("model"), milliwatts));
 }
 
-// The line between two references that are alike says nothing, and a capacitor never reaches the
-// supply.
+// The line between two references that are alike says nothing, and a capacitor never
+// reaches the supply.
 std::string converter(Reader reader) {
   if (reader.scaled("reference_low_ohms", thousand, 1, max_milliohms) >=
       reader.scaled("reference_high_ohms", thousand, 1, max_milliohms))

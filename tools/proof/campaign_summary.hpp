@@ -7,8 +7,8 @@
 
 namespace proof {
 
-// The text for the lists (*.tsv) in `folder`. Throws std::runtime_error for a fate that there is
-// none.
+// The text for the lists (*.tsv) in `folder`. Throws std::runtime_error for a fate that
+// there is none.
 std::string summary_of(const std::filesystem::path& folder);
 
 // Writes it into the folder. Throws std::runtime_error where that fails.

@@ -29,8 +29,8 @@ struct Outcome {
 Outcome try_proof(const Folders& folders, const Proof& proof, const std::filesystem::path& sources,
                   std::chrono::seconds limit);
 
-// `holds` where the mutation is caught: within its depth a run from the start breaks the named
-// property.
+// `holds` where the mutation is caught: within its depth a run from the start breaks
+// the named property.
 Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Proof& proof,
                      std::chrono::seconds limit);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a VHDL file something is computed: no parser, but it knows where statements begin and
-// end.
+// Where in a VHDL file something is computed: no parser, but it knows where statements
+// begin and end.
 #pragma once
 
 #include <vector>

@@ -34,8 +34,8 @@ class VhdlText {
   bool is_field(std::size_t i) const { return i > 0 && word(i - 1) == "."; }
   bool has_operand_before(std::size_t i, Span span) const;
 
-  // The name that begins at a token, with fields, indices and attributes; nothing where no name
-  // begins.
+  // The name that begins at a token, with fields, indices and attributes; nothing where
+  // no name begins.
   std::optional<Span> name_from(std::size_t i, Span within) const;
   // The token behind the parenthesis that closes the one at `i`.
   std::size_t past_parentheses(std::size_t i) const;

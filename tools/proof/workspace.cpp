@@ -150,9 +150,9 @@ SolverInput make_solver_input(const Folders& folders, const fs::path& sources, c
   const std::string prepare = fmt::format("prep -top {};", proof.entity);
   write(folder / "formal.v", input.netlist.verilog);
   input.file = folder / "formal.smt2";
-  // What belongs to other properties than a mutation's only costs time, and so does every name that
-  // GHDL gives: gone at once, they take half of it with them. Proofs keep the names for their
-  // traces.
+  // What belongs to other properties than a mutation's only costs time, and so does every
+  // name that GHDL gives: gone at once, they take half of it with them. Proofs keep the names
+  // for their traces.
   const bool is_mutation = property != nullptr;
   run_tool({"yosys", "-q", "-p",
             fmt::format("read_verilog -formal -sv formal.v; hierarchy -top {0}; {1}{2} {3}"

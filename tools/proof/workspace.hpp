@@ -23,8 +23,8 @@ enum class Purpose { solver, simulator };
 void write_mutated(const Folders& folders, const Mutation& mutation,
                    const std::filesystem::path& copy);
 
-// Copies the chip's sources to `sources`, with the properties woven into them; with a mutation
-// first.
+// Copies the chip's sources to `sources`, with the properties woven into them; with
+// a mutation first.
 void prepare_sources(const Folders& folders, const std::filesystem::path& sources,
                      const Mutation* mutation, Purpose purpose = Purpose::solver);
 
