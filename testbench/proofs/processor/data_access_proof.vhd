@@ -7,6 +7,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_pkg.all;
+use work.data_width_pkg.all;
 use work.instruction_set_pkg.all;
 use work.memory_pkg.all;
 

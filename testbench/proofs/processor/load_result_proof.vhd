@@ -5,6 +5,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
+use work.data_width_pkg.all;
 use work.instruction_set_pkg.all;
 use work.processor_pkg.all;
 
