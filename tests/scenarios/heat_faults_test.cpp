@@ -32,7 +32,7 @@ TEST(heat_faults, a_frozen_hotend_sensor_ends_the_print) {
   expect_hotend_fault("frozen@30", "thermistor frozen");
 }
 // After a minute of heat: sooner after a warm start it looks like a weak heater in
-// much wind (firmware/thermal/README.md).
+// much wind (firmware/thermal/faults.md).
 TEST(heat_faults, a_drifting_hotend_sensor_ends_the_print) {
   expect_hotend_fault("drifting@60", "Thermal Runaway");
 }

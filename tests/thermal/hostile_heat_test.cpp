@@ -102,7 +102,7 @@ TEST(hidden_faults, a_bead_that_drifts) {
   expect_found(break_while_holding(Part::bed, 600, drift), 20, 62);
 }
 
-// See the README: slow drifts are found late.
+// Slow drifts are found late: firmware/thermal/faults.md.
 TEST(hidden_faults, a_bead_that_drifts_slowly) {
   const auto slow = [](Rig& rig) { rig.drift(0.5); };
   expect_found(break_while_holding(Part::hotend, 300, slow), 80, 245);
