@@ -156,21 +156,16 @@ bool add_end_stop_fault(FaultPlan& plan, std::string_view text) {
 }  // namespace
 
 std::string_view fault_forms() {
-  return "  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS "
-         "hotend-stuck-low@SECONDS\n"
-         "  hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down) hotend-detached@SECONDS\n"
-         "  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with "
-         "bed-\n"
-         "  hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS of its value, and the "
-         "same "
-         "with bed-\n"
-         "  x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with "
-         "y- "
-         "and z-\n"
-         "  serial=SHARE of the bytes to the chip that get one wrong bit, for example "
-         "serial=0.001;\n"
-         "  replies=SHARE the same of the bytes from the chip\n"
-         "  cable-pulled=SECONDS@SECONDS for so long, from then on: both directions are dead\n";
+  return R"(  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS
+  hotend-stuck-low@SECONDS hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down)
+  hotend-detached@SECONDS
+  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-
+  hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS of its value, and the same with bed-
+  x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with y- and z-
+  serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001;
+  replies=SHARE the same of the bytes from the chip
+  cable-pulled=SECONDS@SECONDS for so long, from then on: both directions are dead
+)";
 }
 
 void add_fault(FaultPlan& plan, std::string_view text) {

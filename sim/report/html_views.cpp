@@ -65,11 +65,9 @@ void add_courses(Page& page) {
       "which is the mean with the weight of a triangle: peaks shorter than that look lower. Steps "
       "are rounded: an axis slower than the fastest has up to 2 steps / ({:.0f} ms)² of noise (for "
       "12.5 µm: 250 mm/s²). A jump of speed at a corner, which the limits permit (jerk), looks "
-      "like "
-      "jump / {:.0f} ms; the dotted line is the limit with such a jump. Homing ends at once where "
-      "an "
-      "end stop closes. Limits are those of the "
-      "machine's description; M201, M203 and M205 may change them in a print.</p></section>\n",
+      "like jump / {:.0f} ms; the dotted line is the limit with such a jump. Homing ends at once "
+      "where an end stop closes. Limits are those of the machine's description; M201, M203 and "
+      "M205 may change them in a print.</p></section>\n",
       spans, 2 * h_ms, h_ms, h_ms, h_ms);
   add(page,
       "<section class=\"scripted\"><h2>Queue and processor</h2>{}<div class=\"grid2\" "

@@ -106,8 +106,7 @@ TEST_F(ReportFiles, are_written_where_the_output_is_not_read) {
   EXPECT_THAT(json(), HasSubstr("\"verdict\": \"good\""));
   fs::remove(report / "report.json");
   const std::string serve =
-      "\"$stepfabric\" serve --speed max --until 0.2 --clock-hz 4000000 "
-      "--pty " +
+      "\"$stepfabric\" serve --speed max --until 0.2 --clock-hz 4000000 --pty " +
       (folder / "port").string() + " --report " + report.string();
   EXPECT_EQ(shell("(sleep 0.1; " + serve + " 2>&1; echo $? > " + (folder / "status").string() +
                   ") | true"),

@@ -35,7 +35,8 @@ constexpr const char* ice40_layout = R"({
     "ICESTORM_RAM": {"available": 32, "used": 20}},
   "critical_paths": [
     {"from": "negedge clk$SB_IO_IN_$glb_clk", "to": "posedge clk$SB_IO_IN_$glb_clk", "path": [
-      {"delay": 9.5, "from": {"cell": "ram", "port": "RCLKN"}, "to": {"cell": "lc", "port": "I0"}}]}]
+      {"delay": 9.5,
+       "from": {"cell": "ram", "port": "RCLKN"}, "to": {"cell": "lc", "port": "I0"}}]}]
 })";
 
 class SynthesisReport : public testing::Test {

@@ -49,9 +49,9 @@ std::string svg_of(const std::string& name, PictureSize size, const std::string&
   const std::filesystem::path script_file = folder / "script", picture = folder / "picture.svg",
                               messages = folder / "messages";
   std::ofstream(script_file) << fmt::format(
-      "set terminal svg size {},{} dynamic enhanced name \"{}\" font \"Lato,DejaVu "
-      "Sans,sans-serif,14\" "
-      "background \"#ffffff\"\nset output \"{}\"\n{}",
+      "set terminal svg size {},{} dynamic enhanced name \"{}\" "
+      "font \"Lato,DejaVu Sans,sans-serif,14\" background \"#ffffff\"\n"
+      "set output \"{}\"\n{}",
       size.width, size.height, name, picture.string(), script);
   const std::string command =
       fmt::format("gnuplot '{}' > '{}' 2>&1", script_file.string(), messages.string());

@@ -9,9 +9,8 @@ namespace command {
 void add_options(CLI::App& app, BenchOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "bench",
-      "Measure, in clocks: how hardware and software make steps, how fast the processor is, how "
-      "many "
-      "lines go through the serial line; and how fast the model of the chip runs here.");
+      "Measure, in clocks: how hardware and software make steps, how fast the processor is, "
+      "how many lines go through the serial line; and how fast the model of the chip runs here.");
   job.add_option("names", options.names, "stepping, processor, model, link; default: all")
       ->type_name("NAME...")
       ->check(CLI::IsMember({"stepping", "processor", "model", "link"}));

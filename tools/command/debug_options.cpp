@@ -24,8 +24,8 @@ void add_options(CLI::App& app, DebugOptions& options) {
       ->capture_default_str();
   add_printer_options(job, options.printer);
   job.footer(
-      R"(Says how to connect OpenOCD and gdb (tools/debug). While the processor is halted the rest of the
-chip goes on: the heaters' watchdog switches them off, as it does for software that hangs.
+      R"(Says how to connect OpenOCD and gdb (tools/debug). While the processor is halted the rest
+of the chip goes on: the heaters' watchdog switches them off, as it does for software that hangs.
 Exit status: 0 after Ctrl-C or --until, 1 where the hardware failed an assertion, 2 bad usage.)");
 }
 

@@ -20,8 +20,9 @@ void add_options(CLI::App& app, FuzzOptions& options) {
   job.add_flag("--minimise", options.minimise,
                "then keep in tests/fuzz/corpus the fewest inputs that go wherever all go");
   job.footer(
-      R"(New inputs are kept in <build>/fuzz/corpus/TARGET, from where the next run goes on; one that
-violates a property in <build>/fuzz/findings. Exit status: 0 none does, 1 one does, 2 bad usage.)");
+      R"(New inputs are kept in <build>/fuzz/corpus/TARGET, from where the next run goes on; one
+that violates a property in <build>/fuzz/findings. Exit status: 0 none does, 1 one does,
+2 bad usage.)");
 }
 
 }  // namespace command

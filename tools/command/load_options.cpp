@@ -17,8 +17,8 @@ void add_options(CLI::App& app, LoadOptions& options) {
       ->check(CLI::Range(lowest_baud, highest_baud))
       ->capture_default_str();
   job.footer(
-      R"(The running firmware is asked with M997; where it does not answer, reset the board: the boot
-loader listens for 10 ms after a reset. Exit status: 0 the chip has checked the program and
+      R"(The running firmware is asked with M997; where it does not answer, reset the board: the
+boot loader listens for 10 ms after a reset. Exit status: 0 the chip has checked the program and
 starts it, 1 not, and then it starts none, 2 bad usage or no such program.)");
 }
 

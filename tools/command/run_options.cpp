@@ -26,10 +26,10 @@ void add_options(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
   job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
   job.footer(
-      R"(Exit status: the program's, which is 0 where 1 was stored to `tohost`, otherwise the value >> 1;
-from 123 on it is 123, and the output says the real one. Above that it is this command's: 124
-nothing was stored within --max-cycles, 125 bad usage or a file that is no such program, 130
-interrupted.)");
+      R"(Exit status: the program's, which is 0 where 1 was stored to `tohost`, otherwise the
+value >> 1; from 123 on it is 123, and the output says the real one. Above that it is this
+command's: 124 nothing was stored within --max-cycles, 125 bad usage or a file that is no such
+program, 130 interrupted.)");
 }
 
 }  // namespace command

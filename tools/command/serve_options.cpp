@@ -34,10 +34,10 @@ void add_options(CLI::App& app, ServeOptions& options) {
       ->check(CLI::Range(lowest_serve_clock_hz, highest_clock_hz));
   add_printer_options(job, options.printer);
   job.footer(
-      R"(Any program that opens the port with the machine's baud rate can print; it may close and open it
-again at any time. A slow clock changes no pulse. Exit status: 0 after Ctrl-C or --until, 1 where
-the hardware failed an assertion or the disk did not take all files, 2 bad usage, or it could not
-begin.)");
+      R"(Any program that opens the port with the machine's baud rate can print; it may close and
+open it again at any time. A slow clock changes no pulse. Exit status: 0 after Ctrl-C or --until,
+1 where the hardware failed an assertion or the disk did not take all files, 2 bad usage, or it
+could not begin.)");
 }
 
 }  // namespace command

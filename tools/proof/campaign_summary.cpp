@@ -20,10 +20,10 @@ namespace {
 
 constexpr const char* introduction = R"(# Mutation score
 
-Written by `./stepfabric prove --mutants --record` from the lists in this folder; a test compares it with
-them. *Not tried* is what a sample left out. *Refused* mutants do not compile or cannot be synthesized;
-*equivalent* are those that are proved to be, or judged with a reason in `FILE.toml`. The score is killed of
-killed and surviving.
+Written by `./stepfabric prove --mutants --record` from the lists in this folder; a test compares
+it with them. *Not tried* is what a sample left out. *Refused* mutants do not compile or cannot be
+synthesized; *equivalent* are those that are proved to be, or judged with a reason in `FILE.toml`.
+The score is killed of killed and surviving.
 
 | file | made | not tried | refused | killed | equivalent | surviving | score |
 |---|---|---|---|---|---|---|---|
