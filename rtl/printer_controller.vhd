@@ -10,6 +10,7 @@ use work.end_stops_registers_pkg.all;
 use work.fan_registers_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.identity_registers_pkg.all;
+use work.interrupts_pkg.all;
 use work.step_generator_registers_pkg.all;
 use work.step_pins_registers_pkg.all;
 use work.temperature_converter_registers_pkg.all;
@@ -116,7 +117,7 @@ architecture rtl of printer_controller is
   signal uart_receive_interrupt, uart_transmit_interrupt : std_ulogic;
   signal queue_interrupt, stop_interrupt : std_ulogic;
   signal heater_interrupt : std_ulogic;
-  signal interrupts : std_ulogic_vector(15 downto 0);
+  signal interrupts : std_ulogic_vector(31 downto 16);
 
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
   signal generator_idle : std_ulogic;
@@ -176,13 +177,13 @@ begin
   peripherals_at_rest <= uart_rests and end_stops_rest and converter_rests and heater_control_rests and
     not chip_reset;
 
-  -- The lower the index, the higher the priority.
+  -- The lower the number, the higher the priority.
   interrupts <= (
-    0 => uart_receive_interrupt,
-    1 => queue_interrupt,
-    2 => stop_interrupt,
-    3 => heater_interrupt,
-    4 => uart_transmit_interrupt,
+    uart_receive_interrupt_number => uart_receive_interrupt,
+    queue_threshold_interrupt_number => queue_interrupt,
+    motion_stopped_interrupt_number => stop_interrupt,
+    heater_trip_interrupt_number => heater_interrupt,
+    uart_transmit_interrupt_number => uart_transmit_interrupt,
     others => '0');
 
   computing : entity work.computer

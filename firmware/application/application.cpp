@@ -18,7 +18,7 @@ constexpr units::Hertz fan_frequency{100};
 constexpr std::uint32_t ticks_at_work = 2;
 constexpr std::uint32_t ticks_at_rest = 8;
 // The end of a line ends it too, and so many bytes without one: half of what a pass takes from the
-// FIFO, which holds 2048.
+// FIFO (registers::uart::receive_depth).
 constexpr std::size_t wake_level = 64;
 
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"

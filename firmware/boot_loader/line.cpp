@@ -2,10 +2,10 @@
 // Registers of uart and timer.
 #include "boot_loader/line.hpp"
 
-#include "drivers/registers/uart_registers.hpp"
 #include "drivers/timer.hpp"
 #include "platform/bus.hpp"
 #include "platform/processor.hpp"
+#include "registers/uart_registers.hpp"
 
 namespace boot_loader {
 

@@ -6,11 +6,11 @@
 
 #include "boot_loader/line.hpp"
 #include "boot_loader/session.hpp"
-#include "drivers/registers/heater_control_registers.hpp"
-#include "drivers/registers/identity_registers.hpp"
-#include "drivers/registers/step_generator_registers.hpp"
 #include "machine/machine.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
+#include "registers/identity_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 
 extern "C" {
 // Of start.S and boot_loader.ld.

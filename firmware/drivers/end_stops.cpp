@@ -2,8 +2,8 @@
 // The end stops' registers.
 #include "drivers/end_stops.hpp"
 
-#include "drivers/registers/end_stops_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/end_stops_registers.hpp"
 
 namespace drivers {
 

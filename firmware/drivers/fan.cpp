@@ -2,8 +2,8 @@
 // The fan's registers.
 #include "drivers/fan.hpp"
 
-#include "drivers/registers/fan_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/fan_registers.hpp"
 
 namespace drivers {
 

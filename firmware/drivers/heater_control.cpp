@@ -5,18 +5,18 @@
 
 #include <algorithm>
 
-#include "drivers/registers/heater_control_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
 
 namespace drivers {
 namespace {
 
 namespace registers = ::registers::heater_control;
 
-constexpr std::int64_t cycles_per_tick = 1024;
+constexpr std::int64_t cycles_per_tick = registers::tick_cycles;
 
 // Rounded down, so that a time-out is never longer than asked for; at most what the register holds.
-std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock, std::int64_t most = 0xF'FFFF) {
+std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock, std::int64_t most) {
   const std::int64_t ticks = time.count() * clock.count() / (1'000 * cycles_per_tick);
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ticks, 0, most));
 }
@@ -33,14 +33,16 @@ bool lock(std::uint32_t address, std::uint32_t value) {
 }  // namespace
 
 void HeaterControl::set_timeouts(units::Milliseconds watchdog, units::Milliseconds sensor) {
-  platform::write(registers::Watchdog{.ticks = ticks_of(watchdog, clock_)});
-  platform::write(registers::SensorTimeout{.ticks = ticks_of(sensor, clock_)});
+  platform::write(
+      registers::Watchdog{.ticks = ticks_of(watchdog, clock_, registers::Watchdog::ticks_max)});
+  platform::write(registers::SensorTimeout{
+      .ticks = ticks_of(sensor, clock_, registers::SensorTimeout::ticks_max)});
 }
 
 void HeaterControl::set_slot(units::Microseconds slot) {
   const std::int64_t cycles = slot.count() * clock_.count() / 1'000'000;
-  platform::write(registers::Slot{
-      .cycles = static_cast<std::uint32_t>(std::clamp<std::int64_t>(cycles, 1, 0xFF'FFFF))});
+  platform::write(registers::Slot{.cycles = static_cast<std::uint32_t>(std::clamp<std::int64_t>(
+                                      cycles, 1, registers::Slot::cycles_max))});
 }
 
 bool HeaterControl::lock_limits(std::size_t channel, const HeaterLimits& limits) {
@@ -48,25 +50,19 @@ bool HeaterControl::lock_limits(std::size_t channel, const HeaterLimits& limits)
   const bool minimum = lock(registers::MinimumCount::address_of(channel), limits.counts.minimum);
   const bool maximum = lock(registers::MaximumCount::address_of(channel), limits.counts.maximum);
   const bool hot = lock(registers::HotCount::address_of(channel), limits.hot);
-  const bool settle =
-      lock(registers::Settle::address_of(channel), ticks_of(limits.settle, clock_, 0xFF'FFFF));
+  const bool settle = lock(registers::Settle::address_of(channel),
+                           ticks_of(limits.settle, clock_, registers::Settle::ticks_max));
   return minimum && maximum && hot && settle;
 }
 
-void HeaterControl::feed(FeedKey key) {
-  using Key = registers::Feed::Key;
-  platform::write(registers::Feed{
-      .key = static_cast<std::uint32_t>(key == FeedKey::first ? Key::first : Key::second)});
-}
+void HeaterControl::feed(FeedKey key) { platform::write(registers::Feed{.key = key}); }
 
 void HeaterControl::close_supply() {
-  platform::write(
-      registers::Supply{.key = static_cast<std::uint32_t>(registers::Supply::Key::close)});
+  platform::write(registers::Supply{.key = registers::Supply::Key::close});
 }
 
 void HeaterControl::open_supply() {
-  platform::write(
-      registers::Supply{.key = static_cast<std::uint32_t>(registers::Supply::Key::open)});
+  platform::write(registers::Supply{.key = registers::Supply::Key::open});
 }
 
 SupplyStatus HeaterControl::supply() const {
@@ -103,9 +99,8 @@ HeaterStatus HeaterControl::status(std::size_t channel) const {
 
 void HeaterControl::clear_trips(std::size_t channel) {
   set_duty(channel, 0);
-  platform::write(
-      registers::Clear{.channels = std::uint32_t{1} << channel,
-                       .key = static_cast<std::uint32_t>(registers::Clear::Key::clear_trips)});
+  platform::write(registers::Clear{.channels = std::uint32_t{1} << channel,
+                                   .key = registers::Clear::Key::clear_trips});
 }
 
 }  // namespace drivers

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "registers/heater_control_registers.hpp"
 #include "thermal/sensor_reading.hpp"
 #include "units/quantity.hpp"
 
@@ -46,7 +47,7 @@ struct SupplyStatus {
 };
 
 // The watchdog wants both in turn, from places of the program that must both be alive.
-enum class FeedKey : std::uint8_t { first, second };
+using FeedKey = registers::heater_control::Feed::Key;
 
 class HeaterControl {
  public:

@@ -2,8 +2,8 @@
 // The identity block's registers.
 #include "drivers/identity.hpp"
 
-#include "drivers/registers/identity_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/identity_registers.hpp"
 
 namespace drivers {
 
@@ -11,7 +11,7 @@ namespace identity_registers = registers::identity;
 
 std::optional<Identity> read_identity() {
   using identity_registers::Magic;
-  if (platform::read<Magic>().word != static_cast<std::uint32_t>(Magic::Word::stepfabric)) {
+  if (platform::read<Magic>().word != Magic::Word::stepfabric) {
     return std::nullopt;
   }
   const auto version = platform::read<identity_registers::Version>();

@@ -4,20 +4,13 @@
 
 #include <algorithm>
 
-#include "drivers/registers/step_generator_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/step_generator_registers.hpp"
 
 namespace drivers {
 namespace {
 
 namespace registers = ::registers::step_generator;
-
-std::uint32_t low_word(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
-std::uint32_t high_word(std::uint64_t value) { return static_cast<std::uint32_t>(value >> 32); }
-
-std::uint64_t joined(std::uint32_t low, std::uint32_t high) {
-  return (std::uint64_t{high} << 32) | low;
-}
 
 std::uint32_t magnitude(std::int32_t value) {
   const auto word = static_cast<std::uint32_t>(value);
@@ -43,15 +36,10 @@ void write_line(const motion::Segment& segment, std::size_t hardware_axes) {
 
 // The course of the rate along it.
 void write_course(const motion::Segment& segment) {
-  const auto acceleration = static_cast<std::uint64_t>(segment.acceleration);
-  const auto jerk = static_cast<std::uint64_t>(segment.jerk);
   platform::write(registers::SegmentTicks{segment.ticks});
-  platform::write(registers::SegmentRateLow{low_word(segment.rate)});
-  platform::write(registers::SegmentRateHigh{high_word(segment.rate)});
-  platform::write(registers::SegmentAccelerationLow{low_word(acceleration)});
-  platform::write(registers::SegmentAccelerationHigh{high_word(acceleration)});
-  platform::write(registers::SegmentJerkLow{low_word(jerk)});
-  platform::write(registers::SegmentJerkHigh{high_word(jerk)});
+  platform::write(registers::SegmentRate{segment.rate});
+  platform::write(registers::SegmentAcceleration{segment.acceleration});
+  platform::write(registers::SegmentJerk{segment.jerk});
 }
 
 // Whether anything was refused since the last call.
@@ -158,8 +146,7 @@ StepGenerator::Snapshot StepGenerator::snapshot() {
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     result.positions[axis] = platform::read<registers::SnapshotPosition>(axis).steps;
   }
-  result.clock = joined(platform::read<registers::SnapshotTimeLow>().clocks,
-                        platform::read<registers::SnapshotTimeHigh>().clocks);
+  result.clock = platform::read<registers::SnapshotTime>().clocks;
   return result;
 }
 
@@ -187,8 +174,7 @@ StepGenerator::Stop StepGenerator::stop_state() const {
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     result.positions[axis] = platform::read<registers::StopPosition>(axis).steps;
   }
-  result.clock = joined(platform::read<registers::StopTimeLow>().clocks,
-                        platform::read<registers::StopTimeHigh>().clocks);
+  result.clock = platform::read<registers::StopTime>().clocks;
   return result;
 }
 

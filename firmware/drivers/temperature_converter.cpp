@@ -4,39 +4,21 @@
 
 #include <algorithm>
 
-#include "drivers/registers/temperature_converter_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
+#include "registers/temperature_converter_registers.hpp"
 
 namespace drivers {
 namespace {
 
 namespace registers = ::registers::temperature_converter;
 
-constexpr std::int64_t longest_cycles = (std::int64_t{1} << 24) - 1;
-constexpr std::int64_t cycles_per_tick = 1024;
+constexpr std::int64_t longest_cycles = registers::Discharge::cycles_max;
+constexpr std::int64_t cycles_per_tick = ::registers::heater_control::tick_cycles;
 
 std::uint32_t cycles_of(units::Microseconds time, units::Hertz clock) {
   const std::int64_t cycles = time.count() * clock.count() / 1'000'000;
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(cycles, 0, longest_cycles));
-}
-
-thermal::SensorState state_of(std::uint32_t state) {
-  using State = registers::Status::State;
-  switch (static_cast<State>(state)) {
-    case State::never:
-      return thermal::SensorState::never;
-    case State::ok:
-      return thermal::SensorState::ok;
-    case State::open:
-      return thermal::SensorState::open;
-    case State::shorted:
-      return thermal::SensorState::shorted;
-    case State::stuck:
-      return thermal::SensorState::stuck;
-    case State::time_out:
-      return thermal::SensorState::time_out;
-  }
-  return thermal::SensorState::never;
 }
 
 }  // namespace
@@ -69,7 +51,7 @@ thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const 
   for (;;) {
     const auto status = platform::read<registers::Status>(channel);
     const thermal::SensorReading reading{
-        .state = state_of(status.state),
+        .state = status.state,
         .conversions = static_cast<std::uint8_t>(status.conversions),
         .thermistor = platform::read<registers::Thermistor>(channel).cycles,
         .reference_low = platform::read<registers::ReferenceLow>(channel).cycles,

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "drivers/registers/uart_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/uart_registers.hpp"
 
 namespace drivers {
 

@@ -12,11 +12,19 @@ namespace platform {
 std::uint32_t bus_read(std::uint32_t address);
 void bus_write(std::uint32_t address, std::uint32_t value);
 
-// `Register` is a struct of drivers/registers/; the forms with an index are for arrays of
-// registers.
+// `Register` is a struct of registers/; the forms with an index are for arrays of
+// registers. A value of two words is read and written low word first.
+template <class Register>
+concept TwoWords = requires { typename Register::High; };
+
 template <class Register>
 Register read() {
-  return Register::decode(bus_read(Register::address));
+  if constexpr (TwoWords<Register>) {
+    const auto low = read<typename Register::Low>();
+    return Register::decode(low, read<typename Register::High>());
+  } else {
+    return Register::decode(bus_read(Register::address));
+  }
 }
 
 template <class Register>
@@ -26,7 +34,12 @@ Register read(std::size_t index) {
 
 template <class Register>
 void write(const Register& value) {
-  bus_write(Register::address, value.encode());
+  if constexpr (TwoWords<Register>) {
+    write(value.low());
+    write(value.high());
+  } else {
+    bus_write(Register::address, value.encode());
+  }
 }
 
 template <class Register>

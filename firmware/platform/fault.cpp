@@ -3,10 +3,10 @@
 // broken.
 #include "platform/fault.hpp"
 
-#include "drivers/registers/heater_control_registers.hpp"
-#include "drivers/registers/step_generator_registers.hpp"
-#include "drivers/registers/uart_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
+#include "registers/step_generator_registers.hpp"
+#include "registers/uart_registers.hpp"
 
 namespace platform {
 namespace {

@@ -5,17 +5,12 @@
 
 #include <cstdint>
 
+#include "registers/interrupts.hpp"
+
 namespace platform {
 
-// Bits of the interrupt enable register. Interrupts never run a handler: they end `sleep`.
-enum class WakeSource : std::uint32_t {
-  timer = 1u << 7,
-  uart_receive = 1u << 16,
-  queue_threshold = 1u << 17,
-  motion_stopped = 1u << 18,
-  heater_trip = 1u << 19,
-  uart_transmit = 1u << 20,
-};
+// Interrupts never run a handler: they end `sleep`.
+using WakeSource = registers::Interrupt;
 
 void wake_by(WakeSource source, bool enabled);
 

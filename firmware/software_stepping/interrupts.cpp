@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "drivers/registers/timer_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/timer_registers.hpp"
 #include "software_stepping/chip_stepper.hpp"
 
 // In tick.S.
@@ -15,7 +15,7 @@ namespace software_stepping {
 namespace {
 
 constexpr std::uint32_t interrupts_enabled = 1u << 3;  // mstatus.MIE
-constexpr std::uint32_t timer_interrupt_enabled = 1u << 7;  // mie.MTIE
+constexpr auto timer_interrupt_enabled = static_cast<std::uint32_t>(registers::Interrupt::timer);
 
 // As tick.S counts them.
 static_assert(offsetof(Block, interval_fraction) == 12);

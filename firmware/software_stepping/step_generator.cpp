@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "drivers/registers/step_generator_registers.hpp"
-#include "drivers/registers/step_pins_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/step_generator_registers.hpp"
+#include "registers/step_pins_registers.hpp"
 #include "software_stepping/chip_stepper.hpp"
 #include "software_stepping/interrupts.hpp"
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "drivers/registers/end_stops_registers.hpp"
-#include "drivers/registers/step_pins_registers.hpp"
-#include "drivers/registers/timer_registers.hpp"
 #include "platform/bus.hpp"
 #include "platform/division.hpp"
 #include "platform/processor.hpp"
+#include "registers/end_stops_registers.hpp"
+#include "registers/step_pins_registers.hpp"
+#include "registers/timer_registers.hpp"
 #include "software_stepping/interrupts.hpp"
 
 namespace software_stepping {
@@ -442,8 +442,7 @@ void Stepper::set_timer() {
     const std::uint64_t deadline = std::max(deadline_of(tick_), earliest_);
     next = tick_.trap_base == ways().careful ? std::min(deadline, next) : deadline;
   }
-  platform::write(registers::timer::CompareLow{static_cast<std::uint32_t>(next)});
-  platform::write(registers::timer::CompareHigh{static_cast<std::uint32_t>(next >> 32)});
+  platform::write(registers::timer::Compare{next});
 }
 
 void Stepper::pulse_is_over() {

@@ -2,17 +2,15 @@
 // The machine timer shared with the ticks: drivers/timer.hpp where software makes the steps.
 #include "drivers/timer.hpp"
 
-#include "drivers/registers/timer_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/timer_registers.hpp"
 #include "software_stepping/chip_stepper.hpp"
 
 namespace drivers {
 
 units::Cycles Timer::now() const {
   // The interrupt reads the processor's clock counter and not this, so that nothing comes between.
-  const std::uint64_t low = platform::read<registers::timer::TimeLow>().cycles;
-  const std::uint64_t high = platform::read<registers::timer::TimeHigh>().cycles;
-  return units::Cycles(static_cast<std::int64_t>(high << 32 | low));
+  return units::Cycles(static_cast<std::int64_t>(platform::read<registers::timer::Time>().cycles));
 }
 
 void Timer::set_deadline(units::Cycles deadline) {

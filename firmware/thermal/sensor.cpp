@@ -4,6 +4,27 @@
 #include "thermal/sensor.hpp"
 
 namespace thermal {
+namespace {
+
+// Of a state that is not ok; one without a name counts as no conversion.
+Fault fault_of(SensorState state) {
+  switch (state) {
+    case SensorState::open:
+      return Fault::sensor_open;
+    case SensorState::shorted:
+      return Fault::sensor_short;
+    case SensorState::stuck:
+      return Fault::sensor_stuck;
+    case SensorState::time_out:
+      return Fault::sensor_time_out;
+    case SensorState::never:
+    case SensorState::ok:
+      break;
+  }
+  return Fault::sensor_stale;
+}
+
+}  // namespace
 
 std::optional<units::Milliohms> Sensor::resistance_of(const SensorReading& reading) const {
   if (references_) return resistance(reading, *references_);
@@ -11,20 +32,7 @@ std::optional<units::Milliohms> Sensor::resistance_of(const SensorReading& readi
 }
 
 Temperature Sensor::temperature(const SensorReading& reading) const {
-  switch (reading.state) {
-    case SensorState::never:
-      return std::unexpected(Fault::sensor_stale);
-    case SensorState::open:
-      return std::unexpected(Fault::sensor_open);
-    case SensorState::shorted:
-      return std::unexpected(Fault::sensor_short);
-    case SensorState::stuck:
-      return std::unexpected(Fault::sensor_stuck);
-    case SensorState::time_out:
-      return std::unexpected(Fault::sensor_time_out);
-    case SensorState::ok:
-      break;
-  }
+  if (reading.state != SensorState::ok) return std::unexpected(fault_of(reading.state));
   if (reading.age > longest_age) return std::unexpected(Fault::sensor_stale);
   const auto milliohms = resistance_of(reading);
   if (!milliohms) return std::unexpected(Fault::sensor_implausible);

@@ -4,12 +4,13 @@
 
 #include <cstdint>
 
+#include "registers/temperature_converter_registers.hpp"
 #include "units/quantity.hpp"
 
 namespace thermal {
 
-// Outcomes of a conversion; the names are those of the hardware's status register.
-enum class SensorState : std::uint8_t { never, ok, open, shorted, stuck, time_out };
+// Outcomes of a conversion.
+using SensorState = registers::temperature_converter::Status::State;
 
 // Counts are sums over all charges of one conversion, in clocks; small is hot.
 struct SensorReading {

@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 entity segment_queue is
   generic (
@@ -44,6 +45,7 @@ architecture rtl of segment_queue is
 
   type word_array_t is array (natural range <>) of std_ulogic_vector(31 downto 0);
   signal words : word_array_t(steps_lane + axes - 1 downto 0);
+  signal flags : step_generator_segment_flags_t;
 
   subtype slot_t is natural range 0 to depth - 1;
   signal first : slot_t := 0;
@@ -87,17 +89,18 @@ begin
     end process;
   end generate;
 
-  head.backward <= words(flags_lane)(axis_limit - 1 downto 0);
-  head.ahead <= x"0" & words(flags_lane)(ahead_bits);
-  head.behind <= x"0" & words(flags_lane)(behind_bits);
-  head.continues_line <= words(flags_lane)(continues_line_bit);
-  head.ends_motion <= words(flags_lane)(ends_motion_bit);
-  head.waits_for_start <= words(flags_lane)(waits_for_start_bit);
+  flags <= to_step_generator_segment_flags(words(flags_lane));
+  head.backward <= flags.backward;
+  head.ahead <= x"0" & flags.ahead;
+  head.behind <= x"0" & flags.behind;
+  head.continues_line <= flags.continues_line;
+  head.ends_motion <= flags.ends_motion;
+  head.waits_for_start <= flags.waits_for_start;
   head.stop_on <= (
-    mask => words(flags_lane)(23 downto 16),
-    on_change => words(flags_lane)(stop_on_change_bit),
-    on_release => words(flags_lane)(stop_on_release_bit),
-    brakes => words(flags_lane)(stop_brakes_bit));
+    mask => flags.stop_mask,
+    on_change => flags.stop_on_change,
+    on_release => flags.stop_on_release,
+    brakes => flags.stop_brakes);
   head.line_ticks <= unsigned(words(line_ticks_lane)(30 downto 0));
   head.ticks <= unsigned(words(ticks_lane)(30 downto 0));
   head.rate <= unsigned(words(rate_high_lane)) & unsigned(words(rate_low_lane));

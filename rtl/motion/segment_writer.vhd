@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 entity segment_writer is
   generic (
@@ -107,6 +108,7 @@ begin
   inspect : process
     variable exceeds_limit : boolean;
     variable is_zero : boolean;
+    variable flags : step_generator_segment_flags_t;
   begin
     wait until rising_edge(clk);
     word <= write;
@@ -119,11 +121,11 @@ begin
         when flags_lane =>
           written <= (others => '0');
           written(flags_lane) <= not word_is_lost;
-          illegal <= not word.data(continues_line_bit) and
-            (or (word.data(ahead_bits) and word.data(behind_bits)));
-          continues_line <= word.data(continues_line_bit);
-          limit_known <= word.data(continues_line_bit);
-          if word.data(continues_line_bit) then
+          flags := to_step_generator_segment_flags(word.data);
+          illegal <= not flags.continues_line and (or (flags.ahead and flags.behind));
+          continues_line <= flags.continues_line;
+          limit_known <= flags.continues_line;
+          if flags.continues_line then
             written <= lanes_of_line;
             written(flags_lane) <= not word_is_lost;
             limit <= line_left;

@@ -166,12 +166,7 @@ begin
     write <= (
       valid => '0', lane => 0, data => std_ulogic_vector(from_software.segment_ticks.ticks));
     if from_software.segment_flags_written then
-      put(flags_lane, from_software.segment_flags.behind & from_software.segment_flags.ahead &
-        from_software.segment_flags.stop_mask & "00" &
-        from_software.segment_flags.waits_for_start & from_software.segment_flags.stop_brakes &
-        from_software.segment_flags.stop_on_release & from_software.segment_flags.stop_on_change &
-        from_software.segment_flags.ends_motion & from_software.segment_flags.continues_line &
-        from_software.segment_flags.backward);
+      put(flags_lane, to_word(from_software.segment_flags));
     end if;
     if from_software.segment_line_ticks_written then
       put(line_ticks_lane, std_ulogic_vector(from_software.segment_line_ticks.ticks));
@@ -180,23 +175,23 @@ begin
       put(ticks_lane, std_ulogic_vector(from_software.segment_ticks.ticks));
     end if;
     if from_software.segment_rate_low_written then
-      put(rate_low_lane, std_ulogic_vector(from_software.segment_rate_low.word));
+      put(rate_low_lane, std_ulogic_vector(from_software.segment_rate_low.rate));
     end if;
     if from_software.segment_rate_high_written then
-      put(rate_high_lane, std_ulogic_vector(from_software.segment_rate_high.word));
+      put(rate_high_lane, std_ulogic_vector(from_software.segment_rate_high.rate));
     end if;
     if from_software.segment_acceleration_low_written then
-      put(acceleration_low_lane, std_ulogic_vector(from_software.segment_acceleration_low.word));
+      put(acceleration_low_lane, std_ulogic_vector(from_software.segment_acceleration_low.acceleration));
     end if;
     if from_software.segment_acceleration_high_written then
       put(acceleration_high_lane,
-        std_ulogic_vector(from_software.segment_acceleration_high.word));
+        std_ulogic_vector(from_software.segment_acceleration_high.acceleration));
     end if;
     if from_software.segment_jerk_low_written then
-      put(jerk_low_lane, std_ulogic_vector(from_software.segment_jerk_low.word));
+      put(jerk_low_lane, std_ulogic_vector(from_software.segment_jerk_low.jerk));
     end if;
     if from_software.segment_jerk_high_written then
-      put(jerk_high_lane, std_ulogic_vector(from_software.segment_jerk_high.word));
+      put(jerk_high_lane, std_ulogic_vector(from_software.segment_jerk_high.jerk));
     end if;
     for axis in 0 to axes - 1 loop
       if from_software.segment_steps_written(axis) then

@@ -85,6 +85,7 @@ package step_generator_pkg is
   end record;
 
   -- A segment is stored as words side by side, one memory (lane) for each, so that all are read at once.
+  -- The flags as in the register segment_flags.
   constant flags_lane : natural := 0;
   constant line_ticks_lane : natural := 1;
   constant ticks_lane : natural := 2;
@@ -97,16 +98,6 @@ package step_generator_pkg is
   -- And one for each axis from here on.
   constant steps_lane : natural := 9;
   subtype lane_t is natural range 0 to steps_lane + axis_limit - 1;
-
-  -- The flags word holds stop_mask from bit 16, backward from bit 0, and:
-  constant continues_line_bit : natural := 8;
-  constant ends_motion_bit : natural := 9;
-  constant stop_on_change_bit : natural := 10;
-  constant stop_on_release_bit : natural := 11;
-  constant stop_brakes_bit : natural := 12;
-  constant waits_for_start_bit : natural := 13;
-  subtype ahead_bits is natural range 27 downto 24;
-  subtype behind_bits is natural range 31 downto 28;
 
   -- One word that software writes.
   type lane_write_t is record

@@ -31,11 +31,11 @@ architecture rtl of end_stops_registers is
   signal read_word : std_ulogic_vector(31 downto 0);
   signal status_word : std_ulogic_vector(31 downto 0);
   signal filter_word : std_ulogic_vector(31 downto 0);
-  signal filter_stored : std_ulogic_vector(31 downto 0) := x"00000064";
+  signal filter_stored : end_stops_filter_t := end_stops_filter_after_reset;
   signal polarity_word : std_ulogic_vector(31 downto 0);
-  signal polarity_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal polarity_stored : end_stops_polarity_t := end_stops_polarity_after_reset;
   signal enable_word : std_ulogic_vector(31 downto 0);
-  signal enable_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal enable_stored : end_stops_enable_t := end_stops_enable_after_reset;
 
 begin
 
@@ -69,13 +69,13 @@ begin
 
   writable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3) else '0';
 
-  status_word <= "00000000" & to_software.status.triggered & to_software.status.filtered & to_software.status.raw
+  status_word <= to_word(to_software.status)
     when request.address(11 downto 2) = 0 else (others => '0');
-  filter_word <= "0000000000000000" & filter_stored(15 downto 0)
+  filter_word <= to_word(filter_stored)
     when request.address(11 downto 2) = 1 else (others => '0');
-  polarity_word <= "000000000000000000000000" & polarity_stored(7 downto 0)
+  polarity_word <= to_word(polarity_stored)
     when request.address(11 downto 2) = 2 else (others => '0');
-  enable_word <= "000000000000000000000000" & enable_stored(7 downto 0)
+  enable_word <= to_word(enable_stored)
     when request.address(11 downto 2) = 3 else (others => '0');
 
   read_word <= status_word
@@ -87,22 +87,23 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 1 then
-      filter_stored <= written_data;
+      filter_stored <= to_end_stops_filter(written_data);
     end if;
     if writing = '1' and register_index = 2 then
-      polarity_stored <= written_data;
+      polarity_stored <= to_end_stops_polarity(written_data);
     end if;
     if writing = '1' and register_index = 3 then
-      enable_stored <= written_data;
+      enable_stored <= to_end_stops_enable(written_data);
     end if;
     if reset then
-      filter_stored <= x"00000064";
-      polarity_stored <= x"00000000";
-      enable_stored <= x"00000000";
+      filter_stored <= end_stops_filter_after_reset;
+      polarity_stored <= end_stops_polarity_after_reset;
+      enable_stored <= end_stops_enable_after_reset;
     end if;
   end process;
 
-  from_software.filter.cycles <= unsigned(filter_stored(15 downto 0));
-  from_software.polarity.active_low <= polarity_stored(7 downto 0);
-  from_software.enable.inputs <= enable_stored(7 downto 0);
+  from_software.filter <= filter_stored;
+  from_software.polarity <= polarity_stored;
+  from_software.enable <= enable_stored;
+
 end architecture;

@@ -29,9 +29,9 @@ architecture rtl of fan_registers is
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal duty_word : std_ulogic_vector(31 downto 0);
-  signal duty_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_stored : fan_duty_t := fan_duty_after_reset;
   signal period_word : std_ulogic_vector(31 downto 0);
-  signal period_stored : std_ulogic_vector(31 downto 0) := x"00000001";
+  signal period_stored : fan_period_t := fan_period_after_reset;
 
 begin
 
@@ -65,9 +65,9 @@ begin
 
   writable <= '1' when request.address(11 downto 2) <= 1 else '0';
 
-  duty_word <= "000000000000000000000000" & duty_stored(7 downto 0)
+  duty_word <= to_word(duty_stored)
     when request.address(11 downto 2) = 0 else (others => '0');
-  period_word <= "00000000" & period_stored(23 downto 0)
+  period_word <= to_word(period_stored)
     when request.address(11 downto 2) = 1 else (others => '0');
 
   read_word <= duty_word
@@ -77,17 +77,18 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 0 then
-      duty_stored <= written_data;
+      duty_stored <= to_fan_duty(written_data);
     end if;
     if writing = '1' and register_index = 1 then
-      period_stored <= written_data;
+      period_stored <= to_fan_period(written_data);
     end if;
     if reset then
-      duty_stored <= x"00000000";
-      period_stored <= x"00000001";
+      duty_stored <= fan_duty_after_reset;
+      period_stored <= fan_period_after_reset;
     end if;
   end process;
 
-  from_software.duty.slots <= unsigned(duty_stored(7 downto 0));
-  from_software.period.slot_cycles <= unsigned(period_stored(23 downto 0));
+  from_software.duty <= duty_stored;
+  from_software.period <= period_stored;
+
 end architecture;

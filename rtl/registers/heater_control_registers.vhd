@@ -32,15 +32,15 @@ architecture rtl of heater_control_registers is
   signal watchdog_word : std_ulogic_vector(31 downto 0);
   signal sensor_timeout_word : std_ulogic_vector(31 downto 0);
   signal slot_word : std_ulogic_vector(31 downto 0);
-  signal slot_stored : std_ulogic_vector(31 downto 0) := x"00000400";
+  signal slot_stored : heater_control_slot_t := heater_control_slot_after_reset;
   signal duty_0_word : std_ulogic_vector(31 downto 0);
-  signal duty_0_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_0_stored : heater_control_duty_t := heater_control_duty_after_reset;
   signal duty_1_word : std_ulogic_vector(31 downto 0);
-  signal duty_1_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_1_stored : heater_control_duty_t := heater_control_duty_after_reset;
   signal duty_2_word : std_ulogic_vector(31 downto 0);
-  signal duty_2_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_2_stored : heater_control_duty_t := heater_control_duty_after_reset;
   signal duty_3_word : std_ulogic_vector(31 downto 0);
-  signal duty_3_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal duty_3_stored : heater_control_duty_t := heater_control_duty_after_reset;
   signal minimum_count_0_word : std_ulogic_vector(31 downto 0);
   signal minimum_count_1_word : std_ulogic_vector(31 downto 0);
   signal minimum_count_2_word : std_ulogic_vector(31 downto 0);
@@ -113,66 +113,66 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3)
-      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 29) else '0';
+    or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 29) else '0';
 
   writable <= '1' when request.address(11 downto 2) <= 16
-      or (request.address(11 downto 2) >= 21 and request.address(11 downto 2) <= 29) else '0';
+    or (request.address(11 downto 2) >= 21 and request.address(11 downto 2) <= 29) else '0';
 
-  watchdog_word <= "000000000000" & std_ulogic_vector(to_software.watchdog.ticks)
+  watchdog_word <= to_word(to_software.watchdog)
     when request.address(11 downto 2) = 1 else (others => '0');
-  sensor_timeout_word <= "000000000000" & std_ulogic_vector(to_software.sensor_timeout.ticks)
+  sensor_timeout_word <= to_word(to_software.sensor_timeout)
     when request.address(11 downto 2) = 2 else (others => '0');
-  slot_word <= "00000000" & slot_stored(23 downto 0)
+  slot_word <= to_word(slot_stored)
     when request.address(11 downto 2) = 3 else (others => '0');
-  duty_0_word <= "0000000000000000" & duty_0_stored(15 downto 0)
+  duty_0_word <= to_word(duty_0_stored)
     when request.address(11 downto 2) = 5 else (others => '0');
-  duty_1_word <= "0000000000000000" & duty_1_stored(15 downto 0)
+  duty_1_word <= to_word(duty_1_stored)
     when request.address(11 downto 2) = 6 else (others => '0');
-  duty_2_word <= "0000000000000000" & duty_2_stored(15 downto 0)
+  duty_2_word <= to_word(duty_2_stored)
     when request.address(11 downto 2) = 7 else (others => '0');
-  duty_3_word <= "0000000000000000" & duty_3_stored(15 downto 0)
+  duty_3_word <= to_word(duty_3_stored)
     when request.address(11 downto 2) = 8 else (others => '0');
-  minimum_count_0_word <= std_ulogic_vector(to_software.minimum_count(0).cycles)
+  minimum_count_0_word <= to_word(to_software.minimum_count(0))
     when request.address(11 downto 2) = 9 else (others => '0');
-  minimum_count_1_word <= std_ulogic_vector(to_software.minimum_count(1).cycles)
+  minimum_count_1_word <= to_word(to_software.minimum_count(1))
     when request.address(11 downto 2) = 10 else (others => '0');
-  minimum_count_2_word <= std_ulogic_vector(to_software.minimum_count(2).cycles)
+  minimum_count_2_word <= to_word(to_software.minimum_count(2))
     when request.address(11 downto 2) = 11 else (others => '0');
-  minimum_count_3_word <= std_ulogic_vector(to_software.minimum_count(3).cycles)
+  minimum_count_3_word <= to_word(to_software.minimum_count(3))
     when request.address(11 downto 2) = 12 else (others => '0');
-  maximum_count_0_word <= std_ulogic_vector(to_software.maximum_count(0).cycles)
+  maximum_count_0_word <= to_word(to_software.maximum_count(0))
     when request.address(11 downto 2) = 13 else (others => '0');
-  maximum_count_1_word <= std_ulogic_vector(to_software.maximum_count(1).cycles)
+  maximum_count_1_word <= to_word(to_software.maximum_count(1))
     when request.address(11 downto 2) = 14 else (others => '0');
-  maximum_count_2_word <= std_ulogic_vector(to_software.maximum_count(2).cycles)
+  maximum_count_2_word <= to_word(to_software.maximum_count(2))
     when request.address(11 downto 2) = 15 else (others => '0');
-  maximum_count_3_word <= std_ulogic_vector(to_software.maximum_count(3).cycles)
+  maximum_count_3_word <= to_word(to_software.maximum_count(3))
     when request.address(11 downto 2) = 16 else (others => '0');
-  status_0_word <= "0000000000000000" & to_software.status(0).heats_unasked_trip & to_software.status(0).emergency_stop_trip & to_software.status(0).limits_missing_trip & to_software.status(0).too_cold_trip & to_software.status(0).too_hot_trip & to_software.status(0).sensor_stale_trip & to_software.status(0).sensor_invalid_trip & to_software.status(0).watchdog_trip & to_software.status(0).tripped & to_software.status(0).refused & to_software.status(0).settle_locked & to_software.status(0).hot_locked & to_software.status(0).maximum_locked & to_software.status(0).minimum_locked & to_software.status(0).permitted & to_software.status(0).gate
+  status_0_word <= to_word(to_software.status(0))
     when request.address(11 downto 2) = 17 else (others => '0');
-  status_1_word <= "0000000000000000" & to_software.status(1).heats_unasked_trip & to_software.status(1).emergency_stop_trip & to_software.status(1).limits_missing_trip & to_software.status(1).too_cold_trip & to_software.status(1).too_hot_trip & to_software.status(1).sensor_stale_trip & to_software.status(1).sensor_invalid_trip & to_software.status(1).watchdog_trip & to_software.status(1).tripped & to_software.status(1).refused & to_software.status(1).settle_locked & to_software.status(1).hot_locked & to_software.status(1).maximum_locked & to_software.status(1).minimum_locked & to_software.status(1).permitted & to_software.status(1).gate
+  status_1_word <= to_word(to_software.status(1))
     when request.address(11 downto 2) = 18 else (others => '0');
-  status_2_word <= "0000000000000000" & to_software.status(2).heats_unasked_trip & to_software.status(2).emergency_stop_trip & to_software.status(2).limits_missing_trip & to_software.status(2).too_cold_trip & to_software.status(2).too_hot_trip & to_software.status(2).sensor_stale_trip & to_software.status(2).sensor_invalid_trip & to_software.status(2).watchdog_trip & to_software.status(2).tripped & to_software.status(2).refused & to_software.status(2).settle_locked & to_software.status(2).hot_locked & to_software.status(2).maximum_locked & to_software.status(2).minimum_locked & to_software.status(2).permitted & to_software.status(2).gate
+  status_2_word <= to_word(to_software.status(2))
     when request.address(11 downto 2) = 19 else (others => '0');
-  status_3_word <= "0000000000000000" & to_software.status(3).heats_unasked_trip & to_software.status(3).emergency_stop_trip & to_software.status(3).limits_missing_trip & to_software.status(3).too_cold_trip & to_software.status(3).too_hot_trip & to_software.status(3).sensor_stale_trip & to_software.status(3).sensor_invalid_trip & to_software.status(3).watchdog_trip & to_software.status(3).tripped & to_software.status(3).refused & to_software.status(3).settle_locked & to_software.status(3).hot_locked & to_software.status(3).maximum_locked & to_software.status(3).minimum_locked & to_software.status(3).permitted & to_software.status(3).gate
+  status_3_word <= to_word(to_software.status(3))
     when request.address(11 downto 2) = 20 else (others => '0');
-  hot_count_0_word <= std_ulogic_vector(to_software.hot_count(0).cycles)
+  hot_count_0_word <= to_word(to_software.hot_count(0))
     when request.address(11 downto 2) = 21 else (others => '0');
-  hot_count_1_word <= std_ulogic_vector(to_software.hot_count(1).cycles)
+  hot_count_1_word <= to_word(to_software.hot_count(1))
     when request.address(11 downto 2) = 22 else (others => '0');
-  hot_count_2_word <= std_ulogic_vector(to_software.hot_count(2).cycles)
+  hot_count_2_word <= to_word(to_software.hot_count(2))
     when request.address(11 downto 2) = 23 else (others => '0');
-  hot_count_3_word <= std_ulogic_vector(to_software.hot_count(3).cycles)
+  hot_count_3_word <= to_word(to_software.hot_count(3))
     when request.address(11 downto 2) = 24 else (others => '0');
-  settle_0_word <= "00000000" & std_ulogic_vector(to_software.settle(0).ticks)
+  settle_0_word <= to_word(to_software.settle(0))
     when request.address(11 downto 2) = 25 else (others => '0');
-  settle_1_word <= "00000000" & std_ulogic_vector(to_software.settle(1).ticks)
+  settle_1_word <= to_word(to_software.settle(1))
     when request.address(11 downto 2) = 26 else (others => '0');
-  settle_2_word <= "00000000" & std_ulogic_vector(to_software.settle(2).ticks)
+  settle_2_word <= to_word(to_software.settle(2))
     when request.address(11 downto 2) = 27 else (others => '0');
-  settle_3_word <= "00000000" & std_ulogic_vector(to_software.settle(3).ticks)
+  settle_3_word <= to_word(to_software.settle(3))
     when request.address(11 downto 2) = 28 else (others => '0');
-  supply_word <= std_ulogic_vector(to_software.supply.key) & "00000000" & to_software.supply.veto_opened & to_software.supply.emergency_stop_opened & to_software.supply.watchdog_opened & to_software.supply.trip_opened & "00" & to_software.supply.refused & to_software.supply.closed
+  supply_word <= to_word(to_software.supply)
     when request.address(11 downto 2) = 29 else (others => '0');
 
   read_word <= watchdog_word
@@ -208,30 +208,31 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 3 then
-      slot_stored <= written_data;
+      slot_stored <= to_heater_control_slot(written_data);
     end if;
     if writing = '1' and register_index = 5 then
-      duty_0_stored <= written_data;
+      duty_0_stored <= to_heater_control_duty(written_data);
     end if;
     if writing = '1' and register_index = 6 then
-      duty_1_stored <= written_data;
+      duty_1_stored <= to_heater_control_duty(written_data);
     end if;
     if writing = '1' and register_index = 7 then
-      duty_2_stored <= written_data;
+      duty_2_stored <= to_heater_control_duty(written_data);
     end if;
     if writing = '1' and register_index = 8 then
-      duty_3_stored <= written_data;
+      duty_3_stored <= to_heater_control_duty(written_data);
     end if;
     if reset then
-      slot_stored <= x"00000400";
-      duty_0_stored <= x"00000000";
-      duty_1_stored <= x"00000000";
-      duty_2_stored <= x"00000000";
-      duty_3_stored <= x"00000000";
+      slot_stored <= heater_control_slot_after_reset;
+      duty_0_stored <= heater_control_duty_after_reset;
+      duty_1_stored <= heater_control_duty_after_reset;
+      duty_2_stored <= heater_control_duty_after_reset;
+      duty_3_stored <= heater_control_duty_after_reset;
     end if;
   end process;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     feed_written <= access_begins and known and request.write and
@@ -302,57 +303,51 @@ begin
   end process;
 
   from_software.feed_written <= feed_written;
-  from_software.feed.key <= unsigned(written_data(15 downto 0));
+  from_software.feed <= to_heater_control_feed(written_data);
   from_software.watchdog_written <= watchdog_written;
-  from_software.watchdog.ticks <= unsigned(written_data(19 downto 0));
+  from_software.watchdog <= to_heater_control_watchdog(written_data);
   from_software.sensor_timeout_written <= sensor_timeout_written;
-  from_software.sensor_timeout.ticks <= unsigned(written_data(19 downto 0));
-  from_software.slot.cycles <= unsigned(slot_stored(23 downto 0));
+  from_software.sensor_timeout <= to_heater_control_sensor_timeout(written_data);
+  from_software.slot <= slot_stored;
   from_software.clear_written <= clear_written;
-  from_software.clear.channels <= written_data(3 downto 0);
-  from_software.clear.key <= unsigned(written_data(31 downto 16));
-  from_software.duty(0).density <= unsigned(duty_0_stored(15 downto 0));
-  from_software.duty(1).density <= unsigned(duty_1_stored(15 downto 0));
-  from_software.duty(2).density <= unsigned(duty_2_stored(15 downto 0));
-  from_software.duty(3).density <= unsigned(duty_3_stored(15 downto 0));
+  from_software.clear <= to_heater_control_clear(written_data);
+  from_software.duty(0) <= duty_0_stored;
+  from_software.duty(1) <= duty_1_stored;
+  from_software.duty(2) <= duty_2_stored;
+  from_software.duty(3) <= duty_3_stored;
   from_software.minimum_count_written(0) <= minimum_count_0_written;
-  from_software.minimum_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count(0) <= to_heater_control_minimum_count(written_data);
   from_software.minimum_count_written(1) <= minimum_count_1_written;
-  from_software.minimum_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count(1) <= to_heater_control_minimum_count(written_data);
   from_software.minimum_count_written(2) <= minimum_count_2_written;
-  from_software.minimum_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count(2) <= to_heater_control_minimum_count(written_data);
   from_software.minimum_count_written(3) <= minimum_count_3_written;
-  from_software.minimum_count(3).cycles <= unsigned(written_data(31 downto 0));
+  from_software.minimum_count(3) <= to_heater_control_minimum_count(written_data);
   from_software.maximum_count_written(0) <= maximum_count_0_written;
-  from_software.maximum_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count(0) <= to_heater_control_maximum_count(written_data);
   from_software.maximum_count_written(1) <= maximum_count_1_written;
-  from_software.maximum_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count(1) <= to_heater_control_maximum_count(written_data);
   from_software.maximum_count_written(2) <= maximum_count_2_written;
-  from_software.maximum_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count(2) <= to_heater_control_maximum_count(written_data);
   from_software.maximum_count_written(3) <= maximum_count_3_written;
-  from_software.maximum_count(3).cycles <= unsigned(written_data(31 downto 0));
+  from_software.maximum_count(3) <= to_heater_control_maximum_count(written_data);
   from_software.hot_count_written(0) <= hot_count_0_written;
-  from_software.hot_count(0).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count(0) <= to_heater_control_hot_count(written_data);
   from_software.hot_count_written(1) <= hot_count_1_written;
-  from_software.hot_count(1).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count(1) <= to_heater_control_hot_count(written_data);
   from_software.hot_count_written(2) <= hot_count_2_written;
-  from_software.hot_count(2).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count(2) <= to_heater_control_hot_count(written_data);
   from_software.hot_count_written(3) <= hot_count_3_written;
-  from_software.hot_count(3).cycles <= unsigned(written_data(31 downto 0));
+  from_software.hot_count(3) <= to_heater_control_hot_count(written_data);
   from_software.settle_written(0) <= settle_0_written;
-  from_software.settle(0).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle(0) <= to_heater_control_settle(written_data);
   from_software.settle_written(1) <= settle_1_written;
-  from_software.settle(1).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle(1) <= to_heater_control_settle(written_data);
   from_software.settle_written(2) <= settle_2_written;
-  from_software.settle(2).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle(2) <= to_heater_control_settle(written_data);
   from_software.settle_written(3) <= settle_3_written;
-  from_software.settle(3).ticks <= unsigned(written_data(23 downto 0));
+  from_software.settle(3) <= to_heater_control_settle(written_data);
   from_software.supply_written <= supply_written;
-  from_software.supply.closed <= written_data(0);
-  from_software.supply.refused <= written_data(1);
-  from_software.supply.trip_opened <= written_data(4);
-  from_software.supply.watchdog_opened <= written_data(5);
-  from_software.supply.emergency_stop_opened <= written_data(6);
-  from_software.supply.veto_opened <= written_data(7);
-  from_software.supply.key <= unsigned(written_data(31 downto 16));
+  from_software.supply <= to_heater_control_supply(written_data);
+
 end architecture;

@@ -67,17 +67,17 @@ begin
 
   writable <= '0';
 
-  magic_word <= std_ulogic_vector(to_software.magic.word)
+  magic_word <= to_word(to_software.magic)
     when request.address(11 downto 2) = 0 else (others => '0');
-  version_word <= std_ulogic_vector(to_software.version.major) & std_ulogic_vector(to_software.version.minor) & std_ulogic_vector(to_software.version.patch)
+  version_word <= to_word(to_software.version)
     when request.address(11 downto 2) = 1 else (others => '0');
-  clock_word <= std_ulogic_vector(to_software.clock.frequency_hz)
+  clock_word <= to_word(to_software.clock)
     when request.address(11 downto 2) = 2 else (others => '0');
-  memory_word <= std_ulogic_vector(to_software.memory.size_bytes)
+  memory_word <= to_word(to_software.memory)
     when request.address(11 downto 2) = 3 else (others => '0');
-  motion_word <= std_ulogic_vector(to_software.motion.queue_depth) & "00000000" & std_ulogic_vector(to_software.motion.axes)
+  motion_word <= to_word(to_software.motion)
     when request.address(11 downto 2) = 4 else (others => '0');
-  thermal_word <= "0000000000000000" & std_ulogic_vector(to_software.thermal.heaters) & std_ulogic_vector(to_software.thermal.sensors)
+  thermal_word <= to_word(to_software.thermal)
     when request.address(11 downto 2) = 5 else (others => '0');
 
   read_word <= magic_word

@@ -36,14 +36,14 @@ architecture rtl of step_generator_registers is
   signal motor_enable_word : std_ulogic_vector(31 downto 0);
   signal rate_floor_word : std_ulogic_vector(31 downto 0);
   signal override_word : std_ulogic_vector(31 downto 0);
-  signal override_stored : std_ulogic_vector(31 downto 0) := x"00010000";
+  signal override_stored : step_generator_override_t := step_generator_override_after_reset;
   signal override_slope_word : std_ulogic_vector(31 downto 0);
-  signal override_slope_stored : std_ulogic_vector(31 downto 0) := x"000006B6";
+  signal override_slope_stored : step_generator_override_slope_t := step_generator_override_slope_after_reset;
   signal brake_slope_word : std_ulogic_vector(31 downto 0);
-  signal brake_slope_stored : std_ulogic_vector(31 downto 0) := x"000006B6";
+  signal brake_slope_stored : step_generator_brake_slope_t := step_generator_brake_slope_after_reset;
   signal scale_word : std_ulogic_vector(31 downto 0);
   signal watchdog_word : std_ulogic_vector(31 downto 0);
-  signal watchdog_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal watchdog_stored : step_generator_watchdog_t := step_generator_watchdog_after_reset;
   signal position_0_word : std_ulogic_vector(31 downto 0);
   signal position_1_word : std_ulogic_vector(31 downto 0);
   signal position_2_word : std_ulogic_vector(31 downto 0);
@@ -161,116 +161,116 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
-      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 11)
-      or (request.address(11 downto 2) >= 46 and request.address(11 downto 2) <= 86) else '0';
+    or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 11)
+    or (request.address(11 downto 2) >= 46 and request.address(11 downto 2) <= 86) else '0';
 
   writable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 2)
-      or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 9)
-      or (request.address(11 downto 2) >= 11 and request.address(11 downto 2) <= 53) else '0';
+    or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 9)
+    or (request.address(11 downto 2) >= 11 and request.address(11 downto 2) <= 53) else '0';
 
-  build_word <= "00000000" & std_ulogic_vector(to_software.build.queue_depth) & "0000" & std_ulogic_vector(to_software.build.axes)
+  build_word <= to_word(to_software.build)
     when request.address(11 downto 2) = 0 else (others => '0');
-  control_word <= std_ulogic_vector(to_software.control.queue_threshold) & "0000000000000" & to_software.control.stop_interrupt_enable & to_software.control.queue_interrupt_enable & to_software.control.run
+  control_word <= to_word(to_software.control)
     when request.address(11 downto 2) = 1 else (others => '0');
-  status_word <= "00000000" & std_ulogic_vector(to_software.status.free) & std_ulogic_vector(to_software.status.level) & '0' & to_software.status.positions_lost & to_software.status.waiting & to_software.status.braking & to_software.status.held & to_software.status.stopped & to_software.status.idle & to_software.status.moving
+  status_word <= to_word(to_software.status)
     when request.address(11 downto 2) = 3 else (others => '0');
-  errors_word <= "0000000000000000000000000" & to_software.errors.disabled & to_software.errors.settings & to_software.errors.position & to_software.errors.while_stopped & to_software.errors.illegal & to_software.errors.incomplete & to_software.errors.queue_full
+  errors_word <= to_word(to_software.errors)
     when request.address(11 downto 2) = 4 else (others => '0');
-  motor_enable_word <= "000000000000000000000000" & to_software.motor_enable.axes
+  motor_enable_word <= to_word(to_software.motor_enable)
     when request.address(11 downto 2) = 5 else (others => '0');
-  rate_floor_word <= '0' & std_ulogic_vector(to_software.rate_floor.rate)
+  rate_floor_word <= to_word(to_software.rate_floor)
     when request.address(11 downto 2) = 6 else (others => '0');
-  override_word <= "00000000000000" & override_stored(17 downto 0)
+  override_word <= to_word(override_stored)
     when request.address(11 downto 2) = 7 else (others => '0');
-  override_slope_word <= override_slope_stored(31 downto 0)
+  override_slope_word <= to_word(override_slope_stored)
     when request.address(11 downto 2) = 8 else (others => '0');
-  brake_slope_word <= brake_slope_stored(31 downto 0)
+  brake_slope_word <= to_word(brake_slope_stored)
     when request.address(11 downto 2) = 9 else (others => '0');
-  scale_word <= "00000000000000" & std_ulogic_vector(to_software.scale.scale)
+  scale_word <= to_word(to_software.scale)
     when request.address(11 downto 2) = 10 else (others => '0');
-  watchdog_word <= watchdog_stored(31 downto 0)
+  watchdog_word <= to_word(watchdog_stored)
     when request.address(11 downto 2) = 11 else (others => '0');
-  position_0_word <= std_ulogic_vector(to_software.position(0).steps)
+  position_0_word <= to_word(to_software.position(0))
     when request.address(11 downto 2) = 46 else (others => '0');
-  position_1_word <= std_ulogic_vector(to_software.position(1).steps)
+  position_1_word <= to_word(to_software.position(1))
     when request.address(11 downto 2) = 47 else (others => '0');
-  position_2_word <= std_ulogic_vector(to_software.position(2).steps)
+  position_2_word <= to_word(to_software.position(2))
     when request.address(11 downto 2) = 48 else (others => '0');
-  position_3_word <= std_ulogic_vector(to_software.position(3).steps)
+  position_3_word <= to_word(to_software.position(3))
     when request.address(11 downto 2) = 49 else (others => '0');
-  position_4_word <= std_ulogic_vector(to_software.position(4).steps)
+  position_4_word <= to_word(to_software.position(4))
     when request.address(11 downto 2) = 50 else (others => '0');
-  position_5_word <= std_ulogic_vector(to_software.position(5).steps)
+  position_5_word <= to_word(to_software.position(5))
     when request.address(11 downto 2) = 51 else (others => '0');
-  position_6_word <= std_ulogic_vector(to_software.position(6).steps)
+  position_6_word <= to_word(to_software.position(6))
     when request.address(11 downto 2) = 52 else (others => '0');
-  position_7_word <= std_ulogic_vector(to_software.position(7).steps)
+  position_7_word <= to_word(to_software.position(7))
     when request.address(11 downto 2) = 53 else (others => '0');
-  snapshot_position_0_word <= std_ulogic_vector(to_software.snapshot_position(0).steps)
+  snapshot_position_0_word <= to_word(to_software.snapshot_position(0))
     when request.address(11 downto 2) = 54 else (others => '0');
-  snapshot_position_1_word <= std_ulogic_vector(to_software.snapshot_position(1).steps)
+  snapshot_position_1_word <= to_word(to_software.snapshot_position(1))
     when request.address(11 downto 2) = 55 else (others => '0');
-  snapshot_position_2_word <= std_ulogic_vector(to_software.snapshot_position(2).steps)
+  snapshot_position_2_word <= to_word(to_software.snapshot_position(2))
     when request.address(11 downto 2) = 56 else (others => '0');
-  snapshot_position_3_word <= std_ulogic_vector(to_software.snapshot_position(3).steps)
+  snapshot_position_3_word <= to_word(to_software.snapshot_position(3))
     when request.address(11 downto 2) = 57 else (others => '0');
-  snapshot_position_4_word <= std_ulogic_vector(to_software.snapshot_position(4).steps)
+  snapshot_position_4_word <= to_word(to_software.snapshot_position(4))
     when request.address(11 downto 2) = 58 else (others => '0');
-  snapshot_position_5_word <= std_ulogic_vector(to_software.snapshot_position(5).steps)
+  snapshot_position_5_word <= to_word(to_software.snapshot_position(5))
     when request.address(11 downto 2) = 59 else (others => '0');
-  snapshot_position_6_word <= std_ulogic_vector(to_software.snapshot_position(6).steps)
+  snapshot_position_6_word <= to_word(to_software.snapshot_position(6))
     when request.address(11 downto 2) = 60 else (others => '0');
-  snapshot_position_7_word <= std_ulogic_vector(to_software.snapshot_position(7).steps)
+  snapshot_position_7_word <= to_word(to_software.snapshot_position(7))
     when request.address(11 downto 2) = 61 else (others => '0');
-  snapshot_time_low_word <= std_ulogic_vector(to_software.snapshot_time_low.clocks)
+  snapshot_time_low_word <= to_word(to_software.snapshot_time_low)
     when request.address(11 downto 2) = 62 else (others => '0');
-  snapshot_time_high_word <= std_ulogic_vector(to_software.snapshot_time_high.clocks)
+  snapshot_time_high_word <= to_word(to_software.snapshot_time_high)
     when request.address(11 downto 2) = 63 else (others => '0');
-  stop_cause_word <= "00000000000000000000" & to_software.stop_cause.software_brake & to_software.stop_cause.watchdog & to_software.stop_cause.software & to_software.stop_cause.emergency_input & to_software.stop_cause.end_stops
+  stop_cause_word <= to_word(to_software.stop_cause)
     when request.address(11 downto 2) = 64 else (others => '0');
-  stop_position_0_word <= std_ulogic_vector(to_software.stop_position(0).steps)
+  stop_position_0_word <= to_word(to_software.stop_position(0))
     when request.address(11 downto 2) = 65 else (others => '0');
-  stop_position_1_word <= std_ulogic_vector(to_software.stop_position(1).steps)
+  stop_position_1_word <= to_word(to_software.stop_position(1))
     when request.address(11 downto 2) = 66 else (others => '0');
-  stop_position_2_word <= std_ulogic_vector(to_software.stop_position(2).steps)
+  stop_position_2_word <= to_word(to_software.stop_position(2))
     when request.address(11 downto 2) = 67 else (others => '0');
-  stop_position_3_word <= std_ulogic_vector(to_software.stop_position(3).steps)
+  stop_position_3_word <= to_word(to_software.stop_position(3))
     when request.address(11 downto 2) = 68 else (others => '0');
-  stop_position_4_word <= std_ulogic_vector(to_software.stop_position(4).steps)
+  stop_position_4_word <= to_word(to_software.stop_position(4))
     when request.address(11 downto 2) = 69 else (others => '0');
-  stop_position_5_word <= std_ulogic_vector(to_software.stop_position(5).steps)
+  stop_position_5_word <= to_word(to_software.stop_position(5))
     when request.address(11 downto 2) = 70 else (others => '0');
-  stop_position_6_word <= std_ulogic_vector(to_software.stop_position(6).steps)
+  stop_position_6_word <= to_word(to_software.stop_position(6))
     when request.address(11 downto 2) = 71 else (others => '0');
-  stop_position_7_word <= std_ulogic_vector(to_software.stop_position(7).steps)
+  stop_position_7_word <= to_word(to_software.stop_position(7))
     when request.address(11 downto 2) = 72 else (others => '0');
-  stop_time_low_word <= std_ulogic_vector(to_software.stop_time_low.clocks)
+  stop_time_low_word <= to_word(to_software.stop_time_low)
     when request.address(11 downto 2) = 73 else (others => '0');
-  stop_time_high_word <= std_ulogic_vector(to_software.stop_time_high.clocks)
+  stop_time_high_word <= to_word(to_software.stop_time_high)
     when request.address(11 downto 2) = 74 else (others => '0');
-  segments_executed_word <= std_ulogic_vector(to_software.segments_executed.count)
+  segments_executed_word <= to_word(to_software.segments_executed)
     when request.address(11 downto 2) = 75 else (others => '0');
-  underruns_word <= std_ulogic_vector(to_software.underruns.count)
+  underruns_word <= to_word(to_software.underruns)
     when request.address(11 downto 2) = 76 else (others => '0');
-  max_level_word <= "0000000000000000" & std_ulogic_vector(to_software.max_level.segments)
+  max_level_word <= to_word(to_software.max_level)
     when request.address(11 downto 2) = 77 else (others => '0');
-  stalls_word <= std_ulogic_vector(to_software.stalls.clocks)
+  stalls_word <= to_word(to_software.stalls)
     when request.address(11 downto 2) = 78 else (others => '0');
-  axis_stalls_0_word <= std_ulogic_vector(to_software.axis_stalls(0).clocks)
+  axis_stalls_0_word <= to_word(to_software.axis_stalls(0))
     when request.address(11 downto 2) = 79 else (others => '0');
-  axis_stalls_1_word <= std_ulogic_vector(to_software.axis_stalls(1).clocks)
+  axis_stalls_1_word <= to_word(to_software.axis_stalls(1))
     when request.address(11 downto 2) = 80 else (others => '0');
-  axis_stalls_2_word <= std_ulogic_vector(to_software.axis_stalls(2).clocks)
+  axis_stalls_2_word <= to_word(to_software.axis_stalls(2))
     when request.address(11 downto 2) = 81 else (others => '0');
-  axis_stalls_3_word <= std_ulogic_vector(to_software.axis_stalls(3).clocks)
+  axis_stalls_3_word <= to_word(to_software.axis_stalls(3))
     when request.address(11 downto 2) = 82 else (others => '0');
-  axis_stalls_4_word <= std_ulogic_vector(to_software.axis_stalls(4).clocks)
+  axis_stalls_4_word <= to_word(to_software.axis_stalls(4))
     when request.address(11 downto 2) = 83 else (others => '0');
-  axis_stalls_5_word <= std_ulogic_vector(to_software.axis_stalls(5).clocks)
+  axis_stalls_5_word <= to_word(to_software.axis_stalls(5))
     when request.address(11 downto 2) = 84 else (others => '0');
-  axis_stalls_6_word <= std_ulogic_vector(to_software.axis_stalls(6).clocks)
+  axis_stalls_6_word <= to_word(to_software.axis_stalls(6))
     when request.address(11 downto 2) = 85 else (others => '0');
-  axis_stalls_7_word <= std_ulogic_vector(to_software.axis_stalls(7).clocks)
+  axis_stalls_7_word <= to_word(to_software.axis_stalls(7))
     when request.address(11 downto 2) = 86 else (others => '0');
 
   read_word <= build_word
@@ -330,26 +330,27 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 7 then
-      override_stored <= written_data;
+      override_stored <= to_step_generator_override(written_data);
     end if;
     if writing = '1' and register_index = 8 then
-      override_slope_stored <= written_data;
+      override_slope_stored <= to_step_generator_override_slope(written_data);
     end if;
     if writing = '1' and register_index = 9 then
-      brake_slope_stored <= written_data;
+      brake_slope_stored <= to_step_generator_brake_slope(written_data);
     end if;
     if writing = '1' and register_index = 11 then
-      watchdog_stored <= written_data;
+      watchdog_stored <= to_step_generator_watchdog(written_data);
     end if;
     if reset then
-      override_stored <= x"00010000";
-      override_slope_stored <= x"000006B6";
-      brake_slope_stored <= x"000006B6";
-      watchdog_stored <= x"00000000";
+      override_stored <= step_generator_override_after_reset;
+      override_slope_stored <= step_generator_override_slope_after_reset;
+      brake_slope_stored <= step_generator_brake_slope_after_reset;
+      watchdog_stored <= step_generator_watchdog_after_reset;
     end if;
   end process;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     control_written <= access_begins and known and request.write and
@@ -495,143 +496,100 @@ begin
   end process;
 
   from_software.control_written <= control_written;
-  from_software.control.run <= written_data(0);
-  from_software.control.queue_interrupt_enable <= written_data(1);
-  from_software.control.stop_interrupt_enable <= written_data(2);
-  from_software.control.queue_threshold <= unsigned(written_data(31 downto 16));
+  from_software.control <= to_step_generator_control(written_data);
   from_software.command_written <= command_written;
-  from_software.command.flush <= written_data(0);
-  from_software.command.stop <= written_data(1);
-  from_software.command.acknowledge_stop <= written_data(2);
-  from_software.command.snapshot <= written_data(3);
-  from_software.command.clear_errors <= written_data(4);
-  from_software.command.start <= written_data(5);
-  from_software.command.brake <= written_data(6);
-  from_software.command.feed_watchdog <= written_data(7);
-  from_software.command.positions_known <= written_data(8);
+  from_software.command <= to_step_generator_command(written_data);
   from_software.motor_enable_written <= motor_enable_written;
-  from_software.motor_enable.axes <= written_data(7 downto 0);
+  from_software.motor_enable <= to_step_generator_motor_enable(written_data);
   from_software.rate_floor_written <= rate_floor_written;
-  from_software.rate_floor.rate <= unsigned(written_data(30 downto 0));
-  from_software.override.scale <= unsigned(override_stored(17 downto 0));
-  from_software.override_slope.slope <= unsigned(override_slope_stored(31 downto 0));
-  from_software.brake_slope.slope <= unsigned(brake_slope_stored(31 downto 0));
-  from_software.watchdog.clocks <= unsigned(watchdog_stored(31 downto 0));
+  from_software.rate_floor <= to_step_generator_rate_floor(written_data);
+  from_software.override <= override_stored;
+  from_software.override_slope <= override_slope_stored;
+  from_software.brake_slope <= brake_slope_stored;
+  from_software.watchdog <= watchdog_stored;
   from_software.segment_flags_written <= segment_flags_written;
-  from_software.segment_flags.backward <= written_data(7 downto 0);
-  from_software.segment_flags.continues_line <= written_data(8);
-  from_software.segment_flags.ends_motion <= written_data(9);
-  from_software.segment_flags.stop_on_change <= written_data(10);
-  from_software.segment_flags.stop_on_release <= written_data(11);
-  from_software.segment_flags.stop_brakes <= written_data(12);
-  from_software.segment_flags.waits_for_start <= written_data(13);
-  from_software.segment_flags.stop_mask <= written_data(23 downto 16);
-  from_software.segment_flags.ahead <= written_data(27 downto 24);
-  from_software.segment_flags.behind <= written_data(31 downto 28);
+  from_software.segment_flags <= to_step_generator_segment_flags(written_data);
   from_software.segment_line_ticks_written <= segment_line_ticks_written;
-  from_software.segment_line_ticks.ticks <= unsigned(written_data(31 downto 0));
+  from_software.segment_line_ticks <= to_step_generator_segment_line_ticks(written_data);
   from_software.segment_ticks_written <= segment_ticks_written;
-  from_software.segment_ticks.ticks <= unsigned(written_data(31 downto 0));
+  from_software.segment_ticks <= to_step_generator_segment_ticks(written_data);
   from_software.segment_rate_low_written <= segment_rate_low_written;
-  from_software.segment_rate_low.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_rate_low <= to_step_generator_segment_rate_low(written_data);
   from_software.segment_rate_high_written <= segment_rate_high_written;
-  from_software.segment_rate_high.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_rate_high <= to_step_generator_segment_rate_high(written_data);
   from_software.segment_acceleration_low_written <= segment_acceleration_low_written;
-  from_software.segment_acceleration_low.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_acceleration_low <= to_step_generator_segment_acceleration_low(written_data);
   from_software.segment_acceleration_high_written <= segment_acceleration_high_written;
-  from_software.segment_acceleration_high.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_acceleration_high <= to_step_generator_segment_acceleration_high(written_data);
   from_software.segment_jerk_low_written <= segment_jerk_low_written;
-  from_software.segment_jerk_low.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_jerk_low <= to_step_generator_segment_jerk_low(written_data);
   from_software.segment_jerk_high_written <= segment_jerk_high_written;
-  from_software.segment_jerk_high.word <= unsigned(written_data(31 downto 0));
+  from_software.segment_jerk_high <= to_step_generator_segment_jerk_high(written_data);
   from_software.segment_steps_written(0) <= segment_steps_0_written;
-  from_software.segment_steps(0).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(0) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(1) <= segment_steps_1_written;
-  from_software.segment_steps(1).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(1) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(2) <= segment_steps_2_written;
-  from_software.segment_steps(2).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(2) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(3) <= segment_steps_3_written;
-  from_software.segment_steps(3).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(3) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(4) <= segment_steps_4_written;
-  from_software.segment_steps(4).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(4) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(5) <= segment_steps_5_written;
-  from_software.segment_steps(5).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(5) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(6) <= segment_steps_6_written;
-  from_software.segment_steps(6).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(6) <= to_step_generator_segment_steps(written_data);
   from_software.segment_steps_written(7) <= segment_steps_7_written;
-  from_software.segment_steps(7).steps <= unsigned(written_data(31 downto 0));
+  from_software.segment_steps(7) <= to_step_generator_segment_steps(written_data);
   from_software.segment_commit_written <= segment_commit_written;
-  from_software.segment_commit.any <= unsigned(written_data(31 downto 0));
+  from_software.segment_commit <= to_step_generator_segment_commit(written_data);
   from_software.pulse_guard_written(0) <= pulse_guard_0_written;
-  from_software.pulse_guard(0).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(0).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(0).both_edges <= written_data(31);
+  from_software.pulse_guard(0) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(1) <= pulse_guard_1_written;
-  from_software.pulse_guard(1).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(1).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(1).both_edges <= written_data(31);
+  from_software.pulse_guard(1) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(2) <= pulse_guard_2_written;
-  from_software.pulse_guard(2).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(2).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(2).both_edges <= written_data(31);
+  from_software.pulse_guard(2) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(3) <= pulse_guard_3_written;
-  from_software.pulse_guard(3).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(3).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(3).both_edges <= written_data(31);
+  from_software.pulse_guard(3) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(4) <= pulse_guard_4_written;
-  from_software.pulse_guard(4).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(4).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(4).both_edges <= written_data(31);
+  from_software.pulse_guard(4) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(5) <= pulse_guard_5_written;
-  from_software.pulse_guard(5).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(5).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(5).both_edges <= written_data(31);
+  from_software.pulse_guard(5) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(6) <= pulse_guard_6_written;
-  from_software.pulse_guard(6).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(6).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(6).both_edges <= written_data(31);
+  from_software.pulse_guard(6) <= to_step_generator_pulse_guard(written_data);
   from_software.pulse_guard_written(7) <= pulse_guard_7_written;
-  from_software.pulse_guard(7).high <= unsigned(written_data(11 downto 0));
-  from_software.pulse_guard(7).low <= unsigned(written_data(27 downto 16));
-  from_software.pulse_guard(7).both_edges <= written_data(31);
+  from_software.pulse_guard(7) <= to_step_generator_pulse_guard(written_data);
   from_software.direction_guard_written(0) <= direction_guard_0_written;
-  from_software.direction_guard(0).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(0).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(0) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(1) <= direction_guard_1_written;
-  from_software.direction_guard(1).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(1).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(1) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(2) <= direction_guard_2_written;
-  from_software.direction_guard(2).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(2).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(2) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(3) <= direction_guard_3_written;
-  from_software.direction_guard(3).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(3).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(3) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(4) <= direction_guard_4_written;
-  from_software.direction_guard(4).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(4).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(4) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(5) <= direction_guard_5_written;
-  from_software.direction_guard(5).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(5).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(5) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(6) <= direction_guard_6_written;
-  from_software.direction_guard(6).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(6).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(6) <= to_step_generator_direction_guard(written_data);
   from_software.direction_guard_written(7) <= direction_guard_7_written;
-  from_software.direction_guard(7).setup <= unsigned(written_data(11 downto 0));
-  from_software.direction_guard(7).hold <= unsigned(written_data(27 downto 16));
+  from_software.direction_guard(7) <= to_step_generator_direction_guard(written_data);
   from_software.position_written(0) <= position_0_written;
-  from_software.position(0).steps <= signed(written_data(31 downto 0));
+  from_software.position(0) <= to_step_generator_position(written_data);
   from_software.position_written(1) <= position_1_written;
-  from_software.position(1).steps <= signed(written_data(31 downto 0));
+  from_software.position(1) <= to_step_generator_position(written_data);
   from_software.position_written(2) <= position_2_written;
-  from_software.position(2).steps <= signed(written_data(31 downto 0));
+  from_software.position(2) <= to_step_generator_position(written_data);
   from_software.position_written(3) <= position_3_written;
-  from_software.position(3).steps <= signed(written_data(31 downto 0));
+  from_software.position(3) <= to_step_generator_position(written_data);
   from_software.position_written(4) <= position_4_written;
-  from_software.position(4).steps <= signed(written_data(31 downto 0));
+  from_software.position(4) <= to_step_generator_position(written_data);
   from_software.position_written(5) <= position_5_written;
-  from_software.position(5).steps <= signed(written_data(31 downto 0));
+  from_software.position(5) <= to_step_generator_position(written_data);
   from_software.position_written(6) <= position_6_written;
-  from_software.position(6).steps <= signed(written_data(31 downto 0));
+  from_software.position(6) <= to_step_generator_position(written_data);
   from_software.position_written(7) <= position_7_written;
-  from_software.position(7).steps <= signed(written_data(31 downto 0));
+  from_software.position(7) <= to_step_generator_position(written_data);
+
 end architecture;

@@ -31,9 +31,9 @@ architecture rtl of step_pins_registers is
   signal read_word : std_ulogic_vector(31 downto 0);
   signal control_word : std_ulogic_vector(31 downto 0);
   signal step_word : std_ulogic_vector(31 downto 0);
-  signal step_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal step_stored : step_pins_step_t := step_pins_step_after_reset;
   signal direction_word : std_ulogic_vector(31 downto 0);
-  signal direction_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal direction_stored : step_pins_direction_t := step_pins_direction_after_reset;
   signal stop_word : std_ulogic_vector(31 downto 0);
   signal status_word : std_ulogic_vector(31 downto 0);
   signal control_written : std_ulogic := '0';
@@ -72,15 +72,15 @@ begin
 
   writable <= '1' when request.address(11 downto 2) <= 4 else '0';
 
-  control_word <= "0000000000000000000000000000000" & to_software.control.software
+  control_word <= to_word(to_software.control)
     when request.address(11 downto 2) = 0 else (others => '0');
-  step_word <= "000000000000000000000000" & step_stored(7 downto 0)
+  step_word <= to_word(step_stored)
     when request.address(11 downto 2) = 1 else (others => '0');
-  direction_word <= "000000000000000000000000" & direction_stored(7 downto 0)
+  direction_word <= to_word(direction_stored)
     when request.address(11 downto 2) = 2 else (others => '0');
-  stop_word <= "0000000000000000000000000000000" & to_software.stop.stopped
+  stop_word <= to_word(to_software.stop)
     when request.address(11 downto 2) = 3 else (others => '0');
-  status_word <= "000000000000000000000000000000" & to_software.status.refused & to_software.status.permitted
+  status_word <= to_word(to_software.status)
     when request.address(11 downto 2) = 4 else (others => '0');
 
   read_word <= control_word
@@ -93,18 +93,19 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 1 then
-      step_stored <= written_data;
+      step_stored <= to_step_pins_step(written_data);
     end if;
     if writing = '1' and register_index = 2 then
-      direction_stored <= written_data;
+      direction_stored <= to_step_pins_direction(written_data);
     end if;
     if reset then
-      step_stored <= x"00000000";
-      direction_stored <= x"00000000";
+      step_stored <= step_pins_step_after_reset;
+      direction_stored <= step_pins_direction_after_reset;
     end if;
   end process;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     control_written <= access_begins and known and request.write and
@@ -121,12 +122,12 @@ begin
   end process;
 
   from_software.control_written <= control_written;
-  from_software.control.software <= written_data(0);
-  from_software.step.pins <= step_stored(7 downto 0);
-  from_software.direction.pins <= direction_stored(7 downto 0);
+  from_software.control <= to_step_pins_control(written_data);
+  from_software.step <= step_stored;
+  from_software.direction <= direction_stored;
   from_software.stop_written <= stop_written;
-  from_software.stop.stopped <= written_data(0);
+  from_software.stop <= to_step_pins_stop(written_data);
   from_software.status_written <= status_written;
-  from_software.status.permitted <= written_data(0);
-  from_software.status.refused <= written_data(1);
+  from_software.status <= to_step_pins_status(written_data);
+
 end architecture;

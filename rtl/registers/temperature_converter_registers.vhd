@@ -93,59 +93,59 @@ begin
   readable <= '1' when request.address(11 downto 2) <= 25 else '0';
 
   writable <= '1' when request.address(11 downto 2) <= 4
-      or request.address(11 downto 2) = 25 else '0';
+    or request.address(11 downto 2) = 25 else '0';
 
-  control_word <= "00000000" & std_ulogic_vector(to_software.control.more_charges) & std_ulogic_vector(to_software.control.dither_cycles) & "000000" & to_software.control.references & to_software.control.enable
+  control_word <= to_word(to_software.control)
     when request.address(11 downto 2) = 0 else (others => '0');
-  discharge_word <= "00000000" & std_ulogic_vector(to_software.discharge.cycles)
+  discharge_word <= to_word(to_software.discharge)
     when request.address(11 downto 2) = 1 else (others => '0');
-  timeout_word <= "00000000" & std_ulogic_vector(to_software.timeout.cycles)
+  timeout_word <= to_word(to_software.timeout)
     when request.address(11 downto 2) = 2 else (others => '0');
-  pause_word <= "00000000" & std_ulogic_vector(to_software.pause.cycles)
+  pause_word <= to_word(to_software.pause)
     when request.address(11 downto 2) = 3 else (others => '0');
-  short_limit_word <= std_ulogic_vector(to_software.short_limit.cycles)
+  short_limit_word <= to_word(to_software.short_limit)
     when request.address(11 downto 2) = 4 else (others => '0');
-  status_0_word <= "0000000000000000" & std_ulogic_vector(to_software.status(0).conversions) & "00000" & std_ulogic_vector(to_software.status(0).state)
+  status_0_word <= to_word(to_software.status(0))
     when request.address(11 downto 2) = 5 else (others => '0');
-  status_1_word <= "0000000000000000" & std_ulogic_vector(to_software.status(1).conversions) & "00000" & std_ulogic_vector(to_software.status(1).state)
+  status_1_word <= to_word(to_software.status(1))
     when request.address(11 downto 2) = 6 else (others => '0');
-  status_2_word <= "0000000000000000" & std_ulogic_vector(to_software.status(2).conversions) & "00000" & std_ulogic_vector(to_software.status(2).state)
+  status_2_word <= to_word(to_software.status(2))
     when request.address(11 downto 2) = 7 else (others => '0');
-  status_3_word <= "0000000000000000" & std_ulogic_vector(to_software.status(3).conversions) & "00000" & std_ulogic_vector(to_software.status(3).state)
+  status_3_word <= to_word(to_software.status(3))
     when request.address(11 downto 2) = 8 else (others => '0');
-  age_0_word <= "000000000000" & std_ulogic_vector(to_software.age(0).ticks)
+  age_0_word <= to_word(to_software.age(0))
     when request.address(11 downto 2) = 9 else (others => '0');
-  age_1_word <= "000000000000" & std_ulogic_vector(to_software.age(1).ticks)
+  age_1_word <= to_word(to_software.age(1))
     when request.address(11 downto 2) = 10 else (others => '0');
-  age_2_word <= "000000000000" & std_ulogic_vector(to_software.age(2).ticks)
+  age_2_word <= to_word(to_software.age(2))
     when request.address(11 downto 2) = 11 else (others => '0');
-  age_3_word <= "000000000000" & std_ulogic_vector(to_software.age(3).ticks)
+  age_3_word <= to_word(to_software.age(3))
     when request.address(11 downto 2) = 12 else (others => '0');
-  thermistor_0_word <= std_ulogic_vector(to_software.thermistor(0).cycles)
+  thermistor_0_word <= to_word(to_software.thermistor(0))
     when request.address(11 downto 2) = 13 else (others => '0');
-  thermistor_1_word <= std_ulogic_vector(to_software.thermistor(1).cycles)
+  thermistor_1_word <= to_word(to_software.thermistor(1))
     when request.address(11 downto 2) = 14 else (others => '0');
-  thermistor_2_word <= std_ulogic_vector(to_software.thermistor(2).cycles)
+  thermistor_2_word <= to_word(to_software.thermistor(2))
     when request.address(11 downto 2) = 15 else (others => '0');
-  thermistor_3_word <= std_ulogic_vector(to_software.thermistor(3).cycles)
+  thermistor_3_word <= to_word(to_software.thermistor(3))
     when request.address(11 downto 2) = 16 else (others => '0');
-  reference_low_0_word <= std_ulogic_vector(to_software.reference_low(0).cycles)
+  reference_low_0_word <= to_word(to_software.reference_low(0))
     when request.address(11 downto 2) = 17 else (others => '0');
-  reference_low_1_word <= std_ulogic_vector(to_software.reference_low(1).cycles)
+  reference_low_1_word <= to_word(to_software.reference_low(1))
     when request.address(11 downto 2) = 18 else (others => '0');
-  reference_low_2_word <= std_ulogic_vector(to_software.reference_low(2).cycles)
+  reference_low_2_word <= to_word(to_software.reference_low(2))
     when request.address(11 downto 2) = 19 else (others => '0');
-  reference_low_3_word <= std_ulogic_vector(to_software.reference_low(3).cycles)
+  reference_low_3_word <= to_word(to_software.reference_low(3))
     when request.address(11 downto 2) = 20 else (others => '0');
-  reference_high_0_word <= std_ulogic_vector(to_software.reference_high(0).cycles)
+  reference_high_0_word <= to_word(to_software.reference_high(0))
     when request.address(11 downto 2) = 21 else (others => '0');
-  reference_high_1_word <= std_ulogic_vector(to_software.reference_high(1).cycles)
+  reference_high_1_word <= to_word(to_software.reference_high(1))
     when request.address(11 downto 2) = 22 else (others => '0');
-  reference_high_2_word <= std_ulogic_vector(to_software.reference_high(2).cycles)
+  reference_high_2_word <= to_word(to_software.reference_high(2))
     when request.address(11 downto 2) = 23 else (others => '0');
-  reference_high_3_word <= std_ulogic_vector(to_software.reference_high(3).cycles)
+  reference_high_3_word <= to_word(to_software.reference_high(3))
     when request.address(11 downto 2) = 24 else (others => '0');
-  settings_lock_word <= "000000000000000000000000000000" & to_software.settings_lock.refused & to_software.settings_lock.locked
+  settings_lock_word <= to_word(to_software.settings_lock)
     when request.address(11 downto 2) = 25 else (others => '0');
 
   read_word <= control_word
@@ -175,7 +175,8 @@ begin
     or reference_high_3_word
     or settings_lock_word;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     control_written <= access_begins and known and request.write and
@@ -201,19 +202,16 @@ begin
   end process;
 
   from_software.control_written <= control_written;
-  from_software.control.enable <= written_data(0);
-  from_software.control.references <= written_data(1);
-  from_software.control.dither_cycles <= unsigned(written_data(15 downto 8));
-  from_software.control.more_charges <= unsigned(written_data(23 downto 16));
+  from_software.control <= to_temperature_converter_control(written_data);
   from_software.discharge_written <= discharge_written;
-  from_software.discharge.cycles <= unsigned(written_data(23 downto 0));
+  from_software.discharge <= to_temperature_converter_discharge(written_data);
   from_software.timeout_written <= timeout_written;
-  from_software.timeout.cycles <= unsigned(written_data(23 downto 0));
+  from_software.timeout <= to_temperature_converter_timeout(written_data);
   from_software.pause_written <= pause_written;
-  from_software.pause.cycles <= unsigned(written_data(23 downto 0));
+  from_software.pause <= to_temperature_converter_pause(written_data);
   from_software.short_limit_written <= short_limit_written;
-  from_software.short_limit.cycles <= unsigned(written_data(31 downto 0));
+  from_software.short_limit <= to_temperature_converter_short_limit(written_data);
   from_software.settings_lock_written <= settings_lock_written;
-  from_software.settings_lock.locked <= written_data(0);
-  from_software.settings_lock.refused <= written_data(1);
+  from_software.settings_lock <= to_temperature_converter_settings_lock(written_data);
+
 end architecture;

@@ -32,7 +32,7 @@ architecture rtl of timer_registers is
   signal time_low_word : std_ulogic_vector(31 downto 0);
   signal time_high_word : std_ulogic_vector(31 downto 0);
   signal compare_low_word : std_ulogic_vector(31 downto 0);
-  signal compare_low_stored : std_ulogic_vector(31 downto 0) := x"FFFFFFFF";
+  signal compare_low_stored : timer_compare_low_t := timer_compare_low_after_reset;
   signal compare_high_word : std_ulogic_vector(31 downto 0);
   signal time_low_read : std_ulogic := '0';
   signal compare_high_written : std_ulogic := '0';
@@ -69,13 +69,13 @@ begin
 
   writable <= '1' when (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 3) else '0';
 
-  time_low_word <= std_ulogic_vector(to_software.time_low.cycles)
+  time_low_word <= to_word(to_software.time_low)
     when request.address(11 downto 2) = 0 else (others => '0');
-  time_high_word <= std_ulogic_vector(to_software.time_high.cycles)
+  time_high_word <= to_word(to_software.time_high)
     when request.address(11 downto 2) = 1 else (others => '0');
-  compare_low_word <= compare_low_stored(31 downto 0)
+  compare_low_word <= to_word(compare_low_stored)
     when request.address(11 downto 2) = 2 else (others => '0');
-  compare_high_word <= std_ulogic_vector(to_software.compare_high.cycles)
+  compare_high_word <= to_word(to_software.compare_high)
     when request.address(11 downto 2) = 3 else (others => '0');
 
   read_word <= time_low_word
@@ -87,14 +87,15 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 2 then
-      compare_low_stored <= written_data;
+      compare_low_stored <= to_timer_compare_low(written_data);
     end if;
     if reset then
-      compare_low_stored <= x"FFFFFFFF";
+      compare_low_stored <= timer_compare_low_after_reset;
     end if;
   end process;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     time_low_read <= access_begins and known and not request.write and
@@ -108,7 +109,8 @@ begin
   end process;
 
   from_software.time_low_read <= time_low_read;
-  from_software.compare_low.cycles <= unsigned(compare_low_stored(31 downto 0));
+  from_software.compare_low <= compare_low_stored;
   from_software.compare_high_written <= compare_high_written;
-  from_software.compare_high.cycles <= unsigned(written_data(31 downto 0));
+  from_software.compare_high <= to_timer_compare_high(written_data);
+
 end architecture;

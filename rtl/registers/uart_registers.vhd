@@ -30,17 +30,17 @@ architecture rtl of uart_registers is
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal baud_rate_word : std_ulogic_vector(31 downto 0);
-  signal baud_rate_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal baud_rate_stored : uart_baud_rate_t := uart_baud_rate_after_reset;
   signal status_word : std_ulogic_vector(31 downto 0);
   signal data_word : std_ulogic_vector(31 downto 0);
   signal interrupts_word : std_ulogic_vector(31 downto 0);
-  signal interrupts_stored : std_ulogic_vector(31 downto 0) := x"00000000";
+  signal interrupts_stored : uart_interrupts_t := uart_interrupts_after_reset;
   signal overruns_word : std_ulogic_vector(31 downto 0);
   signal framing_errors_word : std_ulogic_vector(31 downto 0);
   signal breaks_word : std_ulogic_vector(31 downto 0);
   signal noisy_bytes_word : std_ulogic_vector(31 downto 0);
   signal line_ends_word : std_ulogic_vector(31 downto 0);
-  signal line_ends_stored : std_ulogic_vector(31 downto 0) := x"00000D0A";
+  signal line_ends_stored : uart_line_ends_t := uart_line_ends_after_reset;
   signal clear_written : std_ulogic := '0';
   signal data_written : std_ulogic := '0';
   signal data_read : std_ulogic := '0';
@@ -74,29 +74,29 @@ begin
   known <= writable and (and request.select_bytes) when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
-      or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 9) else '0';
+    or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 9) else '0';
 
   writable <= '1' when request.address(11 downto 2) = 0
-      or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4)
-      or request.address(11 downto 2) = 9 else '0';
+    or (request.address(11 downto 2) >= 2 and request.address(11 downto 2) <= 4)
+    or request.address(11 downto 2) = 9 else '0';
 
-  baud_rate_word <= baud_rate_stored(31 downto 0)
+  baud_rate_word <= to_word(baud_rate_stored)
     when request.address(11 downto 2) = 0 else (others => '0');
-  status_word <= "00" & to_software.status.line_waits & to_software.status.noise & to_software.status.break_condition & to_software.status.framing_error & to_software.status.overrun & to_software.status.transmit_idle & std_ulogic_vector(to_software.status.transmit_space) & std_ulogic_vector(to_software.status.receive_level)
+  status_word <= to_word(to_software.status)
     when request.address(11 downto 2) = 1 else (others => '0');
-  data_word <= "0000000000000000000000" & to_software.data.gap & to_software.data.valid & std_ulogic_vector(to_software.data.byte)
+  data_word <= to_word(to_software.data)
     when request.address(11 downto 2) = 3 else (others => '0');
-  interrupts_word <= "0000" & interrupts_stored(27 downto 16) & "000" & interrupts_stored(12) & interrupts_stored(11 downto 0)
+  interrupts_word <= to_word(interrupts_stored)
     when request.address(11 downto 2) = 4 else (others => '0');
-  overruns_word <= "0000000000000000" & std_ulogic_vector(to_software.overruns.count)
+  overruns_word <= to_word(to_software.overruns)
     when request.address(11 downto 2) = 5 else (others => '0');
-  framing_errors_word <= "0000000000000000" & std_ulogic_vector(to_software.framing_errors.count)
+  framing_errors_word <= to_word(to_software.framing_errors)
     when request.address(11 downto 2) = 6 else (others => '0');
-  breaks_word <= "0000000000000000" & std_ulogic_vector(to_software.breaks.count)
+  breaks_word <= to_word(to_software.breaks)
     when request.address(11 downto 2) = 7 else (others => '0');
-  noisy_bytes_word <= "0000000000000000" & std_ulogic_vector(to_software.noisy_bytes.count)
+  noisy_bytes_word <= to_word(to_software.noisy_bytes)
     when request.address(11 downto 2) = 8 else (others => '0');
-  line_ends_word <= "0000000000000000" & line_ends_stored(15 downto 8) & line_ends_stored(7 downto 0)
+  line_ends_word <= to_word(line_ends_stored)
     when request.address(11 downto 2) = 9 else (others => '0');
 
   read_word <= baud_rate_word
@@ -113,22 +113,23 @@ begin
   begin
     wait until rising_edge(clk);
     if writing = '1' and register_index = 0 then
-      baud_rate_stored <= written_data;
+      baud_rate_stored <= to_uart_baud_rate(written_data);
     end if;
     if writing = '1' and register_index = 4 then
-      interrupts_stored <= written_data;
+      interrupts_stored <= to_uart_interrupts(written_data);
     end if;
     if writing = '1' and register_index = 9 then
-      line_ends_stored <= written_data;
+      line_ends_stored <= to_uart_line_ends(written_data);
     end if;
     if reset then
-      baud_rate_stored <= x"00000000";
-      interrupts_stored <= x"00000000";
-      line_ends_stored <= x"00000D0A";
+      baud_rate_stored <= uart_baud_rate_after_reset;
+      interrupts_stored <= uart_interrupts_after_reset;
+      line_ends_stored <= uart_line_ends_after_reset;
     end if;
   end process;
 
-  tell_events : process
+  -- Which register it is, is found out before the clock in which the hardware needs it.
+  find_events : process
   begin
     wait until rising_edge(clk);
     clear_written <= access_begins and known and request.write and
@@ -144,26 +145,20 @@ begin
     end if;
   end process;
 
+  -- One clock later than the write, together with the stored value.
   note_baud_rate : process
   begin
     wait until rising_edge(clk);
     from_software.baud_rate_written <= '1' when writing = '1' and register_index = 0 else '0';
   end process;
 
-  from_software.baud_rate.increment <= unsigned(baud_rate_stored(31 downto 0));
+  from_software.baud_rate <= baud_rate_stored;
   from_software.clear_written <= clear_written;
-  from_software.clear.overrun <= written_data(0);
-  from_software.clear.framing_error <= written_data(1);
-  from_software.clear.break_condition <= written_data(2);
-  from_software.clear.noise <= written_data(3);
+  from_software.clear <= to_uart_clear(written_data);
   from_software.data_written <= data_written;
   from_software.data_read <= data_read;
-  from_software.data.byte <= unsigned(written_data(7 downto 0));
-  from_software.data.valid <= written_data(8);
-  from_software.data.gap <= written_data(9);
-  from_software.interrupts.receive_threshold <= unsigned(interrupts_stored(11 downto 0));
-  from_software.interrupts.on_line_end <= interrupts_stored(12);
-  from_software.interrupts.transmit_threshold <= unsigned(interrupts_stored(27 downto 16));
-  from_software.line_ends.first <= unsigned(line_ends_stored(7 downto 0));
-  from_software.line_ends.second <= unsigned(line_ends_stored(15 downto 8));
+  from_software.data <= to_uart_data(written_data);
+  from_software.interrupts <= interrupts_stored;
+  from_software.line_ends <= line_ends_stored;
+
 end architecture;

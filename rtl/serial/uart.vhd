@@ -11,8 +11,8 @@ use work.uart_registers_pkg.all;
 entity uart is
   generic (
     -- Bytes, a power of two, at most 2048.
-    receive_depth : positive := 2048;
-    transmit_depth : positive := 512
+    receive_depth : positive := uart_receive_depth;
+    transmit_depth : positive := uart_transmit_depth
   );
   port (
     -- Edges may be left out while `at_rest` is high, but for the one after a change of `receive`.

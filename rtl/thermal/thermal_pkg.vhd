@@ -5,6 +5,8 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
+use work.heater_control_registers_pkg.all;
+
 package thermal_pkg is
 
   -- The resistors through which a channel charges its capacitor: bit numbers of its drive pins.
@@ -14,7 +16,7 @@ package thermal_pkg is
   constant resistors : positive := 3;
 
   -- One clock of all time-outs and ages of the thermal part.
-  constant tick_cycles : positive := 1024;
+  constant tick_cycles : positive := heater_control_tick_cycles;
   constant tick_count_bits : positive := 20;
   subtype tick_count_t is unsigned(tick_count_bits - 1 downto 0);
 

@@ -10,6 +10,7 @@ library std;
 use std.env.finish;
 
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 entity segment_queue_tb is
 end entity;

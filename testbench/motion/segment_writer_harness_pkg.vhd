@@ -6,11 +6,12 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 package segment_writer_harness_pkg is
 
   constant axes : positive := 2;
-  constant continues_line : natural := 2 ** continues_line_bit;
+  constant continues_line : natural := 2 ** step_generator_segment_flags_continues_line_bit;
 
   constant full : refusal_t := (queue_full => '1', others => '0');
   constant incomplete : refusal_t := (incomplete => '1', others => '0');

@@ -14,6 +14,7 @@ use std.env.finish;
 use work.random_source_pkg.all;
 use work.segment_writer_harness_pkg.all;
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 entity segment_writer_random_tb is
 end entity;
@@ -71,7 +72,7 @@ begin
       flags(24 + random.between(0, 3)) := '1';
       flags(28 + random.between(0, 3)) := '1';
       if continues then
-        flags(continues_line_bit) := '1';
+        flags(step_generator_segment_flags_continues_line_bit) := '1';
       end if;
       put(clk, inputs, flags_lane, flags);
       is_legal := continues or (flags(27 downto 24) and flags(31 downto 28)) = x"0";

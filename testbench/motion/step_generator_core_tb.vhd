@@ -11,11 +11,16 @@ use std.env.finish;
 
 use work.random_source_pkg.all;
 use work.step_generator_pkg.all;
+use work.step_generator_registers_pkg.all;
 
 entity step_generator_core_tb is
 end entity;
 
 architecture simulation of step_generator_core_tb is
+
+  constant continues_line : natural := 2 ** step_generator_segment_flags_continues_line_bit;
+  constant stop_brakes : natural := 2 ** step_generator_segment_flags_stop_brakes_bit;
+  constant waits_for_start : natural := 2 ** step_generator_segment_flags_waits_for_start_bit;
 
   constant axes : positive := 3;
   constant depth : positive := 4;
@@ -312,7 +317,7 @@ begin
       put(steps_lane + axis, 1000);
     end loop;
     put_course(600, 2 ** 24);
-    put(flags_lane, 16#40000# + 2 ** continues_line_bit);
+    put(flags_lane, 16#40000# + continues_line);
     put_course(400, 2 ** 24);
     wait until rising_edge(clk) and moving = '1';
     set_position <= "010";
@@ -359,7 +364,7 @@ begin
     acknowledge_stop <= '1';
     clocks(1);
     acknowledge_stop <= '0';
-    put(flags_lane, 16#40000# + 2 ** stop_brakes_bit + 2 ** waits_for_start_bit);
+    put(flags_lane, 16#40000# + stop_brakes + waits_for_start);
     put(line_ticks_lane, 5000);
     for axis in 0 to axes - 1 loop
       put(steps_lane + axis, 5000 - axis);
@@ -392,7 +397,7 @@ begin
     assert moving = '0' and level = 1 and idle = '0' severity failure;
     run <= '1';
     wait_until_idle;
-    put_line(20, 2 ** waits_for_start_bit);
+    put_line(20, waits_for_start);
     clocks(50);
     assert waiting = '1' and moving = '0' severity failure;
     pulse(software_start);
@@ -405,7 +410,7 @@ begin
     clocks(2);
     start <= '1';
     clocks(3);
-    put_line(20, 2 ** waits_for_start_bit);
+    put_line(20, waits_for_start);
     clocks(50);
     assert waiting = '1' and moving = '0' severity failure;
 

@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "drivers/registers/end_stops_registers.hpp"
-#include "drivers/registers/fan_registers.hpp"
-#include "drivers/registers/identity_registers.hpp"
-#include "drivers/registers/step_generator_registers.hpp"
-#include "drivers/registers/temperature_converter_registers.hpp"
-#include "drivers/registers/timer_registers.hpp"
-#include "drivers/registers/uart_registers.hpp"
 #include "platform/boot_loader.hpp"
 #include "platform/bus.hpp"
+#include "registers/end_stops_registers.hpp"
+#include "registers/fan_registers.hpp"
+#include "registers/identity_registers.hpp"
+#include "registers/step_generator_registers.hpp"
+#include "registers/temperature_converter_registers.hpp"
+#include "registers/timer_registers.hpp"
+#include "registers/uart_registers.hpp"
 
 namespace application_test {
 namespace {
@@ -101,7 +101,9 @@ bool FakeChip::wakes() const {
 std::uint32_t FakeChip::read(std::uint32_t address) {
   time += 2;
   using namespace registers;
-  if (address == identity::Magic::address) return 0x53464142;
+  if (address == identity::Magic::address) {
+    return identity::Magic{identity::Magic::Word::stepfabric}.encode();
+  }
   if (address == identity::Clock::address) return clock_hz;
   if (address == identity::Motion::address)
     return identity::Motion{.axes = 5, .queue_depth = 32}.encode();
@@ -170,7 +172,7 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     const auto state = time < first_reading     ? State::never
                        : heaters[i].open_sensor ? State::open
                                                 : State::ok;
-    return sense::Status{.state = static_cast<std::uint32_t>(state),
+    return sense::Status{.state = state,
                          .conversions = static_cast<std::uint32_t>(time / (clock_hz / 16)) & 0xFFu}
         .encode();
   }
@@ -192,7 +194,7 @@ void FakeChip::write(std::uint32_t address, std::uint32_t value) {
   if (address == registers::uart::Data::address) from_firmware.push_back(static_cast<char>(value));
   if (address == registers::fan::Duty::address) fan_duty = value;
   if (address == steps::MotorEnable::address) motors = value;
-  if (address == heat::Feed::address) feed(value);
+  if (address == heat::Feed::address) feed(heat::Feed::decode(value).key);
   if (address == heat::Supply::address) switch_supply(heat::Supply::decode(value).key);
   if (address == steps::Command::address) command(value);
   if (address == steps::SegmentCommit::address) commit();
@@ -201,10 +203,10 @@ void FakeChip::write(std::uint32_t address, std::uint32_t value) {
   }
 }
 
-void FakeChip::feed(std::uint32_t key) {
+void FakeChip::feed(heat::Feed::Key key) {
   using Key = heat::Feed::Key;
   const auto expected = second_key_is_next_ ? Key::second : Key::first;
-  if (key != static_cast<std::uint32_t>(expected)) ++wrong_watchdog_feeds;
+  if (key != expected) ++wrong_watchdog_feeds;
   second_key_is_next_ = !second_key_is_next_;
   if (!second_key_is_next_) ++watchdog_feeds;
 }
@@ -221,12 +223,12 @@ void FakeChip::open_supply(bool heat::Supply::* cause) {
   if (cause != nullptr) supply_.*cause = true;
 }
 
-void FakeChip::switch_supply(std::uint32_t key) {
+void FakeChip::switch_supply(heat::Supply::Key key) {
   using Key = heat::Supply::Key;
-  if (key == static_cast<std::uint32_t>(Key::close)) {
+  if (key == Key::close) {
     supply_ = {.closed = !supply_refuses, .refused = supply_refuses};
   }
-  if (key == static_cast<std::uint32_t>(Key::open)) supply_.closed = false;
+  if (key == Key::open) supply_.closed = false;
 }
 
 void FakeChip::command(std::uint32_t value) {

@@ -8,7 +8,7 @@
 #include <deque>
 #include <string>
 
-#include "drivers/registers/heater_control_registers.hpp"
+#include "registers/heater_control_registers.hpp"
 
 namespace application_test {
 
@@ -94,8 +94,8 @@ class FakeChip {
   std::uint32_t end_stops() const;
   void commit();
   void command(std::uint32_t value);
-  void feed(std::uint32_t key);
-  void switch_supply(std::uint32_t key);
+  void feed(registers::heater_control::Feed::Key key);
+  void switch_supply(registers::heater_control::Supply::Key key);
   void advance_motion(std::uint32_t clocks);
   void walk_to(std::int64_t line_tick);
   std::int64_t steps_until(std::size_t axis, std::int64_t line_tick) const;

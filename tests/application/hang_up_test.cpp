@@ -3,7 +3,7 @@
 // first line is its own.
 #include <gtest/gtest.h>
 
-#include "drivers/registers/uart_registers.hpp"
+#include "registers/uart_registers.hpp"
 #include "tests/application/dialogue.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <Vend_stops.h>
 
-#include "drivers/registers/end_stops_registers.hpp"
+#include "registers/end_stops_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <Vfan.h>
 #include <array>
 
-#include "drivers/registers/fan_registers.hpp"
+#include "registers/fan_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <Vheater_control.h>
 
-#include "drivers/registers/heater_control_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

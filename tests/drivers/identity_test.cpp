@@ -7,7 +7,7 @@
 #include <Videntity.h>
 #include <string>
 
-#include "drivers/registers/identity_registers.hpp"
+#include "registers/identity_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

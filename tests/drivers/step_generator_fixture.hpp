@@ -8,8 +8,8 @@
 
 #include <Vstep_generator.h>
 
-#include "drivers/registers/step_generator_registers.hpp"
 #include "platform/bus.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/drivers/pulse_recorder.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 

@@ -22,12 +22,9 @@ class StepGeneratorRateTest : public tests::StepGeneratorFixture {
       platform::write(axis, registers::SegmentSteps{1});
     }
     platform::write(registers::SegmentTicks{1});
-    platform::write(registers::SegmentRateLow{0});
-    platform::write(registers::SegmentRateHigh{1u << 31u});
-    platform::write(registers::SegmentAccelerationLow{0});
-    platform::write(registers::SegmentAccelerationHigh{0});
-    platform::write(registers::SegmentJerkLow{0});
-    platform::write(registers::SegmentJerkHigh{0});
+    platform::write(registers::SegmentRate{std::uint64_t{1} << 63u});
+    platform::write(registers::SegmentAcceleration{});
+    platform::write(registers::SegmentJerk{});
     platform::write(registers::SegmentCommit{});
   }
 

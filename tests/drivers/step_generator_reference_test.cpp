@@ -39,10 +39,6 @@ void expect_same_edges(const std::vector<Edge>& actual, const std::vector<Edge>&
          << describe(wanted, expected.end());
 }
 
-std::uint64_t joined(std::uint32_t low, std::uint32_t high) {
-  return std::uint64_t{high} << 32u | low;
-}
-
 void expect_same_registers(const StepGeneratorReference& reference) {
   const auto& counters = reference.counters();
   EXPECT_EQ(platform::read<registers::SegmentsExecuted>().count, counters.segments);
@@ -55,12 +51,8 @@ void expect_same_registers(const StepGeneratorReference& reference) {
   EXPECT_EQ(platform::read<registers::MotorEnable>().axes, reference.motors());
   EXPECT_EQ(platform::read<registers::Errors>().encode(), reference.errors());
   EXPECT_EQ(platform::read<registers::StopCause>().encode(), reference.stop_cause());
-  EXPECT_EQ(joined(platform::read<registers::StopTimeLow>().clocks,
-                   platform::read<registers::StopTimeHigh>().clocks),
-            reference.stop_moment().clock);
-  EXPECT_EQ(joined(platform::read<registers::SnapshotTimeLow>().clocks,
-                   platform::read<registers::SnapshotTimeHigh>().clocks),
-            reference.snapshot().clock);
+  EXPECT_EQ(platform::read<registers::StopTime>().clocks, reference.stop_moment().clock);
+  EXPECT_EQ(platform::read<registers::SnapshotTime>().clocks, reference.snapshot().clock);
   for (std::size_t axis = 0; axis < motion_reference::axes; ++axis) {
     EXPECT_EQ(platform::read<registers::Position>(axis).steps, reference.positions()[axis]);
     EXPECT_EQ(platform::read<registers::AxisStalls>(axis).clocks, counters.axis_stalls[axis]);

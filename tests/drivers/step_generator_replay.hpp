@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 #include "tests/motion_reference/stimulus.hpp"
 

@@ -29,12 +29,9 @@ class StepGeneratorSettingsTest : public tests::StepGeneratorFixture {
     platform::write(registers::SegmentLineTicks{1});
     for (std::size_t axis = 0; axis < 5; ++axis) platform::write(axis, registers::SegmentSteps{1});
     platform::write(registers::SegmentTicks{1});
-    platform::write(registers::SegmentRateLow{0});
-    platform::write(registers::SegmentRateHigh{1u << 31u});
-    platform::write(registers::SegmentAccelerationLow{0});
-    platform::write(registers::SegmentAccelerationHigh{0});
-    platform::write(registers::SegmentJerkLow{0});
-    platform::write(registers::SegmentJerkHigh{0});
+    platform::write(registers::SegmentRate{std::uint64_t{1} << 63u});
+    platform::write(registers::SegmentAcceleration{});
+    platform::write(registers::SegmentJerk{});
   }
 
   // X at the full rate, then `write`.

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "drivers/registers/step_generator_registers.hpp"
 #include "drivers/step_generator.hpp"
 #include "platform/bus.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "drivers/registers/temperature_converter_registers.hpp"
+#include "registers/temperature_converter_registers.hpp"
 #include "sim/devices/thermistor_input.hpp"
 #include "sim/machine/board_signals.hpp"
 #include "tests/drivers/verilated_bus.hpp"

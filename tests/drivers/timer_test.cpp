@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <Vtimer.h>
 
-#include "drivers/registers/timer_registers.hpp"
+#include "registers/timer_registers.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace {

@@ -10,14 +10,14 @@
 #include <span>
 #include <string>
 
-#include "drivers/registers/uart_registers.hpp"
+#include "registers/uart_registers.hpp"
 #include "tests/drivers/serial_host.hpp"
 #include "tests/drivers/verilated_bus.hpp"
 
 namespace tests {
 
-constexpr std::size_t receive_depth = 2048;
-constexpr std::size_t transmit_depth = 512;
+using registers::uart::receive_depth;
+using registers::uart::transmit_depth;
 
 // Of `baud` on a chip that is clocked with `clock_hz`; the host's speed is off by
 // `deviation`.

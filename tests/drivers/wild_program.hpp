@@ -11,7 +11,7 @@
 #include <verilated.h>
 #include <Vstep_generator.h>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/drivers/motor_pin_watch.hpp"
 
 namespace tests {

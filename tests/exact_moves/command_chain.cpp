@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "drivers/registers/step_generator_registers.hpp"
-#include "drivers/registers/temperature_converter_registers.hpp"
 #include "machine/machine.hpp"
 #include "platform/boot_loader.hpp"
 #include "platform/bus.hpp"
+#include "registers/step_generator_registers.hpp"
+#include "registers/temperature_converter_registers.hpp"
 
 namespace exact_moves {
 
@@ -60,8 +60,7 @@ std::uint32_t StepCounter::read(std::uint32_t address) {
   }
   if (address == generator::Scale::address) return 1u << 16;
   if (is_one_of<sense::Status>(address)) {
-    return sense::Status{.state = static_cast<std::uint32_t>(sense::Status::State::ok),
-                         .conversions = conversions_ & 0xFFu}
+    return sense::Status{.state = sense::Status::State::ok, .conversions = conversions_ & 0xFFu}
         .encode();
   }
   if (is_one_of<sense::Thermistor>(address)) return count_of(thermistor_ohms);

@@ -7,7 +7,7 @@
 #include <deque>
 #include <random>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 
 namespace motion_reference {
 namespace {
@@ -240,12 +240,13 @@ class Player {
     const double clocks = 2 * ticks / (rate + end_rate);
     const double acceleration = (end_rate - rate) / clocks * (chance(10) ? uniform(-3, 3) : 1);
     const double jerk = chance(50) ? 0 : uniform(-1, 1) * std::abs(acceleration) / clocks;
-    put_wide<registers::SegmentRateLow, registers::SegmentRateHigh>(fixed(rate, 64));
+    put_wide(registers::SegmentRate{fixed(rate, 64)});
     const bool any = chance(5);
-    put_wide<registers::SegmentAccelerationLow, registers::SegmentAccelerationHigh>(
-        any ? any_word() : fixed(acceleration, 84));
-    put_wide<registers::SegmentJerkLow, registers::SegmentJerkHigh>(any ? any_word()
-                                                                        : fixed(jerk, 84));
+    const auto number = [&](double value) {
+      return static_cast<std::int64_t>(any ? any_word() : fixed(value, 84));
+    };
+    put_wide(registers::SegmentAcceleration{number(acceleration)});
+    put_wide(registers::SegmentJerk{number(jerk)});
   }
 
   std::uint64_t any_word() {
@@ -261,10 +262,10 @@ class Player {
         static_cast<std::int64_t>(std::clamp(scaled, -9.2e18, 9.2e18)));
   }
 
-  template <class Low, class High>
-  void put_wide(std::uint64_t value) {
-    put(Low{static_cast<std::uint32_t>(value)});
-    put(High{static_cast<std::uint32_t>(value >> 32u)});
+  template <class Wide>
+  void put_wide(const Wide& value) {
+    put(value.low());
+    put(value.high());
   }
 
   static constexpr std::uint32_t all_motors = (1u << axes) - 1;

@@ -2,7 +2,7 @@
 // Reference: what a write to each register means.
 #include <algorithm>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 #include "tests/motion_reference/step_generator_reference.hpp"
 
 namespace motion_reference {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 
 namespace motion_reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "drivers/registers/step_generator_registers.hpp"
+#include "registers/step_generator_registers.hpp"
 
 namespace motion_reference {
 namespace {

@@ -47,9 +47,9 @@ const std::set<std::string> source_extensions{".vhd", ".cpp",   ".hpp",  ".c",  
                                               ".sh",  ".cmake", ".toml", ".ld", ".vlt"};
 
 bool is_generated(const fs::path& relative) {
-  const std::string stem = relative.stem().string();
-  return relative.string().find("registers/") != std::string::npos &&
-         (stem.ends_with("_registers") || stem.ends_with("_registers_pkg"));
+  const std::string folder = relative.parent_path().string();
+  return (folder == "rtl/registers" || folder == "firmware/registers") &&
+         relative.extension() != ".md";
 }
 
 TEST(repository, every_source_file_names_its_licence_at_the_top) {

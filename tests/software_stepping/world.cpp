@@ -6,11 +6,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "drivers/registers/end_stops_registers.hpp"
-#include "drivers/registers/step_pins_registers.hpp"
-#include "drivers/registers/timer_registers.hpp"
 #include "platform/bus.hpp"
 #include "platform/processor.hpp"
+#include "registers/end_stops_registers.hpp"
+#include "registers/step_pins_registers.hpp"
+#include "registers/timer_registers.hpp"
 #include "software_stepping/interrupts.hpp"
 
 namespace software_stepping_test {

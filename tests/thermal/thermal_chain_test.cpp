@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "drivers/heater_control.hpp"
-#include "drivers/registers/heater_control_registers.hpp"
-#include "drivers/registers/temperature_converter_registers.hpp"
 #include "drivers/temperature_converter.hpp"
 #include "platform/bus.hpp"
+#include "registers/heater_control_registers.hpp"
+#include "registers/temperature_converter_registers.hpp"
 #include "sim/devices/thermistor_input.hpp"
 #include "sim/machine/surroundings.hpp"
 #include "tests/drivers/verilated_bus.hpp"

@@ -6,9 +6,92 @@
 #include <cctype>
 
 #include "register_generator/description.hpp"
+#include "register_generator/template.hpp"
 
 namespace register_generator {
 namespace {
+
+constexpr std::string_view header_template =
+    R"(// SPDX-License-Identifier: Apache-2.0
+// Registers of `@unit@`. Generated from @source@: do not edit.
+// clang-format off
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// @summary@
+namespace registers::@unit@ {
+
+inline constexpr std::uint32_t base = 0x@address@u;
+@constants@
+@registers@
+
+}  // namespace registers::@unit@
+)";
+
+constexpr std::string_view register_template = R"(
+// @summary@
+struct @type@ {
+  @address@
+  @places@
+  @enumerations@
+  @fields@
+
+  static constexpr @type@ decode([[maybe_unused]] std::uint32_t word) {
+    return {
+      @decoded@
+    };
+  }
+  constexpr std::uint32_t encode() const {
+    return @encoded@;
+  }
+};
+)";
+
+constexpr std::string_view one_address =
+    R"(static constexpr std::uint32_t address = base + 0x@offset@u;
+)";
+
+constexpr std::string_view array_addresses =
+    R"(static constexpr std::size_t count = @count@;
+static constexpr std::uint32_t address_of(std::size_t index) {
+  return base + 0x@offset@u + 4u * static_cast<std::uint32_t>(index);
+}
+)";
+
+constexpr std::string_view number_places =
+    R"(static constexpr unsigned @field@_low = @low@, @field@_width = @width@;
+static constexpr std::uint32_t @field@_max = 0x@max@u, @field@_mask = @field@_max << @field@_low;
+)";
+
+constexpr std::string_view bit_places =
+    R"(static constexpr unsigned @field@_bit = @low@;
+static constexpr std::uint32_t @field@_mask = 1u << @field@_bit;
+)";
+
+constexpr std::string_view enumeration_template =
+    R"(enum class @type@ : std::uint@bits@_t {
+  @values@
+};
+)";
+
+constexpr std::string_view wide_template = R"(
+// @summary@ Two words.
+struct @type@ {
+  using Low = @type@Low;
+  using High = @type@High;
+  @number@ @field@{};
+
+  static constexpr @type@ decode(Low low, High high) {
+    return {.@field@ = static_cast<@number@>(std::uint64_t{high.@field@} << 32 | low.@field@)};
+  }
+  constexpr Low low() const { return {.@field@ = static_cast<std::uint32_t>(@field@)}; }
+  constexpr High high() const {
+    return {.@field@ = static_cast<std::uint32_t>(static_cast<std::uint64_t>(@field@) >> 32)};
+  }
+};
+)";
 
 std::string pascal_case(const std::string& name) {
   std::string result;
@@ -25,6 +108,7 @@ std::string pascal_case(const std::string& name) {
 }
 
 std::string type_of(const Field& field) {
+  if (field.is_enumeration()) return pascal_case(field.name);
   switch (field.type) {
     case FieldType::bit:
       return "bool";
@@ -39,6 +123,7 @@ std::string decoded(const Field& field) {
   const std::string shifted = field.lsb == 0 ? "word" : fmt::format("(word >> {}u)", field.lsb);
   const std::string masked =
       field.width() == 32 ? shifted : fmt::format("({} & 0x{:X}u)", shifted, field.mask());
+  if (field.is_enumeration()) return fmt::format("static_cast<{}>({})", type_of(field), masked);
   switch (field.type) {
     case FieldType::bit:
       return fmt::format("{} != 0", masked);
@@ -54,7 +139,7 @@ std::string decoded(const Field& field) {
 
 std::string encoded(const Field& field) {
   std::string value = field.type == FieldType::bit ? fmt::format("({} ? 1u : 0u)", field.name)
-                      : field.type == FieldType::signed_number
+                      : field.type == FieldType::signed_number || field.is_enumeration()
                           ? fmt::format("static_cast<std::uint32_t>({})", field.name)
                           : field.name;
   if (field.width() < 32 && field.type != FieldType::bit) {
@@ -63,54 +148,66 @@ std::string encoded(const Field& field) {
   return field.lsb == 0 ? value : fmt::format("{} << {}u", value, field.lsb);
 }
 
-void write_register(std::string& text, const Register& r) {
-  const std::string type = pascal_case(r.name);
-  text += fmt::format("\n// {}\nstruct {} {{\n", r.summary, type);
-  if (r.is_array) {
-    text += fmt::format("  static constexpr std::size_t count = {};\n", r.count);
-    text += fmt::format(
-        "  static constexpr std::uint32_t address_of(std::size_t index) {{\n"
-        "    return base + 0x{:X}u + 4u * static_cast<std::uint32_t>(index);\n  }}\n",
-        r.offset);
-  } else {
-    text += fmt::format("  static constexpr std::uint32_t address = base + 0x{:X}u;\n", r.offset);
-  }
+std::string places(const Field& field) {
+  return fill(field.type == FieldType::bit ? bit_places : number_places,
+              {{"field", field.name},
+               {"low", std::to_string(field.lsb)},
+               {"width", std::to_string(field.width())},
+               {"max", fmt::format("{:X}", field.mask())}});
+}
+
+std::string enumeration(const Field& field) {
+  std::string values;
+  for (const auto& [name, value] : field.values) values += fmt::format("{} = {},\n", name, value);
+  const unsigned bits = field.width() <= 8 ? 8 : field.width() <= 16 ? 16 : 32;
+  return fill(enumeration_template,
+              {{"type", type_of(field)}, {"bits", std::to_string(bits)}, {"values", values}});
+}
+
+std::string register_text(const Register& r) {
+  std::string all_places, enumerations, fields, decodings, encodings;
   for (const Field& field : r.fields) {
-    if (field.values.empty()) continue;
-    text += fmt::format("  enum class {} : std::uint32_t {{\n", pascal_case(field.name));
-    for (const auto& [name, value] : field.values)
-      text += fmt::format("    {} = {},\n", name, value);
-    text += "  };\n";
+    all_places += places(field);
+    if (field.is_enumeration()) enumerations += enumeration(field);
+    fields += fmt::format("// {}\n{} {}{{}};\n", field.summary, type_of(field), field.name);
+    decodings += fmt::format(".{} = {},\n", field.name, decoded(field));
+    encodings += (encodings.empty() ? "" : " |\n           ") + encoded(field);
   }
-  for (const Field& field : r.fields) {
-    text += fmt::format("  // {}\n  {} {}{{}};\n", field.summary, type_of(field), field.name);
-  }
-  text +=
-      fmt::format("\n  static constexpr {} decode([[maybe_unused]] std::uint32_t word) {{\n", type);
-  text += "    return {\n";
-  for (const Field& field : r.fields) {
-    text += fmt::format("      .{} = {},\n", field.name, decoded(field));
-  }
-  text += "    };\n  }\n  constexpr std::uint32_t encode() const {\n    return ";
-  for (std::size_t i = 0; i < r.fields.size(); ++i) {
-    text += (i == 0 ? "" : " |\n           ") + encoded(r.fields[i]);
-  }
-  text += ";\n  }\n};\n";
+  return fill(register_template, {{"summary", r.summary},
+                                  {"type", pascal_case(r.name)},
+                                  {"address", fill(r.is_array ? array_addresses : one_address,
+                                                   {{"count", std::to_string(r.count)},
+                                                    {"offset", fmt::format("{:X}", r.offset)}})},
+                                  {"places", all_places},
+                                  {"enumerations", enumerations},
+                                  {"fields", fields},
+                                  {"decoded", decodings},
+                                  {"encoded", encodings}});
+}
+
+std::string wide_text(const WideRegister& wide) {
+  return fill(wide_template, {{"summary", wide.summary},
+                              {"type", pascal_case(wide.name)},
+                              {"number", wide.is_signed ? "std::int64_t" : "std::uint64_t"},
+                              {"field", wide.field}});
 }
 
 }  // namespace
 
 std::string cpp_file(const Peripheral& peripheral, const std::string& source) {
-  std::string text = fmt::format(
-      "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Registers of `{0}`. Generated from {1}: do not edit.\n"
-      "// clang-format off\n#pragma once\n\n#include <cstddef>\n#include <cstdint>\n\n"
-      "// {2}\nnamespace registers::{0} {{\n\n"
-      "inline constexpr std::uint32_t base = 0x{3:08X}u;\n",
-      peripheral.name, source, peripheral.summary, peripheral.address);
-  for (const Register& r : peripheral.registers) write_register(text, r);
-  text += fmt::format("\n}}  // namespace registers::{}\n", peripheral.name);
-  return text;
+  std::string constants, registers;
+  for (const Constant& constant : peripheral.constants) {
+    constants += fmt::format("\n// {}\ninline constexpr std::uint32_t {} = {};\n", constant.summary,
+                             constant.name, constant.value);
+  }
+  for (const Register& r : peripheral.registers) registers += register_text(r);
+  for (const WideRegister& wide : peripheral.wide_registers) registers += wide_text(wide);
+  return fill(header_template, {{"unit", peripheral.name},
+                                {"source", source},
+                                {"summary", peripheral.summary},
+                                {"address", fmt::format("{:08X}", peripheral.address)},
+                                {"constants", constants},
+                                {"registers", registers}});
 }
 
 }  // namespace register_generator

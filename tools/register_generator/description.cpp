@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <toml++/toml.hpp>
@@ -66,13 +67,14 @@ class Reader {
     return *value;
   }
 
-  Access access(const toml::table& table, const std::string& place) const {
-    const auto text = table["access"].value_or<std::string>("");
+  Access access(const toml::table& table, const std::string& place,
+                const char* key = "access") const {
+    const auto text = table[key].value_or<std::string>("");
     if (text == "read") return Access::read;
     if (text == "write") return Access::write;
     if (text == "read_write") return Access::read_write;
     if (text == "external") return Access::external;
-    fail(place, "'access' must be read, write, read_write or external");
+    fail(place, fmt::format("'{}' must be read, write, read_write or external", key));
   }
 
   Field field(const toml::table& table, const std::string& register_place) const {
@@ -93,6 +95,25 @@ class Reader {
       std::ranges::sort(field.values, {}, &std::pair<std::string, std::uint32_t>::second);
     }
     return field;
+  }
+
+  // What all of `key`, an array of tables with a name, a number and a summary, are.
+  template <class Item>
+  std::vector<Item> numbers(const toml::table& table, const char* key, const char* number_key,
+                            std::uint32_t limit) const {
+    std::vector<Item> found;
+    const auto* items = table[key].as_array();
+    if (!items) return found;
+    for (const auto& node : *items) {
+      const auto* item = node.as_table();
+      if (!item) fail(key, fmt::format("must be [[{}]]", key));
+      const std::string item_name = name(*item, key);
+      only_keys(*item, item_name, {"name", number_key, "summary"});
+      if (!item->contains(number_key)) fail(item_name, fmt::format("needs a '{}'", number_key));
+      found.emplace_back(item_name, number(*item, number_key, item_name, 0, limit),
+                         summary(*item, item_name));
+    }
+    return found;
   }
 
  private:
@@ -134,6 +155,48 @@ class Reader {
 
   std::string file_;
 };
+
+constexpr std::string_view wide_bits = "63:0";
+
+bool is_wide(const toml::table& table) {
+  return table["field"][0]["bits"].value_or<std::string>("") == wide_bits;
+}
+
+// One half of a wide register, described as a register of its own.
+toml::table half_of(const toml::table& wide, const std::string& half) {
+  const bool low = half == "low";
+  toml::table result = wide;
+  toml::table& field = *result["field"][0].as_table();
+  const auto text = [](const toml::table& table, const char* key) {
+    return table[key].value_or<std::string>("");
+  };
+  result.insert_or_assign("name", text(wide, "name") + "_" + half);
+  result.insert_or_assign("summary", (low ? "Low word: " : "High word: ") + text(wide, "summary"));
+  if (const auto* access = wide["access_" + half].as_string())
+    result.insert_or_assign("access", *access);
+  result.erase("access_low");
+  result.erase("access_high");
+  if (!low) result.erase("read_event");
+  if (text(result, "access") != "read_write") field.erase("reset");
+  field.insert_or_assign("bits", "31:0");
+  field.insert_or_assign("type", "unsigned");
+  field.insert_or_assign("summary",
+                         text(field, "summary") + (low ? " Bits 31:0." : " Bits 63:32."));
+  return result;
+}
+
+WideRegister read_wide(const Reader& reader, const toml::table& table) {
+  WideRegister result;
+  result.name = reader.name(table, "a register");
+  result.summary = reader.summary(table, result.name);
+  const auto* fields = table["field"].as_array();
+  const auto* field = fields->size() == 1 ? fields->front().as_table() : nullptr;
+  if (!field) reader.fail(result.name, "64 bits are one field alone");
+  if (table.contains("count")) reader.fail(result.name, "64 bits are no array");
+  result.field = reader.name(*field, result.name);
+  result.is_signed = (*field)["type"].value_or<std::string>("unsigned") == "signed";
+  return result;
+}
 
 Register read_register(const Reader& reader, const toml::table& table, unsigned& next_offset) {
   Register result;
@@ -197,7 +260,8 @@ Peripheral load(const std::filesystem::path& file) {
     reader.fail(fmt::format("line {}", error.source().begin.line),
                 std::string(error.description()));
   }
-  reader.only_keys(table, "top level", {"name", "address", "summary", "register"});
+  reader.only_keys(table, "top level",
+                   {"name", "address", "summary", "constant", "interrupt", "register"});
   Peripheral peripheral;
   peripheral.name = reader.name(table, "top level");
   peripheral.summary = reader.summary(table, "top level");
@@ -207,12 +271,26 @@ Peripheral load(const std::filesystem::path& file) {
   if (!registers || registers->empty()) reader.fail("top level", "needs at least one [[register]]");
   unsigned next_offset = 0;
   std::set<std::string> names;
+  const auto add = [&](const toml::table& described) {
+    peripheral.registers.push_back(read_register(reader, described, next_offset));
+    const std::string& name = peripheral.registers.back().name;
+    if (!names.insert(name).second) reader.fail(name, "is described twice");
+  };
   for (const auto& node : *registers) {
-    peripheral.registers.push_back(read_register(reader, *node.as_table(), next_offset));
-    if (!names.insert(peripheral.registers.back().name).second) {
-      reader.fail(peripheral.registers.back().name, "is described twice");
+    const auto* described = node.as_table();
+    if (!described) reader.fail("top level", "'register' must be [[register]]");
+    if (is_wide(*described)) {
+      peripheral.wide_registers.push_back(read_wide(reader, *described));
+      add(half_of(*described, "low"));
+      add(half_of(*described, "high"));
+    } else {
+      add(*described);
     }
   }
+  peripheral.constants =
+      reader.numbers<Constant>(table, "constant", "value", std::numeric_limits<int>::max());
+  peripheral.interrupts = reader.numbers<Interrupt>(table, "interrupt", "number", 31);
+  for (Interrupt& interrupt : peripheral.interrupts) interrupt.peripheral = peripheral.name;
   return peripheral;
 }
 

@@ -24,6 +24,7 @@ struct Field {
   std::string summary;
 
   unsigned width() const { return msb - lsb + 1; }
+  bool is_enumeration() const { return !values.empty(); }
   std::uint32_t mask() const { return width() == 32 ? 0xFFFF'FFFFu : ((1u << width()) - 1u); }
 };
 
@@ -49,11 +50,38 @@ struct Register {
   bool value_to_software() const { return access == Access::read || access == Access::external; }
 };
 
+// A value of 64 bits in two registers, NAME_low and NAME_high, which follow each other.
+struct WideRegister {
+  std::string name;
+  std::string summary;
+  // Of the value, and of each half of it.
+  std::string field;
+  bool is_signed{};
+};
+
+// A number that hardware and software share.
+struct Constant {
+  std::string name;
+  std::uint32_t value{};
+  std::string summary;
+};
+
+// A bit of the processor's interrupt registers, and what it means.
+struct Interrupt {
+  std::string name;
+  unsigned number{};
+  std::string summary;
+  std::string peripheral;
+};
+
 struct Peripheral {
   std::string name;
   std::uint32_t address{};
   std::string summary;
   std::vector<Register> registers;
+  std::vector<WideRegister> wide_registers;
+  std::vector<Constant> constants;
+  std::vector<Interrupt> interrupts;
 
   bool has_from_software() const;
   bool has_to_software() const;
@@ -71,5 +99,13 @@ std::string vhdl_package(const Peripheral& peripheral, const std::string& source
 std::string vhdl_registers(const Peripheral& peripheral, const std::string& source);
 std::string cpp_file(const Peripheral& peripheral, const std::string& source);
 std::string markdown_file(const Peripheral& peripheral, const std::string& source);
+
+// The interrupts of all peripherals, in the order of their numbers. Throws DescriptionError where
+// two share a name or a number.
+std::vector<Interrupt> interrupts_of(const std::vector<Peripheral>& peripherals);
+
+std::string vhdl_interrupts(const std::vector<Interrupt>& interrupts);
+std::string cpp_interrupts(const std::vector<Interrupt>& interrupts);
+std::string markdown_interrupts(const std::vector<Interrupt>& interrupts);
 
 }  // namespace register_generator

@@ -48,23 +48,27 @@ int main(int argument_count, char** arguments) {
   app.add_flag("--check", check, "Write nothing; fail if a generated file is stale");
   CLI11_PARSE(app, argument_count, arguments);
 
+  using namespace register_generator;
+  const fs::path rtl = project / "rtl/registers", firmware = project / "firmware/registers";
   bool good = true;
   try {
+    std::vector<Peripheral> peripherals;
     for (const auto& entry : fs::recursive_directory_iterator(project / "rtl")) {
       if (entry.path().extension() != ".toml") continue;
-      const auto peripheral = register_generator::load(entry.path());
+      const Peripheral peripheral = load(entry.path());
       const std::string source = fs::relative(entry.path(), project).generic_string();
       const std::string stem = peripheral.name + "_registers";
-      good &= settle(project / "rtl/registers" / (stem + "_pkg.vhd"),
-                     vhdl_package(peripheral, source), check);
-      good &= settle(project / "rtl/registers" / (stem + ".vhd"),
-                     vhdl_registers(peripheral, source), check);
-      good &= settle(project / "firmware/drivers/registers" / (stem + ".hpp"),
-                     cpp_file(peripheral, source), check);
-      good &= settle(project / "rtl/registers" / (peripheral.name + ".md"),
-                     markdown_file(peripheral, source), check);
+      good &= settle(rtl / (stem + "_pkg.vhd"), vhdl_package(peripheral, source), check);
+      good &= settle(rtl / (stem + ".vhd"), vhdl_registers(peripheral, source), check);
+      good &= settle(firmware / (stem + ".hpp"), cpp_file(peripheral, source), check);
+      good &= settle(rtl / (peripheral.name + ".md"), markdown_file(peripheral, source), check);
+      peripherals.push_back(peripheral);
     }
-  } catch (const register_generator::DescriptionError& error) {
+    const std::vector<Interrupt> interrupts = interrupts_of(peripherals);
+    good &= settle(rtl / "interrupts_pkg.vhd", vhdl_interrupts(interrupts), check);
+    good &= settle(firmware / "interrupts.hpp", cpp_interrupts(interrupts), check);
+    good &= settle(rtl / "interrupts.md", markdown_interrupts(interrupts), check);
+  } catch (const DescriptionError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
   }

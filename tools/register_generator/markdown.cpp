@@ -35,6 +35,9 @@ std::string markdown_file(const Peripheral& peripheral, const std::string& sourc
       "whole word, whatever "
       "part of it is loaded.\n",
       peripheral.name, peripheral.summary, peripheral.address, source);
+  if (!peripheral.constants.empty()) text += "\n| constant | value | meaning |\n|---|---|---|\n";
+  for (const Constant& constant : peripheral.constants)
+    text += fmt::format("| `{}` | {} | {} |\n", constant.name, constant.value, constant.summary);
   for (const Register& r : peripheral.registers) {
     const std::string place = r.is_array
                                   ? fmt::format("0x{:03X} + 4·i, i = 0…{}", r.offset, r.count - 1)

@@ -11,30 +11,37 @@ namespace registers::heater_control {
 
 inline constexpr std::uint32_t base = 0xF0006000u;
 
+// Clocks of a tick, the unit of all time-outs and ages of the thermal part.
+inline constexpr std::uint32_t tick_cycles = 1024;
+
 // Feeds the watchdog, by two keys in turn. Anything else, the same key again or `first` too early trips all channels.
 struct Feed {
   static constexpr std::uint32_t address = base + 0x0u;
-  enum class Key : std::uint32_t {
+  static constexpr unsigned key_low = 0, key_width = 16;
+  static constexpr std::uint32_t key_max = 0xFFFFu, key_mask = key_max << key_low;
+  enum class Key : std::uint16_t {
     second = 24301,
     first = 65261,
   };
   // `first` not before a sixteenth of the watchdog's time since the last `first`; `second`, which restarts the watchdog, at any time behind it.
-  std::uint32_t key{};
+  Key key{};
 
   static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
     return {
-      .key = (word & 0xFFFFu),
+      .key = static_cast<Key>((word & 0xFFFFu)),
     };
   }
   constexpr std::uint32_t encode() const {
-    return (key & 0xFFFFu);
+    return (static_cast<std::uint32_t>(key) & 0xFFFFu);
   }
 };
 
 // Time without a complete feed after which all gates close.
 struct Watchdog {
   static constexpr std::uint32_t address = base + 0x4u;
-  // In units of 1024 clocks, cut to the maximum that is built in; about a second after reset.
+  static constexpr unsigned ticks_low = 0, ticks_width = 20;
+  static constexpr std::uint32_t ticks_max = 0xFFFFFu, ticks_mask = ticks_max << ticks_low;
+  // In ticks of `tick_cycles` clocks, cut to the maximum that is built in; about a second after reset.
   std::uint32_t ticks{};
 
   static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
@@ -50,7 +57,9 @@ struct Watchdog {
 // Time without a valid conversion after which a channel's gate closes for good.
 struct SensorTimeout {
   static constexpr std::uint32_t address = base + 0x8u;
-  // In units of 1024 clocks, cut to the maximum that is built in; about a second after reset.
+  static constexpr unsigned ticks_low = 0, ticks_width = 20;
+  static constexpr std::uint32_t ticks_max = 0xFFFFFu, ticks_mask = ticks_max << ticks_low;
+  // In ticks of `tick_cycles` clocks, cut to the maximum that is built in; about a second after reset.
   std::uint32_t ticks{};
 
   static constexpr SensorTimeout decode([[maybe_unused]] std::uint32_t word) {
@@ -66,6 +75,8 @@ struct SensorTimeout {
 // Shortest time that a gate keeps its level when it is modulated.
 struct Slot {
   static constexpr std::uint32_t address = base + 0xCu;
+  static constexpr unsigned cycles_low = 0, cycles_width = 24;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // In clocks; 0 acts as 1.
   std::uint32_t cycles{};
 
@@ -82,23 +93,27 @@ struct Slot {
 // Clears the trips of channels whose duty is 0, and `refused` of all channels named.
 struct Clear {
   static constexpr std::uint32_t address = base + 0x10u;
-  enum class Key : std::uint32_t {
+  static constexpr unsigned channels_low = 0, channels_width = 4;
+  static constexpr std::uint32_t channels_max = 0xFu, channels_mask = channels_max << channels_low;
+  static constexpr unsigned key_low = 16, key_width = 16;
+  static constexpr std::uint32_t key_max = 0xFFFFu, key_mask = key_max << key_low;
+  enum class Key : std::uint16_t {
     clear_trips = 49642,
   };
   // One bit per channel.
   std::uint32_t channels{};
   // Must be `clear_trips`; anything else is ignored.
-  std::uint32_t key{};
+  Key key{};
 
   static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
     return {
       .channels = (word & 0xFu),
-      .key = ((word >> 16u) & 0xFFFFu),
+      .key = static_cast<Key>(((word >> 16u) & 0xFFFFu)),
     };
   }
   constexpr std::uint32_t encode() const {
     return (channels & 0xFu) |
-           (key & 0xFFFFu) << 16u;
+           (static_cast<std::uint32_t>(key) & 0xFFFFu) << 16u;
   }
 };
 
@@ -108,6 +123,8 @@ struct Duty {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x14u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned density_low = 0, density_width = 16;
+  static constexpr std::uint32_t density_max = 0xFFFFu, density_mask = density_max << density_low;
   // Open for so many of 65535 slots, spread evenly.
   std::uint32_t density{};
 
@@ -127,6 +144,8 @@ struct MinimumCount {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x24u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Clocks, as the temperature converter counts them; the largest number after reset. Below the built-in floor (4 * 2^-20 s for each charge) a write is refused and locks nothing.
   std::uint32_t cycles{};
 
@@ -146,6 +165,8 @@ struct MaximumCount {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x34u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Clocks, as the temperature converter counts them; 0 after reset. Above a sixteenth of a second for each charge a write is refused and locks nothing.
   std::uint32_t cycles{};
 
@@ -165,6 +186,38 @@ struct Status {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x44u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned gate_bit = 0;
+  static constexpr std::uint32_t gate_mask = 1u << gate_bit;
+  static constexpr unsigned permitted_bit = 1;
+  static constexpr std::uint32_t permitted_mask = 1u << permitted_bit;
+  static constexpr unsigned minimum_locked_bit = 2;
+  static constexpr std::uint32_t minimum_locked_mask = 1u << minimum_locked_bit;
+  static constexpr unsigned maximum_locked_bit = 3;
+  static constexpr std::uint32_t maximum_locked_mask = 1u << maximum_locked_bit;
+  static constexpr unsigned hot_locked_bit = 4;
+  static constexpr std::uint32_t hot_locked_mask = 1u << hot_locked_bit;
+  static constexpr unsigned settle_locked_bit = 5;
+  static constexpr std::uint32_t settle_locked_mask = 1u << settle_locked_bit;
+  static constexpr unsigned refused_bit = 6;
+  static constexpr std::uint32_t refused_mask = 1u << refused_bit;
+  static constexpr unsigned tripped_bit = 7;
+  static constexpr std::uint32_t tripped_mask = 1u << tripped_bit;
+  static constexpr unsigned watchdog_trip_bit = 8;
+  static constexpr std::uint32_t watchdog_trip_mask = 1u << watchdog_trip_bit;
+  static constexpr unsigned sensor_invalid_trip_bit = 9;
+  static constexpr std::uint32_t sensor_invalid_trip_mask = 1u << sensor_invalid_trip_bit;
+  static constexpr unsigned sensor_stale_trip_bit = 10;
+  static constexpr std::uint32_t sensor_stale_trip_mask = 1u << sensor_stale_trip_bit;
+  static constexpr unsigned too_hot_trip_bit = 11;
+  static constexpr std::uint32_t too_hot_trip_mask = 1u << too_hot_trip_bit;
+  static constexpr unsigned too_cold_trip_bit = 12;
+  static constexpr std::uint32_t too_cold_trip_mask = 1u << too_cold_trip_bit;
+  static constexpr unsigned limits_missing_trip_bit = 13;
+  static constexpr std::uint32_t limits_missing_trip_mask = 1u << limits_missing_trip_bit;
+  static constexpr unsigned emergency_stop_trip_bit = 14;
+  static constexpr std::uint32_t emergency_stop_trip_mask = 1u << emergency_stop_trip_bit;
+  static constexpr unsigned heats_unasked_trip_bit = 15;
+  static constexpr std::uint32_t heats_unasked_trip_mask = 1u << heats_unasked_trip_bit;
   // The gate is open now.
   bool gate{};
   // Nothing forbids to heat now.
@@ -244,6 +297,8 @@ struct HotCount {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x54u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Clocks, as the temperature converter counts them; 0 after reset. Below eight times the floor of `minimum_count` a write is refused and locks nothing.
   std::uint32_t cycles{};
 
@@ -263,7 +318,9 @@ struct Settle {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x64u + 4u * static_cast<std::uint32_t>(index);
   }
-  // In units of 1024 clocks; the largest number after reset. Above two minutes a write is refused and locks nothing.
+  static constexpr unsigned ticks_low = 0, ticks_width = 24;
+  static constexpr std::uint32_t ticks_max = 0xFFFFFFu, ticks_mask = ticks_max << ticks_low;
+  // In ticks of `tick_cycles` clocks; the largest number after reset. Above two minutes a write is refused and locks nothing.
   std::uint32_t ticks{};
 
   static constexpr Settle decode([[maybe_unused]] std::uint32_t word) {
@@ -279,7 +336,21 @@ struct Settle {
 // The relay that gives all heaters their power. Open after reset; any trip, the watchdog or the emergency stop opens it until it is closed again.
 struct Supply {
   static constexpr std::uint32_t address = base + 0x74u;
-  enum class Key : std::uint32_t {
+  static constexpr unsigned closed_bit = 0;
+  static constexpr std::uint32_t closed_mask = 1u << closed_bit;
+  static constexpr unsigned refused_bit = 1;
+  static constexpr std::uint32_t refused_mask = 1u << refused_bit;
+  static constexpr unsigned trip_opened_bit = 4;
+  static constexpr std::uint32_t trip_opened_mask = 1u << trip_opened_bit;
+  static constexpr unsigned watchdog_opened_bit = 5;
+  static constexpr std::uint32_t watchdog_opened_mask = 1u << watchdog_opened_bit;
+  static constexpr unsigned emergency_stop_opened_bit = 6;
+  static constexpr std::uint32_t emergency_stop_opened_mask = 1u << emergency_stop_opened_bit;
+  static constexpr unsigned veto_opened_bit = 7;
+  static constexpr std::uint32_t veto_opened_mask = 1u << veto_opened_bit;
+  static constexpr unsigned key_low = 16, key_width = 16;
+  static constexpr std::uint32_t key_max = 0xFFFFu, key_mask = key_max << key_low;
+  enum class Key : std::uint16_t {
     open = 3042,
     close = 49413,
   };
@@ -296,7 +367,7 @@ struct Supply {
   // The watch over the clock, or whatever else the board has, opened it.
   bool veto_opened{};
   // Written: `close` closes it where all duties are 0 and no cause lasts, `open` opens it; anything else is ignored. Read: 0.
-  std::uint32_t key{};
+  Key key{};
 
   static constexpr Supply decode([[maybe_unused]] std::uint32_t word) {
     return {
@@ -306,7 +377,7 @@ struct Supply {
       .watchdog_opened = ((word >> 5u) & 0x1u) != 0,
       .emergency_stop_opened = ((word >> 6u) & 0x1u) != 0,
       .veto_opened = ((word >> 7u) & 0x1u) != 0,
-      .key = ((word >> 16u) & 0xFFFFu),
+      .key = static_cast<Key>(((word >> 16u) & 0xFFFFu)),
     };
   }
   constexpr std::uint32_t encode() const {
@@ -316,7 +387,7 @@ struct Supply {
            (watchdog_opened ? 1u : 0u) << 5u |
            (emergency_stop_opened ? 1u : 0u) << 6u |
            (veto_opened ? 1u : 0u) << 7u |
-           (key & 0xFFFFu) << 16u;
+           (static_cast<std::uint32_t>(key) & 0xFFFFu) << 16u;
   }
 };
 

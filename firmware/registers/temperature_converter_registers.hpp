@@ -14,6 +14,14 @@ inline constexpr std::uint32_t base = 0xF0005000u;
 // How conversions are made. A change of settings, here or below, begins a new conversion; until it has ended the state is `never`. All but `enable` lock with the limits of the heaters.
 struct Control {
   static constexpr std::uint32_t address = base + 0x0u;
+  static constexpr unsigned enable_bit = 0;
+  static constexpr std::uint32_t enable_mask = 1u << enable_bit;
+  static constexpr unsigned references_bit = 1;
+  static constexpr std::uint32_t references_mask = 1u << references_bit;
+  static constexpr unsigned dither_cycles_low = 8, dither_cycles_width = 8;
+  static constexpr std::uint32_t dither_cycles_max = 0xFFu, dither_cycles_mask = dither_cycles_max << dither_cycles_low;
+  static constexpr unsigned more_charges_low = 16, more_charges_width = 8;
+  static constexpr std::uint32_t more_charges_max = 0xFFu, more_charges_mask = more_charges_max << more_charges_low;
   // Convert all channels without end. When 0, all charge pins are high-impedance.
   bool enable{};
   // The two reference resistors are there: discharge through them too and measure them.
@@ -42,6 +50,8 @@ struct Control {
 // Time to discharge the capacitor before each charge.
 struct Discharge {
   static constexpr std::uint32_t address = base + 0x4u;
+  static constexpr unsigned cycles_low = 0, cycles_width = 24;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // In clocks.
   std::uint32_t cycles{};
 
@@ -58,6 +68,8 @@ struct Discharge {
 // Longest time that one charge may take.
 struct Timeout {
   static constexpr std::uint32_t address = base + 0x8u;
+  static constexpr unsigned cycles_low = 0, cycles_width = 24;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // In clocks; cut to the maximum that is built in, an eighth of a second.
   std::uint32_t cycles{};
 
@@ -74,6 +86,8 @@ struct Timeout {
 // Time between conversions, with the capacitor discharged.
 struct Pause {
   static constexpr std::uint32_t address = base + 0xCu;
+  static constexpr unsigned cycles_low = 0, cycles_width = 24;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // In clocks.
   std::uint32_t cycles{};
 
@@ -90,6 +104,8 @@ struct Pause {
 // Below this thermistor count the thermistor is taken as shorted.
 struct ShortLimit {
   static constexpr std::uint32_t address = base + 0x10u;
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Sum of all charges of a conversion, in clocks.
   std::uint32_t cycles{};
 
@@ -109,7 +125,11 @@ struct Status {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x14u + 4u * static_cast<std::uint32_t>(index);
   }
-  enum class State : std::uint32_t {
+  static constexpr unsigned state_low = 0, state_width = 3;
+  static constexpr std::uint32_t state_max = 0x7u, state_mask = state_max << state_low;
+  static constexpr unsigned conversions_low = 8, conversions_width = 8;
+  static constexpr std::uint32_t conversions_max = 0xFFu, conversions_mask = conversions_max << conversions_low;
+  enum class State : std::uint8_t {
     never = 0,
     ok = 1,
     open = 2,
@@ -118,18 +138,18 @@ struct Status {
     time_out = 5,
   };
   // never: no conversion with these settings yet; open: only the thermistor timed out; stuck: the pin reads 1 after the discharge; time_out: no charge arrives at all.
-  std::uint32_t state{};
+  State state{};
   // Counts conversions, modulo 256. Unchanged after reading the counts, they belong together.
   std::uint32_t conversions{};
 
   static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
-      .state = (word & 0x7u),
+      .state = static_cast<State>((word & 0x7u)),
       .conversions = ((word >> 8u) & 0xFFu),
     };
   }
   constexpr std::uint32_t encode() const {
-    return (state & 0x7u) |
+    return (static_cast<std::uint32_t>(state) & 0x7u) |
            (conversions & 0xFFu) << 8u;
   }
 };
@@ -140,7 +160,9 @@ struct Age {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x24u + 4u * static_cast<std::uint32_t>(index);
   }
-  // In units of 1024 clocks; stays at its largest value.
+  static constexpr unsigned ticks_low = 0, ticks_width = 20;
+  static constexpr std::uint32_t ticks_max = 0xFFFFFu, ticks_mask = ticks_max << ticks_low;
+  // In ticks of `tick_cycles` clocks, as those of heater_control; stays at its largest value.
   std::uint32_t ticks{};
 
   static constexpr Age decode([[maybe_unused]] std::uint32_t word) {
@@ -159,6 +181,8 @@ struct Thermistor {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x34u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Sum over the charges of the conversion.
   std::uint32_t cycles{};
 
@@ -178,6 +202,8 @@ struct ReferenceLow {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x44u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Sum over the charges of the conversion; 0 without references.
   std::uint32_t cycles{};
 
@@ -197,6 +223,8 @@ struct ReferenceHigh {
   static constexpr std::uint32_t address_of(std::size_t index) {
     return base + 0x54u + 4u * static_cast<std::uint32_t>(index);
   }
+  static constexpr unsigned cycles_low = 0, cycles_width = 32;
+  static constexpr std::uint32_t cycles_max = 0xFFFFFFFFu, cycles_mask = cycles_max << cycles_low;
   // Sum over the charges of the conversion; 0 without references.
   std::uint32_t cycles{};
 
@@ -213,6 +241,10 @@ struct ReferenceHigh {
 // The settings are locked while any limit of a heater is: they are the scale of the limits.
 struct SettingsLock {
   static constexpr std::uint32_t address = base + 0x64u;
+  static constexpr unsigned locked_bit = 0;
+  static constexpr std::uint32_t locked_mask = 1u << locked_bit;
+  static constexpr unsigned refused_bit = 1;
+  static constexpr std::uint32_t refused_mask = 1u << refused_bit;
   // The settings cannot be changed.
   bool locked{};
   // A write that would have changed a locked setting was refused; written 1 it is forgotten.

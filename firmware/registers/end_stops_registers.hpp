@@ -14,6 +14,12 @@ inline constexpr std::uint32_t base = 0xF0004000u;
 // Levels of the eight inputs at each stage, bit n for input n.
 struct Status {
   static constexpr std::uint32_t address = base + 0x0u;
+  static constexpr unsigned raw_low = 0, raw_width = 8;
+  static constexpr std::uint32_t raw_max = 0xFFu, raw_mask = raw_max << raw_low;
+  static constexpr unsigned filtered_low = 8, filtered_width = 8;
+  static constexpr std::uint32_t filtered_max = 0xFFu, filtered_mask = filtered_max << filtered_low;
+  static constexpr unsigned triggered_low = 16, triggered_width = 8;
+  static constexpr std::uint32_t triggered_max = 0xFFu, triggered_mask = triggered_max << triggered_low;
   // Pin levels, synchronised only.
   std::uint32_t raw{};
   // Pin levels after the filter.
@@ -38,6 +44,8 @@ struct Status {
 // How long a level must be stable.
 struct Filter {
   static constexpr std::uint32_t address = base + 0x4u;
+  static constexpr unsigned cycles_low = 0, cycles_width = 16;
+  static constexpr std::uint32_t cycles_max = 0xFFFFu, cycles_mask = cycles_max << cycles_low;
   // Clocks for which a new level must last before it counts; also the delay of the filter.
   std::uint32_t cycles{};
 
@@ -54,6 +62,8 @@ struct Filter {
 // Which level means triggered.
 struct Polarity {
   static constexpr std::uint32_t address = base + 0x8u;
+  static constexpr unsigned active_low_low = 0, active_low_width = 8;
+  static constexpr std::uint32_t active_low_max = 0xFFu, active_low_mask = active_low_max << active_low_low;
   // 1: the switch is triggered while its pin is low.
   std::uint32_t active_low{};
 
@@ -70,6 +80,8 @@ struct Polarity {
 // Which inputs have a switch.
 struct Enable {
   static constexpr std::uint32_t address = base + 0xCu;
+  static constexpr unsigned inputs_low = 0, inputs_width = 8;
+  static constexpr std::uint32_t inputs_max = 0xFFu, inputs_mask = inputs_max << inputs_low;
   // 1: the input counts. 0: it is never triggered.
   std::uint32_t inputs{};
 

@@ -14,6 +14,8 @@ inline constexpr std::uint32_t base = 0xF0007000u;
 // How much of the time the fan is on. Taken over at the start of a period.
 struct Duty {
   static constexpr std::uint32_t address = base + 0x0u;
+  static constexpr unsigned slots_low = 0, slots_width = 8;
+  static constexpr std::uint32_t slots_max = 0xFFu, slots_mask = slots_max << slots_low;
   // On for so many of the 255 slots of a period: 0 is off, 255 is always on.
   std::uint32_t slots{};
 
@@ -30,6 +32,8 @@ struct Duty {
 // How long a period is.
 struct Period {
   static constexpr std::uint32_t address = base + 0x4u;
+  static constexpr unsigned slot_cycles_low = 0, slot_cycles_width = 24;
+  static constexpr std::uint32_t slot_cycles_max = 0xFFFFFFu, slot_cycles_mask = slot_cycles_max << slot_cycles_low;
   // Clocks of one slot, a 255th of a period; 0 acts as 1.
   std::uint32_t slot_cycles{};
 

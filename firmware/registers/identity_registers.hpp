@@ -14,25 +14,33 @@ inline constexpr std::uint32_t base = 0xF0000000u;
 // Says that this is the design that the rest of the map belongs to.
 struct Magic {
   static constexpr std::uint32_t address = base + 0x0u;
+  static constexpr unsigned word_low = 0, word_width = 32;
+  static constexpr std::uint32_t word_max = 0xFFFFFFFFu, word_mask = word_max << word_low;
   enum class Word : std::uint32_t {
     stepfabric = 1397113154,
   };
   // The letters SFAB, S in the highest byte.
-  std::uint32_t word{};
+  Word word{};
 
   static constexpr Magic decode([[maybe_unused]] std::uint32_t word) {
     return {
-      .word = word,
+      .word = static_cast<Word>(word),
     };
   }
   constexpr std::uint32_t encode() const {
-    return word;
+    return static_cast<std::uint32_t>(word);
   }
 };
 
 // Version of the design. The same major number means that old firmware still runs.
 struct Version {
   static constexpr std::uint32_t address = base + 0x4u;
+  static constexpr unsigned major_low = 16, major_width = 16;
+  static constexpr std::uint32_t major_max = 0xFFFFu, major_mask = major_max << major_low;
+  static constexpr unsigned minor_low = 8, minor_width = 8;
+  static constexpr std::uint32_t minor_max = 0xFFu, minor_mask = minor_max << minor_low;
+  static constexpr unsigned patch_low = 0, patch_width = 8;
+  static constexpr std::uint32_t patch_max = 0xFFu, patch_mask = patch_max << patch_low;
   // Changes when registers change their meaning.
   std::uint32_t major{};
   // Changes when something is added.
@@ -57,6 +65,8 @@ struct Version {
 // The one clock of the chip.
 struct Clock {
   static constexpr std::uint32_t address = base + 0x8u;
+  static constexpr unsigned frequency_hz_low = 0, frequency_hz_width = 32;
+  static constexpr std::uint32_t frequency_hz_max = 0xFFFFFFFFu, frequency_hz_mask = frequency_hz_max << frequency_hz_low;
   // In hertz.
   std::uint32_t frequency_hz{};
 
@@ -73,6 +83,8 @@ struct Clock {
 // Memory at 0x80000000.
 struct Memory {
   static constexpr std::uint32_t address = base + 0xCu;
+  static constexpr unsigned size_bytes_low = 0, size_bytes_width = 32;
+  static constexpr std::uint32_t size_bytes_max = 0xFFFFFFFFu, size_bytes_mask = size_bytes_max << size_bytes_low;
   // In bytes.
   std::uint32_t size_bytes{};
 
@@ -89,6 +101,10 @@ struct Memory {
 // Sizes of the step generator.
 struct Motion {
   static constexpr std::uint32_t address = base + 0x10u;
+  static constexpr unsigned axes_low = 0, axes_width = 8;
+  static constexpr std::uint32_t axes_max = 0xFFu, axes_mask = axes_max << axes_low;
+  static constexpr unsigned queue_depth_low = 16, queue_depth_width = 16;
+  static constexpr std::uint32_t queue_depth_max = 0xFFFFu, queue_depth_mask = queue_depth_max << queue_depth_low;
   // Number of axes.
   std::uint32_t axes{};
   // Segments that its queue holds.
@@ -109,6 +125,10 @@ struct Motion {
 // Sizes of the thermal part.
 struct Thermal {
   static constexpr std::uint32_t address = base + 0x14u;
+  static constexpr unsigned sensors_low = 0, sensors_width = 8;
+  static constexpr std::uint32_t sensors_max = 0xFFu, sensors_mask = sensors_max << sensors_low;
+  static constexpr unsigned heaters_low = 8, heaters_width = 8;
+  static constexpr std::uint32_t heaters_max = 0xFFu, heaters_mask = heaters_max << heaters_low;
   // Channels of the temperature converter.
   std::uint32_t sensors{};
   // Channels of the heater control.

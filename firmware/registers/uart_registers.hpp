@@ -11,9 +11,17 @@ namespace registers::uart {
 
 inline constexpr std::uint32_t base = 0xF0001000u;
 
+// Bytes that the FIFO of received ones holds.
+inline constexpr std::uint32_t receive_depth = 2048;
+
+// Bytes that the FIFO of those to be sent holds.
+inline constexpr std::uint32_t transmit_depth = 512;
+
 // Speed of the line. A write restarts both directions; the FIFOs keep their contents.
 struct BaudRate {
   static constexpr std::uint32_t address = base + 0x0u;
+  static constexpr unsigned increment_low = 0, increment_width = 32;
+  static constexpr std::uint32_t increment_max = 0xFFFFFFFFu, increment_mask = increment_max << increment_low;
   // Bits per clock in 2^-32: baud rate * 2^32 / clock frequency, at most 2^30. 0 is off.
   std::uint32_t increment{};
 
@@ -30,6 +38,22 @@ struct BaudRate {
 // What the line is doing. The four flags stay until they are cleared.
 struct Status {
   static constexpr std::uint32_t address = base + 0x4u;
+  static constexpr unsigned receive_level_low = 0, receive_level_width = 12;
+  static constexpr std::uint32_t receive_level_max = 0xFFFu, receive_level_mask = receive_level_max << receive_level_low;
+  static constexpr unsigned transmit_space_low = 12, transmit_space_width = 12;
+  static constexpr std::uint32_t transmit_space_max = 0xFFFu, transmit_space_mask = transmit_space_max << transmit_space_low;
+  static constexpr unsigned transmit_idle_bit = 24;
+  static constexpr std::uint32_t transmit_idle_mask = 1u << transmit_idle_bit;
+  static constexpr unsigned overrun_bit = 25;
+  static constexpr std::uint32_t overrun_mask = 1u << overrun_bit;
+  static constexpr unsigned framing_error_bit = 26;
+  static constexpr std::uint32_t framing_error_mask = 1u << framing_error_bit;
+  static constexpr unsigned break_condition_bit = 27;
+  static constexpr std::uint32_t break_condition_mask = 1u << break_condition_bit;
+  static constexpr unsigned noise_bit = 28;
+  static constexpr std::uint32_t noise_mask = 1u << noise_bit;
+  static constexpr unsigned line_waits_bit = 29;
+  static constexpr std::uint32_t line_waits_mask = 1u << line_waits_bit;
   // Received bytes that wait to be read.
   std::uint32_t receive_level{};
   // Bytes that may be written now.
@@ -74,6 +98,14 @@ struct Status {
 // Clears those flags of `status` whose bit is written as 1.
 struct Clear {
   static constexpr std::uint32_t address = base + 0x8u;
+  static constexpr unsigned overrun_bit = 0;
+  static constexpr std::uint32_t overrun_mask = 1u << overrun_bit;
+  static constexpr unsigned framing_error_bit = 1;
+  static constexpr std::uint32_t framing_error_mask = 1u << framing_error_bit;
+  static constexpr unsigned break_condition_bit = 2;
+  static constexpr std::uint32_t break_condition_mask = 1u << break_condition_bit;
+  static constexpr unsigned noise_bit = 3;
+  static constexpr std::uint32_t noise_mask = 1u << noise_bit;
   // Clear `overrun`.
   bool overrun{};
   // Clear `framing_error`.
@@ -102,6 +134,12 @@ struct Clear {
 // Read: takes the oldest received byte. Write: sends a byte; without space it is dropped.
 struct Data {
   static constexpr std::uint32_t address = base + 0xCu;
+  static constexpr unsigned byte_low = 0, byte_width = 8;
+  static constexpr std::uint32_t byte_max = 0xFFu, byte_mask = byte_max << byte_low;
+  static constexpr unsigned valid_bit = 8;
+  static constexpr std::uint32_t valid_mask = 1u << valid_bit;
+  static constexpr unsigned gap_bit = 9;
+  static constexpr std::uint32_t gap_mask = 1u << gap_bit;
   // The byte.
   std::uint32_t byte{};
   // Read: 1 if there was a byte. Write: ignored.
@@ -126,6 +164,12 @@ struct Data {
 // When to interrupt. All are levels: they end when the FIFO has been served.
 struct Interrupts {
   static constexpr std::uint32_t address = base + 0x10u;
+  static constexpr unsigned receive_threshold_low = 0, receive_threshold_width = 12;
+  static constexpr std::uint32_t receive_threshold_max = 0xFFFu, receive_threshold_mask = receive_threshold_max << receive_threshold_low;
+  static constexpr unsigned on_line_end_bit = 12;
+  static constexpr std::uint32_t on_line_end_mask = 1u << on_line_end_bit;
+  static constexpr unsigned transmit_threshold_low = 16, transmit_threshold_width = 12;
+  static constexpr std::uint32_t transmit_threshold_max = 0xFFFu, transmit_threshold_mask = transmit_threshold_max << transmit_threshold_low;
   // Interrupt while at least so many bytes wait; 1 is for any, 0 never.
   std::uint32_t receive_threshold{};
   // Interrupt while `status.line_waits`, however few bytes wait.
@@ -150,6 +194,8 @@ struct Interrupts {
 // How often bytes were lost.
 struct Overruns {
   static constexpr std::uint32_t address = base + 0x14u;
+  static constexpr unsigned count_low = 0, count_width = 16;
+  static constexpr std::uint32_t count_max = 0xFFFFu, count_mask = count_max << count_low;
   // Lost bytes since reset, modulo 2^16.
   std::uint32_t count{};
 
@@ -166,6 +212,8 @@ struct Overruns {
 // How often a stop bit was missing.
 struct FramingErrors {
   static constexpr std::uint32_t address = base + 0x18u;
+  static constexpr unsigned count_low = 0, count_width = 16;
+  static constexpr std::uint32_t count_max = 0xFFFFu, count_mask = count_max << count_low;
   // Framing errors since reset, modulo 2^16.
   std::uint32_t count{};
 
@@ -182,6 +230,8 @@ struct FramingErrors {
 // How often the line was low for a whole frame.
 struct Breaks {
   static constexpr std::uint32_t address = base + 0x1Cu;
+  static constexpr unsigned count_low = 0, count_width = 16;
+  static constexpr std::uint32_t count_max = 0xFFFFu, count_mask = count_max << count_low;
   // Break conditions since reset, modulo 2^16.
   std::uint32_t count{};
 
@@ -198,6 +248,8 @@ struct Breaks {
 // How many bytes were received although looks at their bits differed.
 struct NoisyBytes {
   static constexpr std::uint32_t address = base + 0x20u;
+  static constexpr unsigned count_low = 0, count_width = 16;
+  static constexpr std::uint32_t count_max = 0xFFFFu, count_mask = count_max << count_low;
   // Noisy bytes since reset, modulo 2^16.
   std::uint32_t count{};
 
@@ -214,6 +266,10 @@ struct NoisyBytes {
 // The bytes that end a line, for `status.line_waits`. A write counts for bytes that come after it.
 struct LineEnds {
   static constexpr std::uint32_t address = base + 0x24u;
+  static constexpr unsigned first_low = 0, first_width = 8;
+  static constexpr std::uint32_t first_max = 0xFFu, first_mask = first_max << first_low;
+  static constexpr unsigned second_low = 8, second_width = 8;
+  static constexpr std::uint32_t second_max = 0xFFu, second_mask = second_max << second_low;
   // One of them: line feed after reset.
   std::uint32_t first{};
   // The other: carriage return after reset. May be the same as the first.
