@@ -45,6 +45,17 @@ package bus_master_pkg is
     address : in unsigned(31 downto 0);
     data : out word_t);
 
+  -- Fails the bench where the register has another value.
+  procedure bus_expect (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    address : in unsigned(31 downto 0);
+    data : in word_t);
+
+  -- Then a moment more, so that what follows the last edge has settled.
+  procedure wait_clocks (signal clk : in std_ulogic; count : in natural);
+
 end package;
 
 package body bus_master_pkg is
@@ -121,6 +132,28 @@ package body bus_master_pkg is
       ignored_clocks);
     is_acknowledged : assert not failed
       report "read of " & to_hstring(address) & " refused" severity error;
+  end procedure;
+
+  procedure bus_expect (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    address : in unsigned(31 downto 0);
+    data : in word_t) is
+    variable found : word_t;
+  begin
+    bus_read(clk, request, response, address, found);
+    reads_as_expected : assert found = data
+      report to_hstring(address) & " is " & to_hstring(found) & " instead of " & to_hstring(data)
+      severity failure;
+  end procedure;
+
+  procedure wait_clocks (signal clk : in std_ulogic; count : in natural) is
+  begin
+    for i in 1 to count loop
+      wait until rising_edge(clk);
+    end loop;
+    wait for 1 ns;
   end procedure;
 
 end package body;

@@ -11,6 +11,7 @@ use std.env.finish;
 
 use work.bus_master_pkg.all;
 use work.bus_pkg.all;
+use work.heater_control_bench_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.thermal_pkg.all;
 
@@ -19,105 +20,33 @@ end entity;
 
 architecture simulation of heater_control_words_tb is
 
-  constant clock_frequency_hz : positive := 4_000_000;
-  constant clock_period : time := 250 ns;
-  -- As the register description says.
-  constant tick_cycles : positive := 1024;
   constant conversion : positive := 300;
   constant watchdog_ticks : positive := 5;
   constant sensor_ticks : positive := 2;
 
-  constant feed : natural := 0;
-  constant watchdog : natural := 4;
-  constant sensor_timeout : natural := 8;
-  constant slot : natural := 12;
-  constant clear : natural := 16;
-  constant duty : natural := 20;
-  constant minimum_count : natural := 36;
-  constant maximum_count : natural := 52;
-  constant status : natural := 68;
-  constant hot_count : natural := 84;
-  constant settle : natural := 100;
-  constant supply_register : natural := 116;
-
-  type outputs_t is record
-    gates : std_ulogic_vector(1 downto 0);
-    supply, interrupt, limits_locked : std_ulogic;
-    response : bus_response_t;
-  end record;
-
   type counts_t is array (0 to 1) of natural;
 
-  signal clk : std_ulogic := '0';
+  signal clk : std_ulogic;
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
-  signal made, rested : outputs_t;
+  signal response : bus_response_t;
+  signal gates : std_ulogic_vector(1 downto 0);
+  signal supply, interrupt, at_rest : std_ulogic;
   signal readings : sensor_reading_array_t(0 to 1) := (others => sensor_reading_none);
   signal emergency_stop, veto : std_ulogic := '0';
   signal counts : counts_t := (5_000, 5_000);
   signal sensor_works, sensor_is_valid : std_ulogic_vector(0 to 1) := "11";
 
-  signal resting_clk, resting_bus_clk, at_rest : std_ulogic := '0';
-  signal edge_is_left_out, bus_edge_is_left_out : std_ulogic := '0';
-  signal pins_before : std_ulogic_vector(1 downto 0) := "00";
-  signal clocks_left_out, clocks_run, gate_0_closed_at : natural := 0;
+  signal clocks_left_out : natural;
+  signal clocks_run, gate_0_closed_at : natural := 0;
 
 begin
 
-  -- All in one moment, as from one clock tree.
-  make_clocks : process
-  begin
-    wait for clock_period / 2;
-    clk <= '1';
-    resting_clk <= not edge_is_left_out;
-    resting_bus_clk <= not bus_edge_is_left_out;
-    wait for clock_period / 2;
-    clk <= '0';
-    resting_clk <= '0';
-    resting_bus_clk <= '0';
-  end process;
-
-  control : entity work.heater_control
+  twins : entity work.heater_control_twins
     port map (
-      clk => clk, always_clk => clk, bus_clk => clk,
-      clock_frequency_hz => to_unsigned(clock_frequency_hz, 32), reset => reset,
-      request => request, response => made.response, readings => readings,
-      more_charges => to_unsigned(15, 8), limits_locked => made.limits_locked,
-      emergency_stop => emergency_stop, veto => veto, gates => made.gates, supply => made.supply,
-      interrupt => made.interrupt, at_rest => open);
-
-  resting_control : entity work.heater_control
-    port map (
-      clk => resting_clk, always_clk => clk, bus_clk => resting_bus_clk,
-      clock_frequency_hz => to_unsigned(clock_frequency_hz, 32), reset => reset,
-      request => request, response => rested.response, readings => readings,
-      more_charges => to_unsigned(15, 8), limits_locked => rested.limits_locked,
-      emergency_stop => emergency_stop, veto => veto, gates => rested.gates, supply => rested.supply,
-      interrupt => rested.interrupt, at_rest => at_rest);
-
-  leave_out_edges : process
-    constant access_clocks : positive := 4;
-    variable clocks_without_access : natural := 0;
-  begin
-    wait until rising_edge(clk);
-    pins_before <= emergency_stop & veto;
-    clocks_without_access := 0 when (request.strobe or reset) = '1' else clocks_without_access + 1;
-    wait until falling_edge(clk);
-    wait for clock_period / 4;
-    edge_is_left_out <= '0';
-    if at_rest = '1' and pins_before = (emergency_stop & veto) then
-      edge_is_left_out <= '1';
-      clocks_left_out <= clocks_left_out + 1;
-    end if;
-    bus_edge_is_left_out <= '1' when clocks_without_access > access_clocks and request.strobe = '0'
-      and reset = '0' else '0';
-  end process;
-
-  compare : process
-  begin
-    wait until falling_edge(clk);
-    assert rested = made report "a rest has changed something" severity failure;
-  end process;
+      clk => clk, reset => reset, request => request, response => response, readings => readings,
+      emergency_stop => emergency_stop, veto => veto, gates => gates, supply => supply,
+      interrupt => interrupt, at_rest => at_rest, clocks_left_out => clocks_left_out);
 
   -- Channel 1 half a conversion after channel 0.
   convert : process
@@ -140,65 +69,62 @@ begin
   begin
     wait until rising_edge(clk);
     clocks_run <= clocks_run + 1;
-    if before = '1' and made.gates(0) = '0' then
+    if before = '1' and gates(0) = '0' then
       gate_0_closed_at <= clocks_run;
     end if;
-    before := made.gates(0);
+    before := gates(0);
   end process;
 
   test : process
-    type limits_t is array (0 to 3) of natural;
-    constant limits : limits_t := (minimum_count, maximum_count, hot_count, settle);
+    subtype address_t is unsigned(31 downto 0);
+    type limits_t is array (0 to 3) of address_t;
+    constant limits : limits_t := (
+      heater_control_minimum_count_address, heater_control_maximum_count_address,
+      heater_control_hot_count_address, heater_control_settle_address);
+    -- Values of the first channel's; the second has one more.
+    type values_t is array (0 to 3) of natural;
+    constant values : values_t := (1_000, 9_000, 4_000, 200);
+    -- All limits are locked, and the channel may heat.
+    constant ready : natural := 2 ** heater_control_status_permitted_bit
+      + 2 ** heater_control_status_minimum_locked_bit + 2 ** heater_control_status_maximum_locked_bit
+      + 2 ** heater_control_status_hot_locked_bit + 2 ** heater_control_status_settle_locked_bit;
+    constant gate_open : natural := 2 ** heater_control_status_gate_bit;
     variable word : word_t;
     variable closed_before : natural;
 
-    procedure write(offset : natural; value : natural; channel : natural := 0) is
+    procedure write(address : address_t; value : natural; channel : natural := 0) is
     begin
-      bus_write(clk, request, made.response, heater_control_address + offset + 4 * channel, value);
+      bus_write(clk, request, response, address + 4 * channel, value);
     end procedure;
 
-    procedure expect(offset : natural; value : word_t; channel : natural := 0) is
+    procedure expect(address : address_t; value : word_t; channel : natural := 0) is
     begin
-      bus_read(clk, request, made.response, heater_control_address + offset + 4 * channel, word);
-      assert word = value report "register " & to_string(offset) & " of channel " &
-        to_string(channel) & " is " & to_hstring(word) & " instead of " & to_hstring(value) severity failure;
+      bus_expect(clk, request, response, address + 4 * channel, value);
     end procedure;
 
-    procedure expect(offset : natural; value : natural; channel : natural := 0) is
+    procedure expect(address : address_t; value : natural; channel : natural := 0) is
     begin
-      expect(offset, word_t(to_unsigned(value, 32)), channel);
+      expect(address, word_t(to_unsigned(value, 32)), channel);
     end procedure;
 
     procedure clocks(count : natural) is
     begin
-      for i in 1 to count loop
-        wait until rising_edge(clk);
-      end loop;
-      wait for 1 ns;
+      wait_clocks(clk, count);
     end procedure;
 
     procedure feed_it is
     begin
-      write(feed, heater_control_feed_key_first);
-      write(feed, heater_control_feed_key_second);
+      feed_watchdog(clk, request, response);
     end procedure;
 
-    procedure clear_trips is
+    procedure clear is
     begin
-      bus_write(clk, request, made.response, heater_control_address + clear,
-        word_t(shift_left(to_unsigned(heater_control_clear_key_clear_trips, 32), 16) or
-          to_unsigned(3, 32)));
-      clocks(3);
+      clear_trips(clk, request, response);
     end procedure;
 
-    procedure lock(offset : natural; channel : natural) is
+    procedure lock(limit : natural; channel : natural) is
     begin
-      case offset is
-        when minimum_count => write(offset, 1_000 + channel, channel);
-        when maximum_count => write(offset, 9_000 + channel, channel);
-        when hot_count => write(offset, 4_000 + channel, channel);
-        when others => write(offset, 200 + channel, channel);
-      end case;
+      write(limits(limit), values(limit) + channel, channel);
     end procedure;
 
     procedure start_over is
@@ -207,9 +133,9 @@ begin
       clocks(3);
       reset <= '0';
       clocks(4);
-      write(watchdog, watchdog_ticks);
-      write(sensor_timeout, sensor_ticks);
-      write(slot, 100);
+      write(heater_control_watchdog_address, watchdog_ticks);
+      write(heater_control_sensor_timeout_address, sensor_ticks);
+      write(heater_control_slot_address, 100);
       clocks(conversion);
       feed_it;
       clocks(4);
@@ -219,27 +145,28 @@ begin
     procedure heat(channel : natural) is
     begin
       clocks(2 * conversion);
-      clear_trips;
+      clear;
       feed_it;
       clocks(4);
-      write(duty, 65_535, channel);
+      write(heater_control_duty_address, 65_535, channel);
       clocks(110);
-      expect(status, x"0000003F", channel);
-      assert made.gates(channel) = '1' and made.gates(1 - channel) = '0'
-        report "gates " & to_string(made.gates) severity failure;
-      expect(status, x"0000003E", 1 - channel);
+      expect(heater_control_status_address, ready + gate_open, channel);
+      assert gates(channel) = '1' and gates(1 - channel) = '0'
+        report "gates " & to_string(gates) severity failure;
+      expect(heater_control_status_address, ready, 1 - channel);
     end procedure;
 
     procedure expect_trip(bit_number : natural; channel : natural) is
     begin
-      assert made.gates = "00" and made.interrupt = '1' severity failure;
-      bus_read(clk, request, made.response, heater_control_address + status + 4 * channel, word);
-      assert unsigned(word(15 downto 8)) = 2 ** (bit_number - 8) and word(7) = '1'
+      assert gates = "00" and interrupt = '1' severity failure;
+      bus_read(clk, request, response, heater_control_status_address + 4 * channel, word);
+      assert unsigned(word(trip_bits)) = 2 ** (bit_number - trip_bits'low)
+        and word(heater_control_status_tripped_bit) = '1'
         report "status " & to_hstring(word) & " instead of bit " & to_string(bit_number) severity failure;
-      bus_read(
-        clk, request, made.response, heater_control_address + status + 4 * (1 - channel), word);
-      assert word(15 downto 7) = "000000000" report "the other channel: " & to_hstring(word) severity failure;
-      write(duty, 0, channel);
+      bus_read(clk, request, response, heater_control_status_address + 4 * (1 - channel), word);
+      assert unsigned(word(trip_bits)) = 0 and word(heater_control_status_tripped_bit) = '0'
+        report "the other channel: " & to_hstring(word) severity failure;
+      write(heater_control_duty_address, 0, channel);
     end procedure;
   begin
     -- A channel heats with all of its four limits, and with no three of them, whatever the other has.
@@ -247,119 +174,121 @@ begin
       for missing in 0 to 4 loop
         start_over;
         for limit in 0 to 3 loop
-          lock(limits(limit), 1 - channel);
+          lock(limit, 1 - channel);
           if limit /= missing then
-            lock(limits(limit), channel);
+            lock(limit, channel);
           end if;
         end loop;
-        write(duty, 65_535, channel);
+        write(heater_control_duty_address, 65_535, channel);
         clocks(110);
         if missing < 4 then
-          expect_trip(13, channel);
+          expect_trip(heater_control_status_limits_missing_trip_bit, channel);
         else
-          assert made.gates = std_ulogic_vector(to_unsigned(channel + 1, 2)) severity failure;
+          assert gates = std_ulogic_vector(to_unsigned(channel + 1, 2)) severity failure;
         end if;
       end loop;
     end loop;
-    expect(minimum_count, 1_000);
-    expect(minimum_count, 1_001, 1);
-    expect(maximum_count, 9_000);
-    expect(maximum_count, 9_001, 1);
-    expect(hot_count, 4_000);
-    expect(hot_count, 4_001, 1);
-    expect(settle, 200);
-    expect(settle, 201, 1);
-    expect(watchdog, watchdog_ticks);
-    expect(sensor_timeout, sensor_ticks);
+    expect(heater_control_minimum_count_address, 1_000);
+    expect(heater_control_minimum_count_address, 1_001, 1);
+    expect(heater_control_maximum_count_address, 9_000);
+    expect(heater_control_maximum_count_address, 9_001, 1);
+    expect(heater_control_hot_count_address, 4_000);
+    expect(heater_control_hot_count_address, 4_001, 1);
+    expect(heater_control_settle_address, 200);
+    expect(heater_control_settle_address, 201, 1);
+    expect(heater_control_watchdog_address, watchdog_ticks);
+    expect(heater_control_sensor_timeout_address, sensor_ticks);
     -- A channel that is not there has no limits, and nothing to say.
     for channel in 2 to 3 loop
-      expect(minimum_count, x"FFFFFFFF", channel);
-      expect(maximum_count, 0, channel);
-      expect(hot_count, 0, channel);
-      expect(settle, 16#FFFFFF#, channel);
-      expect(status, 0, channel);
+      expect(heater_control_minimum_count_address, x"FFFFFFFF", channel);
+      expect(heater_control_maximum_count_address, 0, channel);
+      expect(heater_control_hot_count_address, 0, channel);
+      expect(heater_control_settle_address, 16#FFFFFF#, channel);
+      expect(heater_control_status_address, 0, channel);
     end loop;
 
     for channel in 0 to 1 loop
       -- Each cause has its own bit, and is the one of the channel's own sensor.
-      write(duty, 0, 1 - channel);
-      write(duty, 0, channel);
+      write(heater_control_duty_address, 0, 1 - channel);
+      write(heater_control_duty_address, 0, channel);
       heat(channel);
       counts(channel) <= 999;
       clocks(conversion + 10);
-      expect_trip(11, channel);
+      expect_trip(heater_control_status_too_hot_trip_bit, channel);
       counts(channel) <= 5_000;
       heat(channel);
       counts(channel) <= 9_002;
       clocks(conversion + 10);
-      expect_trip(12, channel);
+      expect_trip(heater_control_status_too_cold_trip_bit, channel);
       counts(channel) <= 5_000;
       heat(channel);
       sensor_is_valid(channel) <= '0';
       clocks(conversion + 10);
-      assert made.gates = "00" severity failure;
+      assert gates = "00" severity failure;
       feed_it;
       clocks(3 * tick_cycles);
-      expect_trip(9, channel);
+      expect_trip(heater_control_status_sensor_invalid_trip_bit, channel);
       sensor_is_valid(channel) <= '1';
       heat(channel);
       sensor_works(channel) <= '0';
       clocks(3 * tick_cycles);
-      expect_trip(10, channel);
+      expect_trip(heater_control_status_sensor_stale_trip_bit, channel);
       sensor_works(channel) <= '1';
       -- At rest only what is too hot.
       clocks(2 * conversion);
-      clear_trips;
+      clear;
       feed_it;
       counts(channel) <= 9_002;
       clocks(2 * conversion);
-      assert made.interrupt = '0' report "trips at rest" severity failure;
+      assert interrupt = '0' report "trips at rest" severity failure;
       counts(channel) <= 999;
       clocks(2 * conversion);
-      expect_trip(11, channel);
+      expect_trip(heater_control_status_too_hot_trip_bit, channel);
       counts(channel) <= 5_000;
       -- Its watchdog, and a tick of so many clocks: two gates are closed so many ticks apart.
       heat(channel);
       clocks(watchdog_ticks * tick_cycles);
-      expect_trip(8, channel);
+      expect_trip(heater_control_status_watchdog_trip_bit, channel);
       if channel = 0 then
         closed_before := gate_0_closed_at;
         heat(0);
         clocks(watchdog_ticks * tick_cycles);
-        expect_trip(8, 0);
+        expect_trip(heater_control_status_watchdog_trip_bit, 0);
         assert (gate_0_closed_at - closed_before) mod tick_cycles = 0 and gate_0_closed_at /= closed_before
           report to_string(gate_0_closed_at - closed_before) & " clocks between two ticks" severity failure;
       end if;
     end loop;
 
     -- A pin changes at rest.
-    clear_trips;
+    clear;
     feed_it;
     clocks(3);
-    bus_write(clk, request, made.response, heater_control_address + supply_register,
-      word_t(shift_left(to_unsigned(heater_control_supply_key_close, 32), 16)));
+    switch_supply(clk, request, response, heater_control_supply_key_close);
     wait until rising_edge(clk) and at_rest = '1';
-    assert made.supply = '1' report "the supply is open" severity failure;
+    assert supply = '1' report "the supply is open" severity failure;
     -- A key that is none of the two does nothing.
-    write(supply_register, 0);
-    bus_write(clk, request, made.response, heater_control_address + supply_register, x"FFFF0000");
+    write(heater_control_supply_address, 0);
+    switch_supply(clk, request, response, 16#FFFF#);
     wait until rising_edge(clk) and at_rest = '1';
-    assert made.supply = '1' report "opened by a wrong key" severity failure;
+    assert supply = '1' report "opened by a wrong key" severity failure;
     veto <= '1';
     clocks(8);
-    assert made.supply = '0' and made.interrupt = '1' report "no veto at rest" severity failure;
+    assert supply = '0' and interrupt = '1' report "no veto at rest" severity failure;
     veto <= '0';
     clocks(8);
-    bus_write(clk, request, made.response, heater_control_address + supply_register,
-      word_t(shift_left(to_unsigned(heater_control_supply_key_close, 32), 16)));
+    switch_supply(clk, request, response, heater_control_supply_key_close);
     wait until rising_edge(clk) and at_rest = '1';
-    assert made.supply = '1' and made.interrupt = '0' report "the supply is open" severity failure;
+    assert supply = '1' and interrupt = '0' report "the supply is open" severity failure;
     emergency_stop <= '1';
     clocks(8);
-    assert made.supply = '0' and made.interrupt = '1' report "no emergency stop at rest" severity failure;
+    assert supply = '0' and interrupt = '1' report "no emergency stop at rest" severity failure;
     emergency_stop <= '0';
-    expect(status, x"000040BC", 0);
-    expect(status, x"000040BC", 1);
+    for channel in 0 to 1 loop
+      bus_read(clk, request, response, heater_control_status_address + 4 * channel, word);
+      assert to_heater_control_status(word) = (
+        tripped | emergency_stop_trip | minimum_locked | maximum_locked | hot_locked | settle_locked => '1',
+        others => '0') report "status " & to_hstring(word) severity failure;
+    end loop;
     assert clocks_left_out > 1_000 report to_string(clocks_left_out) & " clocks left out" severity failure;
     finish;
   end process;

@@ -1,0 +1,101 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- The step generator's registers as its benches use them: bits and places as numbers, and a segment in
+-- one call.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.bus_master_pkg.all;
+use work.bus_pkg.all;
+use work.step_generator_registers_pkg.all;
+
+package step_generator_bench_pkg is
+
+  constant run : natural := 2 ** step_generator_control_run_bit;
+  constant stop_interrupt_enable : natural := 2 ** step_generator_control_stop_interrupt_enable_bit;
+  constant both_interrupts : natural := stop_interrupt_enable
+    + 2 ** step_generator_control_queue_interrupt_enable_bit;
+  constant one_of_threshold : natural := 2 ** step_generator_control_queue_threshold_bits'low;
+
+  constant flush_command : natural := 2 ** step_generator_command_flush_bit;
+  constant stop_command : natural := 2 ** step_generator_command_stop_bit;
+  constant acknowledge_command : natural := 2 ** step_generator_command_acknowledge_stop_bit;
+  constant snapshot_command : natural := 2 ** step_generator_command_snapshot_bit;
+  constant clear_errors_command : natural := 2 ** step_generator_command_clear_errors_bit;
+  constant start_command : natural := 2 ** step_generator_command_start_bit;
+  constant brake_command : natural := 2 ** step_generator_command_brake_bit;
+  constant feed_command : natural := 2 ** step_generator_command_feed_watchdog_bit;
+  constant positions_known_command : natural := 2 ** step_generator_command_positions_known_bit;
+
+  constant idle_status : natural := 2 ** step_generator_status_idle_bit;
+  constant waiting_status : natural := 2 ** step_generator_status_waiting_bit;
+  constant positions_lost_status : natural := 2 ** step_generator_status_positions_lost_bit;
+  constant one_queued : natural := 2 ** step_generator_status_level_bits'low;
+  constant one_free : natural := 2 ** step_generator_status_free_bits'low;
+
+  constant ends_motion : natural := 2 ** step_generator_segment_flags_ends_motion_bit;
+  constant on_change : natural := 2 ** step_generator_segment_flags_stop_on_change_bit;
+  constant on_release : natural := 2 ** step_generator_segment_flags_stop_on_release_bit;
+  constant brakes : natural := 2 ** step_generator_segment_flags_stop_brakes_bit;
+  constant waits : natural := 2 ** step_generator_segment_flags_waits_for_start_bit;
+  constant continues : natural := 2 ** step_generator_segment_flags_continues_line_bit;
+  constant one_backward : natural := 2 ** step_generator_segment_flags_backward_bits'low;
+  constant one_of_mask : natural := 2 ** step_generator_segment_flags_stop_mask_bits'low;
+  constant one_ahead : natural := 2 ** step_generator_segment_flags_ahead_bits'low;
+  constant one_behind : natural := 2 ** step_generator_segment_flags_behind_bits'low;
+
+  function pulse_guard(high, low : natural) return natural;
+  function direction_guard(setup, hold : natural) return natural;
+
+  -- All words of a segment of two axes but the commit, at a constant rate: `rate_high` in 2^-32 ticks
+  -- per clock, 16 clocks a tick where it is not given.
+  procedure write_segment (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    x, y, ticks, flags : in natural;
+    rate_high : in natural := 2 ** 28);
+
+end package;
+
+package body step_generator_bench_pkg is
+
+  function pulse_guard(high, low : natural) return natural is
+  begin
+    return high * 2 ** step_generator_pulse_guard_high_bits'low
+      + low * 2 ** step_generator_pulse_guard_low_bits'low;
+  end function;
+
+  function direction_guard(setup, hold : natural) return natural is
+  begin
+    return setup * 2 ** step_generator_direction_guard_setup_bits'low
+      + hold * 2 ** step_generator_direction_guard_hold_bits'low;
+  end function;
+
+  procedure write_segment (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    x, y, ticks, flags : in natural;
+    rate_high : in natural := 2 ** 28) is
+
+    procedure write (address : unsigned(31 downto 0); data : natural) is
+    begin
+      bus_write(clk, request, response, address, data);
+    end procedure;
+  begin
+    write(step_generator_segment_flags_address, flags);
+    write(step_generator_segment_line_ticks_address, ticks);
+    write(step_generator_segment_steps_address, x);
+    write(step_generator_segment_steps_address + 4, y);
+    write(step_generator_segment_ticks_address, ticks);
+    write(step_generator_segment_rate_low_address, 0);
+    write(step_generator_segment_acceleration_low_address, 0);
+    write(step_generator_segment_acceleration_high_address, 0);
+    write(step_generator_segment_jerk_low_address, 0);
+    write(step_generator_segment_jerk_high_address, 0);
+    write(step_generator_segment_rate_high_address, rate_high);
+  end procedure;
+
+end package body;
