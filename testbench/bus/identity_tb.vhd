@@ -34,12 +34,12 @@ begin
   check : process
     type words_t is array (natural range <>) of word_t;
     constant expected : words_t := (
-      0 => x"53464142",
-      1 => x"00000100",
+      0 => to_word(identity_magic_t'(word => to_unsigned(identity_magic_word_stepfabric, 32))),
+      1 => to_word(identity_version_t'(major => 16x"0", minor => 8x"1", patch => 8x"0")),
       2 => word_t(to_unsigned(12_345_678, 32)),
-      3 => x"00020000",
-      4 => x"012C0006",
-      5 => x"00000403");
+      3 => word_t(to_unsigned(131_072, 32)),
+      4 => to_word(identity_motion_t'(axes => to_unsigned(6, 8), queue_depth => to_unsigned(300, 16))),
+      5 => to_word(identity_thermal_t'(sensors => to_unsigned(3, 8), heaters => to_unsigned(4, 8))));
     variable word : word_t;
     variable failed : boolean;
     variable clocks : natural;

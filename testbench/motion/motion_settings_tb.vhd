@@ -61,6 +61,18 @@ begin
   end process;
 
   test : process
+    function pulse(high, low : natural; edges : std_ulogic := '0') return word_t is
+    begin
+      return to_word(step_generator_pulse_guard_t'(
+        high => to_unsigned(high, 12), low => to_unsigned(low, 12), both_edges => edges));
+    end function;
+
+    function turn(setup, hold : natural) return word_t is
+    begin
+      return to_word(step_generator_direction_guard_t'(
+        setup => to_unsigned(setup, 12), hold => to_unsigned(hold, 12)));
+    end function;
+
     procedure write(address : unsigned(31 downto 0); data : word_t; refusal : boolean) is
       variable before : natural;
     begin
@@ -77,36 +89,36 @@ begin
     wait until rising_edge(clk);
     assert guards(1) = guard_after_reset and rate_floor = rate_floor_after_reset severity failure;
 
-    write(pulse_guard + 4, x"80030002", false);
-    write(direction_guard, x"00050004", false);
-    write(rate_floor_register, x"00000007", false);
+    write(pulse_guard + 4, pulse(2, 3, edges => '1'), false);
+    write(direction_guard, turn(4, 5), false);
+    write(rate_floor_register, word_t(to_unsigned(7, 32)), false);
     assert guards(1).high = 2 and guards(1).low = 3 and both_edges = "10" severity failure;
     assert guards(0).direction_setup = 4 and guards(0).direction_hold = 5 severity failure;
     assert guards(0).high = 50 and rate_floor = 7 severity failure;
 
     idle <= '0';
-    write(pulse_guard + 4, x"00030003", true);
-    write(direction_guard, x"00060006", true);
-    write(rate_floor_register, x"00000008", true);
+    write(pulse_guard + 4, pulse(3, 3), true);
+    write(direction_guard, turn(6, 6), true);
+    write(rate_floor_register, word_t(to_unsigned(8, 32)), true);
     assert guards(1).high = 2 and both_edges = "10" and guards(0).direction_setup = 4 and
       rate_floor = 7 severity failure;
     -- Of axes that this build does not have nothing is asked.
-    write(pulse_guard + 8, x"00030003", false);
+    write(pulse_guard + 8, pulse(3, 3), false);
 
     idle <= '1';
-    write(rate_floor_register, x"00000000", true);
+    write(rate_floor_register, word_t(to_unsigned(0, 32)), true);
     assert rate_floor = 7 severity failure;
     step <= "10";
-    write(pulse_guard + 4, x"00030003", true);
-    write(pulse_guard + 4, x"80040004", false);
-    write(pulse_guard, x"80040004", false);
+    write(pulse_guard + 4, pulse(3, 3), true);
+    write(pulse_guard + 4, pulse(4, 4, edges => '1'), false);
+    write(pulse_guard, pulse(4, 4, edges => '1'), false);
     assert guards(1).high = 4 and both_edges = "11" severity failure;
     step <= "00";
-    write(pulse_guard + 4, x"00050005", false);
+    write(pulse_guard + 4, pulse(5, 5), false);
     assert guards(1).high = 5 and both_edges = "01" severity failure;
     -- To both edges as little as from both to one.
     step <= "11";
-    write(pulse_guard + 4, x"80060006", true);
+    write(pulse_guard + 4, pulse(6, 6, edges => '1'), true);
     assert guards(1).high = 5 and both_edges = "01" severity failure;
     step <= "00";
 

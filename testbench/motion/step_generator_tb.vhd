@@ -11,6 +11,7 @@ use std.env.finish;
 use work.bus_master_pkg.all;
 use work.bus_pkg.all;
 use work.step_generator_pkg.all;
+use work.step_generator_bench_pkg.all;
 use work.step_generator_registers_pkg.all;
 
 entity step_generator_tb is
@@ -19,6 +20,7 @@ end entity;
 architecture simulation of step_generator_tb is
 
   constant axes : positive := 2;
+  constant queue_depth : positive := 8;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
@@ -38,7 +40,7 @@ begin
   clk <= not clk after 10 ns;
 
   generator : entity work.step_generator
-    generic map (axes => axes, queue_depth => 8)
+    generic map (axes => axes, queue_depth => queue_depth)
     port map (
       clk => clk, always_clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response,
@@ -53,77 +55,76 @@ begin
   end process;
 
   test : process
-    procedure write(address : unsigned(31 downto 0); data : word_t) is
+    procedure write(address : unsigned(31 downto 0); data : natural) is
     begin
       bus_write(clk, request, response, address, data);
     end procedure;
 
-    procedure expect(address : unsigned(31 downto 0); data : word_t) is
-      variable found : word_t;
+    procedure expect(address : unsigned(31 downto 0); data : integer) is
     begin
-      bus_read(clk, request, response, address, found);
-      assert found = data report to_hstring(address) & " is " & to_hstring(found) severity failure;
+      bus_expect(clk, request, response, address, word_t(to_signed(data, 32)));
     end procedure;
 
-    procedure write_segment(x_steps : std_ulogic_vector(31 downto 0)) is
+    -- Backward, 256 clocks a tick.
+    procedure append(x_steps : natural) is
     begin
-      write(step_generator_segment_flags_address, x"00000201");
-      write(step_generator_segment_line_ticks_address, x"00000008");
-      write(step_generator_segment_steps_address, x_steps);
-      write(step_generator_segment_steps_address + 4, x"00000000");
-      write(step_generator_segment_ticks_address, x"00000008");
-      write(step_generator_segment_rate_low_address, x"00000000");
-      write(step_generator_segment_acceleration_low_address, x"00000000");
-      write(step_generator_segment_acceleration_high_address, x"00000000");
-      write(step_generator_segment_jerk_low_address, x"00000000");
-      write(step_generator_segment_jerk_high_address, x"00000000");
-      write(step_generator_segment_rate_high_address, x"01000000");
-      write(step_generator_segment_commit_address, x"00000000");
+      write_segment(
+        clk, request, response, x_steps, 0, 8, ends_motion + one_backward, rate_high => 2 ** 24);
+      write(step_generator_segment_commit_address, 0);
     end procedure;
+
+    procedure expect_errors(errors : natural) is
+    begin
+      expect(step_generator_errors_address, errors);
+    end procedure;
+
+    constant settings : natural := 2 ** step_generator_errors_settings_bit;
+    constant while_stopped : natural := 2 ** step_generator_errors_while_stopped_bit;
   begin
     wait until rising_edge(clk);
     wait until rising_edge(clk);
     reset <= '0';
     wait until rising_edge(clk);
 
-    expect(step_generator_build_address, x"00000802");
-    expect(step_generator_status_address, x"00080002");
-    write(step_generator_motor_enable_address, x"00000002");
+    expect(step_generator_build_address,
+      axes + queue_depth * 2 ** step_generator_build_queue_depth_bits'low);
+    expect(step_generator_status_address, queue_depth * one_free + idle_status);
+    write(step_generator_motor_enable_address, 2);
     wait until rising_edge(clk);
     assert enable = "10" severity failure;
 
     -- No steps without a driver.
-    write_segment(x"00000005");
-    expect(step_generator_errors_address, x"00000040");
-    write(step_generator_command_address, x"00000010");
-    write(step_generator_motor_enable_address, x"00000003");
+    append(5);
+    expect_errors(2 ** step_generator_errors_disabled_bit);
+    write(step_generator_command_address, clear_errors_command);
+    write(step_generator_motor_enable_address, 3);
 
-    write_segment(x"00000005");
-    expect(step_generator_status_address, x"00070100");
+    append(5);
+    expect(step_generator_status_address, (queue_depth - 1) * one_free + one_queued);
     -- What is queued keeps its drivers, and settings stay.
-    write(step_generator_motor_enable_address, x"00000002");
-    expect(step_generator_errors_address, x"00000020");
-    write(step_generator_command_address, x"00000010");
-    write(step_generator_rate_floor_address, x"00001234");
-    expect(step_generator_errors_address, x"00000020");
-    write(step_generator_command_address, x"00000010");
+    write(step_generator_motor_enable_address, 2);
+    expect_errors(settings);
+    write(step_generator_command_address, clear_errors_command);
+    write(step_generator_rate_floor_address, 16#1234#);
+    expect_errors(settings);
+    write(step_generator_command_address, clear_errors_command);
     assert enable = "11" severity failure;
     assert moving = '0' severity failure;
-    write(step_generator_control_address, x"00000007");
+    write(step_generator_control_address, run + both_interrupts);
     wait until moving = '1' for 1 us;
     assert moving = '1' severity failure;
     wait until moving = '0' for 100 us;
     wait for 3 us;
     assert x_pulses = 5 and direction(0) = '1' severity failure;
-    expect(step_generator_status_address, x"00080002");
-    expect(step_generator_position_address, x"FFFFFFFB");
-    expect(step_generator_position_address + 4 * axes, x"00000000");
+    expect(step_generator_status_address, queue_depth * one_free + idle_status);
+    expect(step_generator_position_address, -5);
+    expect(step_generator_position_address + 4 * axes, 0);
     assert queue_interrupt = '1' and stop_interrupt = '0' severity failure;
 
-    write_segment(x"00000009");
-    expect(step_generator_errors_address, x"00000004");
-    write(step_generator_command_address, x"00000010");
-    expect(step_generator_errors_address, x"00000000");
+    append(9);
+    expect_errors(2 ** step_generator_errors_illegal_bit);
+    write(step_generator_command_address, clear_errors_command);
+    expect_errors(0);
 
     emergency_stop <= '1';
     wait until rising_edge(clk);
@@ -131,17 +132,18 @@ begin
     assert enable = "00" report "a driver is enabled in an emergency" severity failure;
     wait until stop_interrupt = '1' for 1 us;
     assert stop_interrupt = '1' severity failure;
-    write_segment(x"00000005");
-    expect(step_generator_errors_address, x"00000008");
-    write(step_generator_motor_enable_address, x"00000003");
-    expect(step_generator_errors_address, x"00000028");
-    write(step_generator_command_address, x"00000004");
-    expect(step_generator_status_address, x"00080042");
+    append(5);
+    expect_errors(while_stopped);
+    write(step_generator_motor_enable_address, 3);
+    expect_errors(settings + while_stopped);
+    write(step_generator_command_address, acknowledge_command);
+    expect(step_generator_status_address,
+      queue_depth * one_free + positions_lost_status + idle_status);
     assert enable = "00" severity failure;
-    write(step_generator_motor_enable_address, x"00000003");
+    write(step_generator_motor_enable_address, 3);
     assert enable = "11" severity failure;
-    write(step_generator_command_address, x"00000100");
-    expect(step_generator_status_address, x"00080002");
+    write(step_generator_command_address, positions_known_command);
+    expect(step_generator_status_address, queue_depth * one_free + idle_status);
     assert x_pulses = 5 severity failure;
 
     finish;

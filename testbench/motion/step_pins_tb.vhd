@@ -4,10 +4,10 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use ieee.math_real.all;
 
 use work.bus_master_pkg.all;
 use work.bus_pkg.all;
+use work.random_source_pkg.all;
 use work.step_pins_registers_pkg.all;
 
 entity step_pins_tb is
@@ -18,18 +18,16 @@ architecture simulation of step_pins_tb is
   constant axes : positive := 5;
   subtype pins_t is std_ulogic_vector(axes - 1 downto 0);
 
-  constant control : unsigned(31 downto 0) := step_pins_control_address;
-  constant step_register : unsigned(31 downto 0) := step_pins_step_address;
-  constant direction_register : unsigned(31 downto 0) := step_pins_direction_address;
-  constant stop : unsigned(31 downto 0) := step_pins_stop_address;
-  constant status : unsigned(31 downto 0) := step_pins_status_address;
+  constant software : natural := 2 ** step_pins_control_software_bit;
+  constant stopped : natural := 2 ** step_pins_stop_stopped_bit;
+  constant permitted : natural := 2 ** step_pins_status_permitted_bit;
+  constant refused : natural := 2 ** step_pins_status_refused_bit;
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
   signal response : bus_response_t;
-  signal emergency_stop : std_ulogic := '0';
-  signal software_stepping : std_ulogic := '0';
+  signal emergency_stop, software_stepping : std_ulogic := '0';
   signal generator_idle : std_ulogic := '1';
   signal generated_step, generated_direction : pins_t := (others => '0');
   signal step, direction : pins_t;
@@ -62,15 +60,13 @@ begin
   end process;
 
   check : process
-    variable seed_1, seed_2 : positive := 3;
+    variable random : random_source_t;
     variable word : word_t;
     variable wanted, random_direction : pins_t;
 
     impure function random_pins return pins_t is
-      variable chance : real;
     begin
-      uniform(seed_1, seed_2, chance);
-      return std_ulogic_vector(to_unsigned(integer(floor(chance * 32.0)), axes));
+      return std_ulogic_vector(to_unsigned(random.between(0, 2 ** axes - 1), axes));
     end function;
 
     procedure write (address : unsigned(31 downto 0); value : natural) is
@@ -78,9 +74,15 @@ begin
       bus_write(clk, request, response, address, value);
     end procedure;
 
-    procedure write (address : unsigned(31 downto 0); value : pins_t) is
+    procedure write (address : unsigned(31 downto 0); levels : pins_t) is
     begin
-      write(address, to_integer(unsigned(value)));
+      write(address, to_integer(unsigned(levels)));
+    end procedure;
+
+    procedure expect (address : unsigned(31 downto 0); value : natural; claim : string) is
+    begin
+      bus_read(clk, request, response, address, word);
+      assert unsigned(word) = value report claim & ": " & to_hstring(word) severity error;
     end procedure;
 
     procedure wait_clocks (count : natural) is
@@ -91,30 +93,27 @@ begin
       wait until falling_edge(clk);
     end procedure;
   begin
+    random.seed(3, 3);
     wait_clocks(2);
     reset <= '0';
-
     -- A stray store does not take the pins from the generator: software needs the strap for that.
     wait until rising_edge(clk);
-    write(control, 1);
-    bus_read(clk, request, response, control, word);
-    a_stray_store_selects_nothing : assert word = x"00000000" severity error;
-    write(step_register, pins_t'(others => '1'));
+    write(step_pins_control_address, software);
+    expect(step_pins_control_address, 0, "a stray store selects nothing");
+    write(step_pins_step_address, pins_t'(others => '1'));
     generated_step <= "01010";
     wait_clocks(2);
     a_stray_store_takes_no_pin : assert step = "01010" severity error;
     wait until rising_edge(clk);
-    bus_read(clk, request, response, status, word);
-    the_refusal_is_reported : assert word = x"00000002" severity error;
-    write(status, 2);
-    write(control, 0);
-    bus_read(clk, request, response, status, word);
-    a_store_without_effect_is_not_refused : assert word = x"00000000" severity error;
+    expect(step_pins_status_address, refused, "the refusal is reported");
+    write(step_pins_status_address, refused);
+    write(step_pins_control_address, 0);
+    expect(step_pins_status_address, 0, "a store without effect is not refused");
 
     -- Without being asked, software's registers reach no pin, and the generator's pins pass at once.
     wait_clocks(1);
-    write(step_register, pins_t'(others => '1'));
-    write(direction_register, pins_t'(others => '1'));
+    write(step_pins_step_address, pins_t'(others => '1'));
+    write(step_pins_direction_address, pins_t'(others => '1'));
     for i in 1 to 200 loop
       wait until falling_edge(clk);
       generated_step <= random_pins;
@@ -127,39 +126,32 @@ begin
     -- With the strap they change hands only where nothing moves and no pin would change.
     software_stepping <= '1';
     generated_step <= "00100";
-    write(step_register, 0);
-    write(control, 1);
-    bus_read(clk, request, response, control, word);
-    no_edge_is_lost : assert word = x"00000000" severity error;
+    write(step_pins_step_address, 0);
+    write(step_pins_control_address, software);
+    expect(step_pins_control_address, 0, "no edge is lost");
     generated_step <= (others => '0');
     generator_idle <= '0';
-    write(control, 1);
-    bus_read(clk, request, response, control, word);
-    nothing_changes_in_motion : assert word = x"00000000" severity error;
-    bus_read(clk, request, response, status, word);
-    the_refusals_are_reported : assert word = x"00000003" severity error;
-    write(status, 0);
-    bus_read(clk, request, response, status, word);
-    zero_forgets_nothing : assert word = x"00000003" severity error;
-    write(status, 2);
+    write(step_pins_control_address, software);
+    expect(step_pins_control_address, 0, "nothing changes in motion");
+    expect(step_pins_status_address, permitted + refused, "the refusals are reported");
+    write(step_pins_status_address, 0);
+    expect(step_pins_status_address, permitted + refused, "zero forgets nothing");
+    write(step_pins_status_address, refused);
     -- Nor where a pin would rise by it, of software's more than of the generator's.
     generator_idle <= '1';
-    write(step_register, 2#00110#);
+    write(step_pins_step_address, 2#00110#);
     generated_step <= "00100";
-    write(control, 1);
-    bus_read(clk, request, response, control, word);
-    no_edge_is_made : assert word = x"00000000" severity error;
+    write(step_pins_control_address, software);
+    expect(step_pins_control_address, 0, "no edge is made");
     generated_step <= (others => '0');
-    write(step_register, 0);
+    write(step_pins_step_address, 0);
     wait_clocks(1);
     wait until rising_edge(clk);
-    write(status, 2);
+    write(step_pins_status_address, refused);
     generator_idle <= '1';
-    write(control, 1);
-    bus_read(clk, request, response, status, word);
-    it_may_change_at_rest : assert word = x"00000001" severity error;
-    bus_read(clk, request, response, control, word);
-    software_has_them : assert word = x"00000001" severity error;
+    write(step_pins_control_address, software);
+    expect(step_pins_status_address, permitted, "it may change at rest");
+    expect(step_pins_control_address, software, "software has them");
 
     -- Software's pins, whatever the generator does, all in one clock.
     for i in 1 to 200 loop
@@ -168,28 +160,28 @@ begin
       wanted := random_pins;
       random_direction := random_pins;
       wait until rising_edge(clk);
-      write(direction_register, random_direction);
-      write(step_register, wanted);
+      write(step_pins_direction_address, random_direction);
+      write(step_pins_step_address, wanted);
       wait_clocks(1);
       software_steps : assert step = wanted severity error;
       software_turns : assert direction = random_direction severity error;
-      bus_read(clk, request, response, step_register, word);
+      bus_read(clk, request, response, step_pins_step_address, word);
       it_reads_what_it_wrote : assert word(axes - 1 downto 0) = wanted severity error;
     end loop;
 
     -- In an emergency pulses that are out end when software ends them, and none begins.
-    write(step_register, 2#01101#);
+    write(step_pins_step_address, 2#01101#);
     wait_clocks(3);
     emergency_stop <= '1';
     wait_clocks(20);
     a_pulse_keeps_its_width : assert step = "01101" severity error;
     wait until rising_edge(clk);
-    write(step_register, 2#11001#);
+    write(step_pins_step_address, 2#11001#);
     wait_clocks(3);
     only_falls : assert step = "01001" severity error;
     wait until rising_edge(clk);
-    write(stop, 1);
-    write(step_register, 2#11111#);
+    write(step_pins_stop_address, stopped);
+    write(step_pins_step_address, 2#11111#);
     wait_clocks(3);
     no_acknowledgement_while_it_lasts : assert step = "01001" severity error;
 
@@ -198,27 +190,25 @@ begin
     wait_clocks(5);
     still_stopped : assert step = "01001" severity error;
     wait until rising_edge(clk);
-    bus_read(clk, request, response, stop, word);
-    reports : assert word = x"00000001" severity error;
-    write(stop, 0);
+    expect(step_pins_stop_address, stopped, "reports");
+    write(step_pins_stop_address, 0);
     wait_clocks(3);
     zero_acknowledges_nothing : assert step = "01001" severity error;
     wait until rising_edge(clk);
-    write(step_register, 0);
-    write(stop, 1);
-    write(step_register, 2#10110#);
+    write(step_pins_step_address, 0);
+    write(step_pins_stop_address, stopped);
+    write(step_pins_step_address, 2#10110#);
     wait_clocks(3);
     steps_again : assert step = "10110" severity error;
     wait until rising_edge(clk);
-    bus_read(clk, request, response, stop, word);
-    reports_that_it_is_over : assert word = x"00000000" severity error;
+    expect(step_pins_stop_address, 0, "reports that it is over");
 
     -- The generator is not stopped here: it has a stop latch of its own.
-    write(step_register, 0);
+    write(step_pins_step_address, 0);
     generated_step <= (others => '0');
     wait_clocks(3);
     wait until rising_edge(clk);
-    write(control, 0);
+    write(step_pins_control_address, 0);
     emergency_stop <= '1';
     generated_step <= "10101";
     wait_clocks(2);
@@ -226,32 +216,32 @@ begin
     emergency_stop <= '0';
     generated_step <= (others => '0');
     wait until rising_edge(clk);
-    write(stop, 1);
+    write(step_pins_stop_address, stopped);
 
     -- An emergency in any clock of a write that raises pins.
-    write(control, 1);
+    write(step_pins_control_address, software);
     for delay in 0 to 6 loop
-      write(step_register, 0);
-      write(stop, 1);
+      write(step_pins_step_address, 0);
+      write(step_pins_stop_address, stopped);
       wait_clocks(4);
       software_steps_now <= true;
       wait_clocks(1);
       emergency_stop <= '1' after delay * 10 ns;
       wait until rising_edge(clk);
-      write(step_register, 2#11111#);
+      write(step_pins_step_address, 2#11111#);
       wait_clocks(8);
       emergency_stop <= '0';
       software_steps_now <= false;
       wait until rising_edge(clk);
     end loop;
-    write(step_register, 0);
-    write(stop, 1);
+    write(step_pins_step_address, 0);
+    write(step_pins_stop_address, stopped);
     wait_clocks(4);
 
     -- Without the strap the pins are the generator's, whatever was chosen with it.
     wait until rising_edge(clk);
-    write(step_register, 2#01100#);
-    write(direction_register, 2#00011#);
+    write(step_pins_step_address, 2#01100#);
+    write(step_pins_direction_address, 2#00011#);
     wait_clocks(4);
     is_software_s : assert step = "01100" and direction = "00011" severity error;
     software_stepping <= '0';
@@ -277,29 +267,25 @@ begin
 
     -- A reset gives the pins back, forgets the stop, a refusal, and what software drove.
     wait until rising_edge(clk);
-    write(control, 0);
-    bus_read(clk, request, response, status, word);
-    is_refused_with_pins_high : assert word = x"00000003" severity error;
+    write(step_pins_control_address, 0);
+    expect(step_pins_status_address, permitted + refused, "is refused with pins high");
     wait until falling_edge(clk);
     reset <= '1';
     wait_clocks(1);
     reset <= '0';
     is_the_generator_s_after_reset : assert step = "10000" and direction = "01000" severity error;
     wait until rising_edge(clk);
-    bus_read(clk, request, response, control, word);
-    control_is_reset : assert word = x"00000000" severity error;
-    bus_read(clk, request, response, status, word);
-    no_refusal_is_left : assert word = x"00000001" severity error;
-    bus_read(clk, request, response, stop, word);
-    no_stop_is_left : assert word = x"00000000" severity error;
+    expect(step_pins_control_address, 0, "control is reset");
+    expect(step_pins_status_address, permitted, "no refusal is left");
+    expect(step_pins_stop_address, 0, "no stop is left");
     generated_step <= (others => '0');
-    write(control, 1);
+    write(step_pins_control_address, software);
     wait_clocks(1);
     no_pin_is_left : assert step = "00000" and direction = "00000" severity error;
     -- Also in the clocks of the reset itself, as soon as it is seen.
     wait until rising_edge(clk);
-    write(step_register, 2#11111#);
-    write(direction_register, 2#11111#);
+    write(step_pins_step_address, 2#11111#);
+    write(step_pins_direction_address, 2#11111#);
     wait_clocks(4);
     reset <= '1';
     wait until rising_edge(clk);
@@ -308,7 +294,6 @@ begin
     generated_step <= "00000";
     is_low_after_a_reset : assert step = "00000" severity error;
     wait_clocks(4);
-    report "step_pins_tb passed";
     std.env.finish;
   end process;
 

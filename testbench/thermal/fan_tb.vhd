@@ -106,7 +106,7 @@ begin
     reset <= '0';
 
     -- A reset ends the slot under way, however long it is.
-    bus_write(clk, request, response, period, 16#FFFFFF#);
+    bus_write(clk, request, response, period, 2 ** (fan_period_slot_cycles_bits'high + 1) - 1);
     wait_clocks(2 * slots);
     reset <= '1';
     wait_clocks(1);

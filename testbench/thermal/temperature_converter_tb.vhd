@@ -82,6 +82,14 @@ begin
     variable word : word_t;
     variable hotend_before, bed_before : natural;
 
+    function control_word (
+      charges : positive; enable : std_ulogic := '1'; dither_cycles : natural := 1) return word_t is
+    begin
+      return to_word(temperature_converter_control_t'(
+        enable => enable, references => '1', dither_cycles => to_unsigned(dither_cycles, 8),
+        more_charges => to_unsigned(charges - 1, 8)));
+    end function;
+
     procedure read (address : unsigned(31 downto 0); channel : natural := 0) is
     begin
       bus_read(clk, request, response, address + 4 * channel, word);
@@ -90,8 +98,19 @@ begin
     procedure read_state (channel : natural; expected : natural) is
     begin
       read(status, channel);
-      has_its_state : assert unsigned(word(2 downto 0)) = expected
+      has_its_state : assert unsigned(word(temperature_converter_status_state_bits)) = expected
         report "channel " & to_string(channel) & ": state " & to_hstring(word) severity error;
+    end procedure;
+
+    function lock_word (refused : std_ulogic) return word_t is
+    begin
+      return to_word(temperature_converter_settings_lock_t'(locked => '1', refused => refused));
+    end function;
+
+    procedure write_control (
+      charges : positive; enable : std_ulogic := '1'; dither_cycles : natural := 1) is
+    begin
+      bus_write(clk, request, response, control, control_word(charges, enable, dither_cycles));
     end procedure;
 
     procedure wait_clocks (count : natural) is
@@ -112,11 +131,12 @@ begin
     bus_write(clk, request, response, discharge, 200);
     bus_write(clk, request, response, timeout, 5_000);
     bus_write(clk, request, response, pause, 0);
-    bus_write(clk, request, response, control, 16#0003_0103#);  -- 4 charges, dither 1
+    write_control(charges => 4);
     wait_clocks(40_000);
     for channel in 0 to 1 loop
       read_state(channel, temperature_converter_status_state_ok);
-      counts_conversions : assert unsigned(word(15 downto 8)) = conversions(channel) mod 256
+      counts_conversions : assert unsigned(word(temperature_converter_status_conversions_bits))
+        = conversions(channel) mod 256
         report to_hstring(word) severity error;
       read(age, channel);
       is_fresh : assert unsigned(word) < 10 report to_hstring(word) severity error;
@@ -163,7 +183,7 @@ begin
 
     -- A change of settings makes what was measured under others worth nothing.
     wait until rising_edge(clk) and readings(0).updated = '1';
-    bus_write(clk, request, response, control, 16#0007_0103#);
+    write_control(charges => 8);
     wait_clocks(3);
     is_void_at_a_change : assert readings(0).valid = '0' report "valid" severity error;
     read_state(0, temperature_converter_status_state_never);
@@ -189,17 +209,19 @@ begin
     wait_clocks(40_000);
     read_state(0, temperature_converter_status_state_ok);
     read(settings_lock);
-    says_locked : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
-    bus_write(clk, request, response, control, 16#0007_0103#);
+    says_locked : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
+    write_control(charges => 8);
     read(settings_lock);
-    takes_the_same_once_more : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
+    takes_the_same_once_more : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
     for index in 0 to 4 loop
-      bus_write(clk, request, response, control + 4 * index, 16#00FF_0203#);
+      bus_write(clk, request, response, control + 4 * index,
+        control_word(charges => 256, dither_cycles => 2));
       read(settings_lock);
-      names_what_it_refuses : assert word(1 downto 0) = "11" report to_hstring(word) severity error;
-      bus_write(clk, request, response, settings_lock, 2);
+      names_what_it_refuses : assert word = lock_word(refused => '1') report to_hstring(word) severity error;
+      bus_write(
+        clk, request, response, settings_lock, 2 ** temperature_converter_settings_lock_refused_bit);
       read(settings_lock);
-      forgets_when_asked : assert word(1 downto 0) = "01" report to_hstring(word) severity error;
+      forgets_when_asked : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
     end loop;
     goes_on_through_it : assert readings(0).valid = '1' report "not valid" severity error;
     reset <= '1';
@@ -211,20 +233,21 @@ begin
       counts_from_0_again : assert unsigned(word) = 0 report to_hstring(word) severity error;
     end loop;
     read(control);
-    keeps_all_but_enable : assert unsigned(word) = 16#0007_0102# report to_hstring(word) severity error;
+    keeps_all_but_enable : assert word = control_word(charges => 8, enable => '0')
+      report to_hstring(word) severity error;
     read(discharge);
     keeps_the_discharge : assert unsigned(word) = 200 report to_hstring(word) severity error;
     read(timeout);
     keeps_the_time_out : assert unsigned(word) = 5_000 report to_hstring(word) severity error;
-    bus_write(clk, request, response, control, 16#0007_0103#);
+    write_control(charges => 8);
     read(control);
-    enable_is_free : assert unsigned(word) = 16#0007_0103# report to_hstring(word) severity error;
+    enable_is_free : assert word = control_word(charges => 8) report to_hstring(word) severity error;
     wait_clocks(40_000);
     read_state(0, temperature_converter_status_state_ok);
 
     -- Age goes on in ticks when conversions stop.
     wait until rising_edge(clk) and readings(0).updated = '1';
-    bus_write(clk, request, response, control, 16#0007_0102#);
+    write_control(charges => 8, enable => '0');
     wait_clocks(50 * tick_cycles);
     read(age);
     ages_in_ticks : assert unsigned(word) = 50 report to_hstring(word) severity error;
