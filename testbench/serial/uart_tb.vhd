@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The serial line as software sees it: FIFOs, flags, counters and interrupts, over the bus.
+-- The serial line as software sees it: FIFOs, flags and counters, over the bus.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 use work.bus_master_pkg.all;
 use work.bus_pkg.all;
 use work.serial_line_pkg.all;
+use work.uart_bench_pkg.all;
 use work.uart_registers_pkg.all;
 
 entity uart_tb is
@@ -25,23 +26,16 @@ architecture simulation of uart_tb is
   constant status : unsigned(31 downto 0) := uart_status_address;
   constant clear : unsigned(31 downto 0) := uart_clear_address;
   constant data : unsigned(31 downto 0) := uart_data_address;
-  constant interrupts : unsigned(31 downto 0) := uart_interrupts_address;
   constant overruns : unsigned(31 downto 0) := uart_overruns_address;
   constant framing_errors : unsigned(31 downto 0) := uart_framing_errors_address;
   constant breaks : unsigned(31 downto 0) := uart_breaks_address;
   constant noisy_bytes : unsigned(31 downto 0) := uart_noisy_bytes_address;
-  constant line_ends : unsigned(31 downto 0) := uart_line_ends_address;
-
-  constant line_feed : byte_t := x"0A";
-  constant carriage_return : byte_t := x"0D";
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal request : bus_request_t := bus_request_idle;
   signal response : bus_response_t;
   signal transmit : std_ulogic;
-  signal receive_interrupt : std_ulogic;
-  signal transmit_interrupt : std_ulogic;
 
   -- The line comes from the bench or, looped back, from the transmitter.
   signal looped_back : boolean := false;
@@ -58,8 +52,7 @@ begin
     port map (
       clk => clk, bus_clk => clk,
       reset => reset, request => request, response => response, receive => receive,
-      transmit => transmit, receive_interrupt => receive_interrupt,
-      transmit_interrupt => transmit_interrupt);
+      transmit => transmit, receive_interrupt => open, transmit_interrupt => open);
 
   check : process
     variable word : word_t;
@@ -74,24 +67,6 @@ begin
     begin
       bus_read(clk, request, response, address, word);
     end procedure;
-
-    procedure clear_flags (overrun, framing_error, break_condition, noise : std_ulogic := '0') is
-    begin
-      write(clear, to_word(uart_clear_t'(overrun, framing_error, break_condition, noise)));
-    end procedure;
-
-    -- None without an argument.
-    procedure interrupt_at (received, space : natural := 0; line_end : std_ulogic := '0') is
-    begin
-      write(interrupts, to_word(uart_interrupts_t'(
-        receive_threshold => to_unsigned(received, 12), on_line_end => line_end,
-        transmit_threshold => to_unsigned(space, 12))));
-    end procedure;
-
-    function line_ends_of (first, second : byte_t) return word_t is
-    begin
-      return to_word(uart_line_ends_t'(first => unsigned(first), second => unsigned(second)));
-    end function;
 
     procedure check_status (
       what : string; receive_level, transmit_space : natural;
@@ -116,8 +91,7 @@ begin
     procedure check_data (expected : byte_t; after_a_gap : std_ulogic := '0') is
     begin
       read(data);
-      gives_the_oldest_byte : assert word = to_word(uart_data_t'(
-        byte => unsigned(expected), valid => '1', gap => after_a_gap))
+      gives_the_oldest_byte : assert word = data_word(expected, after_a_gap)
         report "data " & to_hstring(word) & ", expected " & to_hstring(expected) severity error;
     end procedure;
 
@@ -126,13 +100,6 @@ begin
       read(data);
       says_that_there_is_no_byte : assert word(uart_data_valid_bit) = '0' report "data " & to_hstring(word)
         severity error;
-    end procedure;
-
-    procedure check_interrupts (what : string; expected_receive, expected_transmit : std_ulogic) is
-    begin
-      wait for 6 * clock_period;
-      interrupts_are_as_expected : assert receive_interrupt = expected_receive
-        and transmit_interrupt = expected_transmit report what severity error;
     end procedure;
 
     procedure is_off_until_it_has_a_speed is
@@ -189,9 +156,9 @@ begin
       check_status("overrun", receive_depth, transmit_depth, '1', '1', '0', '0');
       check_count("overruns", overruns, 3);
       -- Clearing another flag leaves it.
-      clear_flags(framing_error => '1', break_condition => '1');
+      write(clear, clear_word(framing_error => '1', break_condition => '1'));
       check_status("not cleared", receive_depth, transmit_depth, '1', '1', '0', '0');
-      clear_flags(overrun => '1');
+      write(clear, clear_word(overrun => '1'));
       check_status("cleared", receive_depth, transmit_depth, '1', '0', '0', '0');
       check_count("overruns", overruns, 3);
       for i in 0 to receive_depth - 1 loop
@@ -211,9 +178,9 @@ begin
       sent <= '1';
       wait for 2 * bit_time;
       check_status("break", 0, transmit_depth, '1', '0', '1', '1');
-      clear_flags(framing_error => '1');
+      write(clear, clear_word(framing_error => '1'));
       check_status("one cleared", 0, transmit_depth, '1', '0', '0', '1');
-      clear_flags(break_condition => '1');
+      write(clear, clear_word(break_condition => '1'));
       check_status("both cleared", 0, transmit_depth, '1', '0', '0', '0');
       check_count("framing errors", framing_errors, 1);
       check_count("breaks", breaks, 1);
@@ -239,13 +206,13 @@ begin
       end loop;
       check_data(x"44", after_a_gap => '1');
       check_no_data;
-      clear_flags(overrun => '1');
+      write(clear, clear_word(overrun => '1'));
     end procedure;
 
     procedure flags_and_counts_noisy_bytes is
       constant long_bit_time : time := 16 * clock_period;
     begin
-      clear_flags(noise => '1');
+      write(clear, clear_word(noise => '1'));
       write(baud_rate, word_t(increment_for(16.0)));
       wait for 5 * clock_period;
       read(noisy_bytes);
@@ -272,139 +239,10 @@ begin
       check_count("noisy bytes", noisy_bytes, before + 1);
       check_data(x"A5");
       check_data(x"FE");
-      clear_flags(noise => '1');
+      write(clear, clear_word(noise => '1'));
       read(status);
       noise_is_cleared : assert word(uart_status_noise_bit) = '0' severity error;
       write(baud_rate, word_t(increment_for(clocks_per_bit)));
-    end procedure;
-
-    procedure interrupts_at_its_thresholds is
-    begin
-      check_interrupts("both off", '0', '0');
-      interrupt_at(received => 3, space => 8);
-      check_interrupts("transmit FIFO empty", '0', '1');
-      send_byte(sent, x"01", bit_time);
-      send_byte(sent, x"02", bit_time);
-      check_interrupts("below the threshold", '0', '1');
-      send_byte(sent, x"03", bit_time);
-      check_interrupts("at the threshold", '1', '1');
-      read(data);
-      check_interrupts("served", '0', '1');
-      read(data);
-      read(data);
-      write(data, x"00000055");
-      write(data, x"00000055");
-      check_interrupts("a byte waits", '0', '0');
-      wait for 12 * bit_time;
-      check_interrupts("the byte is on the line", '0', '1');
-      interrupt_at;
-      check_interrupts("off again", '0', '0');
-      wait for 12 * bit_time;
-    end procedure;
-
-    procedure check_line (what : string; expected_interrupt, expected_line : std_ulogic) is
-    begin
-      check_interrupts(what, expected_interrupt, '0');
-      read(status);
-      status_reports_whether_a_line_waits : assert word(uart_status_line_waits_bit) = expected_line
-        report what severity error;
-    end procedure;
-
-    procedure interrupts_at_the_end_of_a_line is
-    begin
-      read(line_ends);
-      line_feed_and_carriage_return_are_line_ends : assert word = line_ends_of(line_feed, carriage_return)
-        severity error;
-      interrupt_at(line_end => '1');
-      send_byte(sent, x"4D", bit_time);
-      send_byte(sent, x"35", bit_time);
-      check_line("within a line", '0', '0');
-      send_byte(sent, line_feed, bit_time);
-      check_line("at its end", '1', '1');
-      send_byte(sent, x"47", bit_time);
-      send_byte(sent, carriage_return, bit_time);
-      send_byte(sent, x"54", bit_time);
-      check_data(x"4D");
-      check_data(x"35");
-      check_line("its end has not been read", '1', '1');
-      check_data(line_feed);
-      check_line("another line waits", '1', '1');
-      check_data(x"47");
-      check_data(carriage_return);
-      check_line("the beginning of a line is left", '0', '0');
-      check_data(x"54");
-      check_no_data;
-      check_line("all read", '0', '0');
-      -- Either reason is enough.
-      interrupt_at(received => 2, line_end => '1');
-      send_byte(sent, line_feed, bit_time);
-      check_line("a line of one byte", '1', '1');
-      check_data(line_feed);
-      send_byte(sent, x"01", bit_time);
-      check_line("a byte", '0', '0');
-      send_byte(sent, x"02", bit_time);
-      check_line("as many bytes as asked for", '1', '0');
-      check_data(x"01");
-      check_data(x"02");
-      -- Not asked for, but to be seen.
-      interrupt_at;
-      send_byte(sent, line_feed, bit_time);
-      check_line("not asked for", '0', '1');
-      interrupt_at(line_end => '1');
-      check_line("asked for when it was there", '1', '1');
-      check_data(line_feed);
-    end procedure;
-
-    procedure ends_lines_with_other_bytes is
-    begin
-      send_byte(sent, line_feed, bit_time);
-      write(line_ends, line_ends_of(x"3B", x"3B"));
-      check_line("a line end when it came", '1', '1');
-      check_data(line_feed);
-      send_byte(sent, line_feed, bit_time);
-      send_byte(sent, carriage_return, bit_time);
-      check_line("line ends no more", '0', '0');
-      send_byte(sent, x"3B", bit_time);
-      check_line("a line end now", '1', '1');
-      check_data(line_feed);
-      check_data(carriage_return);
-      check_data(x"3B");
-      check_line("all read", '0', '0');
-      write(line_ends, line_ends_of(line_feed, carriage_return));
-    end procedure;
-
-    -- Nothing can be read of a line end that was lost, so it must not wake; the full queue itself may.
-    procedure forgets_line_ends_that_are_lost is
-    begin
-      for i in 1 to receive_depth loop
-        send_byte(sent, x"31", bit_time);
-      end loop;
-      send_byte(sent, line_feed, bit_time);
-      check_line("the line end is lost", '0', '0');
-      clear_flags(overrun => '1');
-      check_data(x"31");
-      send_byte(sent, line_feed, bit_time);
-      check_line("this one had room", '1', '1');
-      for i in 2 to receive_depth loop
-        check_data(x"31");
-      end loop;
-      check_line("only the line end is left", '1', '1');
-      check_data(line_feed, after_a_gap => '1');
-      check_line("all read", '0', '0');
-      -- A break is no line end, nor is a byte without a stop bit.
-      sent <= '0';
-      wait for 30 * bit_time;
-      sent <= '1';
-      wait for 2 * bit_time;
-      send_byte(sent, line_feed, bit_time, stop_level => '0');
-      sent <= '1';
-      wait for 2 * bit_time;
-      check_line("nothing came", '0', '0');
-      clear_flags(framing_error => '1', break_condition => '1');
-      send_byte(sent, x"32", bit_time);
-      wait for 2 * bit_time;
-      check_data(x"32", after_a_gap => '1');
-      interrupt_at;
     end procedure;
 
     -- Software polls in every phase to the arrival of bytes.
@@ -441,20 +279,15 @@ begin
     counts_and_flags_line_errors;
     marks_the_byte_behind_an_overrun;
     flags_and_counts_noisy_bytes;
-    interrupts_at_its_thresholds;
-    interrupts_at_the_end_of_a_line;
-    ends_lines_with_other_bytes;
-    forgets_line_ends_that_are_lost;
     loses_no_byte_to_a_poll_at_the_wrong_time;
     looped_back <= false;
-    interrupt_at(line_end => '1');
     send_byte(sent, line_feed, bit_time);
-    check_line("before the reset", '1', '1');
+    wait for 6 * clock_period;
+    check_status("before the reset", 1, transmit_depth, '1', '0', '0', '0');
     reset <= '1';
     wait until rising_edge(clk);
     reset <= '0';
     wait until rising_edge(clk);
-    check_line("after the reset", '0', '0');
     check_status("after reset", 0, transmit_depth, '1', '0', '0', '0');
     check_count("overruns", overruns, 0);
     check_count("framing errors", framing_errors, 0);
