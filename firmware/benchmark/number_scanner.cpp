@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "benchmark/checksum.hpp"
+#include "units/digits.hpp"
 
 namespace benchmark {
 
@@ -13,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 8> samples{"71023",  "-2881",     "+63.504", ".00251",
                                                   "8.1e+4", "-4.09E-12", "5..2",    "T-0x1F"};
 
-constexpr bool is_digit(char character) { return character >= '0' && character <= '9'; }
+using units::is_digit;
 constexpr bool is_sign(char character) { return character == '+' || character == '-'; }
 constexpr bool is_exponent(char character) { return character == 'e' || character == 'E'; }
 

@@ -6,16 +6,12 @@
 
 #include "platform/bus.hpp"
 #include "registers/step_generator_registers.hpp"
+#include "units/magnitude.hpp"
 
 namespace drivers {
 namespace {
 
 namespace registers = ::registers::step_generator;
-
-std::uint32_t magnitude(std::int32_t value) {
-  const auto word = static_cast<std::uint32_t>(value);
-  return value < 0 ? 0u - word : word;
-}
 
 std::uint32_t backward_axes(const motion::Segment& segment) {
   std::uint32_t backward = 0;
@@ -29,7 +25,8 @@ std::uint32_t backward_axes(const motion::Segment& segment) {
 void write_line(const motion::Segment& segment, std::size_t hardware_axes) {
   platform::write(registers::SegmentLineTicks{segment.line_ticks});
   for (std::size_t axis = 0; axis < hardware_axes; ++axis) {
-    const std::uint32_t steps = axis < units::axis_count ? magnitude(segment.steps[axis]) : 0;
+    const std::uint32_t steps =
+        axis < units::axis_count ? units::magnitude(segment.steps[axis]) : 0;
     platform::write(axis, registers::SegmentSteps{steps});
   }
 }

@@ -8,10 +8,11 @@
 
 #include "gcode/command.hpp"
 #include "gcode/parse_error.hpp"
+#include "units/digits.hpp"
 
 namespace gcode {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using units::is_digit;
 
 // Whether a number, well formed or not, starts with this character.
 constexpr bool starts_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }

@@ -2,12 +2,14 @@
 // Recognises the commands that act at once.
 #include "host_link/emergency.hpp"
 
+#include "units/digits.hpp"
+
 namespace host_link {
 namespace {
 
 using Kind = EmergencyCommand::Kind;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using units::is_digit;
 
 constexpr std::uint8_t bit(Kind kind) {
   return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));

@@ -4,12 +4,11 @@
 
 #include <limits>
 
+#include "units/digits.hpp"
+
 namespace host_link {
-namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
+using units::is_digit;
 
 std::optional<LineNumber> take_line_number(std::string_view& text) {
   std::size_t position = 0;

@@ -6,11 +6,12 @@
 #include <limits>
 
 #include "host_link/line_number.hpp"
+#include "units/digits.hpp"
 
 namespace host_link {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "units/magnitude.hpp"
+
 namespace host_link {
 namespace {
 
@@ -13,10 +15,6 @@ constexpr std::uint64_t power_of_ten(unsigned exponent) {
   std::uint64_t power = 1;
   while (exponent-- > 0) power *= 10;
   return power;
-}
-
-constexpr std::uint64_t magnitude_of(std::int64_t value) {
-  return value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
 }
 
 }  // namespace
@@ -33,12 +31,12 @@ TextLine& TextLine::character(char c) { return text({&c, 1}); }
 
 TextLine& TextLine::integer(std::int64_t value) {
   if (value < 0) character('-');
-  return digits(magnitude_of(value), 1);
+  return digits(units::magnitude(value), 1);
 }
 
 TextLine& TextLine::decimal(std::int64_t value, unsigned digit_count, unsigned places) {
   const std::uint64_t divisor = power_of_ten(digit_count - places);
-  const std::uint64_t rounded = (magnitude_of(value) + divisor / 2) / divisor;
+  const std::uint64_t rounded = (units::magnitude(value) + divisor / 2) / divisor;
   if (value < 0 && rounded != 0) character('-');
   const std::uint64_t unit = power_of_ten(places);
   digits(rounded / unit, 1);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "platform/division.hpp"
+#include "units/magnitude.hpp"
 
 extern "C" {
 
@@ -16,11 +17,8 @@ std::uint64_t __umoddi3(std::uint64_t dividend, std::uint64_t divisor) {
 }
 
 std::int64_t __divdi3(std::int64_t dividend, std::int64_t divisor) {
-  const auto magnitude = [](std::int64_t value) {
-    const auto bits = static_cast<std::uint64_t>(value);
-    return value < 0 ? 0 - bits : bits;
-  };
-  const std::uint64_t quotient = platform::divide(magnitude(dividend), magnitude(divisor));
+  const std::uint64_t quotient =
+      platform::divide(units::magnitude(dividend), units::magnitude(divisor));
   return static_cast<std::int64_t>((dividend < 0) == (divisor < 0) ? quotient : 0 - quotient);
 }
 

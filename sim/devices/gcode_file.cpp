@@ -11,6 +11,8 @@
 #include <iterator>
 #include <optional>
 
+#include "sim/devices/digits.hpp"
+
 namespace devices {
 
 namespace {
@@ -78,8 +80,6 @@ std::optional<std::string> printable(std::string_view line) {
   }
   return text;
 }
-
-bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
 // Whose text may hold a star: M117 5*3
 bool is_message(std::string_view text) {

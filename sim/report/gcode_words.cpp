@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "sim/devices/digits.hpp"
+
 namespace report {
 
 namespace {
@@ -12,7 +14,8 @@ namespace {
 constexpr std::int64_t largest_whole = 1'000'000'000;
 constexpr unsigned kept_decimals = 9;
 
-bool is_digit(char character) { return character >= '0' && character <= '9'; }
+using devices::is_digit;
+
 bool is_blank(char character) { return character == ' ' || character == '\t'; }
 
 class Reader {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The uart interrupts at its thresholds and at the end of a line: as long as there is a reason, and no longer.
+-- The uart interrupts at its thresholds and at the end of a line: while there is a reason, and no longer.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tests/host_link/dialogue.hpp"
+#include "units/digits.hpp"
 
 namespace host_link::test {
 namespace {
@@ -24,7 +25,7 @@ bool asks_for_resend(const std::string& line) {
 
 // The first or the last run of digits.
 std::optional<int> number_in(const std::string& text, bool last) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  using units::is_digit;
   const auto first = std::ranges::find_if(text, is_digit);
   if (first == text.end()) return std::nullopt;
   auto begin = first;

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every reader of numbers asks of a character.
+#pragma once
+
+namespace units {
+
+// Of ASCII: std::isdigit asks a locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace units

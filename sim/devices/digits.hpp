@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every reader of G-code on the host's side asks of a character.
+#pragma once
+
+namespace devices {
+
+// Of ASCII: std::isdigit asks a locale.
+constexpr bool is_digit(char character) { return character >= '0' && character <= '9'; }
+
+}  // namespace devices
