@@ -5,6 +5,9 @@
 #include <cstddef>
 
 #include "platform/bus.hpp"
+#include "registers/end_stops_registers.hpp"
+#include "registers/interrupts.hpp"
+#include "registers/step_pins_registers.hpp"
 #include "registers/timer_registers.hpp"
 #include "software_stepping/chip_stepper.hpp"
 
@@ -28,6 +31,16 @@ static_assert(offsetof(Line, direction) == 52);
 static_assert(offsetof(Tick, errors) == 8);
 static_assert(offsetof(Tick, deadline_high) == 32);
 static_assert(offsetof(Tick, trap_base) == 40);
+
+// As tick.S writes them: the upper 20 bits of a peripheral, and the places of its registers.
+static_assert(registers::step_pins::base == 0xF0008u << 12);
+static_assert(registers::step_pins::Step::address == registers::step_pins::base + 4);
+static_assert(registers::step_pins::Direction::address == registers::step_pins::base + 8);
+static_assert(registers::timer::base == 0xF0002u << 12);
+static_assert(registers::timer::CompareLow::address == registers::timer::base + 8);
+static_assert(registers::timer::CompareHigh::address == registers::timer::base + 12);
+static_assert(registers::end_stops::base == 0xF0004u << 12);
+static_assert(registers::end_stops::Status::address == registers::end_stops::base);
 
 }  // namespace
 
