@@ -9,11 +9,11 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "directories.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace host_programs {
 
@@ -82,8 +82,7 @@ void Serve::kill_at_once() {
 }
 
 std::string Serve::file(const char* name) const {
-  std::ifstream stream(file_path(name));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return files::text_of(file_path(name));
 }
 
 std::vector<fs::path> Serve::locks() const {

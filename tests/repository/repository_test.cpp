@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,19 +11,13 @@
 #include <vector>
 
 #include "directories.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
 const fs::path project = PROJECT_DIRECTORY;
-
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 bool lies_in_a_hidden_or_build_folder(const fs::path& relative) {
   const std::string first = relative.begin()->string();
@@ -54,7 +47,7 @@ bool is_generated(const fs::path& relative) {
 
 TEST(repository, every_source_file_names_its_licence_at_the_top) {
   for (const fs::path& file : files(source_extensions)) {
-    std::istringstream text(contents(project / file));
+    std::istringstream text(files::text_of(project / file));
     std::string line;
     bool found = false;
     for (int i = 0; i < 3 && std::getline(text, line); ++i) {
@@ -79,7 +72,7 @@ TEST(repository, every_folder_of_sources_explains_itself_in_a_readme) {
 TEST(repository, every_link_of_a_page_leads_to_a_file) {
   const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
   for (const fs::path& file : files({".md"})) {
-    const std::string text = contents(project / file);
+    const std::string text = files::text_of(project / file);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const fs::path target = project / file.parent_path() / (*match)[1].str();
       EXPECT_TRUE(fs::exists(target)) << file << " links to " << (*match)[1];
@@ -96,7 +89,7 @@ TEST(repository, retired_words_stay_away) {
   extensions.insert({".md", ".psl", ".txt", ".csv"});
   for (const fs::path& file : files(extensions)) {
     if (file.filename() == "repository_test.cpp" || file.begin()->string() == "examples") continue;
-    std::istringstream text(contents(project / file));
+    std::istringstream text(files::text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       std::smatch match;
@@ -112,7 +105,7 @@ TEST(repository, every_entity_has_a_test_bench) {
   const std::regex entity(R"((?:^|\n)entity (\w+) is)");
   for (const fs::path& file : files({".vhd"}, "rtl")) {
     if (is_generated(file)) continue;
-    const std::string text = contents(project / file);
+    const std::string text = files::text_of(project / file);
     for (std::sregex_iterator match(text.begin(), text.end(), entity), end; match != end; ++match) {
       const std::string name = (*match)[1];
       EXPECT_TRUE(benches.contains(name + "_tb")) << file << ": entity " << name << " has no bench";
@@ -123,7 +116,7 @@ TEST(repository, every_entity_has_a_test_bench) {
 TEST(repository, every_test_bench_is_run_by_ctest) {
   for (const fs::path& file : files({".vhd"}, "testbench")) {
     if (!file.stem().string().ends_with("_tb")) continue;
-    const std::string list = contents(project / file.parent_path() / "CMakeLists.txt");
+    const std::string list = files::text_of(project / file.parent_path() / "CMakeLists.txt");
     const std::string bench = file.stem().string();
     const std::regex listed("\\b" + bench.substr(0, bench.size() - 3) + "(_tb)?\\b");
     EXPECT_TRUE(std::regex_search(list, listed))
@@ -146,7 +139,7 @@ TEST(repository, the_hardware_uses_no_construct_that_synthesis_gets_wrong) {
       {std::regex(R"(\b(altsyncram|altpll|EHXPLLL|DP16KD)\b)"),
        "vendor primitive outside boards/"}};
   for (const fs::path& file : files({".vhd"}, "rtl")) {
-    std::istringstream text(contents(project / file));
+    std::istringstream text(files::text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       const std::string code = line.substr(0, line.find("--"));
@@ -161,7 +154,7 @@ TEST(repository, lines_are_at_most_100_columns_wide_in_cpp_and_110_in_vhdl) {
   for (const fs::path& file : files({".vhd", ".cpp", ".hpp"})) {
     if (is_generated(file)) continue;
     const int most = file.extension() == ".vhd" ? 110 : 100;
-    std::istringstream text(contents(project / file));
+    std::istringstream text(files::text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       const auto columns = std::ranges::count_if(
@@ -176,7 +169,7 @@ TEST(repository, nothing_names_a_folder_of_somebodys_machine) {
   std::set<std::string> extensions = source_extensions;
   extensions.insert({".md", ".txt", ".json"});
   for (const fs::path& file : files(extensions)) {
-    std::istringstream text(contents(project / file));
+    std::istringstream text(files::text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       EXPECT_FALSE(std::regex_search(line, personal)) << file << ":" << number << ": " << line;
@@ -189,7 +182,7 @@ TEST(repository, the_firmware_logic_includes_no_hardware) {
   for (const char* folder : {"firmware/units", "firmware/gcode", "firmware/motion",
                              "firmware/thermal", "firmware/host_link"}) {
     for (const fs::path& file : files({".cpp", ".hpp"}, folder)) {
-      EXPECT_FALSE(std::regex_search(contents(project / file), hardware)) << file;
+      EXPECT_FALSE(std::regex_search(files::text_of(project / file), hardware)) << file;
     }
   }
 }

@@ -8,12 +8,12 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -50,10 +50,7 @@ class StartedJob {
   StartedJob(const StartedJob&) = delete;
   StartedJob& operator=(const StartedJob&) = delete;
 
-  std::string output() const {
-    std::ifstream stream(output_);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string output() const { return files::text_of(output_); }
   bool says(const std::string& text) const {
     return comes_true([&] { return output().find(text) != std::string::npos; });
   }

@@ -8,12 +8,12 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -33,12 +33,8 @@ class ReportFiles : public testing::Test {
     scenarios::write_file(gcode, "G28 X\nG1 X180 F12000\nG1 X0\n");
   }
 
-  static std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  std::string json() const { return text_of(report / "report.json"); }
-  std::string html() const { return text_of(report / "report.html"); }
+  std::string json() const { return files::text_of(report / "report.json"); }
+  std::string html() const { return files::text_of(report / "report.html"); }
 
   // A line for a shell in which `stepfabric` is the program; the exit status.
   static int shell(const std::string& line) {
@@ -97,7 +93,7 @@ TEST_F(ReportFiles, say_what_was_refused) {
                             gcode.string() + " --report " + report.string() + " 2> /dev/null";
   EXPECT_EQ(shell(serve), 2);
   expect_faulted("exists already");
-  EXPECT_THAT(text_of(gcode), HasSubstr("G28 X"));
+  EXPECT_THAT(files::text_of(gcode), HasSubstr("G28 X"));
 }
 
 TEST_F(ReportFiles, are_written_where_the_output_is_not_read) {
@@ -111,7 +107,7 @@ TEST_F(ReportFiles, are_written_where_the_output_is_not_read) {
   EXPECT_EQ(shell("(sleep 0.1; " + serve + " 2>&1; echo $? > " + (folder / "status").string() +
                   ") | true"),
             0);
-  EXPECT_EQ(text_of(folder / "status"), "0\n");
+  EXPECT_EQ(files::text_of(folder / "status"), "0\n");
   EXPECT_THAT(json(), HasSubstr("\"result\": \"stopped\""));
 }
 
@@ -154,25 +150,25 @@ TEST_F(ReportFiles, of_a_job_that_was_killed_say_that_it_has_not_ended) {
 
 // The input by its name, by a longer way, by a symlink and by a hard link.
 TEST_F(ReportFiles, are_all_that_is_written_where_another_file_would_overwrite_the_input) {
-  const std::string text = text_of(gcode);
+  const std::string text = files::text_of(gcode);
   fs::create_symlink(gcode, folder / "symlink");
   fs::create_hard_link(gcode, folder / "hard_link");
   for (const char* name : {"input.gcode", "report/../input.gcode", "symlink", "hard_link"}) {
     for (const char* option : {"--edges", "--accept-log"}) {
       EXPECT_EQ(shell(print_line(std::string(option) + " " + (folder / name).string())), 2) << name;
-      EXPECT_EQ(text_of(gcode), text) << name;
-      EXPECT_THAT(text_of(folder / "said"), HasSubstr("would overwrite")) << name;
+      EXPECT_EQ(files::text_of(gcode), text) << name;
+      EXPECT_THAT(files::text_of(folder / "said"), HasSubstr("would overwrite")) << name;
     }
   }
   const std::string file = (folder / "log").string();
   EXPECT_EQ(shell(print_line("--edges " + file + " --accept-log " + file)), 2);
-  EXPECT_THAT(text_of(folder / "said"), HasSubstr("would both write"));
+  EXPECT_THAT(files::text_of(folder / "said"), HasSubstr("would both write"));
   EXPECT_FALSE(fs::exists(file));
   // The report itself.
   fs::copy_file(gcode, report / "report.html", fs::copy_options::overwrite_existing);
   gcode = report / "report.html";
   EXPECT_EQ(shell(print_line()), 2);
-  EXPECT_EQ(text_of(gcode), text);
+  EXPECT_EQ(files::text_of(gcode), text);
 }
 
 TEST_F(ReportFiles, of_one_job_are_not_mixed_with_those_of_another) {
@@ -185,7 +181,7 @@ TEST_F(ReportFiles, of_one_job_are_not_mixed_with_those_of_another) {
                              report.string() + " --until 0.01 2> " + (folder / "second").string() +
                              "; status=$?; kill -9 $job; exit $status";
   EXPECT_EQ(shell(first + second), 2);
-  EXPECT_THAT(text_of(folder / "second"), HasSubstr("another job writes its report there"));
+  EXPECT_THAT(files::text_of(folder / "second"), HasSubstr("another job writes its report there"));
   expect_faulted("has not ended");
   // A killed job keeps nothing from the next one.
   scenarios::write_file(gcode, "G28 X\n");
@@ -196,8 +192,8 @@ TEST_F(ReportFiles, that_cannot_be_written_are_named_before_anything_moves) {
   fs::remove_all(report);
   scenarios::write_file(report, "precious");
   EXPECT_EQ(shell(print_line()), 2);
-  EXPECT_THAT(text_of(folder / "said"), HasSubstr(report.string()));
-  EXPECT_EQ(text_of(report), "precious");
+  EXPECT_THAT(files::text_of(folder / "said"), HasSubstr(report.string()));
+  EXPECT_EQ(files::text_of(report), "precious");
 }
 
 }  // namespace

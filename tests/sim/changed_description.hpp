@@ -4,20 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "directories.hpp"
 #include "tests/temporary_folder.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace tests {
 
 // The default machine's description with one text replaced by another.
 inline std::string changed_description(const std::string& from, const std::string& to) {
-  std::ifstream stream(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = files::text_of(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);

@@ -2,10 +2,10 @@
 // The path at which a pseudo-terminal is found: made, kept, left to others.
 #include <sys/wait.h>
 
-#include <fstream>
 #include <iterator>
 
 #include "tests/sim/pseudo_terminal_fixture.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -14,11 +14,6 @@ using tests::PseudoTerminalTest;
 
 // A file of somebody's, with a text that must stay.
 void write_precious(const fs::path& file) { std::ofstream(file) << "precious"; }
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
   {
@@ -31,7 +26,7 @@ TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {
 TEST_F(PseudoTerminalTest, refuses_a_path_where_a_file_lies) {
   write_precious(link);
   EXPECT_THROW(devices::PseudoTerminal(link, line, rate, 250'000), std::runtime_error);
-  EXPECT_EQ(text_of(link), "precious");
+  EXPECT_EQ(files::text_of(link), "precious");
 }
 
 // Whose it is cannot be seen, also where it leads nowhere.
@@ -51,11 +46,11 @@ TEST_F(PseudoTerminalTest, leaves_the_files_alone_whose_names_are_like_the_path)
   write_precious(fresh);
   {
     devices::PseudoTerminal terminal(link, line, rate, 250'000);
-    EXPECT_EQ(text_of(lock), "precious");
-    EXPECT_EQ(text_of(fresh), "precious");
+    EXPECT_EQ(files::text_of(lock), "precious");
+    EXPECT_EQ(files::text_of(fresh), "precious");
   }
-  EXPECT_EQ(text_of(lock), "precious");
-  EXPECT_EQ(text_of(fresh), "precious");
+  EXPECT_EQ(files::text_of(lock), "precious");
+  EXPECT_EQ(files::text_of(fresh), "precious");
 }
 
 TEST_F(PseudoTerminalTest, writes_through_no_symlink_that_a_neighbour_has_planted) {
@@ -66,7 +61,7 @@ TEST_F(PseudoTerminalTest, writes_through_no_symlink_that_a_neighbour_has_plante
   {
     devices::PseudoTerminal terminal(link, line, rate, 250'000);
   }
-  EXPECT_EQ(text_of(folder / "victim"), "precious");
+  EXPECT_EQ(files::text_of(folder / "victim"), "precious");
   for (const char* end : {".lock", ".new"}) {
     EXPECT_TRUE(fs::is_symlink(link.string() + end)) << end;
   }

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "sim/report/edge_file.hpp"
 #include "sim/report/json_report.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -97,9 +97,7 @@ TEST(EdgeFile, has_the_columns_of_the_contract) {
   edges.stepped({12, 3, -1, -7});
   edges.stepped({13, 4, 1, 1});  // a second extruder has no column name
   edges.close();
-  std::ifstream stream(file);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  EXPECT_EQ(text, "cycle,axis,direction,position\n12,x,1,101\n12,e,-1,-7\n");
+  EXPECT_EQ(files::text_of(file), "cycle,axis,direction,position\n12,x,1,101\n12,e,-1,-7\n");
   fs::remove(file);
 }
 

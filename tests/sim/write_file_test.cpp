@@ -12,6 +12,7 @@
 
 #include "sim/report/edge_file.hpp"
 #include "tests/temporary_folder.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -19,10 +20,6 @@ namespace fs = std::filesystem;
 
 class WriteFile : public testing::Test {
  protected:
-  static std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   std::size_t files() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -36,11 +33,11 @@ class WriteFile : public testing::Test {
 TEST_F(WriteFile, makes_folders_and_replaces_what_was_there) {
   report::write_file(folder / "a" / "b", "first");
   report::write_file(folder / "a" / "b", "second");
-  EXPECT_EQ(text_of(folder / "a" / "b"), "second");
+  EXPECT_EQ(files::text_of(folder / "a" / "b"), "second");
   fs::create_symlink(folder / "a" / "b", file);
   report::write_file(file, "third");
   EXPECT_TRUE(fs::is_symlink(file));
-  EXPECT_EQ(text_of(folder / "a" / "b"), "third");
+  EXPECT_EQ(files::text_of(folder / "a" / "b"), "third");
   EXPECT_NO_THROW(report::write_file("/dev/null", "fourth"));
   EXPECT_TRUE(fs::exists("/dev/null"));
 }
@@ -55,7 +52,7 @@ TEST_F(WriteFile, leaves_the_file_of_before_and_nothing_else_where_the_disk_is_f
   EXPECT_THROW(report::write_file(file, std::string(5000, 'x')), std::runtime_error);
   setrlimit(RLIMIT_FSIZE, &old);
   signal(SIGXFSZ, SIG_DFL);
-  EXPECT_EQ(text_of(file), "before");
+  EXPECT_EQ(files::text_of(file), "before");
   EXPECT_EQ(files(), 1U);
 }
 
@@ -63,8 +60,8 @@ TEST_F(WriteFile, touches_no_neighbour_with_a_name_like_its_own) {
   const fs::path neighbour = folder / (".report.json." + std::to_string(getpid()) + ".0");
   std::ofstream(neighbour) << "precious";
   report::write_file(file, "text");
-  EXPECT_EQ(text_of(neighbour), "precious");
-  EXPECT_EQ(text_of(file), "text");
+  EXPECT_EQ(files::text_of(neighbour), "precious");
+  EXPECT_EQ(files::text_of(file), "text");
 }
 
 TEST_F(WriteFile, refuses_a_folder_and_a_full_device) {

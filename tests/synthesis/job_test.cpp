@@ -14,6 +14,7 @@
 
 #include "directories.hpp"
 #include "sim/devices/path_lock.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace synthesis {
 namespace {
@@ -76,10 +77,7 @@ class SynthesisJob : public testing::Test {
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   }
   bool run() const { return synthesize(options_, folder_, "firmware.elf"); }
-  std::string text_of(const char* file) const {
-    std::ifstream stream(folder_ / file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
+  std::string text_of(const char* file) const { return files::text_of(folder_ / file); }
 
   std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / "stepfabric synthesis job test";

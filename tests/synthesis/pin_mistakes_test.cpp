@@ -7,6 +7,7 @@
 
 #include "directories.hpp"
 #include "tests/synthesis/pin_needs.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace synthesis {
 namespace {
@@ -30,8 +31,7 @@ class Mistake : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   void replace(const char* file, const std::string& old_text, const std::string& new_text) const {
-    std::ifstream stream(folder_ / file);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = files::text_of(folder_ / file);
     const std::size_t place = text.find(old_text);
     ASSERT_NE(place, std::string::npos) << old_text;
     ASSERT_EQ(text.find(old_text, place + 1), std::string::npos) << old_text;

@@ -12,6 +12,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "tools/files/file_text.hpp"
+
 namespace benchmarks {
 
 namespace {
@@ -37,11 +39,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 std::string svg_of(const std::string& name, PictureSize size, const std::string& script) {
@@ -56,12 +53,12 @@ std::string svg_of(const std::string& name, PictureSize size, const std::string&
   const std::string command =
       fmt::format("gnuplot '{}' > '{}' 2>&1", script_file.string(), messages.string());
   if (std::system(command.c_str()) != 0) {
-    throw std::runtime_error(fmt::format("gnuplot failed: {}", contents(messages)));
+    throw std::runtime_error(fmt::format("gnuplot failed: {}", files::text_of(messages)));
   }
-  const std::string svg = contents(picture);
+  const std::string svg = files::text_of(picture);
   const std::size_t begin = svg.find("<svg");
   if (begin == std::string::npos) {
-    throw std::runtime_error(fmt::format("gnuplot drew nothing: {}", contents(messages)));
+    throw std::runtime_error(fmt::format("gnuplot drew nothing: {}", files::text_of(messages)));
   }
   return svg.substr(begin);
 }

@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "tools/files/file_text.hpp"
+
 namespace proof {
+
+using files::text_of;
 
 struct ProcessResult {
   int exit_status{};  // 128 + signal where it was killed
@@ -22,8 +26,5 @@ ProcessResult run_process(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, const std::filesystem::path& log,
                           std::chrono::seconds limit,
                           std::chrono::seconds cpu_limit = std::chrono::seconds{0});
-
-// The text of a file; empty where it does not exist.
-std::string text_of(const std::filesystem::path& file);
 
 }  // namespace proof

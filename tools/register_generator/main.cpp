@@ -5,25 +5,18 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
-#include <sstream>
 
+#include "files/file_text.hpp"
 #include "register_generator/description.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 // Writes the file, or with `check` only compares. Returns false if it is stale (or could not be
 // written).
 bool settle(const fs::path& file, const std::string& text, bool check) {
-  if (fs::exists(file) && contents(file) == text) return true;
+  if (fs::exists(file) && files::text_of(file) == text) return true;
   if (check) {
     fmt::print(stderr, "{} is stale: run the target `generate`\n", file.string());
     return false;
