@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "machine/machine.hpp"
+#include "tests/dialogue_steps.hpp"
 
 namespace application_test {
 namespace {
@@ -63,21 +64,19 @@ std::optional<std::string> Printer::reply(double seconds) {
 
 void Printer::talk(std::string_view dialogue) {
   std::istringstream lines{std::string(dialogue)};
-  std::string line;
-  while (std::getline(lines, line)) {
-    line.erase(0, line.find_first_not_of(' '));
-    if (line.empty()) continue;
-    const std::string text = line.size() > 3 ? line.substr(3) : "";
-    if (line.starts_with("->")) {
-      send(text);
+  for (const DialogueStep& step : dialogue_steps(lines)) {
+    if (step.verb == "->") {
+      send(with_checksum(step.argument));
+      continue;
+    }
+    ASSERT_TRUE(step.verb == "<-" || step.verb == "<*") << "unknown step: " << step.text();
+    const auto got = reply();
+    ASSERT_TRUE(got.has_value()) << "no reply; expected: " << step.text();
+    if (step.verb == "<*") {
+      EXPECT_NE(got->find(step.argument), std::string::npos)
+          << "expected: " << step.text() << "\ngot: " << *got;
     } else {
-      const auto got = reply();
-      ASSERT_TRUE(got.has_value()) << "no reply; expected: " << line;
-      if (line.starts_with("<*")) {
-        EXPECT_NE(got->find(text), std::string::npos) << "expected: " << line << "\ngot: " << *got;
-      } else {
-        EXPECT_EQ(*got, text) << "in the dialogue:\n" << dialogue;
-      }
+      EXPECT_EQ(*got, step.argument) << "in the dialogue:\n" << dialogue;
     }
   }
 }

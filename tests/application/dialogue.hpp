@@ -19,8 +19,8 @@ class Printer {
  public:
   Printer();
 
-  // Lines of a dialogue: "-> G28" is sent; "<- ok" must be the next reply, within two minutes of
-  // the printer's time; "<* T:25" must be contained in it; busy messages are not looked at.
+  // Plays `->`, `<-` and `<*` of tests/dialogue_steps.hpp; a reply must come within two minutes of
+  // the printer's time, and busy messages are not looked at.
   void talk(std::string_view dialogue);
   void send(std::string_view line);
   // The next line from the firmware, or nothing within the time.

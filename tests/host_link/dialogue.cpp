@@ -64,26 +64,14 @@ std::string differs(const std::string& expected, const std::string& happened) {
 
 }  // namespace
 
-std::string with_checksum(const std::string& text) {
-  if (text.size() < 2 || text[text.size() - 2] != '*') return text;
-  const char kind = text.back();
-  if (kind != '?' && kind != '!') return text;
-  const std::string framed = text.substr(0, text.size() - 2);
-  unsigned sum = 0;
-  for (const char c : framed) sum ^= static_cast<unsigned char>(c);
-  return framed + "*" + std::to_string(kind == '?' ? sum : sum ^ 1u);
-}
-
 std::optional<std::string> Dialogue::play(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) return "cannot read " + file.string();
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    if (line.empty() || line[0] == '#') continue;
-    const std::string wrong = step(line);
+  for (const DialogueStep& next : dialogue_steps(stream)) {
+    const std::string wrong = step(next);
     if (!wrong.empty()) {
-      return file.filename().string() + ":" + std::to_string(number) + ": " + line + "\n  " + wrong;
+      return file.filename().string() + ":" + std::to_string(next.line) + ": " + next.text() +
+             "\n  " + wrong;
     }
   }
   const std::string rest = leftovers();
@@ -91,16 +79,15 @@ std::optional<std::string> Dialogue::play(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-std::string Dialogue::step(const std::string& line) {
-  const std::size_t blank = line.find(' ');
-  const std::string verb = line.substr(0, blank);
-  const std::string argument = blank == std::string::npos ? "" : line.substr(blank + 1);
+std::string Dialogue::step(const DialogueStep& next) {
+  const std::string &verb = next.verb, &argument = next.argument;
   if (verb == "<-") return expect_line(argument);
+  if (verb == "<*") return expect_part(argument);
   if (verb == "=>") return expect_taken(argument);
   if (verb == "??") return expect_query(argument);
   if (verb == "!!") return expect_emergency(argument);
   if (verb == "set") return set(argument);
-  if (verb == "repeat") return repeat(argument);
+  if (verb == "repeat") return repeat(next);
   if (verb == "->") {
     send(with_checksum(argument) + "\n");
   } else if (verb == "~>") {
@@ -113,8 +100,8 @@ std::string Dialogue::step(const std::string& line) {
     pass(std::stol(argument), Activity::paused_for_user);
   } else if (verb == "done") {
     if (!link_.finished(argument.empty() ? "" : " " + argument)) return "no room for the ok";
-  } else if (line == "again" || line == "not again") {
-    if (link_.ask_again() != (line == "again")) return "the other one";
+  } else if (next.text() == "again" || next.text() == "not again") {
+    if (link_.ask_again() != (verb == "again")) return "the other one";
   } else if (verb == "answer") {
     if (!link_.query_answered(argument.empty() ? "" : " " + argument)) return "no room for the ok";
   } else if (verb == "say") {
@@ -125,15 +112,15 @@ std::string Dialogue::step(const std::string& line) {
   return "";
 }
 
-std::string Dialogue::repeat(const std::string& argument) {
-  const std::size_t blank = argument.find(' ');
-  const int times = std::stoi(argument.substr(0, blank));
+std::string Dialogue::repeat(const DialogueStep& many) {
+  const DialogueStep one = dialogue_step(many.argument, many.line);
+  const int times = std::stoi(one.verb);
   for (int i = 0; i < times; ++i) {
-    std::string line = argument.substr(blank + 1);
-    for (std::size_t at = line.find('#'); at != std::string::npos; at = line.find('#', at)) {
-      line.replace(at, 1, std::to_string(i));
+    std::string text = one.argument;
+    for (std::size_t at = text.find('#'); at != std::string::npos; at = text.find('#', at)) {
+      text.replace(at, 1, std::to_string(i));
     }
-    const std::string wrong = step(line);
+    const std::string wrong = step(dialogue_step(text, many.line));
     if (!wrong.empty()) return "round " + std::to_string(i) + ": " + wrong;
   }
   return "";
@@ -145,6 +132,14 @@ std::string Dialogue::expect_line(const std::string& expected) {
   const std::string line = lines_.front();
   lines_.pop_front();
   return line == expected ? "" : differs(expected, line);
+}
+
+std::string Dialogue::expect_part(const std::string& expected) {
+  collect();
+  if (lines_.empty()) return differs(expected, "nothing");
+  const std::string line = lines_.front();
+  lines_.pop_front();
+  return line.find(expected) != std::string::npos ? "" : differs("..." + expected + "...", line);
 }
 
 std::string Dialogue::expect_taken(const std::string& expected) {

@@ -8,14 +8,13 @@
 #include <string>
 
 #include "host_link/host_link.hpp"
+#include "tests/dialogue_steps.hpp"
 
 namespace host_link::test {
 
 // One step of a dialogue a line; everything that happens must be written, and nothing else may
 // happen:
-//   -> N5 G1 X1*?    the host sends a line; "*?" becomes the right checksum, "*!" a wrong one
 //   ~> N5 G1\x00     the host sends these bytes, without a line end; \n \r \t \xhh
-//   <- ok            the link sends this line            <- nothing
 //   => 5 G1 X1       the firmware takes line 5 ("-" for a line without number)   => nothing
 //   done T:20.00     the firmware has finished it, with this report behind the ok
 //   again                 it cannot read the line in hand, and that is asked for again
@@ -28,16 +27,17 @@ namespace host_link::test {
 //   idle 300         milliseconds pass; also: busy 300, paused 300
 //   set advanced_ok | set busy_interval 500
 //   repeat 20 -> M105        one step many times; "#" in it counts from 0
-//   # comment
+// and those of tests/dialogue_steps.hpp, with "<- nothing".
 class Dialogue {
  public:
   // What went wrong and where, or nothing.
   std::optional<std::string> play(const std::filesystem::path& file);
 
  private:
-  std::string step(const std::string& line);
-  std::string repeat(const std::string& argument);
+  std::string step(const DialogueStep& next);
+  std::string repeat(const DialogueStep& many);
   std::string expect_line(const std::string& expected);
+  std::string expect_part(const std::string& expected);
   std::string expect_taken(const std::string& expected);
   std::string expect_query(const std::string& expected);
   std::string expect_emergency(const std::string& expected);
@@ -52,8 +52,5 @@ class Dialogue {
   std::string partial_;
   std::deque<std::string> lines_;
 };
-
-// `text` with "*?" and "*!" at its end replaced by the right and by a wrong checksum.
-std::string with_checksum(const std::string& text);
 
 }  // namespace host_link::test

@@ -92,7 +92,7 @@ std::string ServedChip::reply(double seconds) {
 }
 
 std::vector<std::string> ServedChip::ask(int number, const std::string& text) {
-  send(host_link::test::with_checksum("N" + std::to_string(number) + " " + text + "*?") + "\n");
+  send(with_checksum("N" + std::to_string(number) + " " + text + "*?") + "\n");
   std::vector<std::string> said;
   for (;;) {
     std::string line = reply(60);
