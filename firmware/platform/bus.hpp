@@ -19,12 +19,14 @@ concept TwoWords = requires { typename Register::High; };
 
 template <class Register>
 Register read() {
-  if constexpr (TwoWords<Register>) {
-    const auto low = read<typename Register::Low>();
-    return Register::decode(low, read<typename Register::High>());
-  } else {
-    return Register::decode(bus_read(Register::address));
-  }
+  return Register::decode(bus_read(Register::address));
+}
+
+// As short as two reads by hand: without the attribute the compiler makes a call of it.
+template <TwoWords Register>
+[[gnu::always_inline]] inline Register read() {
+  const auto low = read<typename Register::Low>();
+  return Register::decode(low, read<typename Register::High>());
 }
 
 template <class Register>
