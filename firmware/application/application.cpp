@@ -176,12 +176,12 @@ void Application::report(Now now) {
     next = now.milliseconds + interval;
     return true;
   };
-  if (due(executor_.report_interval(), next_report_)) {
+  if (due(executor_.groups().reports.temperature_interval(), next_report_)) {
     link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed))
                   .view());
   }
-  if (due(executor_.position_interval(), next_position_)) {
-    link_.say(executor_.position_line().view());
+  if (due(executor_.groups().reports.position_interval(), next_position_)) {
+    link_.say(executor_.groups().reports.position_line().view());
   }
 }
 
@@ -192,7 +192,7 @@ void Application::switch_off_forgotten_heaters(Now now) {
     link_.work_goes_on();
   }
   const units::Milliseconds quiet = now.milliseconds - std::max(last_work_, link_.last_heard());
-  const units::Milliseconds limit = executor_.host_silence();
+  const units::Milliseconds limit = executor_.groups().host.host_silence();
   if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return;
   heat_.set_target(Heater::hotend, thermal::HeaterLoop::off);
   heat_.set_target(Heater::bed, thermal::HeaterLoop::off);
@@ -200,7 +200,7 @@ void Application::switch_off_forgotten_heaters(Now now) {
 }
 
 void Application::switch_off_idle_motors(Now now) {
-  const units::Milliseconds timeout = executor_.motor_timeout();
+  const units::Milliseconds timeout = executor_.groups().motion.motor_timeout();
   if (timeout.count() == 0 || !motion_.at_rest()) {
     at_rest_since_ = now.milliseconds;
     return;

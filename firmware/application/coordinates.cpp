@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/limits.hpp"
+#include "motion/steps.hpp"
 
 namespace application {
 namespace {
@@ -51,6 +52,19 @@ units::Position scaled(const units::Position& distance, std::int32_t percent) {
 }
 
 }  // namespace
+
+bool representable(const Positions& positions) {
+  return std::ranges::all_of(positions, [](const units::Position& position) {
+    return position <= motion::max_position && -position <= motion::max_position;
+  });
+}
+
+void Coordinates::follow(const Positions& machine) {
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    logical_[i] = logical_[i] + (machine[i] - planned_[i]);
+  }
+  planned_ = machine;
+}
 
 std::optional<units::Position> Coordinates::length(const gcode::Command& command,
                                                    char letter) const {

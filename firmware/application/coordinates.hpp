@@ -14,6 +14,9 @@ namespace application {
 
 using Positions = units::PerAxis<units::Position>;
 
+// Whether the planner can count so far.
+bool representable(const Positions& positions);
+
 class Coordinates {
  public:
   // G90, G91 for all axes, M82, M83 for E alone: the last one holds, as in Marlin.
@@ -38,6 +41,11 @@ class Coordinates {
   void set_logical(units::Axis axis, const units::Position& position) {
     logical_[units::index_of(axis)] = position;
   }
+  void set_logical(const Positions& positions) { logical_ = positions; }
+  // The machine will stand here at the end of the last move.
+  void set_planned(const Positions& machine) { planned_ = machine; }
+  // After a stop or homing it stands elsewhere: what the host believes moves with it.
+  void follow(const Positions& machine);
 
   // A length parameter in the present unit.
   std::optional<units::Position> length(const gcode::Command& command, char letter) const;
@@ -56,6 +64,7 @@ class Coordinates {
 
  private:
   Positions logical_{};
+  Positions planned_{};
   bool axes_relative_{};
   bool extruder_relative_{};
   bool inches_{};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for heaters and fan: M104 M106 M107 M109 M140 M190.
+// Targets, waits for heat, and the fan.
+#include "application/heat_commands.hpp"
+
 #include <algorithm>
 
-#include "application/command_executor.hpp"
 #include "host_link/replies.hpp"
 
 namespace application {
@@ -23,63 +24,84 @@ std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> tim
   return static_cast<std::int32_t>((time->count() + 999) / 1000);
 }
 
-}  // namespace
-
 // A target that the heater may not be asked for changes nothing: a lower one, as Marlin takes,
 // would spoil the print without a word.
-bool CommandExecutor::is_too_hot(Heater heater, units::Millicelsius target) const {
-  return target > heat_.loop(heater).highest_target();
+bool is_too_hot(const thermal::HeaterLoop& loop, units::Millicelsius target) {
+  return target > loop.highest_target();
 }
 
-CommandExecutor::Progress CommandExecutor::refuse_heat(Heater heater) {
+Progress refuse_heat(ActiveCommand& command, const thermal::HeaterLoop& loop) {
   host_link::TextLine reason;
   reason.text("Above the highest target of ");
-  return refuse(reason.decimal(heat_.loop(heater).highest_target().count(), 3, 2).view());
+  return command.refuse(reason.decimal(loop.highest_target().count(), 3, 2).view());
 }
 
-CommandExecutor::Progress CommandExecutor::set_temperature(Heater heater) {
-  if (heater == Heater::hotend && wants_other_tool()) return refuse_tool();
-  const auto value = command_.value('S');
+// There is one fan, number 0.
+bool is_for_another_fan(const ActiveCommand& command) {
+  return command.integer('P').value_or(0) != 0;
+}
+
+}  // namespace
+
+Progress HeatCommands::set_temperature(ActiveCommand& command, Heater heater) {
+  const auto value = command.value('S');
   if (!value) return Progress::done;
   const units::Millicelsius target = temperature_of(*value);
-  if (is_too_hot(heater, target)) return refuse_heat(heater);
+  if (is_too_hot(heat_.loop(heater), target)) return refuse_heat(command, heat_.loop(heater));
   heat_.set_target(heater, target);
   return Progress::done;
 }
 
-// S waits only for heating, R for cooling too.
-CommandExecutor::Progress CommandExecutor::set_and_wait(Heater heater, Now now) {
-  const thermal::HeaterLoop& loop = heat_.loop(heater);
-  if (stage_ == Stage::begin) {
-    if (heater == Heater::hotend && wants_other_tool()) return refuse_tool();
-    const bool waits_for_cooling = command_.value('R').has_value();
-    const auto target = waits_for_cooling ? command_.value('R') : command_.value('S');
-    if (!target) return Progress::done;
-    if (is_too_hot(heater, temperature_of(*target))) return refuse_heat(heater);
-    heat_.set_target(heater, temperature_of(*target));
-    const auto temperature = loop.temperature();
-    const bool must_cool = temperature && loop.target() < *temperature;
-    if (must_cool && !waits_for_cooling) return Progress::done;
-    deadline_ = now.milliseconds + report_period;
-    stage_ = Stage::heating;
+Progress HeatCommands::set_and_wait(ActiveCommand& command, Heater heater) {
+  if (command.phase == ActiveCommand::Phase::begin) {
+    if (begin_to_wait(command, heater) == Progress::again) return Progress::again;
+    if (command.phase == ActiveCommand::Phase::begin) return Progress::done;
   }
-  if (loop.at_target() || wait_cancelled_) return Progress::done;
-  if (now.milliseconds >= deadline_) {
+  const thermal::HeaterLoop& loop = heat_.loop(heater);
+  if (loop.at_target() || command.wait_cancelled) return Progress::done;
+  const units::Milliseconds now = command.now.milliseconds;
+  if (now >= next_report_) {
     const auto line =
         host_link::heating_report(heat_.state(Heater::hotend), heat_.state(Heater::bed),
-                                  whole_seconds(loop.time_to_arrival(now.milliseconds)));
-    if (link_.say(line.view())) deadline_ += report_period;
+                                  whole_seconds(loop.time_to_arrival(now)));
+    if (command.say(line) == Progress::done) next_report_ += report_period;
   }
   return Progress::again;
 }
 
-CommandExecutor::Progress CommandExecutor::set_fan() {
-  if (command_.integer('P').value_or(0) != 0) return Progress::done;  // there is one fan, number 0
-  const bool on = command_.code == 106;
-  const std::int64_t duty = on ? command_.integer('S').value_or(drivers::Fan::full_duty) : 0;
-  fan_.set_duty(
-      static_cast<std::uint8_t>(std::clamp<std::int64_t>(duty, 0, drivers::Fan::full_duty)));
+Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
+  const thermal::HeaterLoop& loop = heat_.loop(heater);
+  const bool waits_for_cooling = command.command.has_number('R');
+  const auto value = command.value(waits_for_cooling ? 'R' : 'S');
+  if (!value) return Progress::done;
+  const units::Millicelsius target = temperature_of(*value);
+  if (is_too_hot(loop, target)) return refuse_heat(command, loop);
+  heat_.set_target(heater, target);
+  const auto temperature = loop.temperature();
+  const bool must_cool = temperature && loop.target() < *temperature;
+  if (must_cool && !waits_for_cooling) return Progress::done;
+  next_report_ = command.now.milliseconds + report_period;
+  command.phase = ActiveCommand::Phase::heating;
   return Progress::done;
+}
+
+Progress HeatCommands::set_fan(ActiveCommand& command) {
+  if (is_for_another_fan(command)) return Progress::done;
+  fan_.set_duty(static_cast<std::uint8_t>(command.integer('S').value_or(drivers::Fan::full_duty)));
+  return Progress::done;
+}
+
+Progress HeatCommands::stop_fan(ActiveCommand& command) {
+  if (!is_for_another_fan(command)) fan_.set_duty(0);
+  return Progress::done;
+}
+
+// In Marlin's words, by which OctoPrint knows it.
+Progress HeatCommands::select_tool(ActiveCommand& command) {
+  if (command.command.code == 0) return Progress::done;
+  host_link::TextLine line;
+  return command.refuse(
+      line.text("echo:T").integer(command.command.code).text(" Invalid extruder"));
 }
 
 }  // namespace application

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// M92 M201 M203 M204 M205 as lines, all of them by M503.
+// M92 M201 M203 M204 M205 as lines.
 #include "application/setting_reports.hpp"
-
-#include "application/command_executor.hpp"
 
 namespace application {
 namespace {
@@ -43,19 +41,6 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
     put(line, units::axis_letters[i], value_of(limits.axes[i], code));
   }
   return line;
-}
-
-// M92, M201, M203, M204 or M205 without values.
-CommandExecutor::Progress CommandExecutor::report_setting() {
-  return say(setting_report(command_.code, motion_.limits()));
-}
-
-CommandExecutor::Progress CommandExecutor::list_settings() {
-  for (; list_index_ < reported_settings.size(); ++list_index_) {
-    const auto line = setting_report(reported_settings[list_index_], motion_.limits());
-    if (say(line) == Progress::again) return Progress::again;
-  }
-  return Progress::done;
 }
 
 }  // namespace application

@@ -36,13 +36,18 @@ class Command {
 
   // Parameters are asked for by their capital letter, whatever case the line has.
   bool has(char parameter) const { return (present_ & bit(parameter)) != 0; }
+  bool has_number(char parameter) const { return (valued_ & bit(parameter)) != 0; }
   bool has_parameters() const { return present_ != 0; }
-  // Letters as a set, for has_besides().
+  // Letters as a set, a bit for each, for the next two.
+  static constexpr std::uint32_t bit(char parameter) {
+    return parameter >= 'A' && parameter <= 'Z' ? std::uint32_t{1} << index(parameter) : 0;
+  }
   static consteval std::uint32_t set_of(std::string_view letters_of_set) {
     std::uint32_t set = 0;
     for (const char parameter : letters_of_set) set |= bit(parameter);
     return set;
   }
+  bool has_any(std::uint32_t set) const { return (present_ & set) != 0; }
   bool has_besides(std::uint32_t set) const { return (present_ & ~set) != 0; }
 
   // As it is written; empty where the parameter is absent or a flag without a number (G28 X).
@@ -81,9 +86,6 @@ class Command {
   static constexpr std::size_t letter_count = 26;
   static constexpr std::size_t index(char parameter) {
     return static_cast<std::size_t>(parameter - 'A');
-  }
-  static constexpr std::uint32_t bit(char parameter) {
-    return parameter >= 'A' && parameter <= 'Z' ? std::uint32_t{1} << index(parameter) : 0;
   }
 
   std::int64_t with_sign(char parameter, std::int64_t magnitude) const {

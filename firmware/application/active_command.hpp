@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command in hand as its handler sees it, from the first call to the last.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "application/argument_limit.hpp"
+#include "application/tick_clock.hpp"
+#include "gcode/command.hpp"
+#include "host_link/host_link.hpp"
+#include "host_link/text_line.hpp"
+#include "motion/fault.hpp"
+#include "units/axes.hpp"
+
+namespace application {
+
+// What a handler returns: call me again in the next pass, or I am done.
+enum class Progress : bool { again, done };
+
+// Why a command wants everything to end.
+struct Fatal {
+  enum class Reason : std::uint8_t { asked_for, homing };  // M112, or G28 that failed
+  Reason reason{};
+  motion::Fault fault{};  // the last two of homing
+  units::Axis axis{};
+};
+
+// What the host gets to read of a command.
+class Reply {
+ public:
+  explicit Reply(host_link::HostLink& link) : link_(link) {}
+
+  void begin() {
+    lines_said = 0;
+    behind_ok.clear();
+  }
+  // One line; `again` where the link has no room for it yet.
+  Progress say(std::string_view line) { return link_.say(line) ? Progress::done : Progress::again; }
+  Progress say(const host_link::TextLine& line) { return say(line.view()); }
+
+  std::size_t lines_said{};  // of a reply of several lines, counted by its handler
+  host_link::TextLine behind_ok;  // " T:20.00 ..." of M105
+
+ private:
+  host_link::HostLink& link_;
+};
+
+class ActiveCommand : public Reply {
+ public:
+  // What the handler has come to.
+  enum class Phase : std::uint8_t {
+    begin,  // nothing is done yet: the line may still be held or cancelled
+    working,
+    heating,  // waits for heat
+    asking,  // waits for the user
+  };
+
+  using Reply::Reply;
+
+  void begin(std::string_view line) {
+    Reply::begin();
+    phase = Phase::begin;
+    text = line;
+    wait_cancelled = false;
+    refused = false;
+  }
+
+  // A number of the line as whole and as millionths, cut to the range of its row.
+  std::optional<std::int64_t> integer(char letter) const;
+  std::optional<std::int64_t> value(char letter) const;
+  // P in milliseconds or S in seconds, cut likewise; 0 without.
+  units::Milliseconds asked_time() const;
+  // S in whole seconds, cut likewise.
+  std::optional<units::Milliseconds> seconds() const;
+  // The axes whose letters the line has.
+  units::AxisSet named_axes() const;
+
+  // Says why nothing is done, as the whole of a command.
+  Progress refuse(const host_link::TextLine& line) {
+    refused = true;
+    return say(line);
+  }
+  Progress refuse(std::string_view reason);
+  Progress refuse(const ArgumentLimit& violated);
+  Progress refuse_unknown();
+  Progress end_everything(const Fatal& reason) {
+    fatal = reason;
+    return Progress::done;
+  }
+
+  std::string_view text;  // of the line
+  gcode::Command command;
+  ArgumentLimits limits;  // of its row
+  Now now;
+  Phase phase{Phase::begin};
+  bool wait_cancelled{};
+  bool refused{};
+  std::optional<Fatal> fatal;
+};
+
+}  // namespace application

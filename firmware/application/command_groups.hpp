@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// All commands, a class for each group, with what they share.
+#pragma once
+
+#include <tuple>
+
+#include "application/coordinate_commands.hpp"
+#include "application/factor_commands.hpp"
+#include "application/file_commands.hpp"
+#include "application/heat_commands.hpp"
+#include "application/host_commands.hpp"
+#include "application/motion_commands.hpp"
+#include "application/report_commands.hpp"
+#include "application/setting_commands.hpp"
+
+namespace application {
+
+struct CommandGroups {
+  CommandGroups(const MachineDescription& machine, MotionTask& motion_task, HeatTask& heat_task,
+                drivers::Fan& fan, host_link::HostLink& link)
+      : motion(motion_task, heat_task, coordinates),
+        modes(coordinates),
+        settings(motion_task, coordinates),
+        factors(motion_task, coordinates),
+        heat(heat_task, fan),
+        reports(machine, motion_task, heat_task, coordinates),
+        host(link, machine.host_silence) {}
+  // The groups refer to the coordinates.
+  CommandGroups(const CommandGroups&) = delete;
+  CommandGroups& operator=(const CommandGroups&) = delete;
+
+  template <class Group>
+  Group& of() {
+    return std::get<Group&>(std::tie(motion, modes, settings, factors, heat, reports, host, files));
+  }
+
+  Coordinates coordinates;
+  MotionCommands motion;
+  CoordinateCommands modes;
+  SettingCommands settings;
+  FactorCommands factors;
+  HeatCommands heat;
+  ReportCommands reports;
+  HostCommands host;
+  FileCommands files;
+};
+
+// How the executor calls what carries a command out.
+using Handler = Progress (*)(CommandGroups&, ActiveCommand&);
+
+template <class Group, class... Constants>
+Group group_of(Progress (Group::*)(ActiveCommand&, Constants...));
+
+// The method of a group, with constants behind the command.
+template <auto method, auto... constants>
+Progress handler(CommandGroups& groups, ActiveCommand& command) {
+  using Group = decltype(group_of(method));
+  return (groups.of<Group>().*method)(command, constants...);
+}
+
+}  // namespace application

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The letters that commands take, for the rows of the table of commands.
+#pragma once
+
+#include "application/gcode_row.hpp"
+#include "drivers/fan.hpp"
+#include "host_link/emergency.hpp"
+#include "motion/limits.hpp"
+
+namespace application {
+
+namespace gcode_arguments {
+
+inline constexpr std::int32_t day_s = 24 * 3600;
+inline constexpr std::int32_t largest_factor = host_link::largest_speed_factor;
+inline constexpr std::int32_t most_mm_per_s = motion::max_speed.count() / 1000;
+inline constexpr std::int32_t most_mm_per_s2 = motion::max_acceleration.count() / 1000;
+inline constexpr std::int32_t most_steps_per_mm = motion::max_steps_per_meter.count() / 1000;
+
+inline constexpr Arguments move{strict_numbers("XYZE", "mm"), strict_numbers("F", "mm/min")};
+inline constexpr Arguments position{strict_numbers("XYZE", "mm"), numbers("F", no_effect)};
+inline constexpr Arguments homing{flags("XYZ"), numbers("EORW", no_effect)};
+inline constexpr Arguments axes{flags("XYZE")};
+inline constexpr Arguments motors_off{flags("XYZE"), clamped("S", "s", 0, day_s)};
+inline constexpr Arguments time{clamped("P", "ms", 0, day_s * 1000), clamped("S", "s", 0, day_s)};
+inline constexpr Arguments question{clamped("P", "ms", 0, day_s * 1000),
+                                    clamped("S", "s", 0, day_s), text("text")};
+inline constexpr Arguments interval{clamped("S", "s", 0, 60)};
+inline constexpr Arguments silence{clamped("S", "s", 0, day_s)};
+inline constexpr Arguments hotend{numbers("S", "°C"), only_tool("T")};
+inline constexpr Arguments hotend_wait{numbers("SR", "°C"), only_tool("T")};
+inline constexpr Arguments bed{numbers("S", "°C")};
+inline constexpr Arguments bed_wait{numbers("SR", "°C")};
+inline constexpr Arguments fan{clamped("S", "", 0, drivers::Fan::full_duty),
+                               numbers("P", "(fan 0)")};
+inline constexpr Arguments other_fan{numbers("P", "(fan 0)")};
+inline constexpr Arguments steps{numbers("XYZE", "steps/mm", most_steps_per_mm)};
+inline constexpr Arguments axis_accelerations{numbers("XYZE", "mm/s²", most_mm_per_s2)};
+inline constexpr Arguments axis_speeds{numbers("XYZE", "mm/s", most_mm_per_s)};
+inline constexpr Arguments accelerations{numbers("PTRS", "mm/s²", most_mm_per_s2)};
+inline constexpr Arguments advanced{numbers("XYZEST", "mm/s", most_mm_per_s),
+                                    numbers("BJ", no_effect)};
+inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor, "Factor"),
+                                        flags("BR")};
+inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor, "Factor")};
+inline constexpr Arguments line_number{numbers("N", "number")};
+inline constexpr Arguments repeats{numbers("L", "times")};
+inline constexpr Arguments answer{numbers("S", "button")};
+inline constexpr Arguments name{text("name")};
+inline constexpr Arguments message{text("text")};
+inline constexpr Arguments marked_message{text("A1 E1 text")};
+
+}  // namespace gcode_arguments
+
+}  // namespace application

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a row of the table of commands says.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <string_view>
+
+#include "application/argument_limit.hpp"
+#include "application/command_groups.hpp"
+
+namespace application {
+
+// What must have come before a command begins, once the lines before it are done.
+enum class Start : std::uint8_t {
+  in_turn,
+  with_room,  // in the planner
+  at_rest,  // all motion has ended
+  at_rest_but_with_s,  // the same, but not where S has a number
+};
+
+// Letters of a line that are alike: their unit ("" is a flag without a number), and what is checked
+// of each.
+struct Argument {
+  std::string_view letters;  // none: the rest of the line is text
+  std::string_view unit;
+  ArgumentLimit limit;  // for each of the letters
+};
+
+inline constexpr std::string_view no_effect = "without effect";
+
+consteval Argument text(std::string_view name) { return {"", name, {}}; }
+consteval Argument flags(std::string_view letters) { return {letters, "", {}}; }
+// The handler looks after what they are; `most` is for the page.
+consteval Argument numbers(std::string_view letters, std::string_view unit, std::int32_t most = 0) {
+  return {letters, unit, {.most = most}};
+}
+// A letter without a number is refused.
+consteval Argument strict_numbers(std::string_view letters, std::string_view unit) {
+  return {letters, unit, {.check = Check::number}};
+}
+// The nearest value in the range counts.
+consteval Argument clamped(std::string_view letters, std::string_view unit, std::int32_t least,
+                           std::int32_t most) {
+  return {letters, unit, {.check = Check::clamped, .least = least, .most = most}};
+}
+// "NAME not within LEAST to MOST"
+consteval Argument refused(std::string_view letters, std::string_view unit, std::int32_t least,
+                           std::int32_t most, std::string_view name) {
+  return {letters, unit, {.check = Check::refused, .least = least, .most = most, .name = name}};
+}
+consteval Argument only_tool(std::string_view letters) {
+  return {letters, "(tool 0)", {.check = Check::tool}};
+}
+consteval Argument required(Argument argument) {
+  argument.limit.required = true;
+  return argument;
+}
+
+class Arguments {
+ public:
+  consteval Arguments() = default;
+  consteval Arguments(std::initializer_list<Argument> list) : count_(list.size()) {
+    std::ranges::copy(list, arguments_.begin());
+  }
+
+  constexpr const Argument* begin() const { return arguments_.data(); }
+  constexpr const Argument* end() const { return arguments_.data() + count_; }
+  constexpr bool empty() const { return count_ == 0; }
+
+ private:
+  static constexpr std::size_t most = 4;
+  std::array<Argument, most> arguments_{};
+  std::size_t count_{};
+};
+
+struct Conduct {
+  Start start{};
+  Handler report{};  // called in its place where none of the arguments is given
+  bool
+      refuses_others{};  // a letter that is not among the arguments: one of its axes would not move
+  bool on_reception{};  // acted on ahead of the lines that wait (host_link/emergency)
+  bool answered_ahead{};  // a query that need not wait for them (HostLink::query)
+  bool while_storing{};  // executed between M28 and M29
+};
+
+struct GcodeRow {
+  char letter{};
+  std::uint16_t code{};
+  Handler handler{};  // none: the link acts on the line and answers it
+  std::string_view help;  // for the page
+  Arguments arguments;
+  Conduct conduct;
+};
+
+// Rows as they are written in the table.
+consteval GcodeRow g(std::uint16_t code, Handler handler, std::string_view help,
+                     Arguments arguments = {}, Conduct conduct = {}) {
+  return {'G', code, handler, help, arguments, conduct};
+}
+consteval GcodeRow m(std::uint16_t code, Handler handler, std::string_view help,
+                     Arguments arguments = {}, Conduct conduct = {}) {
+  return {'M', code, handler, help, arguments, conduct};
+}
+consteval GcodeRow t(std::uint16_t code, Handler handler, std::string_view help) {
+  return {'T', code, handler, help, {}, {}};
+}
+
+}  // namespace application

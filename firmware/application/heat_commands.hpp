@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands for heaters and fan: M104 M106 M107 M109 M140 M190, and T, which has one hotend to
+// choose from.
+#pragma once
+
+#include "application/active_command.hpp"
+#include "application/heat_task.hpp"
+#include "drivers/fan.hpp"
+
+namespace application {
+
+class HeatCommands {
+ public:
+  HeatCommands(HeatTask& heat, drivers::Fan& fan) : heat_(heat), fan_(fan) {}
+
+  Progress set_temperature(ActiveCommand& command, Heater heater);
+  Progress set_and_wait(ActiveCommand& command, Heater heater);
+  Progress set_fan(ActiveCommand& command);
+  Progress stop_fan(ActiveCommand& command);
+  Progress select_tool(ActiveCommand& command);
+
+ private:
+  // S waits only for heating, R for cooling too.
+  Progress begin_to_wait(ActiveCommand& command, Heater heater);
+
+  HeatTask& heat_;
+  drivers::Fan& fan_;
+  units::Milliseconds next_report_{};  // while a heater is waited for
+};
+
+}  // namespace application

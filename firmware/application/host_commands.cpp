@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Questions to the user, requests to the host, and the program itself.
+#include "application/host_commands.hpp"
+
+#include <iterator>
+
+#include "platform/boot_loader.hpp"
+
+namespace application {
+namespace {
+
+// By what a host knows answers; in a message it would be one too many, or send the print back.
+bool reads_as_answer(std::string_view text) {
+  const auto begins_with = [text](std::string_view word) {
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      if (i == text.size() || (text[i] | 0x20) != word[i]) return false;
+    }
+    return true;
+  };
+  return begins_with("ok") || begins_with("resend") || begins_with("rs ") || begins_with("start");
+}
+
+const char* text_of(Question question) {
+  switch (question) {
+    case Question::go_on:
+      return "Waiting for the user";
+    case Question::change_filament:
+      return "Change the filament";
+    case Question::end_pause:
+      return "Paused";
+  }
+  return "";
+}
+
+// "echo:M113 S2"
+Progress report_seconds(ActiveCommand& command, units::Milliseconds interval) {
+  host_link::TextLine line;
+  line.text("echo:M").integer(command.command.code).text(" S");
+  return command.say(line.integer(interval.count() / 1000));
+}
+
+}  // namespace
+
+// Until M108, M602, M876 or, if M0 or M1 has P or S, its end. Hosts that know prompts show a
+// button; M600 and M601 also inform hosts that print a file that it is paused, and that it goes on.
+Progress HostCommands::ask_user(ActiveCommand& command, Question question) {
+  const bool pauses = question != Question::go_on;
+  std::size_t& said = command.lines_said;
+  const units::Milliseconds now = command.now.milliseconds;
+  if (command.phase == ActiveCommand::Phase::begin) {
+    static constexpr const char* prompt[]{"paused", "prompt_begin ", "prompt_button Continue",
+                                          "prompt_show"};
+    if (!pauses && said == 0) said = 1;
+    for (; said < std::size(prompt); ++said) {
+      host_link::TextLine line;
+      line.text("//action:").text(prompt[said]);
+      if (said == 1) line.text(text_of(question));
+      if (command.say(line) == Progress::again) return Progress::again;
+    }
+    const auto time = pauses ? units::Milliseconds{} : command.asked_time();
+    answer_due_ = time.count() > 0 ? now + time : units::Milliseconds{};
+    said = 0;
+    command.phase = ActiveCommand::Phase::asking;
+  }
+  const bool over = answer_due_.count() != 0 && now >= answer_due_;
+  if (!over && !command.wait_cancelled) return Progress::again;
+  if (said == 0 && command.say("//action:prompt_end") == Progress::again) return Progress::again;
+  said = 1;
+  return pauses ? command.say("//action:resumed") : Progress::done;
+}
+
+// M118 [A1] [E1] text: A1 makes it an action command, E1 an echo.
+Progress HostCommands::say_text(ActiveCommand& command) {
+  std::string_view text = command.command.text;
+  bool action = false;
+  bool echo = false;
+  const auto takes = [&text](std::string_view prefix) {
+    if (!text.starts_with(prefix)) return false;
+    text.remove_prefix(prefix.size());
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    return true;
+  };
+  for (bool more = true; more;) {
+    if (takes("A1")) {
+      action = true;
+    } else if (takes("E1")) {
+      echo = true;
+    } else {
+      more = takes("P0");
+    }
+  }
+  host_link::TextLine line;
+  if (echo || (!action && reads_as_answer(text))) line.text("echo:");
+  if (action) line.text("//");
+  return command.say(line.text(text));
+}
+
+Progress HostCommands::stop_everything(ActiveCommand& command) {
+  return command.end_everything({.reason = Fatal::Reason::asked_for});
+}
+
+Progress HostCommands::set_busy_interval(ActiveCommand& command) {
+  busy_interval_ = command.seconds().value_or(busy_interval_);
+  link_.set_busy_interval(busy_interval_);
+  return Progress::done;
+}
+
+Progress HostCommands::report_busy_interval(ActiveCommand& command) {
+  return report_seconds(command, busy_interval_);
+}
+
+Progress HostCommands::set_host_silence(ActiveCommand& command) {
+  host_silence_ = command.seconds().value_or(host_silence_);
+  return Progress::done;
+}
+
+Progress HostCommands::report_host_silence(ActiveCommand& command) {
+  return report_seconds(command, host_silence_);
+}
+
+Progress HostCommands::refuse_repeats(ActiveCommand& command) {
+  return command.refuse("No repeats, the lines behind it are executed once");
+}
+
+// The loader answers from then on; control does not return here.
+Progress HostCommands::update_firmware(ActiveCommand& command) {
+  if (platform::enter_boot_loader()) return Progress::done;
+  return command.refuse("No boot loader in this image");
+}
+
+}  // namespace application

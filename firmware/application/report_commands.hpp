@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands that report: M105 M114 M115 M119, and how often unasked: M154 M155.
+#pragma once
+
+#include "application/active_command.hpp"
+#include "application/coordinates.hpp"
+#include "application/heat_task.hpp"
+#include "application/machine_description.hpp"
+#include "application/motion_task.hpp"
+
+namespace application {
+
+class ReportCommands {
+ public:
+  ReportCommands(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
+                 const Coordinates& coordinates)
+      : machine_(machine), motion_(motion), heat_(heat), coordinates_(coordinates) {}
+
+  Progress report_temperature(ActiveCommand& command);
+  Progress report_position(ActiveCommand& command) { return say_position(command); }
+  Progress report_firmware(ActiveCommand& command) { return say_firmware(command); }
+  Progress report_end_stops(ActiveCommand& command);
+  Progress set_position_interval(ActiveCommand& command);
+  Progress set_temperature_interval(ActiveCommand& command);
+
+  // M105, M114 or M115 ahead of the line in hand.
+  Progress answer_ahead(std::uint8_t code, Reply& reply);
+
+  // How often they are reported unasked; 0 is never.
+  units::Milliseconds position_interval() const { return position_interval_; }
+  units::Milliseconds temperature_interval() const { return temperature_interval_; }
+  host_link::TextLine position_line() const;
+  host_link::TextLine temperature_line() const;
+
+ private:
+  Progress say_position(Reply& reply) const { return reply.say(position_line()); }
+  Progress say_firmware(Reply& reply) const;
+
+  const MachineDescription& machine_;
+  MotionTask& motion_;
+  HeatTask& heat_;
+  const Coordinates& coordinates_;
+  units::Milliseconds position_interval_{};
+  units::Milliseconds temperature_interval_{};
+};
+
+}  // namespace application

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands for what the axes may do: M92 M201 M203 M204 M205 M503.
+#pragma once
+
+#include <span>
+
+#include "application/active_command.hpp"
+#include "application/coordinates.hpp"
+#include "application/motion_task.hpp"
+#include "motion/limits.hpp"
+
+namespace application {
+
+class SettingCommands {
+ public:
+  SettingCommands(MotionTask& motion, Coordinates& coordinates)
+      : motion_(motion), coordinates_(coordinates) {}
+
+  Progress set_steps_per_millimeter(ActiveCommand& command);
+  Progress set_max_accelerations(ActiveCommand& command);
+  Progress set_max_speeds(ActiveCommand& command);
+  Progress set_accelerations(ActiveCommand& command);
+  Progress set_advanced(ActiveCommand& command);
+  // Any of these without values.
+  Progress report(ActiveCommand& command);
+  Progress list(ActiveCommand& command);
+
+ private:
+  // A limit that is not of one axis, and the letter of its value.
+  struct Setting {
+    char letter;
+    motion::Accepted (*set)(motion::Limits&, units::Nanometers);
+  };
+  Progress set_for_all(ActiveCommand& command, std::span<const Setting> settings);
+  template <class Quantity>
+  Progress set_per_axis(ActiveCommand& command,
+                        motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity));
+
+  MotionTask& motion_;
+  Coordinates& coordinates_;
+};
+
+}  // namespace application
