@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of commands: what the firmware executes, in order of letter and code. M115's
-// capabilities are made from it.
+// The table of commands: what the firmware executes, in order of letter and code. The page
+// gcodes.md (target generate) and M115's capabilities are made from it.
 #pragma once
 
 #include <array>
