@@ -102,7 +102,8 @@ class FakeChip {
   std::int64_t tick_of_stop(std::int64_t last_tick) const;
   void stop(std::uint32_t end_stops, bool software);
   void advance_heat(double seconds);
-  std::uint32_t thermistor_count(std::size_t channel) const;
+  double thermistor_ohms(std::size_t channel) const;
+  static std::uint32_t count_of(double ohms);  // of the temperature converter
 
   static constexpr std::size_t peripherals = 9;
   static constexpr std::size_t words_of_peripheral = 128;
