@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page firmware/application/gcodes.md against what the firmware answers to every code.
+// The table of commands and its page against what the firmware does with every code.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <regex>
 #include <set>
 #include <string>
 
+#include "application/gcode_entry.hpp"
+#include "application/gcode_table.hpp"
 #include "directories.hpp"
+#include "host_link/emergency.hpp"
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {
@@ -61,6 +65,113 @@ TEST(gcode_table, names_the_codes_that_the_firmware_executes_and_no_others) {
   for (const auto& code : table) EXPECT_TRUE(firmware.contains(code)) << code << " is unknown";
   for (const auto& code : firmware)
     EXPECT_TRUE(table.contains(code)) << code << " is not documented";
+}
+
+using application::GcodeRow;
+
+std::string name_of(const GcodeRow& row) { return fmt::format("{}{}", row.letter, row.code); }
+
+gcode::Command command_of(char letter, int code) {
+  gcode::Command command;
+  command.letter = letter;
+  command.code = static_cast<std::uint16_t>(code);
+  return command;
+}
+
+TEST(gcode_table, is_searched_to_the_right_entry_for_every_code) {
+  for (const char letter : {'G', 'M'}) {
+    for (int code = 0; code <= 65'535; ++code) {
+      const auto row = std::ranges::find_if(application::gcode_table, [&](const GcodeRow& each) {
+        return each.letter == letter && each.code == code;
+      });
+      const auto* entry = application::find_entry(command_of(letter, code));
+      ASSERT_EQ(entry != nullptr, row != application::gcode_table.end()) << letter << code;
+      if (entry == nullptr) continue;
+      EXPECT_EQ(entry->letter, letter);
+      EXPECT_EQ(entry->code, code);
+      EXPECT_EQ(entry->handler, row->handler) << letter << code;
+    }
+  }
+  EXPECT_EQ(application::find_entry(command_of('T', 7)),
+            application::find_entry(command_of('T', 0)));
+}
+
+TEST(gcode_table, says_of_a_row_what_the_link_does_on_reception) {
+  for (const GcodeRow& row : application::gcode_table) {
+    EXPECT_EQ(host_link::emergency_in(name_of(row)).has_value(), row.conduct.on_reception)
+        << name_of(row);
+  }
+}
+
+// Sent while the user is waited for: its answer does not wait.
+TEST(gcode_table, says_of_a_row_whether_it_is_answered_ahead) {
+  for (const GcodeRow& row : application::gcode_table) {
+    const bool restarts_numbering = row.code == 110;  // answered, so that a new host gets online
+    if (row.letter != 'M' || row.conduct.on_reception || restarts_numbering) continue;
+    Printer printer;
+    printer.run(1);
+    printer.send("M0");
+    printer.run(0.5);
+    printer.chip.from_firmware.clear();
+    printer.send(name_of(row));
+    printer.run(0.5);
+    EXPECT_EQ(printer.chip.from_firmware.contains("ok"), row.conduct.answered_ahead)
+        << name_of(row) << ": " << printer.chip.from_firmware;
+  }
+}
+
+TEST(gcode_table, says_of_a_row_whether_it_is_executed_between_m28_and_m29) {
+  for (const GcodeRow& row : application::gcode_table) {
+    if (row.conduct.on_reception) continue;
+    Printer printer;
+    printer.run(1);
+    printer.talk("-> M28 a\n<* No SD card until M29\n<- ok");
+    printer.send(name_of(row));
+    const auto answer = printer.reply();
+    ASSERT_TRUE(answer.has_value()) << name_of(row);
+    EXPECT_NE(answer->contains("until M29"), row.conduct.while_storing)
+        << name_of(row) << ": " << *answer;
+  }
+}
+
+TEST(gcode_table, refuses_letters_that_a_row_does_not_have_where_it_says_so) {
+  for (const GcodeRow& row : application::gcode_table) {
+    if (row.conduct.on_reception) continue;
+    Printer printer;
+    printer.send(name_of(row) + " K1");
+    const auto answer = printer.reply(1);
+    EXPECT_EQ(answer && answer->contains("Unknown parameter"), row.conduct.refuses_others)
+        << name_of(row);
+  }
+}
+
+// Hosts send what needs a capability only where it is reported.
+TEST(gcode_table, reports_the_capabilities_of_the_commands_that_it_has) {
+  Printer printer;
+  printer.talk(R"(
+    -> M115
+    <* FIRMWARE_NAME:StepFabric
+    <- Cap:EEPROM:0
+    <- Cap:AUTOREPORT_TEMP:1
+    <- Cap:AUTOREPORT_POS:1
+    <- Cap:PROGRESS:0
+    <- Cap:EMERGENCY_PARSER:1
+    <- Cap:SDCARD:0
+    <- Cap:ARCS:0
+    <- Cap:HOST_ACTION_COMMANDS:1
+    <- Cap:PROMPT_SUPPORT:1
+    <- Cap:ADVANCED_OK:0
+    <- ok
+    -> M500
+    <- echo:Unknown command: "M500"
+    <- ok
+    -> G2 X1 R1
+    <- echo:Unknown command: "G2 X1 R1"
+    <- ok
+    -> M20
+    <- echo:Unknown command: "M20"
+    <- ok
+  )");
 }
 
 }  // namespace
