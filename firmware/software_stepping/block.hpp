@@ -20,6 +20,9 @@ inline constexpr std::size_t most_quick_followers = 3;
 // bits below: a tick ors it to the pins as it is.
 inline constexpr int pin_bits = 8;
 
+// From the fraction of an interval to 2^-32 clocks.
+inline constexpr int interval_fraction_shift = 32 - interval_fraction_bits;
+
 // What is the same in all segments of a line.
 struct Line {
   std::uintptr_t rest{};  // how a tick goes on behind its edge
@@ -68,6 +71,12 @@ struct Block {
   std::uint32_t ticks_before{};  // of the line
   std::uint8_t stop_mask{};
   bool ends_motion{};
+
+  void set_interval(Interval value) {
+    interval = static_cast<std::uint32_t>(value);
+    interval_clocks = interval >> interval_fraction_bits;
+    interval_fraction = interval << interval_fraction_shift;
+  }
 };
 
 // What is due next. The pins are worked out one tick ahead, so that the edge comes first. While the

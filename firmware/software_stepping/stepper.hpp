@@ -72,6 +72,12 @@ class Stepper {
   void attend(Attention reason);
 
  private:
+  static constexpr Interval shortest_careful_interval = too_long_interval;
+  // Clocks in tick.S from the end of a pulse to the timer's deadline, less than what passes to the
+  // next edge.
+  static constexpr std::uint32_t clocks_to_edge = 4;
+
+  static std::uint32_t directions_now();
   void link();
   void begin_segment();
   void begin_line();

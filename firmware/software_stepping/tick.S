@@ -1,63 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A tick in the timer interrupt, in as few clocks as possible. All code of the image leaves these
 # registers alone (../target): no tick saves any.
-#define block tp
-#define fraction t2
-#define pins t3
-#define scratch t4
-#define other t5
-#define pin_registers t6
-#define error_1 s7
-#define error_2 s8
-#define error_3 s9
-#define deadline s10
-#define left s11
-
-# Of Block and Tick (block.hpp), in their order.
-#define NEXT 0(block)
-#define TRAP_BASE 4
-#define TICK 8(block)
-#define INTERVAL_FRACTION 12(block)
-#define INTERVAL_CLOCKS 16(block)
-#define NEAR_CLOCKS 20(block)
-#define QUICK_BEHIND 24(block)
-#define TICKS 28(block)
-#define BEGINS_LINE 32(block)
-#define INTERVAL 36(block)
-#define MANTISSA 40(block)
-#define SHIFT 44(block)
-#define LARGEST_CHANGE 48(block)
-#define STOP_MASK 52(block)
-#define WATCHED_TICK 56(block)
-#define REST 60(block)
-#define LEADER 64(block)
-#define LINE_TICKS 68(block)
-#define STEPS_1 72(block)
-#define STEPS_2 76(block)
-#define STEPS_3 80(block)
-#define ERROR_1 88(block)
-#define ERROR_2 92(block)
-#define ERROR_3 96(block)
-#define PULSE_DELAY 104(block)
-#define HOLD_DELAY 108(block)
-#define DIRECTION 112(block)
-#define tick_block software_stepping_tick
-#define deadline_high software_stepping_tick + 32
-
-# Registers of the step pins, and of the timer with its upper address.
-#define STEP 4(pin_registers)
-#define DIRECTION_PINS 8(pin_registers)
-#define PINS_UPPER 0xF0008
-#define TIMER_UPPER 0xF0002
-#define END_STOPS_UPPER 0xF0004
-#define END_STOPS 0(other)
-#define COMPARE_LOW 8(other)
-#define COMPARE_HIGH 12(other)
-
-#define CAREFUL 0
-#define BLOCK_ENDS 1
-#define INTERVAL_TOO_LONG 2
-#define LATE 3
+#include "software_stepping/tick_names.inc"
 
   .section .text.tick, "ax"
 # Nothing outside of this code touches the registers above (tests/software_stepping/reserved_registers.sh).
@@ -286,87 +230,7 @@ block_ends:
 9:
   li scratch, BLOCK_ENDS
 
-# In: `scratch` = reason. The guard wants the pulse's end, not before its time.
-end_pulse_and_attend:
-  addi sp, sp, -48
-  sw a0, 0(sp)
-  mv a0, scratch
-  sw t0, 4(sp)
-  jal t0, registers_to_tick
-  lw scratch, PULSE_DELAY
-  addi scratch, scratch, 1
-1:
-  addi scratch, scratch, -1
-  bnez scratch, 1b
-  sw zero, STEP
-  j save_and_attend
-attend:
-  addi sp, sp, -48
-  sw a0, 0(sp)
-  mv a0, scratch
-  sw t0, 4(sp)
-  jal t0, registers_to_tick
-  j save_and_attend
-
-  trap_base careful
-  timer_entry careful
-  li scratch, CAREFUL
-  j attend
-
-save_and_attend:
-  sw ra, 8(sp)
-  sw t1, 12(sp)
-  sw a1, 16(sp)
-  sw a2, 20(sp)
-  sw a3, 24(sp)
-  sw a4, 28(sp)
-  sw a5, 32(sp)
-  sw a6, 36(sp)
-  sw a7, 40(sp)
-  call attend_to_stepper
-  jal t0, tick_to_registers
-  lw a0, 0(sp)
-  lw t0, 4(sp)
-  lw ra, 8(sp)
-  lw t1, 12(sp)
-  lw a1, 16(sp)
-  lw a2, 20(sp)
-  lw a3, 24(sp)
-  lw a4, 28(sp)
-  lw a5, 32(sp)
-  lw a6, 36(sp)
-  lw a7, 40(sp)
-  addi sp, sp, 48
-  mret
-
-# With the interrupt kept out.
-  .globl registers_to_tick, tick_to_registers
-registers_to_tick:
-  la scratch, software_stepping_tick
-  sw pins, 4(scratch)
-  sw error_1, 8(scratch)
-  sw error_2, 12(scratch)
-  sw error_3, 16(scratch)
-  sw fraction, 24(scratch)
-  sw deadline, 28(scratch)
-  sw left, 36(scratch)
-  csrr other, mtvec
-  sw other, 40(scratch)
-  jr t0
-tick_to_registers:
-  la scratch, software_stepping_tick
-  lw block, 0(scratch)
-  lw pins, 4(scratch)
-  lw error_1, 8(scratch)
-  lw error_2, 12(scratch)
-  lw error_3, 16(scratch)
-  lw fraction, 24(scratch)
-  lw deadline, 28(scratch)
-  lw left, 36(scratch)
-  lw other, 40(scratch)
-  lui pin_registers, PINS_UPPER
-  csrw mtvec, other
-  jr t0
+#include "software_stepping/tick_attend.inc"
 
 tick_code_ends:
 
