@@ -42,16 +42,16 @@ std::string_view describe(LineError error) {
 
 LineNumber LineNumbering::wanted() const { return last_ + 1; }
 
+bool LineNumbering::asked_within(units::Milliseconds time, units::Milliseconds now) const {
+  return asked_ && now - *asked_ < time;
+}
+
 bool LineNumbering::within_patience(units::Milliseconds now) const {
-  return awaiting_resend_ && now - asked_ < resend_patience;
+  return awaiting_resend() && asked_within(resend_patience, now);
 }
 
 bool LineNumbering::must_ask_again(units::Milliseconds now) const {
-  return awaiting_resend_ && ignored_since_resend_ && now - asked_ >= resend_patience;
-}
-
-bool LineNumbering::asked_recently(units::Milliseconds now) const {
-  return ever_asked_ && now - asked_ < resend_memory;
+  return awaiting_resend() && ignored_since_resend_ && !asked_within(resend_patience, now);
 }
 
 Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now) {
@@ -86,8 +86,9 @@ Judgement LineNumbering::refuse_or_ignore(units::Milliseconds now) const {
 
 Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
                                       units::Milliseconds now) {
-  if (begins_numbering(line, now)) lost_start_ = 0;
-  if (within_patience(now) && line.number != asked_for()) return {Verdict::ignore};
+  const bool asked_just_now = within_patience(now);
+  if (begins_numbering(line, now)) state_ = State::start_awaited;
+  if (asked_just_now && line.number != asked_for()) return {Verdict::ignore};
   refused_number_ = line.number;
   return {Verdict::refuse, error};
 }
@@ -106,25 +107,35 @@ bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Millisecon
 Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) {
   const LineNumber number = *line.number;
   if (sets_numbering(line.text)) return judge_restart(line, now);
-  if (start_may_be_lost(line)) {
-    // In the midst of a job it is rather a host that was sent back, or a fault that the XOR missed.
-    if (established_ && now - last_taken_ < restart_pause) return refuse_or_ignore(now);
-    const bool asked_for_it = asked_for() == 0;
-    lost_start_ = 0;
-    if (asked_for_it) return refuse_or_ignore(now);
-    return {Verdict::refuse, LineError::wrong_number};
+  switch (state_) {
+    case State::in_order:
+      break;
+    case State::line_awaited:
+      if (start_may_be_lost(line)) return judge_after_lost_start(now);
+      break;
+    case State::start_awaited:
+      if (number != asked_for() && within_patience(now)) return {Verdict::ignore};
+      break;
   }
-  if (lost_start_ && number != *lost_start_ && within_patience(now)) return {Verdict::ignore};
   if (number == wanted()) return {Verdict::accept};
   if (number == 0 || number == 1) return judge_first_number(line, now);
   if (taken_before(number, fingerprint_of(line.text))) return {Verdict::repeat};
   return refuse_or_ignore(now);
 }
 
+// In the midst of a job it is rather a host that was sent back, or a fault that the XOR missed.
+Judgement LineNumbering::judge_after_lost_start(units::Milliseconds now) {
+  if (established_ && now - last_taken_ < restart_pause) return refuse_or_ignore(now);
+  const bool asked_for_it = asked_for() == 0;
+  state_ = State::start_awaited;
+  if (asked_for_it) return refuse_or_ignore(now);
+  return {Verdict::refuse, LineError::wrong_number};
+}
+
 // A Resend whose number was corrupted on its way can send a host back to the M110 that
 // opened its job.
 bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
-  return awaiting_resend_ && !lost_start_ && history_size_ != 0 && now - asked_ < restart_pause;
+  return state_ == State::line_awaited && history_size_ != 0 && asked_within(restart_pause, now);
 }
 
 Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
@@ -141,7 +152,7 @@ Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
   const bool taken = taken_before(*line.number, fingerprint);
   // The same opening again, after a pause: the same job started again, unless a Resend whose number
   // was corrupted on its way explains it.
-  const bool explained = asked_recently(now) || now - last_taken_ < restart_pause;
+  const bool explained = asked_within(resend_memory, now) || now - last_taken_ < restart_pause;
   const bool known = taken || opened_with(*line.number, fingerprint);
   if (looks_like_command(line.text) && !(known && explained)) return {Verdict::accept};
   if (taken) return {Verdict::repeat};
@@ -151,7 +162,7 @@ Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
 // An unknown N1 while a line that could not be read is awaited: that line may have been N0, without
 // which nothing must begin.
 bool LineNumbering::start_may_be_lost(const ReceivedLine& line) const {
-  if (line.number != 1 || !awaiting_resend_ || lost_start_ || refused_number_ == 1) return false;
+  if (line.number != 1 || refused_number_ == 1) return false;
   if (established_ && wanted() == 1) return false;
   return !opened_with(1, fingerprint_of(line.text));
 }
@@ -195,25 +206,23 @@ void LineNumbering::restart_after(LineNumber last) {
 
 void LineNumbering::end_recovery() {
   established_ = true;
-  awaiting_resend_ = false;
+  state_ = State::in_order;
   unprintable_.reset();
   refused_number_.reset();
-  lost_start_.reset();
   lost_start_asked_ = 0;
 }
 
 void LineNumbering::asked_for_resend(units::Milliseconds now) {
   asked_ = now;
-  ever_asked_ = true;
-  awaiting_resend_ = true;
+  if (state_ == State::in_order) state_ = State::line_awaited;
   ignored_since_resend_ = false;
 }
 
 void LineNumbering::resend_sent(units::Milliseconds now) {
   asked_for_resend(now);
-  if (!lost_start_ || ++lost_start_asked_ <= lost_start_requests) return;
+  if (state_ != State::start_awaited || ++lost_start_asked_ <= lost_start_requests) return;
   // It begins at N1, and that is what may come now.
-  lost_start_.reset();
+  state_ = State::line_awaited;
   refused_number_ = 1;
 }
 

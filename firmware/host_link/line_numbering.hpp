@@ -72,8 +72,8 @@ class LineNumbering {
   // The next line of the numbering.
   LineNumber wanted() const;
   // What a resend request asks for: the wanted line, or the lost beginning of a new numbering.
-  LineNumber asked_for() const { return lost_start_.value_or(wanted()); }
-  bool awaiting_resend() const { return awaiting_resend_; }
+  LineNumber asked_for() const { return state_ == State::start_awaited ? 0 : wanted(); }
+  bool awaiting_resend() const { return state_ != State::in_order; }
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
 
@@ -81,6 +81,12 @@ class LineNumbering {
   static constexpr std::uint8_t lost_start_requests = 6;
 
  private:
+  enum class State : std::uint8_t {
+    in_order,  // the next line comes, or the first
+    line_awaited,  // it has been asked for again
+    start_awaited,  // a new numbering has begun, known to have come corrupted: its line 0 likewise
+  };
+
   struct Taken {
     LineNumber number;
     std::uint32_t fingerprint;
@@ -89,6 +95,7 @@ class LineNumbering {
   static constexpr std::size_t history_length = 16;
 
   Judgement judge_number(const ReceivedLine& line, units::Milliseconds now);
+  Judgement judge_after_lost_start(units::Milliseconds now);
   bool taken_before(LineNumber number, std::uint32_t fingerprint) const;
   bool opened_with(LineNumber number, std::uint32_t fingerprint) const;
   Judgement judge_restart(const ReceivedLine& line, units::Milliseconds now) const;
@@ -97,7 +104,7 @@ class LineNumbering {
   bool begins_numbering(const ReceivedLine& line, units::Milliseconds now) const;
   bool may_be_sent_back(units::Milliseconds now) const;
   bool start_may_be_lost(const ReceivedLine& line) const;
-  bool asked_recently(units::Milliseconds now) const;
+  bool asked_within(units::Milliseconds time, units::Milliseconds now) const;
   void forget();
   void end_recovery();
 
@@ -107,16 +114,13 @@ class LineNumbering {
   std::array<std::optional<std::uint32_t>, 2> openings_{};  // fingerprints of lines 0 and 1
   std::optional<Taken> unprintable_{};
   std::optional<Taken> taken_back_{};
-  // The line with which a host has begun a new numbering, known to have come corrupted.
-  std::optional<LineNumber> lost_start_{};
-  std::uint8_t lost_start_asked_{};
+  std::uint8_t lost_start_asked_{};  // so often since all was in order
   std::optional<LineNumber> refused_number_{};  // as far as it could be read
   LineNumber last_{};
   units::Milliseconds last_taken_{};
-  units::Milliseconds asked_{};
-  bool ever_asked_{};
+  std::optional<units::Milliseconds> asked_;  // the last time, if ever
+  State state_{State::in_order};
   bool established_{};  // a line or an M110 has set the numbering since the start
-  bool awaiting_resend_{};
   bool ignored_since_resend_{};
 };
 
