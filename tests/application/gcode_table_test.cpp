@@ -13,6 +13,7 @@
 #include "application/gcode_entry.hpp"
 #include "application/gcode_table.hpp"
 #include "directories.hpp"
+#include "gcode/parser.hpp"
 #include "host_link/emergency.hpp"
 #include "tests/application/dialogue.hpp"
 
@@ -100,6 +101,18 @@ TEST(gcode_table, says_of_a_row_what_the_link_does_on_reception) {
   for (const GcodeRow& row : application::gcode_table) {
     EXPECT_EQ(host_link::emergency_in(name_of(row)).has_value(), row.conduct.on_reception)
         << name_of(row);
+  }
+}
+
+// Where a row has text, the parser must not read it as parameters.
+TEST(gcode_table, says_of_a_row_what_the_parser_reads_as_text) {
+  for (const GcodeRow& row : application::gcode_table) {
+    const bool has_text = std::ranges::any_of(
+        row.arguments,
+        [](const application::Argument& argument) { return argument.letters.empty(); });
+    const std::string line = name_of(row) + " Words here";
+    const auto command = gcode::parse(line);
+    EXPECT_EQ(command && command->text == "Words here", has_text) << name_of(row);
   }
 }
 
