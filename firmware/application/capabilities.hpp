@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What M115 says that the firmware can do: what is true, not what would please, since hosts act on
-// it.
+// What M115 says that the firmware can do. It is what is true, not what would please: hosts act on
+// what they read there.
 #pragma once
 
 #include <array>

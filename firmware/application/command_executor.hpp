@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carries out one G-code line after another, each in as many calls as it needs, and answers it:
-// finds the row of the command, waits for what the row says, checks the arguments, and calls the
-// handler.
+// Carries out one G-code line after another, each in as many calls as it needs, and answers it. It
+// finds the row of the command, waits for what that says, checks arguments, and calls the handler.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// G92.
+// G92: what the present place is called from now on.
 #include "application/coordinate_commands.hpp"
 
 namespace application {

@@ -76,8 +76,8 @@ Progress SettingCommands::set_accelerations(ActiveCommand& command) {
   return set_for_all(command, settings);
 }
 
-// X Y Z E jerk, S slowest print move, T slowest travel; B and J (other planners' numbers) are
-// ignored.
+// X Y Z E jerk, S slowest print move, T slowest travel. B and J are numbers of other planners,
+// which have no effect.
 Progress SettingCommands::set_advanced(ActiveCommand& command) {
   using Speed = units::MicrometersPerSecond;
   constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {

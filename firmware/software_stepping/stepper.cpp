@@ -60,8 +60,9 @@ void Stepper::configure(const Guard& guard, Interval longest_interval) {
   for (std::size_t i = 0; i < pulse_delays_.size(); ++i) {
     pulse_delays_[i] = loops(more_than(guard.high, clocks_to_fall[i]));
   }
-  for (std::size_t i = 0; i < blocks_.size(); ++i)
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
     blocks_[i].next = &blocks_[(i + 1) % blocks_.size()];
+  }
   to_write_ = blocks_.data();
   tick_.block = to_write_;
   tick_.trap_base = ways().careful;

@@ -156,8 +156,8 @@ void Stepper::go_on_after(Interval interval) {
 }
 
 // A tick that is late comes at once, and time goes on. One that is late by more than an interval,
-// or that the guard forbids for so long, delays all that follow: the path stays, the clocks are
-// counted.
+// or that the guard forbids for so long, delays all that follow: the path stays, and the clocks
+// of the delay are counted.
 void Stepper::schedule() {
   if (moving_) {
     const std::uint64_t deadline = deadline_of(tick_);

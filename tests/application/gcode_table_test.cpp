@@ -30,8 +30,10 @@ std::set<std::string> documented() {
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("| `")) continue;
     const std::string column = line.substr(0, line.find('|', 1));
-    for (std::sregex_iterator found(column.begin(), column.end(), code), end; found != end; ++found)
+    for (std::sregex_iterator found(column.begin(), column.end(), code), end; found != end;
+         ++found) {
       codes.insert((*found)[1]);
+    }
   }
   return codes;
 }
@@ -64,8 +66,9 @@ std::set<std::string> executed() {
 TEST(gcode_table, names_the_codes_that_the_firmware_executes_and_no_others) {
   const auto table = documented(), firmware = executed();
   for (const auto& code : table) EXPECT_TRUE(firmware.contains(code)) << code << " is unknown";
-  for (const auto& code : firmware)
+  for (const auto& code : firmware) {
     EXPECT_TRUE(table.contains(code)) << code << " is not documented";
+  }
 }
 
 using application::GcodeRow;

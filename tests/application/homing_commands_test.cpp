@@ -56,8 +56,8 @@ TEST(homing_commands, halts_when_an_end_stop_is_never_found) {
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
-// How far Z is pushed beyond its end stop, which does not close any more, in mm; the fault ends
-// everything.
+// How far Z is pushed beyond its end stop, which does not close any more, in mm. The fault ends
+// all that follows.
 double push_of_z(Printer& printer) {
   printer.chip.end_stops_work = false;
   printer.talk(R"(
