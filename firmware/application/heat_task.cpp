@@ -158,8 +158,9 @@ void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
 void HeatTask::update(Part& part, Now now) {
   const std::size_t gate = part.description.heater_channel;
   const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
-  if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok)
+  if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok) {
     lock_limits(part, reading);
+  }
   const bool was_heating = part.loop.duty() != 0;
   const bool tripped = control_.status(gate).tripped;
   if (tripped && was_heating) part.loop.report_cut_off();

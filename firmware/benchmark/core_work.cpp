@@ -44,8 +44,9 @@ std::uint16_t CoreWork::iterate(std::int16_t variation) {
     const auto factor = static_cast<std::int16_t>(list_.first_value() + variation + round);
     sum = add_half_word(sum, matrix_.run(factor));
   }
-  for (std::size_t round = 0; round < scanner_rounds; ++round)
+  for (std::size_t round = 0; round < scanner_rounds; ++round) {
     sum = add_half_word(sum, scanner_.run(shortest_stride + round));
+  }
   list_.sort_by_place();
   return add_half_word(sum, list_.checksum());
 }

@@ -38,16 +38,18 @@ void MatrixWork::add(std::int16_t value) {
 
 void MatrixWork::scale(std::int16_t factor) {
   for (std::size_t row = 0; row < size; ++row) {
-    for (std::size_t column = 0; column < size; ++column)
+    for (std::size_t column = 0; column < size; ++column) {
       product_[row][column] = left_[row][column] * factor;
+    }
   }
 }
 
 void MatrixWork::multiply_by_vector() {
   for (std::size_t row = 0; row < size; ++row) {
     std::int32_t sum = 0;
-    for (std::size_t column = 0; column < size; ++column)
+    for (std::size_t column = 0; column < size; ++column) {
       sum += left_[row][column] * right_[0][column];
+    }
     product_[row][0] = sum;
   }
 }

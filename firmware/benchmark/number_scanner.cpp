@@ -90,8 +90,9 @@ std::uint16_t NumberScanner::run(std::size_t stride) {
   scan();
   spoil(stride);
   std::uint16_t sum = 0;
-  for (std::size_t i = 0; i < states; ++i)
+  for (std::size_t i = 0; i < states; ++i) {
     sum = add_half_word(add_half_word(sum, ended_in_[i]), entered_[i]);
+  }
   return sum;
 }
 

@@ -40,8 +40,9 @@ void PlannerWork::prepare(std::string_view text) {
     if (!command || !(command->is('G', 0) || command->is('G', 1))) continue;
     coordinates.take_feedrate(*command);
     const auto target = coordinates.target_of(*command);
-    for (const auto axis : {units::Axis::x, units::Axis::y, units::Axis::z, units::Axis::e})
+    for (const auto axis : {units::Axis::x, units::Axis::y, units::Axis::z, units::Axis::e}) {
       coordinates.set_logical(axis, target[units::index_of(axis)]);
+    }
     moves_[count_++] = {.target = target, .feedrate = coordinates.feedrate()};
   }
   if (count_ != 0) planner_.set_position(moves_[0].target);
@@ -72,8 +73,9 @@ bool PlannerWork::take_segments(ProcessorResult& result) {
   while (const auto segment = planner_.next_segment(now_)) {
     taken = true;
     std::uint32_t word = segment->ticks ^ segment->line_ticks << 16;
-    for (const std::int32_t steps : segment->steps)
+    for (const std::int32_t steps : segment->steps) {
       word = 31 * word + static_cast<std::uint32_t>(steps);
+    }
     word ^= folded(segment->rate) ^ folded(static_cast<std::uint64_t>(segment->acceleration));
     result.checksum = 31 * result.checksum + word;
   }

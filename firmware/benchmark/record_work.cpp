@@ -100,8 +100,9 @@ ProcessorResult RecordWork::run(std::uint32_t iterations) {
     records_[1].number = 7 * (product - quotient) - row;
     sum = static_cast<std::uint16_t>(sum + (quotient ^ records_[2].number));
   }
-  for (const Record& record : records_)
+  for (const Record& record : records_) {
     sum = add_word(sum, static_cast<std::uint32_t>(record.number));
+  }
   return {.units = iterations, .checksum = sum};
 }
 

@@ -23,8 +23,9 @@ constexpr std::uint32_t wake_level_bytes = 32;
 
 motion::Segment segment_of(const benchmark::Piece& piece, bool last) {
   motion::Segment segment;
-  for (std::size_t axis = 0; axis < units::axis_count; ++axis)
+  for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     segment.steps[axis] = piece.steps[axis];
+  }
   segment.line_ticks = piece.line_ticks;
   segment.ticks = piece.ticks;
   segment.continues_line = piece.continues_line != 0;

@@ -27,8 +27,9 @@ class Checksum {
     std::array<std::uint32_t, 16> entries{};
     for (std::uint32_t index = 0; index < 16; ++index) {
       std::uint32_t value = index;
-      for (int bit = 0; bit < 4; ++bit)
+      for (int bit = 0; bit < 4; ++bit) {
         value = (value & 1) != 0 ? value >> 1 ^ polynomial : value >> 1;
+      }
       entries[index] = value;
     }
     return entries;

@@ -59,8 +59,9 @@ Answer Session::begin(std::span<const std::uint8_t> payload) {
                   .entry = word_at(payload, 12)};
   const bool fits =
       load.place < memory_.size() && load.bytes != 0 && load.bytes <= memory_.size() - load.place;
-  if (!fits || load.entry - address_ - load.place >= load.bytes || (load.entry & 1) != 0)
+  if (!fits || load.entry - address_ - load.place >= load.bytes || (load.entry & 1) != 0) {
     return refuse(Refusal::outside);
+  }
   load_ = load;
   entry_.reset();
   put_reset_code(way_back_);
@@ -96,8 +97,9 @@ void Session::put_reset_code(const ResetCode& code) {
 // Of what is in memory now, read again.
 std::uint32_t Session::checksum() const {
   Checksum sum;
-  for (std::size_t place = load_->place; place < load_->place + load_->bytes; ++place)
+  for (std::size_t place = load_->place; place < load_->place + load_->bytes; ++place) {
     sum.add(place < reset_bytes ? held_[place] : memory_[place]);
+  }
   return sum.value();
 }
 

@@ -91,8 +91,9 @@ Scaled Scaled::operator*(Scaled factor) const {
 
 Scaled Scaled::operator/(Scaled divisor) const {
   const int exponent = exponent_ - divisor.exponent_ - 32;
-  if (mantissa_ < divisor.mantissa_)
+  if (mantissa_ < divisor.mantissa_) {
     return Scaled(divide(mantissa_, 0, divisor.mantissa_), exponent);
+  }
   return Scaled(divide(mantissa_ >> 1, mantissa_ << 31, divisor.mantissa_), exponent + 1);
 }
 

@@ -44,8 +44,9 @@ class ThermistorTable {
   // Nothing where the temperature would lie outside lowest to highest. Within, the error against
   // the beta formula is below 0.06 degrees for the usual B (proved in thermistor_table.cpp).
   constexpr std::optional<units::Millicelsius> temperature(units::Milliohms resistance) const {
-    if (resistance.count() > milliohms_.front() || resistance.count() < milliohms_.back())
+    if (resistance.count() > milliohms_.front() || resistance.count() < milliohms_.back()) {
       return {};
+    }
     const auto value = static_cast<std::uint32_t>(resistance.count());
     // The first point that is at least as hot: resistance falls along the table.
     const auto colder_end = std::partition_point(milliohms_.begin() + 1, milliohms_.end() - 1,

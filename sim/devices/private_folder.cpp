@@ -46,8 +46,9 @@ std::filesystem::path chosen_path() {
 }  // namespace
 
 PrivateFolder::PrivateFolder() : path_(chosen_path()) {
-  if (mkdir(path_.c_str(), for_owner_alone) != 0 && errno != EEXIST)
+  if (mkdir(path_.c_str(), for_owner_alone) != 0 && errno != EEXIST) {
     throw std::system_error(errno, std::generic_category(), path_.string());
+  }
   descriptor_ = open(path_.c_str(), as_folder);
   if (descriptor_ >= 0 && is_private(descriptor_)) return;
   if (descriptor_ >= 0) close(descriptor_);

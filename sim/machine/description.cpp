@@ -86,8 +86,9 @@ void check_channels(const toml::table& table, const std::filesystem::path& file)
                                      std::pair{"sensor_channel", sim::sensor_count}}) {
       const auto last = static_cast<std::int64_t>(count) - 1;
       const std::int64_t channel = reader.whole(key, 0, std::numeric_limits<std::int64_t>::max());
-      if (channel > last)
+      if (channel > last) {
         reader.fail(key, fmt::format("is {}, but the simulated chip has 0 to {}", channel, last));
+      }
     }
   }
 }

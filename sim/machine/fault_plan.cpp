@@ -103,8 +103,9 @@ std::optional<TimedValue> timed_value(std::string_view text, std::string_view na
 bool add_cable_fault(FaultPlan& plan, std::string_view text) {
   const auto times = timed_value(text, "cable-pulled");
   if (!times) return false;
-  if (!times->value || !times->seconds || *times->value <= 0)
+  if (!times->value || !times->seconds || *times->value <= 0) {
     refuse_value(text, "for how many seconds, and from when on, as in cable-pulled=3@20");
+  }
   plan.cable.push_back({*times->seconds, *times->value});
   return true;
 }

@@ -56,8 +56,9 @@ ThermalPath::ThermalPath(const ThermalPathProperties& properties, double loss_wa
     for (std::size_t i = 0; i < size; ++i) step.response[i] += response[i] * h_to_n_by_factorial;
     power = product(power, rates);
     for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t j = 0; j < size; ++j)
+      for (std::size_t j = 0; j < size; ++j) {
         step.transition[i][j] += power[i][j] * h_to_n_by_factorial;
+      }
     }
   }
   for (Step& doubled : steps_) {

@@ -47,8 +47,9 @@ FirmwareWatch::FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chi
       for (std::uint64_t at = (std::uint64_t{constants.address} + 3) / 4 * 4;
            at >= segment.address && at + 4 <= end; at += 4) {
         CodeWord code{static_cast<std::uint32_t>(at), 0};
-        for (std::uint32_t i = 0; i < 4; ++i)
+        for (std::uint32_t i = 0; i < 4; ++i) {
           code.value |= std::uint32_t{segment.bytes[at - segment.address + i]} << (8 * i);
+        }
         code_.push_back(code);
       }
     }

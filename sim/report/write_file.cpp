@@ -56,8 +56,9 @@ void write_file(const fs::path& file, const std::string& text) {
   std::error_code ignored;
   if (!file.parent_path().empty()) fs::create_directories(file.parent_path(), ignored);
   const fs::file_type type = fs::status(file, ignored).type();
-  if (type != fs::file_type::regular && type != fs::file_type::not_found)
+  if (type != fs::file_type::regular && type != fs::file_type::not_found) {
     return write_directly(file, text);
+  }
   // Of a symlink the file behind it.
   const fs::path target = type == fs::file_type::regular ? fs::canonical(file) : file;
   fs::path fresh;

@@ -40,8 +40,9 @@ TEST(clock_use, straight_code_takes_a_clock_each) {
   executed.then(encode::add_immediate(1, 1, 1), 1).then(encode::add_immediate(2, 1, 1), 1);
   EXPECT_EQ(executed.use().instructions(), 3u);
   EXPECT_EQ(executed.use().clocks(), 3u);
-  for (std::size_t i = 0; i < benchmarks::waiting_kinds; ++i)
+  for (std::size_t i = 0; i < benchmarks::waiting_kinds; ++i) {
     EXPECT_EQ(executed.use().waited(static_cast<Waiting>(i)), 0u);
+  }
 }
 
 TEST(clock_use, waiting_for_a_late_result_is_the_readers) {

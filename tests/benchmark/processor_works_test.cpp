@@ -20,8 +20,9 @@ using benchmark::LinkedList;
 
 TEST(processor_works, the_checksum_is_crc_16) {
   std::uint16_t sum = 0;
-  for (const char character : {'1', '2', '3', '4', '5', '6', '7', '8', '9'})
+  for (const char character : {'1', '2', '3', '4', '5', '6', '7', '8', '9'}) {
     sum = benchmark::add_byte(sum, static_cast<std::uint8_t>(character));
+  }
   EXPECT_EQ(sum, 0xBB3D);  // the check value of CRC-16/ARC
 }
 

@@ -30,11 +30,13 @@ Program small_program(std::size_t bytes = 3000) {
        {encode::load_upper(5, sign_address), encode::load_upper(6, sign & 0xFFFFF000),
         encode::add_immediate(6, 6, sign & 0xFFF), encode::store(2, 6, 5, 0),
         std::uint32_t{0x10500073}, encode::jump_and_link(0, -4)}) {
-    for (int shift = 0; shift < 32; shift += 8)
+    for (int shift = 0; shift < 32; shift += 8) {
       program.bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+    }
   }
-  while (program.bytes.size() < bytes)
+  while (program.bytes.size() < bytes) {
     program.bytes.push_back(static_cast<std::uint8_t>(program.bytes.size() * 37));
+  }
   return program;
 }
 
@@ -65,8 +67,9 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
   }
   std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) override {
     for (double waited = 0; to_read_.empty() && waited < 1e-3 * double(patience.count());
-         waited += 0.001)
+         waited += 0.001) {
       run(0.001);
+    }
     std::size_t count = 0;
     while (count < bytes.size() && !to_read_.empty()) {
       bytes[count++] = to_read_.front();

@@ -36,8 +36,9 @@ std::string RandomLines::coordinates(const ExactAxes& axes, std::string line, bo
 
 std::string RandomLines::move(const ExactAxes& axes) {
   std::string line = coordinates(axes, below(2) != 0 ? "G1" : "G0", false);
-  if (below(4) == 0)
+  if (below(4) == 0) {
     line += fmt::format(" F{}", axes.inches() ? 30 + below(300) : 600 + below(9000));
+  }
   return line;
 }
 

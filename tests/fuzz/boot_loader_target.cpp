@@ -43,8 +43,9 @@ std::uint32_t crc(std::span<const std::uint8_t> bytes) {
 }
 
 void add_word(Bytes& bytes, std::uint32_t word) {
-  for (int shift = 0; shift < 32; shift += 8)
+  for (int shift = 0; shift < 32; shift += 8) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
 }
 
 class Loader {

@@ -38,8 +38,9 @@ class Memory : public sim::Chip {
 
  private:
   static std::size_t place(std::uint32_t address) {
-    if (address < memory_address || address - memory_address >= memory_bytes || address % 4 != 0)
+    if (address < memory_address || address - memory_address >= memory_bytes || address % 4 != 0) {
       throw std::out_of_range("outside the memory");
+    }
     return (address - memory_address) / 4;
   }
   std::vector<std::uint32_t> words_ = std::vector<std::uint32_t>(memory_bytes / 4, 0xEEEEEEEE);

@@ -146,9 +146,10 @@ bool Host::exchange(const Line& line) {
     while (got == Answer::none) {
       if (!pass()) return false;
       got = answer();
-      if (hears_of_life_)
+      if (hears_of_life_) {
         require(printer_.seconds() - heard_at_ < most_silence_s, "no sign of life in \"{}\"",
                 line.text);
+      }
     }
     if (got == Answer::ok) {
       require(!damaged, "a damaged line was taken");

@@ -24,8 +24,9 @@ bool lies_in(std::string_view part, std::string_view line) {
 char letter_of_quoted(const Command& command, std::string_view line) {
   if (command.text.data() == nullptr || command.text.data() == line.data()) return 0;
   const char* at = command.text.data() - 1;
-  if (*at != '"' || command.is('M', 0) || command.is('M', 1) || command.text.data() < line.data())
+  if (*at != '"' || command.is('M', 0) || command.is('M', 1) || command.text.data() < line.data()) {
     return 0;
+  }
   while (--at >= line.data()) {
     if (*at == ' ' || *at == '\t') continue;
     const char letter = *at >= 'a' ? static_cast<char>(*at - 'a' + 'A') : *at;

@@ -142,8 +142,10 @@ bool LinkModel::came_so(const host_link::AcceptedLine& line, const Raw& raw) con
   if (raw.disturbed || raw.bytes.size() > longest_line) return false;
   const auto framed = checked(raw.bytes);
   std::string_view text = trimmed(framed.value_or(raw.bytes));
-  if (!framed && raw.bytes.contains('*') && !text.starts_with("M117") && !text.starts_with("M118"))
+  if (!framed && raw.bytes.contains('*') && !text.starts_with("M117") &&
+      !text.starts_with("M118")) {
     return false;
+  }
   if (!framed && text.starts_with('N')) return false;
   const auto number = framed ? take_number(text) : std::nullopt;
   return number == line.number && text == trimmed(line.text);

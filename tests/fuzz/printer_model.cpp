@@ -62,8 +62,9 @@ void send(FakeChip& chip, std::string_view text) {
 void await_oks(FakeChip& chip, int count) {
   for (int pass = 0; pass < 100'000; ++pass) {
     int oks = 0;
-    for (std::size_t at = 0; (at = chip.from_firmware.find("ok", at)) != std::string::npos; ++at)
+    for (std::size_t at = 0; (at = chip.from_firmware.find("ok", at)) != std::string::npos; ++at) {
       ++oks;
+    }
     if (oks >= count) return chip.from_firmware.clear();
     pass_unchecked(chip);
   }
@@ -75,8 +76,9 @@ Snapshot prepare(Prepared state) {
   static const FakeChip fresh = chip;
   chip = fresh;
   if (state == Prepared::hot) chip.heaters[0].celsius = 205, chip.heaters[1].celsius = 60;
-  if (state == Prepared::nearly_too_hot)
+  if (state == Prepared::nearly_too_hot) {
     chip.heaters[0].celsius = 270, chip.heaters[1].celsius = 116;
+  }
   new (memory.data()) Firmware;
   while (chip.time < clock_hz / 10) pass_unchecked(chip);
   chip.from_firmware.clear();
@@ -186,8 +188,9 @@ void PrinterModel::check_at_the_end() {
   const auto before = chip().mechanical;
   for (int i = 0; i < 4; ++i) pass();
   require(chip().mechanical == before && chip().motors == 0, "a halted printer moves");
-  for (std::size_t i = 0; i < max_c.size(); ++i)
+  for (std::size_t i = 0; i < max_c.size(); ++i) {
     require(chip().heater_duty(i) == 0 || !chip().supply_closed(), "a halted printer heats");
+  }
 }
 
 }  // namespace fuzz

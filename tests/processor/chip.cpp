@@ -95,8 +95,9 @@ std::uint32_t Chip::word(std::uint32_t address) const {
 
 std::vector<std::uint8_t> Chip::memory() const {
   std::vector<std::uint8_t> bytes(memory_size);
-  for (std::size_t place = 0; place < memory_size; ++place)
+  for (std::size_t place = 0; place < memory_size; ++place) {
     bytes[place] = read_byte(*model_, place);
+  }
   return bytes;
 }
 

@@ -281,8 +281,9 @@ std::optional<InstructionSetModel::Exception> InstructionSetModel::store(std::ui
     return std::nullopt;
   }
   const unsigned lanes = ((1u << bytes) - 1) << (address % 4);
-  if (!device_.write(address, lanes, data << (8 * (address % 4))))
+  if (!device_.write(address, lanes, data << (8 * (address % 4)))) {
     return Exception{store_access, address};
+  }
   return std::nullopt;
 }
 

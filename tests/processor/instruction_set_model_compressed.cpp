@@ -107,8 +107,9 @@ std::optional<Word> expand_quadrant_1(const Fields& fields) {
       return encode::add_immediate(rd, 0, fields.immediate6());
     case 3:
       if (fields.immediate6() == 0) return std::nullopt;
-      if (rd == stack_pointer)
+      if (rd == stack_pointer) {
         return encode::add_immediate(stack_pointer, stack_pointer, fields.add_sp_amount());
+      }
       return encode::load_upper(rd, static_cast<Word>(fields.immediate6()) << 12);
     case 4:
       return expand_arithmetic(fields);

@@ -97,12 +97,14 @@ void add_operation(Line& line, const Choice& choice, Word kind) {
       return line.add(encode::operation(3, 1, destination, first, second), destination,
                       static_cast<Word>(std::uint64_t{a} * b >> 32));
     case 3:
-      if (can_be_short)
+      if (can_be_short) {
         return line.add(encode::compressed::move(destination, second), destination, b);
+      }
       break;
     case 4:
-      if (can_be_short)
+      if (can_be_short) {
         return line.add(encode::compressed::add(destination, second), destination, old + b);
+      }
       break;
     default:
       break;

@@ -87,8 +87,9 @@ class Interpreter {
   void home(int number, const Words& words) {
     std::array<bool, axes> homed{};
     bool some = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       some |= homed[axis] = words.contains(letters[axis]);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!some) homed[axis] = true;
       if (homed[axis]) physical_[axis] = offset_[axis] = 0;

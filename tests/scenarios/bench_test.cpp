@@ -152,8 +152,9 @@ TEST(bench, link_measures_lines_and_their_answers) {
     if (row["clock_hz"] == 4'000'000) continue;
     EXPECT_LT(row["longest_latency_us"], 500) << row;
   }
-  for (const auto& row : figures["arc_of_1200_segments"])
+  for (const auto& row : figures["arc_of_1200_segments"]) {
     EXPECT_GT(row["motion_seconds"], 0) << row;
+  }
   EXPECT_EQ(figures["behind_a_waiting_move"].size(), 4u);
   for (const auto& row : figures["behind_a_waiting_move"]) {
     EXPECT_GT(row["mean_answer_us"], 0) << row;

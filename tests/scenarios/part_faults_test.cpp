@@ -15,8 +15,9 @@ using scenarios::print_text;
 // Of 200 ms each.
 std::string moves(int count) {
   std::string gcode = "G28 X Y\nG1 F3000\n";
-  for (int i = 1; i <= count; ++i)
+  for (int i = 1; i <= count; ++i) {
     gcode += "G1 X" + std::to_string(10 + 10 * (i % 2)) + " Y" + std::to_string(i % 7) + "\n";
+  }
   return gcode;
 }
 

@@ -236,13 +236,17 @@ std::string complaint_about(const char* fault) {
 
 TEST(FaultPlan, says_what_is_wrong_with_a_value) {
   using testing::HasSubstr;
-  for (const char* text : {"replies=1.1", "replies=", "serial=-1", "serial=x"})
+  for (const char* text : {"replies=1.1", "replies=", "serial=-1", "serial=x"}) {
     EXPECT_THAT(complaint_about(text), HasSubstr("a share is 0 to 1")) << text;
+  }
   for (const char* text : {"cable-pulled=3", "cable-pulled=0@3", "cable-pulled=x@3",
-                           "cable-pulled=3@", "cable-pulled=-1@3"})
+                           "cable-pulled=3@", "cable-pulled=-1@3"}) {
     EXPECT_THAT(complaint_about(text), HasSubstr("cable-pulled=3@20")) << text;
-  for (const char* text : {"hotend-capacitor=0@3", "hotend-capacitor=1.5", "hotend-capacitor=11@3"})
+  }
+  for (const char* text :
+       {"hotend-capacitor=0@3", "hotend-capacitor=1.5", "hotend-capacitor=11@3"}) {
     EXPECT_THAT(complaint_about(text), HasSubstr("hotend-capacitor=0.5@30")) << text;
+  }
   EXPECT_THAT(complaint_about("cable-pulled"), HasSubstr("no such fault"));
 }
 

@@ -65,8 +65,9 @@ TEST_F(PrivateFolderTest, is_refused_where_it_is_another_users) {
   fs::create_directory(place);
   fs::permissions(place, fs::perms::owner_all);
   constexpr uid_t another_user = 65'534;
-  if (geteuid() != 0 || chown(place.c_str(), another_user, another_user) != 0)
+  if (geteuid() != 0 || chown(place.c_str(), another_user, another_user) != 0) {
     GTEST_SKIP() << "this user cannot give a folder to another user";
+  }
   EXPECT_THROW(devices::PrivateFolder(), std::runtime_error);
 }
 
@@ -76,8 +77,9 @@ TEST_F(PrivateFolderTest, holds_locks_that_follow_no_link_and_know_every_spellin
   {
     devices::PathLock lock(path);
     lock.note("left");
-    for (const auto& entry : fs::directory_iterator(runtime / "stepfabric"))
+    for (const auto& entry : fs::directory_iterator(runtime / "stepfabric")) {
       lock_file = entry.path();
+    }
     EXPECT_THROW(devices::PathLock(runtime / "." / ".." / runtime.filename() / "port"),
                  std::runtime_error);
   }

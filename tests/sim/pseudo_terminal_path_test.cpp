@@ -71,8 +71,9 @@ TEST_F(PseudoTerminalTest, writes_through_no_symlink_that_a_neighbour_has_plante
 TEST_F(PseudoTerminalTest, leaves_the_symlink_and_the_locks_of_another_user) {
   constexpr uid_t another_user = 65'534;
   const fs::path locks_of_other = "/tmp/stepfabric-" + std::to_string(another_user);
-  if (geteuid() != 0 || fs::exists(fs::symlink_status(locks_of_other)))
+  if (geteuid() != 0 || fs::exists(fs::symlink_status(locks_of_other))) {
     GTEST_SKIP() << "only root can become another user, one that has not served yet";
+  }
   const fs::path shared = "/tmp/stepfabric_shared_folder_of_a_test";
   fs::remove_all(shared);
   fs::create_directory(shared);

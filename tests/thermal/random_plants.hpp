@@ -114,8 +114,9 @@ class RandomPrinter {
       if (print.broken_at >= 0) print.highest = std::max(print.highest, block);
       if (print.broken_at >= 0) {
         print.highest_above = std::max(print.highest_above, block - wanted_);
-        if (print.matters_at < 0 && block > wanted_ + 5 && block > at_break_ + 3)
+        if (print.matters_at < 0 && block > wanted_ + 5 && block > at_break_ + 3) {
           print.matters_at = now;
+        }
       }
       print.ended_at = now;
       if ((print.fault = loop_.fault())) return print;

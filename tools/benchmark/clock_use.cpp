@@ -109,10 +109,11 @@ void ClockUse::divide_clocks(std::uint32_t word, std::uint32_t address, std::uin
   constexpr std::uint64_t waits_of_division = 17;
   const std::uint64_t most = division ? rest - std::min(rest, waits_of_division) : rest;
   if (last_->late && reads(word, last_)) put(Waiting::late_result, most);
-  if (last_->opcode == jump || last_->opcode == jump_register)
+  if (last_->opcode == jump || last_->opcode == jump_register) {
     put(Waiting::jump, most);
-  else if (last_->opcode == branch || address != last_->address + last_->bytes)
+  } else if (last_->opcode == branch || address != last_->address + last_->bytes) {
     put(Waiting::branch, most);
+  }
   put(division ? Waiting::division : Waiting::other, rest);
 }
 
@@ -135,10 +136,11 @@ void ClockUse::note_kind(std::uint32_t word, std::uint32_t bytes) {
 }
 
 void ClockUse::note_branch(const Executed& branch, std::uint32_t next) {
-  if (next == branch.address + branch.bytes)
+  if (next == branch.address + branch.bytes) {
     note(Event::branch_not_taken);
-  else
+  } else {
     note(next > branch.address ? Event::branch_taken_forward : Event::branch_taken_backward);
+  }
 }
 
 void ClockUse::note_dependence(std::uint32_t word) {
@@ -150,10 +152,12 @@ void ClockUse::note_dependence(std::uint32_t word) {
   if (!last_ || last_->late || last_->destination == 0) return;
   const auto opcode = opcode_of(word);
   const bool is_base = last_->destination == first_source(word);
-  if (is_base && (opcode == load || opcode == store || opcode == jump_register))
+  if (is_base && (opcode == load || opcode == store || opcode == jump_register)) {
     note(Event::result_is_next_address);
-  if (opcode == branch && (is_base || last_->destination == second_source(word)))
+  }
+  if (opcode == branch && (is_base || last_->destination == second_source(word))) {
     note(Event::result_is_next_condition);
+  }
 }
 
 }  // namespace benchmarks

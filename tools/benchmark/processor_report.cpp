@@ -41,10 +41,12 @@ Json work_json(const WorkFigure& work) {
   json["rv32imc"] = compiled_json(work.compressed);
   json["rv32im"] = compiled_json(work.uncompressed);
   json["rv32imc_zbb"] = compiled_json(work.with_zbb);
-  for (std::size_t i = 0; i < waiting_kinds; ++i)
+  for (std::size_t i = 0; i < waiting_kinds; ++i) {
     json["waiting_clocks"][waiting_names[i]] = use.waited(static_cast<Waiting>(i));
-  for (std::size_t i = 0; i < event_kinds; ++i)
+  }
+  for (std::size_t i = 0; i < event_kinds; ++i) {
     json["events"][event_names[i]] = use.count(static_cast<Event>(i));
+  }
   return json;
 }
 
@@ -90,8 +92,9 @@ std::string to_table(const ProcessorFigures& figures) {
   for (const WorkFigure& work : figures.works) {
     const ClockUse& use = work.compressed.run.use;
     add("{:<16}", work.name);
-    for (std::size_t i = 0; i < waiting_kinds; ++i)
+    for (std::size_t i = 0; i < waiting_kinds; ++i) {
       add(" {:>12.2f}", per_hundred(use, use.waited(static_cast<Waiting>(i))));
+    }
     add("\n");
   }
   add("\nof 100 instructions:\n");

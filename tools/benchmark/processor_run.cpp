@@ -29,8 +29,9 @@ std::vector<std::uint8_t> memory_of(const sim::ElfImage& program) {
   std::vector<std::uint8_t> memory(Chip::memory_size);
   for (const sim::ElfSegment& segment : program.segments) {
     const std::size_t begin = segment.address - Chip::memory_base;
-    if (begin + segment.bytes.size() > memory.size())
+    if (begin + segment.bytes.size() > memory.size()) {
       throw std::runtime_error("the program is larger than the processor's memory");
+    }
     std::ranges::copy(segment.bytes, memory.begin() + static_cast<std::ptrdiff_t>(begin));
   }
   return memory;
@@ -43,8 +44,9 @@ void put_word(std::vector<std::uint8_t>& memory, std::size_t place, std::uint32_
 }  // namespace
 
 WorkRun run_work(const sim::ElfImage& program, std::uint32_t iterations, const std::string& text) {
-  if (text.size() > ProcessorOrder::most_text_bytes)
+  if (text.size() > ProcessorOrder::most_text_bytes) {
     throw std::runtime_error("the text is larger than the program's room for it");
+  }
   auto memory = memory_of(program);
   const std::size_t order = address_of(program, "benchmark_order") - Chip::memory_base;
   put_word(memory, order, iterations);

@@ -84,8 +84,9 @@ class Measurement {
       motion.interval_clocks = clocks;
       const Run result = run(motion, {.clean = true, .latest_clocks = late_enough_clocks});
       // Such a run has not been to its end.
-      if (result.largest_lateness_clocks > late_enough_clocks)
+      if (result.largest_lateness_clocks > late_enough_clocks) {
         return {.fault = {}, .largest_lateness_clocks = result.largest_lateness_clocks};
+      }
       return {std::string(result.fault(motion)), result.largest_lateness_clocks};
     };
     return RateSearch(trial, scope_.tolerance_clocks(), to_the_clock)

@@ -99,12 +99,13 @@ std::string to_svg(const Comparison& comparison) {
 std::string to_html(const Comparison& comparison) {
   std::string escaped;
   for (const char character : to_table(comparison)) {
-    if (character == '<')
+    if (character == '<') {
       escaped += "&lt;";
-    else if (character == '&')
+    } else if (character == '&') {
       escaped += "&amp;";
-    else
+    } else {
       escaped += character;
+    }
   }
   std::string published;
   for (const PublishedFigure& figure : published_figures) {

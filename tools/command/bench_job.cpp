@@ -188,8 +188,9 @@ int bench(const BenchOptions& options) {
   check_that_files_differ(read, written);
   BenchOptions chosen = options;
   if (chosen.names.empty()) chosen.names = {"link", "model", "processor", "stepping"};
-  if (chosen.names.size() > 1 && !chosen.json.empty())
+  if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
+  }
   if (chosen.print_file.empty() && !chosen.quick) {
     chosen.print_file = short_print();
   }

@@ -22,8 +22,9 @@ int load(const LoadOptions& options) {
       .say = [](const std::string& what) { say_to(stderr, "stepfabric: {}\n", what); },
       .sent =
           [&](std::size_t bytes) {
-            if (bytes % reported_bytes == 0)
+            if (bytes % reported_bytes == 0) {
               say_to(stderr, "stepfabric: {} of {} bytes\n", bytes, program.bytes.size());
+            }
           }};
   try {
     const auto figures = loading::load(port, program, progress);

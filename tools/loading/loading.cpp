@@ -35,8 +35,9 @@ constexpr unsigned most_doublings = 3;
 constexpr unsigned most_restarts = 3;
 
 void add_word(Bytes& bytes, std::uint32_t word) {
-  for (int shift = 0; shift < 32; shift += 8)
+  for (int shift = 0; shift < 32; shift += 8) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
 }
 
 Bytes frame_of(Kind kind, const Bytes& payload) {
@@ -123,8 +124,9 @@ bool Host::answers(const Bytes& greeting, milliseconds patience) {
   stream_.write(greeting);
   while (const auto reply = next_reply(patience)) {
     if (reply->kind != Kind::identity || reply->payload.size() != 12) continue;
-    if (word_at(reply->payload, 0) != version)
+    if (word_at(reply->payload, 0) != version) {
       throw LoadFailed("the chip's boot loader is of another version");
+    }
     memory_end_ = word_at(reply->payload, 4) + word_at(reply->payload, 8);
     return true;
   }
@@ -138,16 +140,19 @@ void Host::connect(const Program& program) {
   Bytes asking(request.begin(), request.end());
   asking.insert(asking.end(), hello.begin(), hello.end());
   bool connected = false;
-  for (unsigned i = 0; i < times_asked && !connected; ++i)
+  for (unsigned i = 0; i < times_asked && !connected; ++i) {
     connected = answers(asking, asking_interval);
+  }
   if (!connected) progress_.say("no answer: reset the board now");
   Bytes knocking(2 * std::size_t{knocks}, knock);
   knocking.insert(knocking.end(), hello.begin(), hello.end());
-  for (unsigned i = 0; i < times_knocked && !connected; ++i)
+  for (unsigned i = 0; i < times_knocked && !connected; ++i) {
     connected = answers(knocking, knocking_interval);
+  }
   if (!connected) throw LoadFailed("no boot loader answers");
-  if (program.address + program.bytes.size() > memory_end_)
+  if (program.address + program.bytes.size() > memory_end_) {
     throw LoadFailed(meaning_of(Refusal::outside));
+  }
 }
 
 // Until this kind of frame is accepted and the chip has so many bytes.
@@ -177,8 +182,9 @@ void Host::transfer(const Program& program) {
   const auto size = static_cast<std::uint32_t>(program.bytes.size());
   Bytes beginning;
   for (const std::uint32_t word :
-       {program.address, size, checksum_of(program.bytes), program.entry})
+       {program.address, size, checksum_of(program.bytes), program.entry}) {
     add_word(beginning, word);
+  }
   exchange(Kind::begin, beginning, 0);
   for (std::uint32_t offset = 0; offset < size;) {
     const auto count = std::min<std::uint32_t>(most_block_bytes, size - offset);
@@ -203,8 +209,9 @@ void Host::load(const Program& program) {
     } catch (const Refused& refused) {
       const bool hopeless =
           refused.reason == Refusal::outside || refused.reason == Refusal::unknown;
-      if (hopeless || figures_.restarts == most_restarts)
+      if (hopeless || figures_.restarts == most_restarts) {
         throw LoadFailed(fmt::format("the boot loader refuses: {}", meaning_of(refused.reason)));
+      }
       ++figures_.restarts;
     }
   }

@@ -50,8 +50,9 @@ Program read_program(const std::filesystem::path& path) {
 
 Program parse_program(std::span<const std::uint8_t> contents, const std::string& name) {
   constexpr std::array<std::uint8_t, 4> magic{0x7F, 'E', 'L', 'F'};
-  if (contents.size() >= magic.size() && std::ranges::equal(magic, contents.first(magic.size())))
+  if (contents.size() >= magic.size() && std::ranges::equal(magic, contents.first(magic.size()))) {
     return joined(sim::parse_elf(contents, name));
+  }
   if (contents.empty() || contents.size() > loader_address - memory_address) {
     throw std::runtime_error(fmt::format("{} has {} bytes; a program has 1 to {}", name,
                                          contents.size(), loader_address - memory_address));

@@ -156,8 +156,9 @@ std::string heater(Reader& reader, Reader& thermistors) {
   const auto milliwatts =
       static_cast<double>(reader.scaled("heater_watts", thousand, 1, max_milliwatts));
   if (reader.scaled("min_c", thousand, -max_millicelsius, max_millicelsius) >=
-      reader.scaled("max_c", thousand, -max_millicelsius, max_millicelsius))
+      reader.scaled("max_c", thousand, -max_millicelsius, max_millicelsius)) {
     reader.fail("min_c", "must be below max_c");
+  }
   const std::string kind = reader.text("thermistor");
   if (!thermistors.has(kind)) reader.fail("thermistor", "names none of [thermistors]");
   return fmt::format(
@@ -176,11 +177,13 @@ std::string heater(Reader& reader, Reader& thermistors) {
 // reaches the supply.
 std::string converter(Reader reader) {
   if (reader.scaled("reference_low_ohms", thousand, 1, max_milliohms) >=
-      reader.scaled("reference_high_ohms", thousand, 1, max_milliohms))
+      reader.scaled("reference_high_ohms", thousand, 1, max_milliohms)) {
     reader.fail("reference_low_ohms", "must be below reference_high_ohms");
+  }
   if (reader.scaled("threshold_v", thousand, 1, two_billion) >=
-      reader.scaled("supply_v", thousand, 1, two_billion))
+      reader.scaled("supply_v", thousand, 1, two_billion)) {
     reader.fail("threshold_v", "must be below supply_v");
+  }
   const std::string text = fmt::format(
       "{{.capacitor_picofarads = {}, .reference_low = {},\n"
       "                .reference_high = {}, .supply_millivolts = {}, .threshold_millivolts = {}}}",
@@ -194,8 +197,9 @@ std::string converter(Reader reader) {
 std::string header_of(const toml::table& table, const std::filesystem::path& file) {
   Reader root(file, table);
   const std::string name = root.text("name");
-  if (name.find_first_of("\"\\\n") != std::string::npos)
+  if (name.find_first_of("\"\\\n") != std::string::npos) {
     root.fail("name", "holds \", \\ or a line end");
+  }
   if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
 
   Reader serial = root.table("serial");
@@ -244,13 +248,15 @@ std::string header_of(const toml::table& table, const std::filesystem::path& fil
   const std::string bed_text = heater(bed, thermistors);
   for (const char* channel : {"sensor_channel", "heater_channel"}) {
     if (hotend.whole(channel, 0, thermal_channels - 1) ==
-        bed.whole(channel, 0, thermal_channels - 1))
+        bed.whole(channel, 0, thermal_channels - 1)) {
       bed.fail(channel, "is the channel of another heater already");
+    }
   }
   const std::string min_extrusion = celsius(hotend, "min_extrusion_c");
   if (hotend.scaled("min_extrusion_c", thousand, -max_millicelsius, max_millicelsius) >
-      hotend.scaled("max_c", thousand, -max_millicelsius, max_millicelsius))
+      hotend.scaled("max_c", thousand, -max_millicelsius, max_millicelsius)) {
     hotend.fail("min_extrusion_c", "must not be above max_c");
+  }
   const std::string converter_text = converter(root.table("temperature_converter"));
   for (const Reader* reader : {&hotend, &bed}) reader->finish();
   root.finish();

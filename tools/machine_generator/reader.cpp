@@ -39,8 +39,9 @@ void check_characters(std::string_view text, const std::string& name) {
     const auto fail = [&](std::string_view what) {
       throw DescriptionError(fmt::format("{}: line {}: {}", name, number, what));
     };
-    if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) > 0x7e; }))
+    if (std::ranges::any_of(line, [](char c) { return static_cast<unsigned char>(c) > 0x7e; })) {
       fail("holds a character outside ASCII, which only a comment may");
+    }
     if (line.contains("\"\"\"") || line.contains("'''")) fail("begins a text of several lines");
     text.remove_prefix(std::min(end + 1, text.size()));
   }
@@ -50,8 +51,9 @@ void check_characters(std::string_view text, const std::string& name) {
 
 toml::table Reader::parse(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  if (!stream || std::filesystem::is_directory(file)) {
     throw DescriptionError(file.string() + ": cannot be read");
+  }
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse(text, file);
 }
