@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "registers/end_stops_registers.hpp"
 #include "platform/processor.hpp"
+#include "registers/end_stops_registers.hpp"
 #include "software_stepping/block_position.hpp"
 #include "software_stepping/interrupts.hpp"
 

@@ -2,11 +2,11 @@
 // What the interrupt does not do by itself: the start, long intervals, end stops, stops, delays.
 #include <algorithm>
 
+#include "platform/bus.hpp"
+#include "platform/processor.hpp"
 #include "registers/end_stops_registers.hpp"
 #include "registers/step_pins_registers.hpp"
 #include "registers/timer_registers.hpp"
-#include "platform/bus.hpp"
-#include "platform/processor.hpp"
 #include "software_stepping/block_position.hpp"
 #include "software_stepping/interrupts.hpp"
 #include "software_stepping/stepper.hpp"

@@ -33,10 +33,8 @@ architecture rtl of port_watch is
     breaking
   );
 
-  constant most_clocks : positive := maximum(quiet_clocks, break_clocks);
-
   signal state : state_t := open_or_unknown;
-  signal clocks : natural range 0 to most_clocks := 0;
+  signal clocks : natural range 0 to quiet_clocks + break_clocks := 0;
   signal samples : std_ulogic_vector(1 downto 0);
   signal was_closed : std_ulogic := '1';
   signal hold : std_ulogic := '0';

@@ -99,7 +99,7 @@ void write_counts(const Counts& counts, Root& root) {
   BASE(accelerating) = counts.time_base.accelerating;
   BASE(decelerating) = counts.time_base.decelerating;
   FAN_SETTING(period_stored) = counts.fan.slot_cycles;
-  FAN_SETTING(duty_stored) = counts.fan.duty;
+  FAN_SETTING(duty_stored) = static_cast<std::uint8_t>(counts.fan.duty);
   REGISTER(cooling_fan, remaining_cycles) = counts.fan.remaining_cycles;
   FAN(slot) = counts.fan.slot;
   FAN(slots_on) = counts.fan.slots_on;

@@ -81,9 +81,7 @@ void Serve::kill_at_once() {
   job_ = 0;
 }
 
-std::string Serve::file(const char* name) const {
-  return files::text_of(file_path(name));
-}
+std::string Serve::file(const char* name) const { return files::text_of(file_path(name)); }
 
 std::vector<fs::path> Serve::locks() const {
   std::vector<fs::path> found;

@@ -118,25 +118,26 @@ TEST_F(ReportFiles, of_bench_are_written_where_the_output_is_not_read) {
                             (folder / "said").string();
   for (const std::string unread : {"exec true", "head -1 > /dev/null"}) {
     fs::remove(folder / "figures.json");
-    EXPECT_EQ(shell(bench + " > >(" + unread + "); exit $?"), 0) << text_of(folder / "said");
-    EXPECT_THAT(text_of(folder / "figures.json"), HasSubstr("\"benchmark\"")) << unread;
-    EXPECT_THAT(text_of(report / "processor.html"), HasSubstr("</html>")) << unread;
+    EXPECT_EQ(shell(bench + " > >(" + unread + "); exit $?"), 0) << files::text_of(folder / "said");
+    EXPECT_THAT(files::text_of(folder / "figures.json"), HasSubstr("\"benchmark\"")) << unread;
+    EXPECT_THAT(files::text_of(report / "processor.html"), HasSubstr("</html>")) << unread;
   }
   fs::remove(folder / "figures.json");
-  EXPECT_EQ(shell(bench + " >&-"), 0) << text_of(folder / "said");
-  EXPECT_THAT(text_of(folder / "figures.json"), HasSubstr("\"benchmark\""));
+  EXPECT_EQ(shell(bench + " >&-"), 0) << files::text_of(folder / "said");
+  EXPECT_THAT(files::text_of(folder / "figures.json"), HasSubstr("\"benchmark\""));
 }
 
 TEST_F(ReportFiles, are_not_debug_s_which_ends_well_where_its_output_is_not_read) {
   const std::string debug =
       "\"$stepfabric\" debug --port 0 --until 0.01 2> " + (folder / "said").string();
-  EXPECT_EQ(shell(debug + " > >(exec true); exit $?"), 0) << text_of(folder / "said");
-  EXPECT_EQ(shell(debug + " > >(head -1 > /dev/null); exit $?"), 0) << text_of(folder / "said");
-  EXPECT_EQ(shell(debug + " >&-"), 0) << text_of(folder / "said");
+  EXPECT_EQ(shell(debug + " > >(exec true); exit $?"), 0) << files::text_of(folder / "said");
+  EXPECT_EQ(shell(debug + " > >(head -1 > /dev/null); exit $?"), 0)
+      << files::text_of(folder / "said");
+  EXPECT_EQ(shell(debug + " >&-"), 0) << files::text_of(folder / "said");
 }
 
 TEST_F(ReportFiles, are_written_where_there_is_no_output) {
-  EXPECT_EQ(shell(print_line() + " >&-"), 0) << text_of(folder / "said");
+  EXPECT_EQ(shell(print_line() + " >&-"), 0) << files::text_of(folder / "said");
   EXPECT_THAT(json(), HasSubstr("\"verdict\": \"good\""));
 }
 
