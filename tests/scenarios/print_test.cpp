@@ -6,9 +6,11 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -77,6 +79,26 @@ TEST(print, the_same_steps_are_made_at_every_clock) {
     if (reference.empty()) reference = totals(print);
     EXPECT_EQ(totals(print), reference) << clock_hz;
   }
+}
+
+// With moves, heat, a fan, damage on the line and a fault: each byte that the two jobs leave.
+TEST(print, every_clock_is_evaluated_to_the_same_edges_lines_and_figures) {
+  const std::string gcode =
+      "M106 S77\nM104 S190\nG28 X Y\nG1 X20 Y10 F6000\nG1 X0.5 Y7.3 F900\nG4 P300\nM105\n"
+      "G1 X9 Y9 Z0.2 F7000\nM84\n";
+  const auto accepted = scenarios::scratch_folder() / "accepted";
+  const auto run = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--fault", "serial=0.005", "--fault", "x-end-stop-bounces",
+                                   "--accept-log", accepted.string()});
+    const Print print = print_text(gcode, options);
+    EXPECT_EQ(print.job.status, 0) << print.job.output;
+    nlohmann::json report = print.report;
+    EXPECT_GT(report.erase("wall_seconds"), 0u);
+    return std::tuple(files::text_of(print.edges), files::text_of(accepted), report.dump());
+  };
+  const auto quick = run({});
+  EXPECT_GT(std::get<0>(quick).size(), 1000u);
+  EXPECT_EQ(run({"--every-clock"}), quick);
 }
 
 TEST(software_stepping, makes_the_same_steps_as_the_hardware) {

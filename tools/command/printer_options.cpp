@@ -20,6 +20,8 @@ void add_printer_options(CLI::App& job, PrinterChoices& choices) {
       ->capture_default_str();
   job.add_flag("--warm", choices.warm,
                "the heaters start near their targets, which saves simulated minutes");
+  job.add_flag("--every-clock", choices.every_clock,
+               "evaluate every clock edge of the chip: the same print, many times slower");
   job.add_option("--accept-log", choices.accept_log,
                  "write each line that the firmware took: <number or ->TAB<command>")
       ->type_name("FILE");
