@@ -141,6 +141,59 @@ TEST_F(FileHostTest, sends_all_lines_again_from_the_one_that_is_asked_for) {
   EXPECT_THAT(sent, testing::Contains(HasSubstr("N1 G1 X1")).Times(1));
 }
 
+// The last line went out twice, and of its second copy the chip knows only that it came damaged.
+TEST_F(FileHostTest, ends_well_where_the_chip_asks_for_a_line_behind_the_last) {
+  print("G28\n", {"ok\n", "ok\n", "Resend: 3\nok\nok\n"});
+  EXPECT_EQ(host->state(), HostState::completed) << host->fault();
+  EXPECT_THAT(sent, ElementsAre("N0 M110 N0*125", "N1 G28*18", "N2 M400*37"));
+}
+
+// Noise has made two damaged halves of line 1: it is asked for twice, and both copies are answered.
+TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_a_copy_was_answered_too) {
+  print("G28\nG1 X1\n", {"ok\n", "Resend: 1\nok\nResend: 1\nok\n", "ok\n", "ok\n", "", "", "", ""},
+        2);
+  ASSERT_THAT(sent, testing::Contains("N3 M400*36"));
+  chip.say("ok\n");  // to G1 X1
+  simulation.run_until(rate.clocks(3));
+  EXPECT_EQ(host->state(), HostState::printing);
+  chip.say("ok\n");  // to M400
+  simulation.run_until(rate.clocks(4));
+  EXPECT_EQ(host->state(), HostState::completed);
+  EXPECT_EQ(host->commands(), 2U);
+  EXPECT_EQ(host->counts().commands_executed, 2U);
+}
+
+// The same with two lines in flight: those of the first request are answered, and so are their
+// copies; the chip works on M400.
+TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_several_were_sent_twice) {
+  options.window = 2;
+  print("G28\nG1 X1\n",
+        {"ok\n", "", "Resend: 2\nok\nok\nResend: 2\nok\n", "ok\n", "", "ok\n", "ok\n", "", "", ""},
+        2);
+  ASSERT_THAT(sent, testing::Contains("N3 M400*36").Times(2));
+  EXPECT_EQ(host->state(), HostState::printing);
+  chip.say("ok\n");
+  simulation.run_until(rate.clocks(3));
+  EXPECT_EQ(host->state(), HostState::completed);
+}
+
+// And then one of the copies comes damaged, so that the lines behind it go out twice, too.
+TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_a_copy_was_asked_for_again) {
+  options.window = 2;
+  print("G1 X1\nG1 X2\nG1 X3\n",
+        {"ok\n", "Resend: 1\nok\nResend: 1\nok\n", "",  // lines 1 and 2
+         "ok\n", "ok\n", "Resend: 3\nok\n", "ok\n",  // twice 1 and 2
+         "ok\n", "", "ok\n", "ok\n",  // twice 3 and M400
+         "", "", "", "", "", ""},
+        2);
+  ASSERT_THAT(sent, testing::Contains(HasSubstr("N1 G1 X1")).Times(3));
+  ASSERT_THAT(sent, testing::Contains(HasSubstr("N4 M400")).Times(2));
+  EXPECT_EQ(host->state(), HostState::printing);
+  chip.say("ok\nok\n");
+  simulation.run_until(rate.clocks(3));
+  EXPECT_EQ(host->state(), HostState::completed);
+}
+
 TEST_F(FileHostTest, puts_a_remark_to_the_first_of_several_lines_in_flight) {
   options.window = 3;
   print("G1 X1\nG2 X2\nG1 X3\n", {"ok\n", "", "", "ok\necho:Unknown command: \"G2 X2\"\nok\nok\n"});
