@@ -168,6 +168,11 @@ void FileHost::acknowledge(sim::Clock now) {
     acknowledge_line(now, *done);
   }
   refused_ = false;
+  if (acknowledged_ == script_.size() && oks_in_doubt_ != 0) {
+    --oks_in_doubt_;
+    ++own_lines_;
+    script_.push_back({0, "M400"});
+  }
   if (acknowledged_ == script_.size()) {
     state_ = HostState::completed;
   } else {
@@ -197,10 +202,12 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   if (number && acknowledged_ == 0) {
     number = 0;
   }
-  if (!number || *number >= script_.size() || *number > next_) {
+  // The next one may be asked for, even behind the last: a copy of the one before came damaged.
+  if (!number || *number > next_) {
     fail(fmt::format("the chip asks for a line that was never sent: \"{}\"", reply));
     return;
   }
+  const bool asked_twice = resend_number_ == number;
   if (asked_too_often(*number)) {
     fail(fmt::format("the chip asked {} times for line number {} ({}): {}",
                      resends_without_progress_, *number, place(),
@@ -208,7 +215,11 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
     return;
   }
   // The lines before it will still be answered.
-  std::erase_if(in_flight_, [&](const Flight& line) { return line && *line >= *number; });
+  const std::size_t dropped =
+      std::erase_if(in_flight_, [&](const Flight& line) { return line && *line >= *number; });
+  if (asked_twice || oks_in_doubt_ != 0) {
+    oks_in_doubt_ += dropped;
+  }
   next_ = *number;
   resend_asked_ = true;
   resend_asked_at_ = now;
@@ -281,12 +292,6 @@ const FileCommand& FileHost::present() const {
   return script_[std::min(index, script_.size() - 1)];
 }
 
-std::string FileHost::place() const {
-  const FileCommand& command = present();
-  if (command.file_line == 0) {
-    return fmt::format("the host's \"{}\"", command.text);
-  }
-  return fmt::format("line {} \"{}\"", command.file_line, shortened(command.text));
-}
+std::string FileHost::place() const { return place_of(present()); }
 
 }  // namespace devices

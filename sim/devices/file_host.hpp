@@ -31,7 +31,8 @@ struct HostOptions {
 // The dialogue is that of Marlin's hosts: `N<number> <command>*<checksum>`, then `ok`; `Resend: N`
 // names the line to send again after the next `ok`. `echo:` lines are remarks; `Error:` lines
 // announce a resend or are fatal. M110 of the file is left out, since the numbers are the host's.
-// After the file comes M400, so that `completed` means that the last move has been made.
+// After the file comes M400, so that `completed` means that the last move has been made; more of
+// them where the chip may have answered copies of lines.
 class FileHost : public sim::Device, public ByteListener, public Host {
  public:
   FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::ClockRate rate,
@@ -42,7 +43,7 @@ class FileHost : public sim::Device, public ByteListener, public Host {
   // Why the print has faulted: one sentence, with the line of the file.
   const std::string& fault() const { return fault_; }
   // Commands of the file, without those that are not sent.
-  std::size_t commands() const { return script_.size() - 2; }
+  std::size_t commands() const { return script_.size() - own_lines_; }
   // Lines that are done, and all of them, with the host's own.
   std::size_t done() const { return acknowledged_; }
   std::size_t total() const { return script_.size(); }
@@ -80,11 +81,15 @@ class FileHost : public sim::Device, public ByteListener, public Host {
   std::size_t announced_ = 0;  // lines before this one have been sent once
   std::size_t acknowledged_ = 0;  // lines before this one are done
   std::deque<Flight> in_flight_;  // in the order in which they will be answered
+  std::size_t own_lines_ = 2;  // of the script: M110 and M400
+  // Lines that were sent twice and may be answered twice. For each an M400 more follows the script:
+  // the ok to a copy is then not taken for that of the last line.
+  std::size_t oks_in_doubt_ = 0;
   bool resend_asked_ = false;
   bool refused_ = false;  // the chip has spoken against the first line in flight
   bool prompt_answered_ = false;
   // Since the last line that was done for the first time.
-  std::size_t resend_number_ = 0;
+  std::optional<std::size_t> resend_number_;
   unsigned resends_of_line_ = 0;
   unsigned resends_without_progress_ = 0;
   std::string last_error_;

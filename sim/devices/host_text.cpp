@@ -74,4 +74,11 @@ std::string shortened(const std::string& text) {
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
+std::string place_of(const FileCommand& command) {
+  if (command.file_line == 0) {
+    return fmt::format("the host's \"{}\"", command.text);
+  }
+  return fmt::format("line {} \"{}\"", command.file_line, shortened(command.text));
+}
+
 }  // namespace devices

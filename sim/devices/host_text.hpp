@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/devices/gcode_file.hpp"
+
 namespace devices {
 
 std::string lower_case(std::string_view text);
@@ -23,5 +25,6 @@ bool waits_for_a_time(std::string_view text);
 
 // For messages.
 std::string shortened(const std::string& text);
+std::string place_of(const FileCommand& command);
 
 }  // namespace devices
