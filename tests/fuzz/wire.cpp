@@ -123,8 +123,9 @@ void Print::receive(std::uint8_t byte) {
   }
 }
 
-// A flip has made a line end of one byte, and what is behind it begins with the line's own number
-// and has the right checksum, since all in front has the XOR 0: no receiver can know.
+// A flip has made a line end of one byte, and what is behind it begins with the line's own number,
+// perhaps after blanks, and has the right checksum, since all in front has the XOR 0: no receiver
+// can know.
 bool Print::lies(std::string_view text) const {
   const std::string whole = fmt::format("N{} {}", arrived_ + 1, wanted_[arrived_]);
   if (flips_ == 0 || !whole.ends_with(text)) return false;
@@ -134,7 +135,8 @@ bool Print::lies(std::string_view text) const {
     sum ^= byte;
     const bool ends_line =
         std::has_single_bit(byte ^ unsigned{'\n'}) || std::has_single_bit(byte ^ unsigned{'\r'});
-    if (ends_line && sum == 0 && whole[i + 1] == 'N') return true;
+    const std::size_t rest = std::min(whole.find_first_not_of(' ', i + 1), whole.size());
+    if (ends_line && sum == 0 && whole[rest] == 'N') return true;
   }
   return false;
 }
