@@ -35,7 +35,7 @@ bool counts_are_usual(const Root& root) {
 
 template <class Root>
 Counts read_counts(const Root& root) {
-  constexpr std::uint32_t last_of_tick = 1023;
+  constexpr std::uint32_t last_of_tick = 1023;  // thermal_pkg.tick_cycles - 1
   return {.timer = {.now = REGISTER(machine_timer, now_cycles),
                     .deadline = REGISTER(machine_timer, deadline_cycles),
                     .reached = REGISTER(machine_timer, reached) != 0},
@@ -69,8 +69,8 @@ Counts read_counts(const Root& root) {
                   .level = FAN(level) != 0}};
 }
 
-// All of them, those that only software changes as well; the counters that are read again are as
-// they have been written.
+// All of them, also those that only software changes. What depends on them in the model is stale
+// until it is settled.
 template <class Root>
 void write_counts(const Counts& counts, Root& root) {
   REGISTER(machine_timer, now_cycles) = counts.timer.now;

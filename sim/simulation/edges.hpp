@@ -6,8 +6,9 @@
 
 namespace sim {
 
-// As few as possible: many clocks in which blocks only count are carried over at once; or those of
-// the blocks that are not at rest; or all. Each gives the same, more slowly, and serves to show it.
+// `leaping`: clocks in which blocks only count are carried over many at once. `resting`: the edges
+// of blocks at rest are left out. `all`: every edge. The results are the same; the others are
+// slower, and show it.
 enum class Edges : std::uint8_t { leaping, resting, all };
 
 }  // namespace sim

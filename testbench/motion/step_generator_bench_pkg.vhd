@@ -57,6 +57,15 @@ package step_generator_bench_pkg is
     x, y, ticks, flags : in natural;
     rate_high : in natural := 2 ** 28);
 
+  -- It is the only error since they were cleared; clears it.
+  procedure expect_error (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    bit_number : in natural);
+
+  procedure wait_until_idle (signal clk, idle : in std_ulogic);
+
 end package;
 
 package body step_generator_bench_pkg is
@@ -96,6 +105,25 @@ package body step_generator_bench_pkg is
     write(step_generator_segment_jerk_low_address, 0);
     write(step_generator_segment_jerk_high_address, 0);
     write(step_generator_segment_rate_high_address, rate_high);
+  end procedure;
+
+  procedure expect_error (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    bit_number : in natural) is
+  begin
+    bus_expect(clk, request, response, step_generator_errors_address,
+      word_t(to_unsigned(2 ** bit_number, 32)));
+    bus_write(clk, request, response, step_generator_command_address, clear_errors_command);
+    bus_expect(clk, request, response, step_generator_errors_address, x"00000000");
+  end procedure;
+
+  procedure wait_until_idle (signal clk, idle : in std_ulogic) is
+  begin
+    wait until rising_edge(clk) and idle = '1' for 100 us;
+    assert idle = '1' report "does not come to rest" severity failure;
+    wait_clocks(clk, 3);
   end procedure;
 
 end package body;

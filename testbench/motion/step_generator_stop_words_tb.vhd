@@ -83,20 +83,11 @@ begin
       write(step_generator_segment_commit_address, 0);
     end procedure;
 
-    -- It is the only one since they were cleared.
     procedure expect_error(bit_number : natural) is
     begin
-      expect(step_generator_errors_address, 2 ** bit_number);
-      write(step_generator_command_address, clear_errors_command);
-      expect(step_generator_errors_address, 0);
+      expect_error(clk, request, response, bit_number);
     end procedure;
 
-    procedure wait_until_idle is
-    begin
-      wait until rising_edge(clk) and idle = '1' for 100 us;
-      assert idle = '1' report "does not come to rest" severity failure;
-      clocks(3);
-    end procedure;
 
     procedure expect_stop(cause_bit : natural) is
     begin
@@ -110,7 +101,7 @@ begin
       write(step_generator_command_address, acknowledge_command);
       clocks(3);
       assert stop_interrupt = '0' report "the stop is not acknowledged" severity failure;
-      wait_until_idle;
+      wait_until_idle(clk, idle);
     end procedure;
 
     -- An end stop of the mask ends a segment in its middle.
@@ -179,7 +170,7 @@ begin
     kept := word;
     expect(step_generator_stop_position_address + 8, 0);
     append(8, 8, 8);
-    wait_until_idle;
+    wait_until_idle(clk, idle);
     expect(step_generator_stop_position_address + 4, kept);
     read(step_generator_position_address + 4);
     assert word /= kept severity failure;

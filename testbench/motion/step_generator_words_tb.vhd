@@ -110,20 +110,11 @@ begin
       write(step_generator_segment_commit_address, 0);
     end procedure;
 
-    -- It is the only one since they were cleared.
     procedure expect_error(bit_number : natural) is
     begin
-      expect(step_generator_errors_address, 2 ** bit_number);
-      write(step_generator_command_address, clear_errors_command);
-      expect(step_generator_errors_address, 0);
+      expect_error(clk, request, response, bit_number);
     end procedure;
 
-    procedure wait_until_idle is
-    begin
-      wait until rising_edge(clk) and idle = '1' for 100 us;
-      assert idle = '1' report "does not come to rest" severity failure;
-      clocks(3);
-    end procedure;
   begin
     clocks(2);
     reset <= '0';
@@ -186,7 +177,7 @@ begin
     write(step_generator_control_address, one_of_threshold + both_interrupts + run);
     clocks(4);
     assert moving = '1' severity failure;
-    wait_until_idle;
+    wait_until_idle(clk, idle);
     assert pulses = (2 * depth, depth) and direction = "10" severity failure;
     assert high_clocks = (4, 6) report to_string(high_clocks(0)) & " " & to_string(high_clocks(1))
       severity failure;
@@ -200,7 +191,7 @@ begin
 
     -- Steps faster than the second axis can: it stalls both.
     append(20, 20, 20);
-    wait_until_idle;
+    wait_until_idle(clk, idle);
     assert period_clocks(1) = 46 report to_string(period_clocks(1)) & " clocks" severity failure;
     read(step_generator_axis_stalls_address + 4);
     other := number;
@@ -235,7 +226,7 @@ begin
     for i in 0 to 3 loop
       wait_for_first <= true;
       append(1, 1, 8, ends_motion + shifts(i));
-      wait_until_idle;
+      wait_until_idle(clk, idle);
       -- Axis 0 ahead of axis 1 where it is ahead itself, or axis 1 behind.
       assert (first_rise_at(0) < first_rise_at(1)) = (i = 0 or i = 3) severity failure;
       assert (first_rise_at(0) > first_rise_at(1)) = (i = 1 or i = 2) severity failure;
@@ -251,7 +242,7 @@ begin
     write(step_generator_command_address, start_command);
     clocks(3);
     assert moving = '1' severity failure;
-    wait_until_idle;
+    wait_until_idle(clk, idle);
     for i in 1 to 2 loop
       append(2, 2, 8, ends_motion + waits);
       -- Long enough for a rest, before and while it is high.
@@ -259,7 +250,7 @@ begin
       start <= '1';
       clocks(4);
       assert moving = '1' severity failure;
-      wait_until_idle;
+      wait_until_idle(clk, idle);
       -- It rests all the same.
       other := clocks_left_out;
       clocks(30);

@@ -40,6 +40,14 @@ package heater_control_bench_pkg is
     signal response : in bus_response_t;
     key : in natural);
 
+  -- The channel has tripped by the cause of this bit: its gate is closed, the processor interrupted.
+  procedure expect_trip (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    signal interrupt : in std_ulogic;
+    bit_number, channel : in natural);
+
 end package;
 
 package body heater_control_bench_pkg is
@@ -74,6 +82,23 @@ package body heater_control_bench_pkg is
     bus_write(clk, request, response, heater_control_supply_address,
       to_word(heater_control_supply_t'(key => to_unsigned(key, 16), others => '0')));
     wait_clocks(clk, 3);
+  end procedure;
+
+  procedure expect_trip (
+    signal clk : in std_ulogic;
+    signal request : out bus_request_t;
+    signal response : in bus_response_t;
+    signal interrupt : in std_ulogic;
+    bit_number, channel : in natural) is
+    variable word : word_t;
+    variable status : heater_control_status_t;
+  begin
+    bus_read(clk, request, response, heater_control_status_address + 4 * channel, word);
+    status := to_heater_control_status(word);
+    trips : assert word(bit_number) = '1' and status.tripped = '1' and status.gate = '0'
+      report "status " & to_hstring(word) & " instead of bit " & to_string(bit_number) severity error;
+    wait_clocks(clk, 2);
+    interrupts_the_processor : assert interrupt = '1' report "no interrupt" severity error;
   end procedure;
 
 end package body;

@@ -81,14 +81,8 @@ begin
     end procedure;
 
     procedure expect_trip (bit_number : natural; channel : natural := 0) is
-      variable status : heater_control_status_t;
     begin
-      read(heater_control_status_address, channel);
-      status := to_heater_control_status(word);
-      trips : assert word(bit_number) = '1' and status.tripped = '1' and status.gate = '0'
-        report "status " & to_hstring(word) & " instead of bit " & to_string(bit_number) severity error;
-      clocks_pass(2);
-      interrupts_the_processor : assert interrupt = '1' report "no interrupt" severity error;
+      expect_trip(clk, request, response, interrupt, bit_number, channel);
     end procedure;
 
     procedure switch (key : natural) is
