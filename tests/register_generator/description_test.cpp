@@ -47,6 +47,40 @@ TEST(Description, makes_two_registers_of_64_bits_the_low_word_first) {
   EXPECT_EQ(unit.wide_registers[0].field, "clocks");
 }
 
+TEST(Description, takes_the_registers_of_included_files_behind_its_own) {
+  const TemporaryFolder folder;
+  folder.write("unit.toml", std::string("name = 'unit'\naddress = 0xF0009000\nsummary = 'A unit.'\n"
+                                        "include = ['unit_more.toml']\n") +
+                                plain);
+  folder.write("unit_more.toml", wide);
+  const Peripheral unit = load(folder.path() / "unit.toml");
+  ASSERT_EQ(unit.registers.size(), 3u);
+  EXPECT_EQ(unit.registers[0].name, "state");
+  EXPECT_EQ(unit.registers[1].name, "time_low");
+  EXPECT_EQ(unit.registers[1].offset, 4u);
+  EXPECT_THAT(description_files(folder.path()), testing::ElementsAre(folder.path() / "unit.toml"));
+}
+
+TEST(Description, names_the_included_file_that_is_wrong) {
+  const TemporaryFolder folder;
+  folder.write("unit.toml", std::string("name = 'unit'\naddress = 0xF0009000\nsummary = 'A unit.'\n"
+                                        "include = ['unit_more.toml']\n") +
+                                plain);
+  const auto refusal = [&]() -> std::string {
+    try {
+      load(folder.path() / "unit.toml");
+    } catch (const DescriptionError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(), HasSubstr("unit_more.toml"));  // There is none.
+  folder.write("unit_more.toml", plain);
+  EXPECT_THAT(refusal(), HasSubstr("unit_more.toml: state: is described twice"));
+  folder.write("unit_more.toml", "name = 'more'\n");
+  EXPECT_THAT(refusal(), HasSubstr("unit_more.toml: top level: unknown key 'name'"));
+}
+
 TEST(Description, gives_each_half_of_64_bits_its_own_access_and_reset) {
   const Peripheral unit = read(
       "[[register]]\nname = 'deadline'\naccess_low = 'read_write'\naccess_high = 'external'\n"

@@ -92,8 +92,11 @@ class DescriptionError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Reads and checks a description file. Throws DescriptionError.
+// Reads and checks a description file with those that it includes. Throws DescriptionError.
 Peripheral load(const std::filesystem::path& file);
+
+// The description files (.toml) in a folder and those in it, but for those that others include.
+std::vector<std::filesystem::path> description_files(const std::filesystem::path& folder);
 
 std::string vhdl_package(const Peripheral& peripheral, const std::string& source);
 std::string vhdl_registers(const Peripheral& peripheral, const std::string& source);

@@ -46,10 +46,9 @@ int main(int argument_count, char** arguments) {
   bool good = true;
   try {
     std::vector<Peripheral> peripherals;
-    for (const auto& entry : fs::recursive_directory_iterator(project / "rtl")) {
-      if (entry.path().extension() != ".toml") continue;
-      const Peripheral peripheral = load(entry.path());
-      const std::string source = fs::relative(entry.path(), project).generic_string();
+    for (const fs::path& file : description_files(project / "rtl")) {
+      const Peripheral peripheral = load(file);
+      const std::string source = fs::relative(file, project).generic_string();
       const std::string stem = peripheral.name + "_registers";
       good &= settle(rtl / (stem + "_pkg.vhd"), vhdl_package(peripheral, source), check);
       good &= settle(rtl / (stem + ".vhd"), vhdl_registers(peripheral, source), check);
