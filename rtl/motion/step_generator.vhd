@@ -65,14 +65,11 @@ architecture rtl of step_generator is
   signal control : step_generator_control_t := control_after_reset;
   signal rate_floor : unsigned(30 downto 0);
   signal setting_refused, motor_refused : std_ulogic;
-  signal settings_refusal : std_ulogic := '0';
   signal enabled : std_ulogic_vector(axes - 1 downto 0);
   signal in_motion : std_ulogic;
   signal positions_lost : std_ulogic;
   signal refused : refusal_t;
-  signal refusals : refusal_t := refusal_none;
   signal position_refused : std_ulogic;
-  signal position_refusal : std_ulogic := '0';
 
   signal level : natural range 0 to queue_depth;
   signal max_level : natural range 0 to queue_depth;
@@ -155,50 +152,9 @@ begin
       emergency_stop => emergency_stop, stopped => stopped, enabled => enabled, pins => enable,
       positions_lost => positions_lost, refused => motor_refused, alarm => motor_alarm);
 
-  -- Which word of the segment is written, and what.
-  gather_words : process (all)
-    procedure put(lane : lane_t; data : std_ulogic_vector(31 downto 0)) is
-    begin
-      write <= (valid => '1', lane => lane, data => data);
-    end procedure;
-  begin
-    -- The data of most words are the same wires, so that no choice is made where nothing is written.
-    write <= (
-      valid => '0', lane => 0, data => std_ulogic_vector(from_software.segment_ticks.ticks));
-    if from_software.segment_flags_written then
-      put(flags_lane, to_word(from_software.segment_flags));
-    end if;
-    if from_software.segment_line_ticks_written then
-      put(line_ticks_lane, std_ulogic_vector(from_software.segment_line_ticks.ticks));
-    end if;
-    if from_software.segment_ticks_written then
-      put(ticks_lane, std_ulogic_vector(from_software.segment_ticks.ticks));
-    end if;
-    if from_software.segment_rate_low_written then
-      put(rate_low_lane, std_ulogic_vector(from_software.segment_rate_low.rate));
-    end if;
-    if from_software.segment_rate_high_written then
-      put(rate_high_lane, std_ulogic_vector(from_software.segment_rate_high.rate));
-    end if;
-    if from_software.segment_acceleration_low_written then
-      put(acceleration_low_lane, std_ulogic_vector(from_software.segment_acceleration_low.acceleration));
-    end if;
-    if from_software.segment_acceleration_high_written then
-      put(acceleration_high_lane,
-        std_ulogic_vector(from_software.segment_acceleration_high.acceleration));
-    end if;
-    if from_software.segment_jerk_low_written then
-      put(jerk_low_lane, std_ulogic_vector(from_software.segment_jerk_low.jerk));
-    end if;
-    if from_software.segment_jerk_high_written then
-      put(jerk_high_lane, std_ulogic_vector(from_software.segment_jerk_high.jerk));
-    end if;
-    for axis in 0 to axes - 1 loop
-      if from_software.segment_steps_written(axis) then
-        put(steps_lane + axis, std_ulogic_vector(from_software.segment_steps(axis).steps));
-      end if;
-    end loop;
-  end process;
+  words : entity work.segment_words
+    generic map (axes => axes)
+    port map (from_software => from_software, write => write);
 
   new_position <= from_software.position(0).steps;
   positions_from_software : for axis in 0 to axes - 1 generate
@@ -216,34 +172,11 @@ begin
     end if;
   end process;
 
-  remember_errors : process
-  begin
-    wait until rising_edge(bus_clk);
-    if command.clear_errors then
-      refusals <= refusal_none;
-      position_refusal <= '0';
-      settings_refusal <= '0';
-    end if;
-    if refused /= refusal_none then
-      refusals <= (
-        queue_full => refusals.queue_full or refused.queue_full,
-        incomplete => refusals.incomplete or refused.incomplete,
-        illegal => refusals.illegal or refused.illegal,
-        while_stopped => refusals.while_stopped or refused.while_stopped,
-        disabled => refusals.disabled or refused.disabled);
-    end if;
-    if position_refused then
-      position_refusal <= '1';
-    end if;
-    if setting_refused or motor_refused then
-      settings_refusal <= '1';
-    end if;
-    if reset then
-      refusals <= refusal_none;
-      position_refusal <= '0';
-      settings_refusal <= '0';
-    end if;
-  end process;
+  errors : entity work.error_latch
+    port map (
+      clk => bus_clk, reset => reset, clear => command.clear_errors, segment_refused => refused,
+      position_refused => position_refused, setting_refused => setting_refused or motor_refused,
+      errors => to_software.errors);
 
   interrupt : process
   begin
@@ -272,10 +205,6 @@ begin
     moving => moving, idle => idle, stopped => stopped, held => held, braking => braking,
     waiting => waiting, positions_lost => positions_lost, level => to_unsigned(level, 8),
     free => to_unsigned(queue_depth - level, 8));
-  to_software.errors <= (
-    queue_full => refusals.queue_full, incomplete => refusals.incomplete,
-    illegal => refusals.illegal, while_stopped => refusals.while_stopped,
-    position => position_refusal, settings => settings_refusal, disabled => refusals.disabled);
   to_software.snapshot_time_low.clocks <= snapshot_time(31 downto 0);
   to_software.snapshot_time_high.clocks <= snapshot_time(63 downto 32);
   to_software.stop_cause <= (

@@ -19,8 +19,7 @@ entity heater_control is
     -- Software cannot make them longer than this.
     maximum_timeout_s : positive range 1 to 5 := 3;
     -- Shortest charge, in 2^-20 s, that a cut-off may ask for: 3.8 us, where the hottest machine at 300
-    -- degrees
-    -- (169 Ohm with the pin, 68 nF) has 8.0 us with nominal parts and 5.1 with the worst.
+    -- degrees (169 Ohm with the pin, 68 nF) has 8.0 us with nominal parts and 5.1 with the worst.
     least_charge : positive range 1 to 64 := 4;
     -- Software cannot make a settling time longer than this.
     maximum_settle_s : positive range 1 to 150 := 120
@@ -58,22 +57,13 @@ end entity;
 
 architecture rtl of heater_control is
 
-  signal ticks_per_s, default_timeout, maximum_timeout : tick_count_t;
+  signal ticks_per_s : tick_count_t;
 
   signal from_software : heater_control_from_software_t;
   signal to_software : heater_control_to_software_t;
 
-  signal tick : std_ulogic := '0';
-  signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
-  signal tick_ends : std_ulogic;
-  signal slot_start : std_ulogic := '0';
-  signal slot_phase : unsigned(23 downto 0) := (others => '0');
-  -- Of a slot, a clock after software sets it, so that no sum is compared.
-  signal last_phase : unsigned(23 downto 0) := (others => '0');
-  signal slot_ends : std_ulogic;
-
-  signal watchdog_timeout : tick_count_t := (others => '0');
-  signal sensor_timeout : tick_count_t := (others => '0');
+  signal tick, slot_start, time_alarm : std_ulogic;
+  signal watchdog_timeout, sensor_timeout : tick_count_t;
   signal watchdog_alive, watchdog_violated : std_ulogic;
   signal first_key, second_key : std_ulogic;
 
@@ -93,50 +83,19 @@ architecture rtl of heater_control is
 
 begin
 
-  default_timeout_is_within_the_maximum : assert default_timeout_s <= maximum_timeout_s
-    severity failure;
-
   -- At most 100 MHz, so 5 s fit into a tick count.
   ticks_per_s <= resize(clock_frequency_hz / tick_cycles, tick_count_bits);
-  default_timeout <= resize(ticks_per_s * default_timeout_s, tick_count_bits);
-  maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
 
-  tick_ends <= '1' when tick_phase = tick_cycles - 1 else '0';
-  slot_ends <= '1' when slot_phase >= last_phase else '0';
-
-  find_last_phase : process
-  begin
-    wait until rising_edge(bus_clk);
-    last_phase <= (others => '0');
-    if from_software.slot.cycles /= 0 then
-      last_phase <= from_software.slot.cycles - 1;
-    end if;
-  end process;
-
-  count_phases : process
-  begin
-    wait until rising_edge(always_clk);
-    if tick_ends then
-      tick_phase <= 0;
-    else
-      tick_phase <= tick_phase + 1;
-    end if;
-    slot_phase <= slot_phase + 1;
-    if slot_ends then
-      slot_phase <= (others => '0');
-    end if;
-    if reset then
-      tick_phase <= 0;
-      slot_phase <= (others => '0');
-    end if;
-  end process;
-
-  make_ticks : process
-  begin
-    wait until rising_edge(clk);
-    tick <= tick_ends;
-    slot_start <= slot_ends;
-  end process;
+  timing : entity work.heater_timing
+    port map (
+      clk => clk,
+      always_clk => always_clk,
+      bus_clk => bus_clk,
+      reset => reset,
+      slot_cycles => from_software.slot.cycles,
+      tick => tick,
+      slot_start => slot_start,
+      alarm => time_alarm);
 
   note_readings : process (all)
   begin
@@ -148,7 +107,7 @@ begin
     end loop;
   end process;
 
-  alarm <= tick_ends or slot_ends or reading_comes or pins_settling;
+  alarm <= time_alarm or reading_comes or pins_settling;
 
   -- A tick may end the watchdog's patience, which trips a channel, which interrupts.
   watch_rest : entity work.rest_watch
@@ -168,22 +127,15 @@ begin
   clear <= '1' when from_software.clear_written = '1'
     and from_software.clear.key = heater_control_clear_key_clear_trips else '0';
 
-  set_timeouts : process
-  begin
-    wait until rising_edge(clk);
-    if from_software.watchdog_written then
-      watchdog_timeout <= maximum_timeout when from_software.watchdog.ticks > maximum_timeout
-        else from_software.watchdog.ticks;
-    end if;
-    if from_software.sensor_timeout_written then
-      sensor_timeout <= maximum_timeout when from_software.sensor_timeout.ticks > maximum_timeout
-        else from_software.sensor_timeout.ticks;
-    end if;
-    if reset then
-      watchdog_timeout <= default_timeout;
-      sensor_timeout <= default_timeout;
-    end if;
-  end process;
+  timeouts : entity work.heater_timeouts
+    generic map (default_timeout_s => default_timeout_s, maximum_timeout_s => maximum_timeout_s)
+    port map (
+      clk => clk,
+      reset => reset,
+      ticks_per_s => ticks_per_s,
+      from_software => from_software,
+      watchdog_timeout => watchdog_timeout,
+      sensor_timeout => sensor_timeout);
 
   watch_software : entity work.feed_watchdog
     port map (
@@ -225,104 +177,32 @@ begin
 
   each_channel : for channel in 0 to to_software.status'high generate
     present : if channel < channels generate
-      signal written : unsigned(31 downto 0);
-      signal minimum_count, maximum_count, hot_count : unsigned(31 downto 0);
-      signal settle_ticks : settle_t;
-      signal minimum_locked, maximum_locked, hot_locked, settle_locked, refused : std_ulogic;
-      signal limits_set : std_ulogic;
-      signal clear_this : std_ulogic;
-      signal heats_unasked : std_ulogic;
-      signal permitted : std_ulogic;
-      signal trips : heater_trips_t;
-    begin
-
-      -- One word goes to all registers.
-      written <= from_software.minimum_count(channel).cycles;
-
-      limits : entity work.heater_limits
-        port map (
-          clk => clk,
-          reset => reset,
-          least_count => least_count,
-          most_count => most_count,
-          least_hot_count => shift_left(least_count, 3),
-          longest_settle => longest_settle,
-          written => written,
-          minimum_written => from_software.minimum_count_written(channel),
-          maximum_written => from_software.maximum_count_written(channel),
-          hot_written => from_software.hot_count_written(channel),
-          settle_written => from_software.settle_written(channel),
-          forget_refused => clear_this,
-          minimum_count => minimum_count,
-          maximum_count => maximum_count,
-          hot_count => hot_count,
-          settle_ticks => settle_ticks,
-          minimum_locked => minimum_locked,
-          maximum_locked => maximum_locked,
-          hot_locked => hot_locked,
-          settle_locked => settle_locked,
-          refused => refused);
-
-      limits_set <= minimum_locked and maximum_locked and hot_locked and settle_locked;
-      any_locked(channel) <= minimum_locked or maximum_locked or hot_locked or settle_locked;
-      clear_this <= clear and from_software.clear.channels(channel);
-
-      guard : entity work.heater_guard
+      heater : entity work.heater_channel
+        generic map (channel => channel)
         port map (
           clk => clk,
           reset => reset,
           tick => tick,
           slot_start => slot_start,
-          duty => from_software.duty(channel).density,
+          from_software => from_software,
+          clear => clear,
+          least_count => least_count,
+          most_count => most_count,
+          longest_settle => longest_settle,
           watchdog_alive => watchdog_alive,
           watchdog_violated => watchdog_violated,
-          heats_unasked => heats_unasked,
           reading => readings(channel),
           sensor_timeout_ticks => sensor_timeout,
-          minimum_count => minimum_count,
-          maximum_count => maximum_count,
-          limits_set => limits_set,
           emergency_stop => emergency_stop_synchronized,
-          clear => clear_this,
           gate => gates(channel),
-          permitted => permitted,
-          trips => trips);
+          any_locked => any_locked(channel),
+          minimum_count => to_software.minimum_count(channel).cycles,
+          maximum_count => to_software.maximum_count(channel).cycles,
+          hot_count => to_software.hot_count(channel).cycles,
+          settle_ticks => to_software.settle(channel).ticks,
+          status => to_software.status(channel));
 
-      unasked : entity work.unasked_heat_watch
-        port map (
-          clk => clk,
-          reset => reset,
-          tick => tick,
-          gate => gates(channel),
-          reading => readings(channel),
-          limits_set => limits_set,
-          settle_ticks => settle_ticks,
-          hot_count => hot_count,
-          found => heats_unasked);
-
-      tripped(channel) <= any_of(trips);
-
-      to_software.minimum_count(channel).cycles <= minimum_count;
-      to_software.maximum_count(channel).cycles <= maximum_count;
-      to_software.hot_count(channel).cycles <= hot_count;
-      to_software.settle(channel).ticks <= settle_ticks;
-      to_software.status(channel) <= (
-        gate => gates(channel),
-        permitted => permitted,
-        minimum_locked => minimum_locked,
-        maximum_locked => maximum_locked,
-        hot_locked => hot_locked,
-        settle_locked => settle_locked,
-        refused => refused,
-        tripped => tripped(channel),
-        watchdog_trip => trips.watchdog,
-        sensor_invalid_trip => trips.sensor_invalid,
-        sensor_stale_trip => trips.sensor_stale,
-        too_hot_trip => trips.too_hot,
-        too_cold_trip => trips.too_cold,
-        limits_missing_trip => trips.limits_missing,
-        emergency_stop_trip => trips.emergency_stop,
-        heats_unasked_trip => trips.heats_unasked);
+      tripped(channel) <= to_software.status(channel).tripped;
     end generate;
 
     absent : if channel >= channels generate

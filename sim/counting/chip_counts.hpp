@@ -12,6 +12,7 @@ namespace counting {
 #define BASE(name) REGISTER(motion__DOT__core__DOT__base, name)
 #define PACE(name) REGISTER(motion__DOT__core__DOT__pace, name)
 #define WATCH(name) REGISTER(motion__DOT__core__DOT__watch, name)
+#define HEATER_TIME(name) REGISTER(heat__DOT__timing, name)
 #define FAN(name) REGISTER(cooling_fan__DOT__modulator, name)
 #define FAN_SETTING(name) REGISTER(cooling_fan__DOT__registers, name)
 #define PROCESSOR(path, name) \
@@ -22,7 +23,7 @@ namespace counting {
 template <class Root>
 inline constexpr bool has_counts = requires(Root& root) {
   REGISTER(machine_timer, now_cycles);
-  REGISTER(heat, slot_phase);
+  HEATER_TIME(slot_phase);
   BASE(phase);
 };
 
@@ -43,8 +44,8 @@ Counts read_counts(const Root& root) {
           .processor_cycles = PROCESSOR(__DOT__cycle_counter, counted),
           .processor_cycles_stopped = PROCESSOR(, cycle_stopped) != 0,
           .converter_tick = {.phase = REGISTER(sensors, tick_phase), .last = last_of_tick},
-          .heater_tick = {.phase = REGISTER(heat, tick_phase), .last = last_of_tick},
-          .heater_slot = {.phase = REGISTER(heat, slot_phase), .last = REGISTER(heat, last_phase)},
+          .heater_tick = {.phase = HEATER_TIME(tick_phase), .last = last_of_tick},
+          .heater_slot = {.phase = HEATER_TIME(slot_phase), .last = HEATER_TIME(last_phase)},
           .converter_cycles = {REGISTER(sensors, now_cycles)},
           .converter_wakes = {REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles),
                               REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles)},
@@ -80,9 +81,9 @@ void write_counts(const Counts& counts, Root& root) {
   PROCESSOR(__DOT__cycle_counter, counted) = counts.processor_cycles;
   PROCESSOR(, cycle_stopped) = counts.processor_cycles_stopped;
   REGISTER(sensors, tick_phase) = static_cast<std::uint16_t>(counts.converter_tick.phase);
-  REGISTER(heat, tick_phase) = static_cast<std::uint16_t>(counts.heater_tick.phase);
-  REGISTER(heat, slot_phase) = counts.heater_slot.phase;
-  REGISTER(heat, last_phase) = counts.heater_slot.last;
+  HEATER_TIME(tick_phase) = static_cast<std::uint16_t>(counts.heater_tick.phase);
+  HEATER_TIME(slot_phase) = counts.heater_slot.phase;
+  HEATER_TIME(last_phase) = counts.heater_slot.last;
   REGISTER(sensors, now_cycles) = counts.converter_cycles.now;
   REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles) = counts.converter_wakes[0];
   REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles) = counts.converter_wakes[1];
@@ -109,6 +110,7 @@ void write_counts(const Counts& counts, Root& root) {
 #undef PROCESSOR
 #undef FAN_SETTING
 #undef FAN
+#undef HEATER_TIME
 #undef WATCH
 #undef PACE
 #undef BASE
