@@ -34,15 +34,12 @@ begin
   chip : entity work.printer_controller
     generic map (axes => axes, heaters => heaters)
     port map (
-      clk => clk, processor_clk => clk, bus_clk => clk, axes_clk => clk, peripheral_clk => clk,
-      clock_frequency_hz => to_unsigned(50_000_000, 32), software_stepping => '0',
-      reset => reset, receive => receive,
+      clk => clk, reset => reset, receive => receive,
       transmit => transmit, step => step,
       direction => direction, motor_enable => motor_enable, end_stop => end_stop,
       emergency_stop => emergency_stop, motion_start => receive, sensor_drive_enable => sensor_drive_enable,
       sensor_drive_level => open, sensor_discharging => open, sensor_sense => sensor_sense,
-      heater_gate => heater_gate, fan_gate => fan_gate, fault => open, sleeping => open,
-      processor_at_rest => open, retired => open);
+      heater_gate => heater_gate, fan_gate => fan_gate, fault => open, sleeping => open);
 
   disturb : process
     variable seed_1, seed_2 : positive := 7;

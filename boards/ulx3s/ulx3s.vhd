@@ -3,7 +3,6 @@
 
 library ieee;
 use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
 
 entity ulx3s is
   generic (
@@ -129,15 +128,11 @@ begin
     port map (clk => clk, line => ftdi_txd, closed => ftdi_ndtr, receive => receive);
 
   chip : entity work.printer_controller
-    generic map (axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb)
+    generic map (
+      axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb,
+      clock_frequency_hz => clock_frequency_hz)
     port map (
       clk => clk,
-      processor_clk => clk,
-      bus_clk => clk,
-      axes_clk => clk,
-      peripheral_clk => clk,
-      clock_frequency_hz => to_unsigned(clock_frequency_hz, 32),
-      software_stepping => '0',
       reset => not reset_done(15),
       receive => receive,
       transmit => ftdi_rxd,
@@ -160,13 +155,7 @@ begin
       tms => tms,
       tdi => tdi,
       tdo => tdo,
-      sleeping => sleeping,
-      retired => open,
-      processor_at_rest => open,
-      bus_at_rest => open,
-      axes_at_rest => open,
-      peripherals_at_rest => open
-    );
+      sleeping => sleeping);
 
   -- What drives power leaves the chip from registers in the pads, all a clock later: step and direction keep
   -- their distance whatever the layout.

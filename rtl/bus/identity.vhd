@@ -17,9 +17,8 @@ entity identity is
     heaters : natural := 2
   );
   port (
+    -- Edges may be left out while no access is made.
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
-    bus_clk : in std_ulogic;
     -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
     reset : in std_ulogic;
@@ -54,7 +53,7 @@ begin
 
   registers : entity work.identity_registers
     port map (
-      clk => bus_clk,
+      clk => clk,
       reset => reset,
       request => request,
       response => response,

@@ -8,13 +8,15 @@
 namespace counting {
 
 // Registers have the names of their signals, see tools/hardware/name_registers.awk.
-#define REGISTER(path, name) root.printer_controller__DOT__##path##__DOT__##name##_q
-#define BASE(name) REGISTER(motion__DOT__core__DOT__base, name)
-#define PACE(name) REGISTER(motion__DOT__core__DOT__pace, name)
-#define WATCH(name) REGISTER(motion__DOT__core__DOT__watch, name)
-#define HEATER_TIME(name) REGISTER(heat__DOT__timing, name)
-#define FAN(name) REGISTER(cooling_fan__DOT__modulator, name)
-#define FAN_SETTING(name) REGISTER(cooling_fan__DOT__registers, name)
+#define REGISTER(path, name) root.printer_core__DOT__##path##__DOT__##name##_q
+#define MOTION(path, name) REGISTER(motion__DOT__generator##path, name)
+#define SENSORS(path, name) REGISTER(thermal__DOT__sensors##path, name)
+#define BASE(name) MOTION(__DOT__core__DOT__base, name)
+#define PACE(name) MOTION(__DOT__core__DOT__pace, name)
+#define WATCH(name) MOTION(__DOT__core__DOT__watch, name)
+#define HEATER_TIME(name) REGISTER(thermal__DOT__heat__DOT__timing, name)
+#define FAN(name) REGISTER(thermal__DOT__cooling_fan__DOT__modulator, name)
+#define FAN_SETTING(name) REGISTER(thermal__DOT__cooling_fan__DOT__registers, name)
 #define PROCESSOR(path, name) \
   REGISTER(computing__DOT__cpu__DOT__control_status_registers##path, name)
 
@@ -40,16 +42,16 @@ Counts read_counts(const Root& root) {
   return {.timer = {.now = REGISTER(machine_timer, now_cycles),
                     .deadline = REGISTER(machine_timer, deadline_cycles),
                     .reached = REGISTER(machine_timer, reached) != 0},
-          .motion_time = REGISTER(motion__DOT__core, now),
+          .motion_time = MOTION(__DOT__core, now),
           .processor_cycles = PROCESSOR(__DOT__cycle_counter, counted),
           .processor_cycles_stopped = PROCESSOR(, cycle_stopped) != 0,
-          .converter_tick = {.phase = REGISTER(sensors, tick_phase), .last = last_of_tick},
+          .converter_tick = {.phase = SENSORS(, tick_phase), .last = last_of_tick},
           .heater_tick = {.phase = HEATER_TIME(tick_phase), .last = last_of_tick},
           .heater_slot = {.phase = HEATER_TIME(slot_phase), .last = HEATER_TIME(last_phase)},
-          .converter_cycles = {REGISTER(sensors, now_cycles)},
-          .converter_wakes = {REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles),
-                              REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles)},
-          .motion_watchdog = {.limit = REGISTER(motion__DOT__registers, watchdog_stored),
+          .converter_cycles = {SENSORS(, now_cycles)},
+          .converter_wakes = {SENSORS(__DOT__each_channel_n1_present_timer, wake_cycles),
+                              SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles)},
+          .motion_watchdog = {.limit = MOTION(__DOT__registers, watchdog_stored),
                               .moving = BASE(active) != 0,
                               .left = WATCH(left),
                               .expired = WATCH(expired) != 0},
@@ -59,12 +61,12 @@ Counts read_counts(const Root& root) {
                         .rate = BASE(rate),
                         .acceleration = static_cast<std::int64_t>(BASE(acceleration)),
                         .jerk = static_cast<std::int64_t>(BASE(jerk)),
-                        .rate_floor = REGISTER(motion__DOT__settings, rate_floor),
+                        .rate_floor = MOTION(__DOT__settings, rate_floor),
                         .accelerating = BASE(accelerating) != 0,
                         .decelerating = BASE(decelerating) != 0},
           .fan = {.slot_cycles = FAN_SETTING(period_stored),
                   .duty = FAN_SETTING(duty_stored),
-                  .remaining_cycles = REGISTER(cooling_fan, remaining_cycles),
+                  .remaining_cycles = REGISTER(thermal__DOT__cooling_fan, remaining_cycles),
                   .slot = FAN(slot),
                   .slots_on = FAN(slots_on),
                   .level = FAN(level) != 0}};
@@ -77,17 +79,17 @@ void write_counts(const Counts& counts, Root& root) {
   REGISTER(machine_timer, now_cycles) = counts.timer.now;
   REGISTER(machine_timer, deadline_cycles) = counts.timer.deadline;
   REGISTER(machine_timer, reached) = counts.timer.reached;
-  REGISTER(motion__DOT__core, now) = counts.motion_time;
+  MOTION(__DOT__core, now) = counts.motion_time;
   PROCESSOR(__DOT__cycle_counter, counted) = counts.processor_cycles;
   PROCESSOR(, cycle_stopped) = counts.processor_cycles_stopped;
-  REGISTER(sensors, tick_phase) = static_cast<std::uint16_t>(counts.converter_tick.phase);
+  SENSORS(, tick_phase) = static_cast<std::uint16_t>(counts.converter_tick.phase);
   HEATER_TIME(tick_phase) = static_cast<std::uint16_t>(counts.heater_tick.phase);
   HEATER_TIME(slot_phase) = counts.heater_slot.phase;
   HEATER_TIME(last_phase) = counts.heater_slot.last;
-  REGISTER(sensors, now_cycles) = counts.converter_cycles.now;
-  REGISTER(sensors__DOT__each_channel_n1_present_timer, wake_cycles) = counts.converter_wakes[0];
-  REGISTER(sensors__DOT__each_channel_n2_present_timer, wake_cycles) = counts.converter_wakes[1];
-  REGISTER(motion__DOT__registers, watchdog_stored) = counts.motion_watchdog.limit;
+  SENSORS(, now_cycles) = counts.converter_cycles.now;
+  SENSORS(__DOT__each_channel_n1_present_timer, wake_cycles) = counts.converter_wakes[0];
+  SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles) = counts.converter_wakes[1];
+  MOTION(__DOT__registers, watchdog_stored) = counts.motion_watchdog.limit;
   WATCH(left) = counts.motion_watchdog.left;
   WATCH(expired) = counts.motion_watchdog.expired;
   BASE(active) = counts.time_base.active;
@@ -96,12 +98,12 @@ void write_counts(const Counts& counts, Root& root) {
   BASE(rate) = counts.time_base.rate;
   BASE(acceleration) = static_cast<std::uint64_t>(counts.time_base.acceleration);
   BASE(jerk) = static_cast<std::uint64_t>(counts.time_base.jerk);
-  REGISTER(motion__DOT__settings, rate_floor) = counts.time_base.rate_floor;
+  MOTION(__DOT__settings, rate_floor) = counts.time_base.rate_floor;
   BASE(accelerating) = counts.time_base.accelerating;
   BASE(decelerating) = counts.time_base.decelerating;
   FAN_SETTING(period_stored) = counts.fan.slot_cycles;
   FAN_SETTING(duty_stored) = static_cast<std::uint8_t>(counts.fan.duty);
-  REGISTER(cooling_fan, remaining_cycles) = counts.fan.remaining_cycles;
+  REGISTER(thermal__DOT__cooling_fan, remaining_cycles) = counts.fan.remaining_cycles;
   FAN(slot) = counts.fan.slot;
   FAN(slots_on) = counts.fan.slots_on;
   FAN(level) = counts.fan.level;
@@ -114,6 +116,8 @@ void write_counts(const Counts& counts, Root& root) {
 #undef WATCH
 #undef PACE
 #undef BASE
+#undef SENSORS
+#undef MOTION
 #undef REGISTER
 
 }  // namespace counting

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "sim/simulation/trace.hpp"
-#include "Vprinter_controller.h"
+#include "Vprinter_core.h"
 
 namespace sim {
 
@@ -17,7 +17,7 @@ constexpr int all_levels = 99;
 
 class FstTrace : public Trace {
  public:
-  FstTrace(Vprinter_controller& model, const std::string& file) {
+  FstTrace(Vprinter_core& model, const std::string& file) {
     if (!std::ofstream(file)) {
       throw std::runtime_error("cannot write " + file);
     }
@@ -35,7 +35,7 @@ class FstTrace : public Trace {
 
 void permit_tracing(VerilatedContext& context) { context.traceEverOn(true); }
 
-std::unique_ptr<Trace> make_trace(Vprinter_controller& model, const std::string& file) {
+std::unique_ptr<Trace> make_trace(Vprinter_core& model, const std::string& file) {
   return std::make_unique<FstTrace>(model, file);
 }
 

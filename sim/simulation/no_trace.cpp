@@ -8,7 +8,7 @@ namespace sim {
 
 void permit_tracing(VerilatedContext&) {}
 
-std::unique_ptr<Trace> make_trace(Vprinter_controller&, const std::string&) {
+std::unique_ptr<Trace> make_trace(Vprinter_core&, const std::string&) {
   throw std::runtime_error(
       "this program holds the fast model of the chip, which writes no waveforms");
 }

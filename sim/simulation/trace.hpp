@@ -8,7 +8,7 @@
 #include <string>
 
 class VerilatedContext;
-class Vprinter_controller;
+class Vprinter_core;
 
 namespace sim {
 
@@ -23,6 +23,6 @@ class Trace {
 
 // To be called before the model is traced for the first time.
 void permit_tracing(VerilatedContext& context);
-std::unique_ptr<Trace> make_trace(Vprinter_controller& model, const std::string& file);
+std::unique_ptr<Trace> make_trace(Vprinter_core& model, const std::string& file);
 
 }  // namespace sim

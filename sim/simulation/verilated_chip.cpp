@@ -32,14 +32,14 @@ constexpr int reset_clocks = 8;
 
 }  // namespace
 
-class VerilatedChip::Clocks : public ModelClocks<Vprinter_controller> {
+class VerilatedChip::Clocks : public ModelClocks<Vprinter_core> {
   using ModelClocks::ModelClocks;
 };
 
 VerilatedChip::VerilatedChip(std::uint32_t clock_hz, Edges edges)
     : context_(std::make_unique<VerilatedContext>()) {
   permit_tracing(*context_);
-  model_ = std::make_unique<Vprinter_controller>(context_.get());
+  model_ = std::make_unique<Vprinter_core>(context_.get());
   model_->clock_frequency_hz = clock_hz;
   model_->software_stepping = 0;
   model_->reset = 1;
@@ -75,7 +75,7 @@ void VerilatedChip::set_inputs() {
 }
 
 OutputPins VerilatedChip::sampled_outputs() const {
-  const Vprinter_controller& model = *model_;
+  const Vprinter_core& model = *model_;
   constexpr unsigned channel_pins = 3, channel_mask = 7;
   std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
                        std::uint64_t{model.direction} << OutputPins::direction_bit |
@@ -105,7 +105,7 @@ void VerilatedChip::advance(Clock limit) {
     input_has_changed = true;
   }
   set_inputs();
-  Vprinter_controller& model = *model_;
+  Vprinter_core& model = *model_;
   const OutputPins before = outputs_;
   while (now_ < limit) {
     const bool fan_gate = model.fan_gate;
@@ -124,7 +124,7 @@ void VerilatedChip::advance(Clock limit) {
         trace_->record(now_);
       }
     }
-    // The fan's is the only pin that `clk` alone changes.
+    // The fan's is the only pin that the free-running clock alone changes.
     if (others || model.fan_gate != fan_gate) {
       outputs_ = sampled_outputs();
       if (outputs_ != before) {
@@ -144,7 +144,7 @@ void VerilatedChip::reset() {
 namespace {
 
 // Each bank of the memory has a lane for each byte of a word.
-#define RAM(part) printer_controller__DOT__computing__DOT__ram__DOT__##part##_bytes
+#define RAM(part) printer_core__DOT__computing__DOT__ram__DOT__##part##_bytes
 
 template <typename Root>
 auto lower_lanes(Root& root) {
@@ -158,9 +158,8 @@ auto upper_lanes(Root& root) {
                     &root.RAM(two_banks_upper_lanes_n3), &root.RAM(two_banks_upper_lanes_n4)};
 }
 
-constexpr std::size_t lower_words = sizeof(Vprinter_controller___024root::RAM(lanes_n1));
-constexpr std::size_t upper_words =
-    sizeof(Vprinter_controller___024root::RAM(two_banks_upper_lanes_n1));
+constexpr std::size_t lower_words = sizeof(Vprinter_core___024root::RAM(lanes_n1));
+constexpr std::size_t upper_words = sizeof(Vprinter_core___024root::RAM(two_banks_upper_lanes_n1));
 
 // The word's byte in each lane.
 template <typename Root>
@@ -200,11 +199,11 @@ void VerilatedChip::write_memory(std::uint32_t address, std::uint32_t word) {
 }
 
 QueueStatistics VerilatedChip::queue_statistics() const {
-  const Vprinter_controller___024root& root = *model_->rootp;
-  return {root.printer_controller__DOT__motion__DOT__core__DOT__underruns,
-          root.printer_controller__DOT__motion__DOT__core__DOT__stalls,
-          root.printer_controller__DOT__motion__DOT__core__DOT__level,
-          root.printer_controller__DOT__motion__DOT__core__DOT__max_level};
+  const Vprinter_core___024root& root = *model_->rootp;
+  return {root.printer_core__DOT__motion__DOT__generator__DOT__core__DOT__underruns,
+          root.printer_core__DOT__motion__DOT__generator__DOT__core__DOT__stalls,
+          root.printer_core__DOT__motion__DOT__generator__DOT__core__DOT__level,
+          root.printer_core__DOT__motion__DOT__generator__DOT__core__DOT__max_level};
 }
 
 void VerilatedChip::trace_to(const std::string& file) { trace_ = make_trace(*model_, file); }

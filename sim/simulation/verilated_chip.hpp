@@ -9,7 +9,7 @@
 #include "sim/simulation/edges.hpp"
 
 class VerilatedContext;
-class Vprinter_controller;
+class Vprinter_core;
 
 namespace sim {
 
@@ -47,7 +47,7 @@ class VerilatedChip : public Chip {
   OutputPins sampled_outputs() const;
 
   std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<Vprinter_controller> model_;
+  std::unique_ptr<Vprinter_core> model_;
   std::unique_ptr<Clocks> clocks_;
   std::unique_ptr<Trace> trace_;
   ProcessorStatistics processor_;

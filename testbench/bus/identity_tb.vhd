@@ -27,7 +27,7 @@ begin
     generic map (
       memory_size_bytes => 131_072, axes => 6, queue_depth => 300, sensors => 3, heaters => 4)
     port map (
-      clk => clk, bus_clk => clk,
+      clk => clk,
       clock_frequency_hz => to_unsigned(12_345_678, 32), reset => reset,
       request => request, response => response);
 

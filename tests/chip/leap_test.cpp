@@ -17,8 +17,8 @@ void vl_fatal(const char* file, int line, const char*, const char* message) {
 
 namespace {
 
-using Model = Vprinter_controller;
-using Root = Vprinter_controller___024root;
+using Model = Vprinter_core;
+using Root = Vprinter_core___024root;
 using counting::Counts;
 
 static_assert(counting::has_counts<Root>);
@@ -43,7 +43,7 @@ class Sleeper {
     clocks_.clock(true);
     for (int i = 0; i < 100; ++i) clocks_.clock(false);
     // Motion without a line has one without steps.
-    model_.rootp->printer_controller__DOT__motion__DOT__core__DOT__line_ticks_q = 1000;
+    model_.rootp->printer_core__DOT__motion__DOT__generator__DOT__core__DOT__line_ticks_q = 1000;
   }
 
   Sleeper(const Sleeper&) = delete;
@@ -70,14 +70,13 @@ class Sleeper {
     return std::tuple(model_.step, model_.direction, model_.motor_enable, model_.transmit,
                       model_.fan_gate, model_.heater_gate, model_.heater_supply, model_.fault,
                       model_.sensor_drive_enable, model_.sensor_drive_level, model_.sleeping,
-                      model_.processor_at_rest, model_.bus_at_rest, model_.axes_at_rest,
-                      model_.peripherals_at_rest);
+                      model_.at_rest_processor, model_.at_rest_registers, model_.at_rest_axes,
+                      model_.at_rest_peripherals);
   }
 
  private:
   void write(std::uint32_t word, std::uint32_t value) {
-#define LANE(n) \
-  model_.rootp->printer_controller__DOT__computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
+#define LANE(n) model_.rootp->printer_core__DOT__computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
     LANE(1) = static_cast<std::uint8_t>(value);
     LANE(2) = static_cast<std::uint8_t>(value >> 8);
     LANE(3) = static_cast<std::uint8_t>(value >> 16);
