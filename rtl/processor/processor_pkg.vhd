@@ -60,6 +60,35 @@ package processor_pkg is
     wait_for_interrupt : std_ulogic;
   end record;
 
+  -- An instruction that fetch gives to decode.
+  type fetched_t is record
+    valid : std_ulogic;
+    -- 32 bits, not compressed.
+    is_word : std_ulogic;
+    -- Fetched from outside the memory; only its second half is outside.
+    fault : std_ulogic;
+    crosses_memory_end : std_ulogic;
+    instruction : word_t;
+    address : unsigned(31 downto 0);
+  end record;
+
+  -- Where fetch goes on by the static prediction of decode.
+  type prediction_t is record
+    taken : std_ulogic;
+    -- Of a taken branch or jump.
+    target : unsigned(31 downto 0);
+    target_plus_2 : unsigned(31 downto 0);
+    -- Of the next instruction.
+    next_address : unsigned(31 downto 0);
+  end record;
+
+  -- Where execute redirects fetch to; bit 0 of the target is ignored.
+  type redirect_t is record
+    enable : std_ulogic;
+    target : unsigned(31 downto 0);
+    target_plus_2 : unsigned(31 downto 2);
+  end record;
+
   -- State of the execute stage besides the control signals.
   type executing_t is record
     valid : std_ulogic;

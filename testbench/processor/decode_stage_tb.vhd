@@ -1,0 +1,199 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Decode issues what fetch gives, with forwarded operands, unless execute discards it; predicts jumps; takes
+-- the debugger's instructions in debug mode.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+use work.processor_pkg.all;
+
+entity decode_stage_tb is
+end entity;
+
+architecture simulation of decode_stage_tb is
+
+  constant addi_x1_5 : word_t := x"00500093";
+  constant add_x2_x1_x1 : word_t := x"00108133";
+  constant lw_x1 : word_t := x"00002083";
+  constant jal_16 : word_t := x"010000ef";
+  -- c.addi x8, 1, with half a word of something else behind it.
+  constant c_addi_x8 : word_t := x"ffff0405";
+  constant illegal : word_t := x"00000000";
+
+  signal clk : std_ulogic := '0';
+  signal reset : std_ulogic := '1';
+  signal advance : std_ulogic := '1';
+  signal fetched : fetched_t := (
+    valid => '0', is_word => '1', fault => '0', crosses_memory_end => '0', instruction => addi_x1_5,
+    address => x"80000100");
+  signal debug_request : debug_request_t := debug_request_idle;
+  signal redirect, trap_enable, return_from_trap, bus_error, take_interrupt, flush : std_ulogic := '0';
+  signal forwarded_result, written_value : word_t := (others => '0');
+  signal forward_late_result : std_ulogic := '0';
+  signal writing : writing_t := (
+    destination => "00000", from_memory => lanes_of('0', "000", "00"),
+    from_bus => lanes_of('0', "000", "00"), others => '0');
+  signal prediction : prediction_t;
+  signal issue, issue_executable : std_ulogic;
+  signal decoded, control : control_t;
+  signal decoded_immediate : word_t;
+  signal first_index, second_index : register_index_t;
+  signal executing : executing_t;
+  signal redirect_condition : redirect_condition_t;
+  signal legal, result_is_address, hazard : std_ulogic;
+  signal executing_instruction, executing_immediate, first_operand, second_operand : word_t;
+  signal executing_address, alternate_address : unsigned(31 downto 0);
+
+begin
+
+  clk <= not clk after 10 ns;
+
+  stage : entity work.decode_stage
+    port map (
+      clk => clk, reset => reset, advance => advance, fetched => fetched,
+      debug_request => debug_request, redirect => redirect, trap_enable => trap_enable,
+      return_from_trap => return_from_trap, bus_error => bus_error, take_interrupt => take_interrupt,
+      flush => flush, forwarded_result => forwarded_result, forward_late_result => forward_late_result,
+      writing => writing, written_value => written_value, written_late => written_value,
+      written_early => x"00000000", prediction => prediction, issue => issue,
+      issue_executable => issue_executable, decoded => decoded, decoded_immediate => decoded_immediate,
+      first_index => first_index, second_index => second_index, executing => executing,
+      redirect_condition => redirect_condition, control => control, legal => legal,
+      result_is_address => result_is_address, executing_instruction => executing_instruction,
+      executing_immediate => executing_immediate, executing_address => executing_address,
+      alternate_address => alternate_address, first_operand => first_operand,
+      second_operand => second_operand, hazard => hazard);
+
+  test : process
+
+    procedure clock is
+    begin
+      wait until rising_edge(clk);
+      wait for 1 ns;
+    end procedure;
+
+    procedure fetch(instruction : word_t; is_word : std_ulogic := '1') is
+    begin
+      fetched.valid <= '1';
+      fetched.instruction <= instruction;
+      fetched.is_word <= is_word;
+      wait for 1 ns;
+    end procedure;
+
+    procedure expect_discarded(signal cause : out std_ulogic; what : string) is
+    begin
+      cause <= '1';
+      fetch(addi_x1_5);
+      is_not_issued : assert issue = '0' and issue_executable = '0' report what severity failure;
+      clock;
+      cause <= '0';
+      is_not_in_execute : assert executing.valid = '0' and executing.executable = '0'
+        report what severity failure;
+    end procedure;
+
+  begin
+    clock;
+    starts_at_the_reset_vector : assert redirect_condition = redirect_always and
+      alternate_address = x"80000000" and executing.valid = '0' severity failure;
+    reset <= '0';
+    clock;
+    a_bubble_is_not_executed : assert executing.valid = '0' and redirect_condition = redirect_never
+      severity failure;
+
+    fetch(addi_x1_5);
+    is_issued : assert issue = '1' and issue_executable = '1' severity failure;
+    clock;
+    is_in_execute : assert executing.valid = '1' and executing.executable = '1' and legal = '1' and
+      control.destination = "00001" and control.writes = '1' and executing_immediate = x"00000005" and
+      executing_instruction = addi_x1_5 and executing_address = x"80000100" severity failure;
+
+    -- Both operands are the result in execute.
+    fetch(add_x2_x1_x1);
+    forwarded_result <= x"12345678";
+    clock;
+    forwards_from_execute : assert first_operand = x"12345678" and second_operand = x"12345678" and
+      hazard = '0' severity failure;
+
+    -- A late result is a hazard until write-back has it.
+    fetch(lw_x1);
+    clock;
+    fetch(add_x2_x1_x1);
+    clock;
+    sees_the_hazard : assert hazard = '1' severity failure;
+    advance <= '0';
+    forward_late_result <= '1';
+    writing.writes <= '1';
+    writing.destination <= "00001";
+    written_value <= x"0badcafe";
+    clock;
+    advance <= '1';
+    forward_late_result <= '0';
+    writing.writes <= '0';
+    forwards_from_write_back : assert hazard = '0' and first_operand = x"0badcafe" and
+      second_operand = x"0badcafe" severity failure;
+    -- The register has it now.
+    fetch(addi_x1_5);
+    clock;
+    fetch(lw_x1);
+    clock;
+    fetch(c_addi_x8, '0');
+    clock;
+    clears_what_follows : assert executing_instruction = x"00000405" and control.destination = "01000"
+      severity failure;
+
+    fetch(jal_16);
+    predicts_a_jump : assert prediction.taken = '1' and prediction.target = x"80000110" and
+      prediction.next_address = x"80000110" severity failure;
+    clock;
+    links : assert result_is_address = '1' and alternate_address = x"80000104" severity failure;
+
+    -- While the pipeline stalls the instruction stays in execute.
+    advance <= '0';
+    fetch(addi_x1_5);
+    clock;
+    stays : assert executing_instruction = jal_16 severity failure;
+    -- An interrupt flushes it even then, as does a bus error.
+    take_interrupt <= '1';
+    clock;
+    take_interrupt <= '0';
+    an_interrupt_flushes : assert executing.valid = '0' severity failure;
+    advance <= '1';
+    clock;
+    bus_error <= '1';
+    clock;
+    bus_error <= '0';
+    a_bus_error_flushes : assert executing.valid = '0' severity failure;
+
+    expect_discarded(redirect, "redirect");
+    expect_discarded(trap_enable, "trap");
+    expect_discarded(return_from_trap, "mret");
+    flush <= '1';
+    clock;
+    flush <= '0';
+    a_flush_redirects : assert redirect_condition = redirect_always and alternate_address = x"00000000" and
+      control.jump_register = '0' severity failure;
+
+    fetch(illegal, '0');
+    clock;
+    an_illegal_one_is_not_executable : assert executing.valid = '1' and executing.executable = '0' and
+      legal = '0' severity failure;
+    fetched.fault <= '1';
+    fetched.crosses_memory_end <= '1';
+    fetch(addi_x1_5);
+    clock;
+    nor_is_a_faulty_one : assert executing.executable = '0' and executing.fetch_fault = '1' and
+      executing.crosses_memory_end = '1' severity failure;
+
+    -- In debug mode only the debugger's instruction counts.
+    debug_request.halted <= '1';
+    debug_request.instruction <= add_x2_x1_x1;
+    fetch(jal_16);
+    nothing_is_fetched : assert issue = '0' and prediction.taken = '0' severity failure;
+    debug_request.inject <= '1';
+    clock;
+    is_injected : assert executing.executable = '1' and executing_instruction = add_x2_x1_x1 severity failure;
+    std.env.finish;
+  end process;
+
+end architecture;
