@@ -62,6 +62,7 @@ begin
       event <= (others => '0');
     end procedure;
 
+    variable bit_number : natural;
     variable one, kept : std_ulogic_vector(events - 1 downto 0);
 
   begin
@@ -70,9 +71,9 @@ begin
     clock;
     expect("0000000", "after reset");
 
-    for bit_number in event'range loop
+    for each in event'range loop
       one := (others => '0');
-      one(bit_number) := '1';
+      one(each) := '1';
       refuse(one);
       expect(one, "one refusal");
       clock;
@@ -83,19 +84,26 @@ begin
       expect("0000000", "cleared");
     end loop;
 
-    kept := (others => '0');
-    for bit_number in event'range loop
-      one := (others => '0');
-      one(bit_number) := '1';
-      kept := kept or one;
-      refuse(one);
-      expect(kept, "several");
+    -- Several stay together, whichever comes first.
+    for order in 0 to 1 loop
+      kept := (others => '0');
+      for i in event'range loop
+        bit_number := i when order = 0 else event'high - i;
+        one := (others => '0');
+        one(bit_number) := '1';
+        kept := kept or one;
+        refuse(one);
+        expect(kept, "several");
+      end loop;
+      clear <= '1';
+      clock;
+      clear <= '0';
     end loop;
 
     -- What is refused in the clock of the clearing is not lost.
-    for bit_number in event'range loop
+    for each in event'range loop
       one := (others => '0');
-      one(bit_number) := '1';
+      one(each) := '1';
       clear <= '1';
       clock;
       refuse(one);
