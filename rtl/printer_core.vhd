@@ -28,7 +28,10 @@ entity printer_core is
     queue_depth : positive := 32;
     heaters : positive range 1 to 4 := 2;
     has_debug : boolean := false;
-    has_zbb : boolean := false
+    has_zbb : boolean := false;
+    -- Without it, and without memory, `outer_request` drives the bus: in co-simulation, where a model of the
+    -- processor takes its place.
+    has_processor : boolean := true
   );
   port (
     clocks : in clocks_t;
@@ -40,6 +43,12 @@ entity printer_core is
     software_stepping : in std_ulogic;
     -- The processor has completed an instruction.
     retired : out std_ulogic;
+    -- For a processor outside: its access, taken over with the processor's clock; what the bus answers; the
+    -- interrupts of the timer and from 16 on.
+    outer_request : in bus_request_t := bus_request_idle;
+    outer_response : out bus_response_t;
+    outer_timer_interrupt : out std_ulogic;
+    outer_interrupts : out std_ulogic_vector(31 downto 16);
     -- The rest as of printer_controller.
     reset : in std_ulogic;
     receive : in std_ulogic;
@@ -139,25 +148,48 @@ begin
     uart_transmit_interrupt_number => uart_transmit_interrupt,
     others => '0');
 
-  computing : entity work.computer
-    generic map (memory_size_bytes => memory_size_bytes, has_debug => has_debug, has_zbb => has_zbb)
-    port map (
-      clk => clocks.processor,
-      always_clk => clocks.free_running,
-      external_reset => reset,
-      reset => resets.processor,
-      chip_reset => chip_reset,
-      bus_request => bus_request,
-      bus_response => bus_response,
-      timer_interrupt => timer_interrupt,
-      interrupts => interrupts,
-      tck => tck,
-      tms => tms,
-      tdi => tdi,
-      tdo => tdo,
-      sleeping => sleeping,
-      retired => retired,
-      at_rest => processor_rests);
+  outer_response <= bus_response;
+  outer_timer_interrupt <= timer_interrupt;
+  outer_interrupts <= interrupts;
+
+  with_processor : if has_processor generate
+
+    computing : entity work.computer
+      generic map (memory_size_bytes => memory_size_bytes, has_debug => has_debug, has_zbb => has_zbb)
+      port map (
+        clk => clocks.processor,
+        always_clk => clocks.free_running,
+        external_reset => reset,
+        reset => resets.processor,
+        chip_reset => chip_reset,
+        bus_request => bus_request,
+        bus_response => bus_response,
+        timer_interrupt => timer_interrupt,
+        interrupts => interrupts,
+        tck => tck,
+        tms => tms,
+        tdi => tdi,
+        tdo => tdo,
+        sleeping => sleeping,
+        retired => retired,
+        at_rest => processor_rests);
+
+  else generate
+
+    take_outer_request : process
+    begin
+      wait until rising_edge(clocks.processor);
+      bus_request <= outer_request;
+    end process;
+
+    -- The clock is for the registers of the bus and the timer alone.
+    processor_rests <= at_rest.registers;
+    chip_reset <= '0';
+    tdo <= '0';
+    sleeping <= '0';
+    retired <= '0';
+
+  end generate;
 
   fabric : entity work.bus_interconnect
     generic map (base_addresses => base_addresses)

@@ -144,7 +144,7 @@ void VerilatedChip::reset() {
 namespace {
 
 // Each bank of the memory has a lane for each byte of a word.
-#define RAM(part) printer_core__DOT__computing__DOT__ram__DOT__##part##_bytes
+#define RAM(part) printer_core__DOT__with_processor_computing__DOT__ram__DOT__##part##_bytes
 
 template <typename Root>
 auto lower_lanes(Root& root) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 #include "tests/processor/encode_compressed.hpp"
 
 namespace {

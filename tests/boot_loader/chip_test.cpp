@@ -10,7 +10,7 @@
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 #include "tools/loading/loading.hpp"
 
 namespace {

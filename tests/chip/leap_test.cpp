@@ -76,7 +76,8 @@ class Sleeper {
 
  private:
   void write(std::uint32_t word, std::uint32_t value) {
-#define LANE(n) model_.rootp->printer_core__DOT__computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
+#define LANE(n) \
+  model_.rootp->printer_core__DOT__with_processor_computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
     LANE(1) = static_cast<std::uint8_t>(value);
     LANE(2) = static_cast<std::uint8_t>(value >> 8);
     LANE(3) = static_cast<std::uint8_t>(value >> 16);

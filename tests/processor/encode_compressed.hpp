@@ -3,7 +3,7 @@
 // are x8 to x15; offsets count bytes.
 #pragma once
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor::encode::compressed {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <random>
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor {
 

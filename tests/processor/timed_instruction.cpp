@@ -3,7 +3,7 @@
 #include "tests/processor/timed_instruction.hpp"
 
 #include "tests/processor/chip.hpp"
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/processor/encode.hpp"
+#include "sim/processor/encode.hpp"
 
 namespace processor {
 

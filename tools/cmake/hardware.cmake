@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # add_testbench(NAME [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL test
 #   bench, NAME.vhd of the current folder unless BENCH says otherwise, run against all of rtl/.
-# add_verilated_model(TARGET TOP entity [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
+# add_verilated_model(TARGET TOP entity [PREFIX name] [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
 #   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with the
-#   header V<entity>.h.
+#   header <name>.h, which is V<entity>.h where no other is given.
 file(GLOB_RECURSE rtl_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.vhd)
 find_program(VERILATOR verilator REQUIRED)
 find_program(GHDL ghdl REQUIRED)
@@ -27,9 +27,13 @@ function(add_testbench name)
 endfunction()
 
 function(add_verilated_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 argument "TRACE" "TOP;CONTROL" "GENERICS;FILES;VERILATOR_ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 1 argument "TRACE" "TOP;PREFIX;CONTROL" "GENERICS;FILES;VERILATOR_ARGUMENTS")
   set(directory ${CMAKE_BINARY_DIR}/models/${target})
   set(library ${directory}/lib${target}.a)
+  set(prefix V${argument_TOP})
+  if(argument_PREFIX)
+    set(prefix ${argument_PREFIX})
+  endif()
   set(arguments ${argument_VERILATOR_ARGUMENTS})
   if(argument_TRACE)
     list(APPEND arguments --trace-fst)
@@ -48,9 +52,9 @@ function(add_verilated_model target)
   # The headers are named so that what includes them is compiled again in the same build: with a header of
   # yesterday a program would read the model's variables in the wrong places.
   add_custom_command(OUTPUT ${library}
-    BYPRODUCTS ${directory}/verilated/V${argument_TOP}.h
-      ${directory}/verilated/V${argument_TOP}___024root.h
-    COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh ${directory} ${target} ${argument_TOP}
+    BYPRODUCTS ${directory}/verilated/${prefix}.h
+      ${directory}/verilated/${prefix}___024root.h
+    COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh ${directory} ${target} ${argument_TOP} ${prefix}
       ${rtl_files} ${extra} -- ${argument_GENERICS} -- ${arguments}
     DEPENDS ${rtl_files} ${extra} ${control} ${CMAKE_SOURCE_DIR}/tools/hardware/build_model.sh
       ${CMAKE_SOURCE_DIR}/tools/hardware/name_registers.awk

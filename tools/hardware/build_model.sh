@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes a Verilated model of one entity: VHDL -> (GHDL) -> Verilog -> (Verilator) -> static library.
-# Usage: build_model.sh DIRECTORY NAME ENTITY file.vhd... -- [-gGENERIC=VALUE...] -- [VERILATOR_ARGUMENT...]
+# Usage: build_model.sh DIRECTORY NAME ENTITY PREFIX file.vhd... -- [-gGENERIC=VALUE...] -- [VERILATOR_ARGUMENT...]
 set -euo pipefail
-directory=$1 name=$2 entity=$3
-shift 3
+directory=$1 name=$2 entity=$3 prefix=$4
+shift 4
 files=() generics=()
 while [ "$1" != -- ]; do files+=("$1"); shift; done
 shift
@@ -22,13 +22,13 @@ awk -f "$(dirname "$0")/name_registers.awk" work/netlist.v work/netlist.v > "$en
 
 # The netlist has no delays and many helper nets: names and unused nets are of no interest, all else is.
 export OBJCACHE=${OBJCACHE-$(command -v ccache || true)}
-verilator --cc --build -j 2 --Mdir verilated --prefix "V$entity" --top-module "$entity" \
+verilator --cc --build -j 2 --Mdir verilated --prefix "$prefix" --top-module "$entity" \
   -O3 --x-assign fast --x-initial fast --assert --no-timing \
   -Wno-DECLFILENAME -Wno-UNUSEDSIGNAL -Wno-UNOPTFLAT -Wno-fatal -Werror-CASEINCOMPLETE -Werror-WIDTH \
   -Werror-LATCH -CFLAGS "-O2 -fPIC" "$@" "$entity.v" > verilator.log 2>&1 || { cat verilator.log; exit 1; }
 
 rm -f "lib$name.a"
-(cd verilated && ar rcsT "../V.tmp.a" "V${entity}__ALL.a" libverilated.a && cd .. &&
-  printf 'create lib%s.a\naddlib verilated/V%s__ALL.a\naddlib verilated/libverilated.a\nsave\nend\n' \
-    "$name" "$entity" | ar -M)
+(cd verilated && ar rcsT "../V.tmp.a" "${prefix}__ALL.a" libverilated.a && cd .. &&
+  printf 'create lib%s.a\naddlib verilated/%s__ALL.a\naddlib verilated/libverilated.a\nsave\nend\n' \
+    "$name" "$prefix" | ar -M)
 rm -f V.tmp.a

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "tests/processor/instruction_set_model.hpp"
+#include "sim/processor/instructions.hpp"
 
 namespace processor {
 namespace {

@@ -3,8 +3,8 @@
 // it stands, field by field as the tables of the manual's chapter on extension C give them.
 #include <array>
 
-#include "tests/processor/encode.hpp"
-#include "tests/processor/instruction_set_model.hpp"
+#include "sim/processor/encode.hpp"
+#include "sim/processor/instructions.hpp"
 
 namespace processor {
 namespace {
