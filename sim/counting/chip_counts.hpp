@@ -29,6 +29,11 @@ inline constexpr bool has_counts = requires(Root& root) {
   BASE(phase);
 };
 
+// mcycle is among them where the model has the processor.
+template <class Root>
+inline constexpr bool has_processor =
+    requires(Root& root) { PROCESSOR(__DOT__cycle_counter, counted); };
+
 // Where time must not be carried over although all blocks are at rest.
 template <class Root>
 bool counts_are_usual(const Root& root) {
@@ -39,12 +44,18 @@ bool counts_are_usual(const Root& root) {
 template <class Root>
 Counts read_counts(const Root& root) {
   constexpr std::uint32_t last_of_tick = 1023;  // thermal_pkg.tick_cycles - 1
+  std::uint64_t processor_cycles = 0;
+  bool processor_cycles_stopped = true;
+  if constexpr (has_processor<Root>) {
+    processor_cycles = PROCESSOR(__DOT__cycle_counter, counted);
+    processor_cycles_stopped = PROCESSOR(, cycle_stopped) != 0;
+  }
   return {.timer = {.now = REGISTER(machine_timer, now_cycles),
                     .deadline = REGISTER(machine_timer, deadline_cycles),
                     .reached = REGISTER(machine_timer, reached) != 0},
           .motion_time = MOTION(__DOT__core, now),
-          .processor_cycles = PROCESSOR(__DOT__cycle_counter, counted),
-          .processor_cycles_stopped = PROCESSOR(, cycle_stopped) != 0,
+          .processor_cycles = processor_cycles,
+          .processor_cycles_stopped = processor_cycles_stopped,
           .converter_tick = {.phase = SENSORS(, tick_phase), .last = last_of_tick},
           .heater_tick = {.phase = HEATER_TIME(tick_phase), .last = last_of_tick},
           .heater_slot = {.phase = HEATER_TIME(slot_phase), .last = HEATER_TIME(last_phase)},
@@ -80,8 +91,10 @@ void write_counts(const Counts& counts, Root& root) {
   REGISTER(machine_timer, deadline_cycles) = counts.timer.deadline;
   REGISTER(machine_timer, reached) = counts.timer.reached;
   MOTION(__DOT__core, now) = counts.motion_time;
-  PROCESSOR(__DOT__cycle_counter, counted) = counts.processor_cycles;
-  PROCESSOR(, cycle_stopped) = counts.processor_cycles_stopped;
+  if constexpr (has_processor<Root>) {
+    PROCESSOR(__DOT__cycle_counter, counted) = counts.processor_cycles;
+    PROCESSOR(, cycle_stopped) = counts.processor_cycles_stopped;
+  }
   SENSORS(, tick_phase) = static_cast<std::uint16_t>(counts.converter_tick.phase);
   HEATER_TIME(tick_phase) = static_cast<std::uint16_t>(counts.heater_tick.phase);
   HEATER_TIME(slot_phase) = counts.heater_slot.phase;
@@ -112,10 +125,10 @@ void write_counts(const Counts& counts, Root& root) {
 #undef PROCESSOR
 #undef FAN_SETTING
 #undef FAN
-#undef HEATER_TIME
 #undef WATCH
 #undef PACE
 #undef BASE
+#undef HEATER_TIME
 #undef SENSORS
 #undef MOTION
 #undef REGISTER

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clock edges of the chip are evaluated.
+// Which clock edges of the chip are evaluated, and what stands for the processor.
 #pragma once
 
 #include <cstdint>
@@ -10,5 +10,9 @@ namespace sim {
 // of blocks at rest are left out. `all`: every edge. The results are the same; the others are
 // slower, and show it.
 enum class Edges : std::uint8_t { leaping, resting, all };
+
+// `model`: sim/processor, with the netlist of all else. The results are those of the netlist, which is
+// taken where a program holds no model of the processor.
+enum class Processor : std::uint8_t { model, netlist };
 
 }  // namespace sim

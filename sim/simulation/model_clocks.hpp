@@ -9,31 +9,22 @@
 
 #include "sim/counting/chip_counts.hpp"
 #include "sim/simulation/edges.hpp"
+#include "sim/simulation/model_functions.hpp"
 #include "sim/simulation/pins.hpp"
-#include "Vprinter_core.h"
-#include "Vprinter_core___024root.h"
-
-// What Verilator's eval() calls once it knows which clocks have risen. Not part of its interface:
-// where the names are others, they are not linked and eval() is called as usual.
-[[gnu::weak]] void Vprinter_core___024root___eval_triggers__act(Vprinter_core___024root* root);
-[[gnu::weak]] void Vprinter_core___024root___eval_nba(Vprinter_core___024root* root);
-// Makes all that depends on registers fit them again.
-[[gnu::weak]] void Vprinter_core___024root___eval_settle(Vprinter_core___024root* root);
 
 namespace sim {
 
-// Of all clocks, the free-running one never rests; each other one has an output that says that its
-// next edge changes nothing. After an input has changed all have an edge. While all of these rest,
-// what counts on the free-running one is carried over many clocks at once. `Model` is the chip; a
-// template, so that what another version of Verilator keeps elsewhere is simply not used.
+// Of all clocks, the free-running one never rests; each other one has an output that says that its next edge
+// changes nothing. After an input has changed all have an edge. While all of these rest, what
+// counts on it is carried over many clocks at once. `Model` is the chip; a template, so that
+// what another version of Verilator keeps elsewhere is simply not used.
 template <class Model>
 class ModelClocks {
  public:
   ModelClocks(Model& model, Edges edges) : model_(model), edges_(edges) {
     model_.eval();  // Initial values.
     learn_triggers();
-    leaps_ =
-        direct_ && edges_ == Edges::leaping && Vprinter_core___024root___eval_settle != nullptr;
+    leaps_ = direct_ && edges_ == Edges::leaping && Functions::settle != nullptr;
   }
 
   // No other clock than the free-running one would have an edge now, unless an input changes.
@@ -46,7 +37,7 @@ class ModelClocks {
   void set_counts(const counting::Counts& counts) {
     if constexpr (counting::has_counts<Root>) {
       counting::write_counts(counts, *model_.rootp);
-      Vprinter_core___024root___eval_settle(model_.rootp);
+      Functions::settle(model_.rootp);
     }
   }
 
@@ -66,10 +57,12 @@ class ModelClocks {
     return 0;
   }
 
-  // One clock. Says whether another clock than the free-running one had an edge.
-  bool clock(bool input_has_changed) {
+  // One clock. Says whether another clock than the free-running one had an edge. `for_processor`: the processor's
+  // clock has one in any case, for an input that only this clock takes over.
+  bool clock(bool input_has_changed, bool for_processor = false) {
     const bool all = input_has_changed || edges_ == Edges::all;
-    const unsigned rising = free_running | (all || !model_.at_rest_processor ? processor : 0) |
+    const unsigned rising = free_running |
+                            (all || for_processor || !model_.at_rest_processor ? processor : 0) |
                             (all || !model_.at_rest_registers ? registers : 0) |
                             (all || !model_.at_rest_axes ? axes : 0) |
                             (all || !model_.at_rest_peripherals ? peripherals : 0);
@@ -78,7 +71,7 @@ class ModelClocks {
       // known.
       if (direct_ && !all) {
         model_.rootp->__VnbaTriggered = triggers_[rising];
-        Vprinter_core___024root___eval_nba(model_.rootp);
+        Functions::edges(model_.rootp);
         return rising != free_running;
       }
     }
@@ -89,14 +82,15 @@ class ModelClocks {
   }
 
  private:
+  using Functions = ModelFunctions<Model>;
   using Root = std::remove_pointer_t<decltype(std::declval<Model&>().rootp)>;
 
   // Fewer clocks are sooner done one by one.
   static constexpr Clock least_leap = 12;
 
   // Bits of a set of clocks.
-  static constexpr unsigned free_running = 1, processor = 2, registers = 4, axes = 8,
-                            peripherals = 16, sets = 32;
+  static constexpr unsigned free_running = 1, processor = 2, registers = 4, axes = 8, peripherals = 16,
+                            sets = 32;
 
   static constexpr bool has_levels = requires(Model& model) {
     model.rootp->__Vtrigprevexpr___TOP__clocks_free_running__0;
@@ -136,14 +130,11 @@ class ModelClocks {
   // Asks the model which triggers the edges of each set of clocks fire.
   void learn_triggers() {
     if constexpr (has_triggers) {
-      if (Vprinter_core___024root___eval_triggers__act == nullptr ||
-          Vprinter_core___024root___eval_nba == nullptr) {
-        return;
-      }
+      if (Functions::triggers == nullptr || Functions::edges == nullptr) return;
       direct_ = true;
       for (unsigned rising = 1; rising < sets; ++rising) {
         set_clocks(rising);
-        Vprinter_core___024root___eval_triggers__act(model_.rootp);
+        Functions::triggers(model_.rootp);
         triggers_[rising] = model_.rootp->__VactTriggered;
         direct_ = direct_ && triggers_[rising].any();
         fall();

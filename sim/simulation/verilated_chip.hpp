@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip as Verilated model: with its source file the only place that knows the model's names.
+// The chip as Verilated model, with its processor by the netlist or by a model of its own.
 #pragma once
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/edges.hpp"
 
-class VerilatedContext;
-class Vprinter_core;
-
 namespace sim {
 
-class Trace;
+class ChipModel;
 
 // An assertion of the hardware has failed; the model printed its label.
 class HardwareAssertion : public std::runtime_error {
@@ -24,7 +22,9 @@ class HardwareAssertion : public std::runtime_error {
 // reset do not count.
 class VerilatedChip : public Chip {
  public:
+  // The processor by its model where edges are leapt over, else by the netlist.
   explicit VerilatedChip(std::uint32_t clock_hz, Edges edges = Edges::leaping);
+  VerilatedChip(std::uint32_t clock_hz, Edges edges, Processor processor);
   ~VerilatedChip() override;
 
   // Lets the firmware drive the step and direction pins itself, which no board does. Before the
@@ -36,23 +36,11 @@ class VerilatedChip : public Chip {
   std::uint32_t read_memory(std::uint32_t address) const override;
   void write_memory(std::uint32_t address, std::uint32_t word) override;
   QueueStatistics queue_statistics() const override;
-  ProcessorStatistics processor_statistics() const override { return processor_; }
+  ProcessorStatistics processor_statistics() const override;
   void trace_to(const std::string& file) override;
 
  private:
-  class Clocks;
-
-  void hold_reset();
-  void set_inputs();
-  OutputPins sampled_outputs() const;
-
-  std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<Vprinter_core> model_;
-  std::unique_ptr<Clocks> clocks_;
-  std::unique_ptr<Trace> trace_;
-  ProcessorStatistics processor_;
-  InputPins set_inputs_;  // those that the model has
-  bool started_ = false;
+  std::unique_ptr<ChipModel> model_;
 };
 
 }  // namespace sim

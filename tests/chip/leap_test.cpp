@@ -7,6 +7,10 @@
 
 #include "sim/counting/chip_counts.hpp"
 #include "sim/simulation/model_clocks.hpp"
+#include "Vprinter_core.h"
+#include "Vprinter_core___024root.h"
+
+STEPFABRIC_MODEL_FUNCTIONS(Vprinter_core)
 
 void vl_stop(const char* file, int line, const char*) {
   ADD_FAILURE() << "an assertion of the hardware failed: " << file << ":" << line;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/simulation/edges.hpp"
+
 namespace CLI {
 class App;
 }
@@ -20,7 +22,8 @@ struct PrinterChoices {
   std::optional<std::uint32_t> baud;
   std::uint64_t seed = 1;
   bool warm = false;
-  bool every_clock = false;  // no leaps, no edges left out
+  bool every_clock = false;  // no leaps, no edges left out, and the processor by its netlist
+  sim::Processor processor = sim::Processor::model;
   std::string stepping = "hardware";
   std::vector<std::string> faults;
   std::filesystem::path accept_log;

@@ -30,7 +30,8 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
     : description_(
           machine::read_description(choices.machine.empty() ? default_machine() : choices.machine)),
       firmware_(built_firmware(choices.stepping)),
-      chip_(choices.clock_hz, choices.every_clock ? sim::Edges::all : sim::Edges::leaping),
+      chip_(choices.clock_hz, choices.every_clock ? sim::Edges::all : sim::Edges::leaping,
+            choices.every_clock ? sim::Processor::netlist : choices.processor),
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {
   sim::load(firmware_, chip_);

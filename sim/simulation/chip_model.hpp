@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model behind VerilatedChip, and who makes it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "sim/simulation/chip.hpp"
+#include "sim/simulation/edges.hpp"
+
+namespace sim {
+
+class ChipModel : public Chip {
+ public:
+  virtual void permit_software_stepping() = 0;
+};
+
+inline constexpr int reset_clocks = 8;
+
+// All of the chip by its netlist.
+std::unique_ptr<ChipModel> make_netlist_model(std::uint32_t clock_hz, Edges edges);
+
+// A model of the processor with its memory, and the netlist of all else. Null where the program holds
+// a netlist that the model does not replace: with the debug port, or traced.
+std::unique_ptr<ChipModel> make_joined_model(std::uint32_t clock_hz, Edges edges);
+
+}  // namespace sim

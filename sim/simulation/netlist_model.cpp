@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pins, clocks and memory of the whole chip by its netlist.
+
+#include <fmt/format.h>
+#include <verilated.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/simulation/chip_model.hpp"
+#include "sim/simulation/model_clocks.hpp"
+#include "sim/simulation/model_pins.hpp"
+#include "sim/simulation/trace.hpp"
+#include "Vprinter_core.h"
+#include "Vprinter_core___024root.h"
+
+STEPFABRIC_MODEL_FUNCTIONS(Vprinter_core)
+
+namespace sim {
+
+namespace {
+
+constexpr std::uint32_t memory_start = 0x8000'0000;
+
+class NetlistModel : public ChipModel {
+ public:
+  NetlistModel(std::uint32_t clock_hz, Edges edges);
+  ~NetlistModel() override;
+
+  void permit_software_stepping() override { model_->software_stepping = 1; }
+  void advance(Clock limit) override;
+  void reset() override;
+  std::uint32_t read_memory(std::uint32_t address) const override;
+  void write_memory(std::uint32_t address, std::uint32_t word) override;
+  QueueStatistics queue_statistics() const override {
+    return sampled_queue_statistics(std::as_const(*model_->rootp));
+  }
+  ProcessorStatistics processor_statistics() const override { return processor_; }
+  void trace_to(const std::string& file) override { trace_ = make_trace(*model_, file); }
+
+ private:
+  void hold_reset();
+  void set_inputs();
+  OutputPins sampled_outputs() const { return sampled_output_pins(std::as_const(*model_)); }
+
+  std::unique_ptr<VerilatedContext> context_;
+  std::unique_ptr<Vprinter_core> model_;
+  std::unique_ptr<ModelClocks<Vprinter_core>> clocks_;
+  std::unique_ptr<Trace> trace_;
+  ProcessorStatistics processor_;
+  InputPins set_inputs_;  // those that the model has
+  bool started_ = false;
+};
+
+NetlistModel::NetlistModel(std::uint32_t clock_hz, Edges edges)
+    : context_(std::make_unique<VerilatedContext>()) {
+  permit_tracing(*context_);
+  model_ = std::make_unique<Vprinter_core>(context_.get());
+  model_->clock_frequency_hz = clock_hz;
+  model_->software_stepping = 0;
+  model_->reset = 1;
+  clocks_ = std::make_unique<ModelClocks<Vprinter_core>>(*model_, edges);
+  hold_reset();
+  outputs_ = sampled_outputs();
+}
+
+NetlistModel::~NetlistModel() {
+  // A model takes its leave from the context of the thread, which of several chips may be
+  // another's.
+  Verilated::threadContextp(context_.get());
+}
+
+void NetlistModel::hold_reset() {
+  set_inputs();
+  for (int i = 0; i < reset_clocks; ++i) {
+    clocks_->clock(true);
+  }
+}
+
+void NetlistModel::set_inputs() {
+  set_input_pins(*model_, inputs_);
+  set_inputs_ = inputs_;
+}
+
+void NetlistModel::advance(Clock limit) {
+  bool input_has_changed = inputs_ != set_inputs_;
+  if (!started_) {
+    started_ = true;
+    hold_reset();  // with the program in memory, so that nothing old has been fetched
+    model_->reset = 0;
+    input_has_changed = true;
+  }
+  set_inputs();
+  Vprinter_core& model = *model_;
+  const OutputPins before = outputs_;
+  while (now_ < limit) {
+    const bool fan_gate = model.fan_gate;
+    bool others = false;
+    if (const Clock leap = !input_has_changed && !trace_ ? clocks_->leap(limit - now_) : 0;
+        leap != 0) {
+      now_ += leap;
+      processor_.sleeping_clocks += model.sleeping ? leap : 0;
+    } else {
+      others = clocks_->clock(input_has_changed);
+      input_has_changed = false;
+      ++now_;
+      processor_.sleeping_clocks += model.sleeping;
+      processor_.instructions += model.retired;
+      if (trace_) {
+        trace_->record(now_);
+      }
+    }
+    // The fan's is the only pin that `clk` alone changes.
+    if (others || model.fan_gate != fan_gate) {
+      outputs_ = sampled_outputs();
+      if (outputs_ != before) {
+        return;
+      }
+    }
+  }
+}
+
+void NetlistModel::reset() {
+  started_ = false;
+  model_->reset = 1;
+  hold_reset();
+  outputs_ = sampled_outputs();
+}
+
+// Each bank of the memory has a lane for each byte of a word.
+#define RAM(part) printer_core__DOT__with_processor_computing__DOT__ram__DOT__##part##_bytes
+
+template <typename Root>
+auto lower_lanes(Root& root) {
+  return std::array{&root.RAM(lanes_n1), &root.RAM(lanes_n2), &root.RAM(lanes_n3),
+                    &root.RAM(lanes_n4)};
+}
+
+template <typename Root>
+auto upper_lanes(Root& root) {
+  return std::array{&root.RAM(two_banks_upper_lanes_n1), &root.RAM(two_banks_upper_lanes_n2),
+                    &root.RAM(two_banks_upper_lanes_n3), &root.RAM(two_banks_upper_lanes_n4)};
+}
+
+constexpr std::size_t lower_words = sizeof(Vprinter_core___024root::RAM(lanes_n1));
+constexpr std::size_t upper_words =
+    sizeof(Vprinter_core___024root::RAM(two_banks_upper_lanes_n1));
+
+// The word's byte in each lane.
+template <typename Root>
+auto bytes_of_word(Root& root, std::uint32_t address) {
+  const std::uint32_t index = (address - memory_start) / 4;
+  if (address < memory_start || index >= lower_words + upper_words) {
+    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
+  }
+  using Byte = std::remove_reference_t<decltype((*lower_lanes(root)[0])[0])>;
+  std::array<Byte*, 4> bytes{};
+  for (std::size_t lane = 0; lane < bytes.size(); ++lane) {
+    bytes[lane] = index < lower_words ? &(*lower_lanes(root)[lane])[index]
+                                      : &(*upper_lanes(root)[lane])[index - lower_words];
+  }
+  return bytes;
+}
+
+#undef RAM
+
+std::uint32_t NetlistModel::read_memory(std::uint32_t address) const {
+  std::uint32_t word = 0;
+  unsigned shift = 0;
+  for (const auto* byte : bytes_of_word(std::as_const(*model_->rootp), address)) {
+    word |= std::uint32_t{*byte} << shift;
+    shift += 8;
+  }
+  return word;
+}
+
+void NetlistModel::write_memory(std::uint32_t address, std::uint32_t word) {
+  for (auto* byte : bytes_of_word(*model_->rootp, address)) {
+    *byte = static_cast<std::uint8_t>(word);
+    word >>= 8;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<ChipModel> make_netlist_model(std::uint32_t clock_hz, Edges edges) {
+  return std::make_unique<NetlistModel>(clock_hz, edges);
+}
+
+}  // namespace sim
