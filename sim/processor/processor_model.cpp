@@ -91,6 +91,8 @@ void ProcessorModel::set_interrupts(Clock now, std::uint32_t lines) {
   const Clock seen = now + 1 + times::interrupt_seen;
   if (sensitive_) take_back(now);
   if (complete_ < now) run(now);
+  // Asleep, it has done nothing since the sleep began, and may be woken now.
+  if (state_.asleep) complete_ = std::min(complete_, std::max(now, state_.begins - 1));
   if (complete_ <= now) {
     mark();
     change_ = Change{.now = now, .lines = lines, .seen = seen};

@@ -71,7 +71,6 @@ class JoinedModel : public ChipModel {
   std::uint32_t lines_ = 0;
   bool started_ = false;
   bool bus_is_busy_ = false;  // with an access whose request the netlist has
-  bool lines_have_changed_ = false;
 };
 
 JoinedModel::JoinedModel(std::uint32_t clock_hz, Edges edges) {
@@ -114,10 +113,8 @@ void JoinedModel::start() {
 
 void JoinedModel::let_processor_run(Clock limit) {
   if (processor_->accesses()) return;
-  const bool is_behind = processor_->complete() <= now_;
-  if (!is_behind && !lines_have_changed_) return;
-  if (is_behind) processor_->mark();
-  lines_have_changed_ = false;
+  if (processor_->complete() > now_) return;
+  processor_->mark();
   processor_->run(processor_->interrupts_matter() ? std::min(limit, now_ + longest_lead) : limit);
 }
 
@@ -156,7 +153,6 @@ void JoinedModel::look_at_interrupts() {
   if (lines == lines_) return;
   lines_ = lines;
   processor_->set_interrupts(now_, lines);
-  lines_have_changed_ = true;
 }
 
 void JoinedModel::advance(Clock limit) {
