@@ -54,6 +54,28 @@ TEST(machine_generator, names_what_is_out_of_range) {
   EXPECT_THAT(complaint("steps_per_mm = 80.0", "steps_per_mm = 80.00001"), HasSubstr("finer"));
 }
 
+// More digits than the binary form of a decimal number has.
+TEST(machine_generator, names_whole_numbers_out_of_range) {
+  for (const char* number : {"9223372036854775807", "-9223372036854775807", "9007199254740993"}) {
+    EXPECT_THAT(complaint("min_c = 5.0", std::string("min_c = ") + number),
+                HasSubstr("hotend.min_c: is"))
+        << number;
+    EXPECT_THAT(complaint("homing_speed_mm_s = 50.0", std::string("homing_speed_mm_s = ") + number),
+                HasSubstr("axes.x.homing_speed_mm_s: is"))
+        << number;
+  }
+}
+
+// It becomes a text of the firmware, which says it to hosts in one line.
+TEST(machine_generator, names_a_name_that_is_no_line_of_ascii) {
+  for (const char* name :
+       {R"("a\"b")", R"("a\\")", R"("a\nok")", R"("a\u0000b")", R"("caf\u00e9")"}) {
+    EXPECT_THAT(complaint("\"Prusa Mendel\"", name), HasSubstr("name: holds")) << name;
+  }
+  EXPECT_THAT(complaint("Prusa Mendel", std::string(65, 'a')), HasSubstr("name: is longer"));
+  EXPECT_THAT(complaint("Prusa Mendel", std::string(64, 'a')), testing::IsEmpty());
+}
+
 TEST(machine_generator, names_references_to_nothing) {
   EXPECT_THAT(complaint("driver = \"a4988\"", "driver = \"a4989\""),
               HasSubstr("axes.x.driver: names none of [drivers]"));

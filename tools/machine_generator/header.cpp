@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "machine_generator/reader.hpp"
@@ -26,6 +27,10 @@ constexpr std::int64_t thermal_channels = 4;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr std::int64_t two_billion = 2'000'000'000;
 constexpr std::int64_t max_milliwatts = 10'000'000;
+
+// M115 says it in a line with more.
+constexpr std::size_t longest_name = 64;
+constexpr bool may_stand_in_name(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
 std::string quantity(const char* type, std::int64_t value) {
   return fmt::format("units::{}{{{}}}", type, value);
@@ -197,8 +202,11 @@ std::string converter(Reader reader) {
 std::string header_of(const toml::table& table, const std::filesystem::path& file) {
   Reader root(file, table);
   const std::string name = root.text("name");
-  if (name.find_first_of("\"\\\n") != std::string::npos) {
-    root.fail("name", "holds \", \\ or a line end");
+  if (!std::ranges::all_of(name, may_stand_in_name)) {
+    root.fail("name", "holds \", \\, a control character or one outside ASCII");
+  }
+  if (name.size() > longest_name) {
+    root.fail("name", fmt::format("is longer than {} characters", longest_name));
   }
   if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
 

@@ -103,7 +103,10 @@ std::int64_t Reader::scaled(const std::string& key, std::int64_t scale, std::int
                             std::int64_t most) {
   const toml::node& found = node(key);
   if (!found.is_number()) fail(key, "must be a number");
-  const double value = *found.value<double>();
+  // Of an integer that no double equals, value<double>() is empty.
+  const auto* integer = found.as_integer();
+  const double value =
+      integer != nullptr ? static_cast<double>(integer->get()) : found.as_floating_point()->get();
   const double product = value * static_cast<double>(scale);
   const auto bound = [scale](std::int64_t limit) {
     return static_cast<double>(limit) / static_cast<double>(scale);
