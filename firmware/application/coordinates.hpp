@@ -59,6 +59,8 @@ class Coordinates {
 
   // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.
   void take_feedrate(const gcode::Command& command);
+  units::MicrometersPerSecond kept_feedrate() const { return feedrate_; }
+  void keep_feedrate(units::MicrometersPerSecond feedrate) { feedrate_ = feedrate; }
   // With what is to be planned of the speed factor; 1 um/s at least.
   units::MicrometersPerSecond feedrate() const;
 

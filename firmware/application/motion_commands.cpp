@@ -21,7 +21,14 @@ host_link::TextLine beyond(Axis axis, units::Nanometers travel) {
 }  // namespace
 
 Progress MotionCommands::move(ActiveCommand& command) {
+  const units::MicrometersPerSecond before = coordinates_.kept_feedrate();
   coordinates_.take_feedrate(command.command);
+  const Progress progress = append(command);
+  if (command.refused) coordinates_.keep_feedrate(before);
+  return progress;
+}
+
+Progress MotionCommands::append(ActiveCommand& command) {
   const Positions wanted = coordinates_.target_of(command.command);
   if (!representable(wanted)) return command.refuse("Number out of range");
 

@@ -25,6 +25,7 @@ class MotionCommands {
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
  private:
+  Progress append(ActiveCommand& command);
   Progress switch_motors(const ActiveCommand& command, bool enabled);
 
   MotionTask& motion_;

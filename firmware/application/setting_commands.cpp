@@ -23,40 +23,48 @@ Quantity micrometers(units::Nanometers length) {
 
 }  // namespace
 
-// All axes or none: a line with one value out of range changes nothing.
+// A line with one value out of range changes nothing.
 template <class Quantity>
-Progress SettingCommands::set_per_axis(ActiveCommand& command,
-                                       motion::Accepted (*set)(motion::Limits&, units::Axis,
-                                                               Quantity)) {
-  motion::Limits changed = motion_.limits();
+motion::Accepted SettingCommands::change_per_axis(motion::Limits& changed,
+                                                  const ActiveCommand& command,
+                                                  SetOfAxis<Quantity> set) const {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = coordinates_.rounded_length(command.command, units::axis_letters[i]);
     if (!value) continue;
     const auto accepted = set(changed, static_cast<units::Axis>(i), micrometers<Quantity>(*value));
-    if (!accepted) return command.refuse(motion::describe(accepted.error()));
+    if (!accepted) return accepted;
   }
-  motion_.set_limits(changed);
-  return Progress::done;
+  return {};
 }
 
-Progress SettingCommands::set_for_all(ActiveCommand& command, std::span<const Setting> settings) {
-  motion::Limits changed = motion_.limits();
+motion::Accepted SettingCommands::change_for_all(motion::Limits& changed,
+                                                 const ActiveCommand& command,
+                                                 std::span<const Setting> settings) const {
   for (const Setting& setting : settings) {
     const auto value = coordinates_.rounded_length(command.command, setting.letter);
     if (!value) continue;
     const motion::Accepted accepted = setting.set(changed, *value);
-    if (!accepted) return command.refuse(motion::describe(accepted.error()));
+    if (!accepted) return accepted;
   }
+  return {};
+}
+
+Progress SettingCommands::set_limits(ActiveCommand& command, const motion::Limits& changed,
+                                     motion::Accepted accepted) {
+  if (!accepted) return command.refuse(motion::describe(accepted.error()));
   motion_.set_limits(changed);
   return Progress::done;
 }
 
 Progress SettingCommands::set_max_accelerations(ActiveCommand& command) {
-  return set_per_axis(command, motion::set_max_acceleration);
+  motion::Limits changed = motion_.limits();
+  return set_limits(command, changed,
+                    change_per_axis(changed, command, motion::set_max_acceleration));
 }
 
 Progress SettingCommands::set_max_speeds(ActiveCommand& command) {
-  return set_per_axis(command, motion::set_max_speed);
+  motion::Limits changed = motion_.limits();
+  return set_limits(command, changed, change_per_axis(changed, command, motion::set_max_speed));
 }
 
 // P printing, T travel, R retraction; S is both P and T, as old slicers write it.
@@ -73,7 +81,8 @@ Progress SettingCommands::set_accelerations(ActiveCommand& command) {
   };
   static constexpr Setting settings[]{
       {'S', print}, {'S', travel}, {'P', print}, {'T', travel}, {'R', retract}};
-  return set_for_all(command, settings);
+  motion::Limits changed = motion_.limits();
+  return set_limits(command, changed, change_for_all(changed, command, settings));
 }
 
 // X Y Z E jerk, S slowest print move, T slowest travel. B and J are numbers of other planners,
@@ -87,11 +96,10 @@ Progress SettingCommands::set_advanced(ActiveCommand& command) {
     return motion::set_min_travel_speed(limits, micrometers<Speed>(value));
   };
   static constexpr Setting settings[]{{'S', print}, {'T', travel}};
-  if (!command.named_axes().empty()) {
-    if (set_per_axis(command, motion::set_jerk) == Progress::again) return Progress::again;
-    if (command.refused) return Progress::done;
-  }
-  return set_for_all(command, settings);
+  motion::Limits changed = motion_.limits();
+  motion::Accepted accepted = change_per_axis(changed, command, motion::set_jerk);
+  if (accepted) accepted = change_for_all(changed, command, settings);
+  return set_limits(command, changed, accepted);
 }
 
 // The position in millimetres is kept, as in Marlin.

@@ -31,10 +31,17 @@ class SettingCommands {
     char letter;
     motion::Accepted (*set)(motion::Limits&, units::Nanometers);
   };
-  Progress set_for_all(ActiveCommand& command, std::span<const Setting> settings);
   template <class Quantity>
-  Progress set_per_axis(ActiveCommand& command,
-                        motion::Accepted (*set)(motion::Limits&, units::Axis, Quantity));
+  using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
+
+  // Into a copy, which counts only where all of the line is accepted.
+  motion::Accepted change_for_all(motion::Limits& changed, const ActiveCommand& command,
+                                  std::span<const Setting> settings) const;
+  template <class Quantity>
+  motion::Accepted change_per_axis(motion::Limits& changed, const ActiveCommand& command,
+                                   SetOfAxis<Quantity> set) const;
+  Progress set_limits(ActiveCommand& command, const motion::Limits& changed,
+                      motion::Accepted accepted);
 
   MotionTask& motion_;
   Coordinates& coordinates_;

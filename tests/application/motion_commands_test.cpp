@@ -38,6 +38,16 @@ TEST(motion_commands, refuses_a_parameter_that_it_does_not_know) {
   EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
+// A refused line leaves nothing behind, not even its feedrate.
+TEST(motion_commands, keeps_the_feedrate_where_the_line_is_refused) {
+  Printer printer;
+  prepare(printer);
+  printer.talk("-> G1 X10 F600\n<- ok\n-> M400\n<- ok\n-> G1 X900 F6000\n<* not executed\n<- ok");
+  const auto began = printer.chip.time;
+  printer.talk("-> G1 X20\n<- ok\n-> M400\n<- ok");
+  EXPECT_NEAR(static_cast<double>(printer.chip.time - began) / clock_hz, 1.0, 0.1);
+}
+
 TEST(motion_commands, refuses_a_coordinate_without_a_number) {
   Printer printer;
   prepare(printer);

@@ -30,6 +30,28 @@ TEST(setting_commands, refuse_values_that_cannot_be) {
   EXPECT_EQ(printer.counters.commands_refused, 2u);
 }
 
+// All of a line or nothing, whichever of its values is wrong.
+TEST(setting_commands, keep_what_was_where_one_value_of_a_line_is_refused) {
+  Printer printer;
+  for (const char* line : {"M205 X5 S-1", "M205 X-1 S5", "M205 Z5 T-1", "M204 P500 T-1",
+                           "M204 R500 P0", "M201 X500 Y0", "M203 E20 X-1", "M92 X100 Y0"}) {
+    printer.send(line);
+    const auto said = printer.reply();
+    ASSERT_TRUE(said.has_value());
+    EXPECT_TRUE(said->contains("not executed")) << line << ": " << *said;
+    EXPECT_EQ(printer.reply(), "ok");
+  }
+  printer.talk(R"(
+    -> M503
+    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
+    <- echo: M203 X200.00 Y200.00 Z12.00 E80.00
+    <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
+    <- echo: M204 P1500.00 R1500.00 T1500.00
+    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
+    <- ok
+  )");
+}
+
 TEST(setting_commands, m92_changes_the_steps_of_later_moves) {
   Printer printer;
   printer.talk(R"(
