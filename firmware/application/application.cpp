@@ -176,12 +176,14 @@ void Application::report(Now now) {
     next = now.milliseconds + interval;
     return true;
   };
-  if (due(executor_.groups().reports.temperature_interval(), next_report_)) {
+  const ReportCommands& reports = executor_.groups().reports;
+  if (!reports.first_temperatures_awaited(now.milliseconds) &&
+      due(reports.temperature_interval(), next_report_)) {
     link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed))
                   .view());
   }
-  if (due(executor_.groups().reports.position_interval(), next_position_)) {
-    link_.say(executor_.groups().reports.position_line().view());
+  if (due(reports.position_interval(), next_position_)) {
+    link_.say(reports.position_line().view());
   }
 }
 

@@ -155,7 +155,8 @@ bool CommandExecutor::may_start() {
 // Ahead of the line in hand, which has perhaps to wait long.
 void CommandExecutor::answer_queries() {
   while (const auto code = link_.query()) {
-    if (groups_.reports.answer_ahead(*code, query_) == Progress::again) return;
+    const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
+    if (progress == Progress::again) return;
     if (!link_.query_answered(query_.behind_ok.view())) return;
     query_.begin();
   }

@@ -19,13 +19,15 @@ Progress set(units::Milliseconds& interval, const ActiveCommand& command) {
 
 }  // namespace
 
-// The first conversions take some 100 ms; before them a temperature would be 0.
-Progress ReportCommands::report_temperature(ActiveCommand& command) {
+bool ReportCommands::first_temperatures_awaited(units::Milliseconds now) const {
   constexpr units::Milliseconds longest_wait{1000};
-  const bool known =
-      heat_.loop(Heater::hotend).temperature() && heat_.loop(Heater::bed).temperature();
-  if (!known && command.now.milliseconds < longest_wait) return Progress::again;
-  command.behind_ok = temperature_line();
+  if (now >= longest_wait) return false;
+  return !heat_.loop(Heater::hotend).temperature() || !heat_.loop(Heater::bed).temperature();
+}
+
+Progress ReportCommands::say_temperature(Reply& reply, units::Milliseconds now) const {
+  if (first_temperatures_awaited(now)) return Progress::again;
+  reply.behind_ok = temperature_line();
   return Progress::done;
 }
 
@@ -74,11 +76,10 @@ Progress ReportCommands::set_temperature_interval(ActiveCommand& command) {
   return set(temperature_interval_, command);
 }
 
-Progress ReportCommands::answer_ahead(std::uint8_t code, Reply& reply) {
+Progress ReportCommands::answer_ahead(std::uint8_t code, Reply& reply, units::Milliseconds now) {
   switch (code) {
     case 105:
-      reply.behind_ok = temperature_line();
-      return Progress::done;
+      return say_temperature(reply, now);
     case 114:
       return say_position(reply);
     default:

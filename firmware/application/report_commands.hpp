@@ -16,7 +16,9 @@ class ReportCommands {
                  const Coordinates& coordinates)
       : machine_(machine), motion_(motion), heat_(heat), coordinates_(coordinates) {}
 
-  Progress report_temperature(ActiveCommand& command);
+  Progress report_temperature(ActiveCommand& command) {
+    return say_temperature(command, command.now.milliseconds);
+  }
   Progress report_position(ActiveCommand& command) { return say_position(command); }
   Progress report_firmware(ActiveCommand& command) { return say_firmware(command); }
   Progress report_end_stops(ActiveCommand& command);
@@ -24,7 +26,9 @@ class ReportCommands {
   Progress set_temperature_interval(ActiveCommand& command);
 
   // M105, M114 or M115 ahead of the line in hand.
-  Progress answer_ahead(std::uint8_t code, Reply& reply);
+  Progress answer_ahead(std::uint8_t code, Reply& reply, units::Milliseconds now);
+  // The first conversions take some 100 ms; before them a temperature would be 0.
+  bool first_temperatures_awaited(units::Milliseconds now) const;
 
   // How often they are reported unasked; 0 is never.
   units::Milliseconds position_interval() const { return position_interval_; }
@@ -33,6 +37,7 @@ class ReportCommands {
   host_link::TextLine temperature_line() const;
 
  private:
+  Progress say_temperature(Reply& reply, units::Milliseconds now) const;
   Progress say_position(Reply& reply) const { return reply.say(position_line()); }
   Progress say_firmware(Reply& reply) const;
 

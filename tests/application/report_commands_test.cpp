@@ -62,6 +62,28 @@ TEST(report_commands, reports_no_temperature_before_there_is_one) {
   EXPECT_TRUE(answer->starts_with("ok T:25.")) << *answer;
 }
 
+TEST(report_commands, reports_none_by_itself_before_there_is_one) {
+  Printer printer;
+  printer.send("M155 S1");
+  printer.run(3);
+  const std::string& said = printer.chip.from_firmware;
+  EXPECT_NE(said.find(" T:25."), std::string::npos) << said;
+  EXPECT_EQ(said.find("T:0."), std::string::npos) << said;
+  EXPECT_EQ(said.find("B:0."), std::string::npos) << said;
+}
+
+// A host that comes while the user is waited for, right behind a reset.
+TEST(report_commands, reports_none_ahead_of_the_queue_before_there_is_one) {
+  Printer printer;
+  printer.send("M0");
+  printer.run(0.01);
+  printer.send("M105");
+  printer.run(3);
+  const std::string& said = printer.chip.from_firmware;
+  EXPECT_NE(said.find("ok T:25."), std::string::npos) << said;
+  EXPECT_EQ(said.find("T:0."), std::string::npos) << said;
+}
+
 TEST(report_commands, ends_its_name_where_octoprint_and_cura_do) {
   Printer printer;
   printer.send("M115");
