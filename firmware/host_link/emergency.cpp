@@ -15,6 +15,10 @@ constexpr std::uint8_t bit(Kind kind) {
   return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
 }
 
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+constexpr std::uint32_t largest_code = 0xffff;  // the parser's
+
 constexpr std::string_view action_prefix = "action:";
 
 std::string_view without_blanks(std::string_view text) {
@@ -52,11 +56,13 @@ std::uint8_t button_in(std::string_view parameters) {
 std::uint32_t take_m_code(std::string_view& text) {
   if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
   std::size_t end = 1;
+  while (end < text.size() && is_blank(text[end])) ++end;
   std::uint32_t code = 0;
-  while (end < text.size() && is_digit(text[end]) && end < 6) {
-    code = code * 10 + static_cast<std::uint32_t>(text[end++] - '0');
+  for (; end < text.size() && is_digit(text[end]); ++end) {
+    code = code * 10 + static_cast<std::uint32_t>(text[end] - '0');
+    if (code > largest_code) return 0;
   }
-  if (end < text.size() && (is_digit(text[end]) || text[end] == '.')) return 0;
+  if (end < text.size() && text[end] == '.') return 0;
   text.remove_prefix(end);
   return code;
 }

@@ -24,7 +24,7 @@ struct EmergencyCommand {
 };
 
 // The code of the M command at the start of `text`, which is then moved behind it; 0 if
-// there is none.
+// there is none. `m 0112` is 112, as for the parser.
 std::uint32_t take_m_code(std::string_view& text);
 
 // The emergency command (M112, M108, M410, M602, M876 or //action:) in a line's text (without line

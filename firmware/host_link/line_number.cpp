@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "host_link/emergency.hpp"
 #include "units/digits.hpp"
 
 namespace host_link {
@@ -32,13 +33,12 @@ bool looks_like_command(std::string_view text) {
 }
 
 bool sets_numbering(std::string_view text) {
-  constexpr std::string_view command = "M110";
-  if (!text.starts_with(command)) return false;
-  return text.size() == command.size() || (!is_digit(text[4]) && text[4] != '.');
+  constexpr std::uint32_t code = 110;
+  return take_m_code(text) == code;
 }
 
 std::optional<LineNumber> number_set_by(std::string_view text) {
-  const std::size_t letter = text.find('N');
+  const std::size_t letter = text.find_first_of("Nn");
   if (letter == std::string_view::npos) return std::nullopt;
   text.remove_prefix(letter + 1);
   return take_line_number(text);
