@@ -76,10 +76,19 @@ TEST_F(ReportFiles, say_that_a_full_disk_takes_no_edges_before_anything_moves) {
 
 TEST_F(ReportFiles, say_that_the_disk_became_full_of_edges) {
   // A limit to the size of files ends writing as a full disk does. 28 800 edges take twice this.
-  const std::string limit = "trap '' XFSZ; ulimit -f 300; ";
+  const std::string limit = "ulimit -f 300; ";
   EXPECT_EQ(shell(limit + print_line("--edges " + (folder / "edges.csv").string())), 1);
   expect_faulted("cannot write all of");
   EXPECT_THAT(json(), HasSubstr("edges.csv"));
+}
+
+// A page has more than this.
+TEST_F(ReportFiles, of_an_earlier_job_go_where_no_new_ones_can_be_written) {
+  EXPECT_EQ(shell("ulimit -f 2; " + print_line()), 2);
+  EXPECT_THAT(files::text_of(folder / "said"), HasSubstr("cannot write"));
+  EXPECT_FALSE(fs::exists(report / "report.json"));
+  EXPECT_FALSE(fs::exists(report / "report.html"));
+  EXPECT_TRUE(fs::is_empty(report));
 }
 
 TEST_F(ReportFiles, say_what_was_refused) {
@@ -139,6 +148,18 @@ TEST_F(ReportFiles, are_not_debug_s_which_ends_well_where_its_output_is_not_read
 TEST_F(ReportFiles, are_written_where_there_is_no_output) {
   EXPECT_EQ(shell(print_line() + " >&-"), 0) << files::text_of(folder / "said");
   EXPECT_THAT(json(), HasSubstr("\"verdict\": \"good\""));
+}
+
+// A file that was opened as stream 1 or 2 would get what is said there.
+TEST_F(ReportFiles, and_others_hold_nothing_that_is_said_on_a_closed_stream) {
+  const std::string log = (folder / "log").string(), edges = (folder / "edges.csv").string();
+  const std::string line = "\"$stepfabric\" print " + gcode.string() + " --report " +
+                           report.string() + " --accept-log " + log + " --edges " + edges;
+  ASSERT_EQ(shell(line + " > /dev/null 2>&1"), 0);
+  const std::string lines = files::text_of(log), rows = files::text_of(edges);
+  EXPECT_EQ(shell(line + " <&- >&- 2>&-"), 0);
+  EXPECT_EQ(files::text_of(log), lines);
+  EXPECT_EQ(files::text_of(edges), rows);
 }
 
 TEST_F(ReportFiles, of_a_job_that_was_killed_say_that_it_has_not_ended) {

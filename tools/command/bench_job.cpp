@@ -182,7 +182,7 @@ int bench_one(const std::string& name, const BenchOptions& options) {
 }  // namespace
 
 int bench(const BenchOptions& options) {
-  ignore_closed_pipes();
+  let_writes_fail();
   const std::array<NamedFile, 1> read{{{"--print", options.print_file}}};
   const std::array<NamedFile, 1> written{{{"--json", options.json}}};
   check_that_files_differ(read, written);

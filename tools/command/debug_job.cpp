@@ -77,7 +77,7 @@ int debug_firmware(const DebugOptions& options) {
 }  // namespace
 
 int debug(const DebugOptions& options) {
-  ignore_closed_pipes();
+  let_writes_fail();
   try {
     return options.program.empty() ? debug_firmware(options) : debug_program(options);
   } catch (const sim::HardwareAssertion& failed) {

@@ -14,7 +14,7 @@
 namespace command {
 
 int load(const LoadOptions& options) {
-  ignore_closed_pipes();  // a load that is broken off leaves a chip without a program
+  let_writes_fail();  // a load that is broken off leaves a chip without a program
   const loading::Program program = loading::read_program(options.program);
   loading::SerialPort port(options.port, options.baud);
   constexpr std::size_t reported_bytes = 8192;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `stepfabric` program: one job per call, its exit status.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string_view>
 
@@ -93,6 +96,16 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
 }
 
+// What is opened while one of these is closed gets its number, and what is then said on the stream
+// would be written into that file.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // Reading from the second and third of them fails, as writing to the first does.
+    const int flags = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", flags) != stream) std::_Exit(bad_input);
+  }
+}
+
 // `run` leaves the low ones to its program.
 int bad_input_of(int count, char** arguments) {
   return count > 1 && std::string_view(arguments[1]) == "run" ? not_run : bad_input;
@@ -133,6 +146,7 @@ int run_command(int count, char** arguments) {
 }  // namespace command
 
 int main(int count, char** arguments) {
+  command::open_standard_streams();
   try {
     return command::run_command(count, arguments);
   } catch (const command::Interrupted& wish) {

@@ -10,8 +10,9 @@
 
 namespace command {
 
-// From now on a closed pipe is an error of the call that writes, and no signal.
-void ignore_closed_pipes();
+// From now on a closed pipe, or a file as large as it may be (ulimit -f), is an error of the call
+// that writes, and no signal.
+void let_writes_fail();
 
 // As fmt::print, which throws where the stream takes nothing.
 template <class... Values>

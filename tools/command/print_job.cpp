@@ -262,7 +262,7 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
 }  // namespace
 
 int print(const PrintOptions& options) {
-  ignore_closed_pipes();
+  let_writes_fail();
   check_files(options);
   const ReportFiles reports(options.report, options.file.filename().string(),
                             options.printer.clock_hz);

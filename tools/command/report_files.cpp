@@ -31,6 +31,13 @@ bool written(const std::filesystem::path& file, const std::function<std::string(
   }
 }
 
+// Of a symlink the file behind it, which would have been written.
+void remove_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return;
+  std::filesystem::remove(std::filesystem::canonical(file, ignored), ignored);
+}
+
 const std::filesystem::path& made(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   return folder;
@@ -60,8 +67,15 @@ ReportFiles::ReportFiles(std::filesystem::path folder, std::string file, std::ui
       clock_hz_(clock_hz) {
   const report::Results beginning =
       faulted("the job has not ended: it still runs, was killed, or could not write its report");
-  report::write_file(folder_ / "report.json", report::to_json(beginning));
-  report::write_file(page(), report::to_html(beginning, {}));
+  try {
+    report::write_file(folder_ / "report.json", report::to_json(beginning));
+    report::write_file(page(), report::to_html(beginning, {}));
+  } catch (const std::runtime_error&) {
+    // On a full disk, say: what stands there is of an earlier job.
+    remove_file(folder_ / "report.json");
+    remove_file(page());
+    throw;
+  }
 }
 
 bool ReportFiles::write_refusal(const std::string& reason) const {

@@ -118,7 +118,7 @@ void make_start(const sim::ElfImage& image, sim::Chip& chip) {
 }
 
 int run(const RunOptions& options) {
-  ignore_closed_pipes();
+  let_writes_fail();
   const std::array<NamedFile, 1> read{{{"the program", options.program}}};
   const std::array<NamedFile, 2> written{
       {{"--signature", options.signature}, {"--trace", options.trace}}};

@@ -69,7 +69,7 @@ int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
 }  // namespace
 
 int serve(ServeOptions options) {
-  ignore_closed_pipes();
+  let_writes_fail();
   const std::array<NamedFile, 1> read{{{"--machine", options.printer.machine}}};
   const std::array<NamedFile, 4> written{{{"--report", options.report / "report.json"},
                                           {"--report", options.report / "report.html"},

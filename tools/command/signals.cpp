@@ -41,7 +41,10 @@ void catch_interrupts() {
   std::signal(SIGHUP, remember);
 }
 
-void ignore_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
+void let_writes_fail() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 bool interrupt_requested() { return requested != 0; }
 
