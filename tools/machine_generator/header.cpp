@@ -202,11 +202,8 @@ std::string converter(Reader reader) {
 std::string header_of(const toml::table& table, const std::filesystem::path& file) {
   Reader root(file, table);
   const std::string name = root.text("name");
-  if (!std::ranges::all_of(name, may_stand_in_name)) {
-    root.fail("name", "holds \", \\, a control character or one outside ASCII");
-  }
-  if (name.size() > longest_name) {
-    root.fail("name", fmt::format("is longer than {} characters", longest_name));
+  if (name.size() > longest_name || !std::ranges::all_of(name, may_stand_in_name)) {
+    root.fail("name", "is longer than 64 bytes, or holds \", \\ or what is not printable ASCII");
   }
   if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
 
