@@ -36,6 +36,8 @@ constexpr std::array end_stop_faults{
 
 // Of a capacitor's value: beyond it one may as well be lost, or another part.
 constexpr double most_capacitor_factor = 10;
+// Of seconds, 31 years: a fault beyond the end of time would be none.
+constexpr double largest_number = 1e9;
 
 [[noreturn]] void refuse(std::string_view text) {
   throw std::invalid_argument(
@@ -50,7 +52,8 @@ constexpr double most_capacitor_factor = 10;
 std::optional<double> number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc{} && end == text.data() + text.size() && value >= 0;
+  const bool whole = error == std::errc{} && end == text.data() + text.size() && value >= 0 &&
+                     value <= largest_number;
   return whole ? std::optional(value) : std::nullopt;
 }
 

@@ -219,7 +219,8 @@ TEST(FaultPlan, reads_every_form_and_refuses_others_with_help) {
   EXPECT_EQ(plan.capacitors[0].factor, 0);
   EXPECT_EQ(plan.capacitors[1].seconds, 9);
   EXPECT_EQ(plan.capacitors[1].factor, 1.5);
-  for (const char* text : {"", "hotend", "hotend-open@x", "e-end-stop-never-opens", "serial=2"}) {
+  for (const char* text : {"", "hotend", "hotend-open@x", "e-end-stop-never-opens", "serial=2",
+                           "hotend-open@inf", "hotend-open@1e300", "cable-pulled=inf@1"}) {
     EXPECT_THROW(machine::add_fault(plan, text), std::invalid_argument) << text;
   }
 }
