@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "sim/report/write_file.hpp"
+
 namespace report {
 
 std::string accept_log_row(const AcceptedLine& line) {
@@ -20,8 +22,9 @@ std::string accept_log_row(const AcceptedLine& line) {
   return row + "\n";
 }
 
-AcceptLog::AcceptLog(const std::filesystem::path& file)
-    : file_(file), stream_(file, std::ios::binary) {
+AcceptLog::AcceptLog(const std::filesystem::path& file) : file_(file) {
+  refuse_foreign_link(file);
+  stream_.open(file, std::ios::binary);
   if (!stream_) {
     throw std::runtime_error(fmt::format("cannot write {}", file.string()));
   }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "sim/report/write_file.hpp"
+
 namespace report {
 
 namespace {
@@ -23,10 +25,14 @@ constexpr std::size_t most_waiting_bytes = 4000;
       fmt::format(text, file.string(), std::generic_category().message(error)));
 }
 
+std::FILE* open_to_write(const std::filesystem::path& file) {
+  refuse_foreign_link(file);
+  return std::fopen(file.c_str(), "w");
+}
+
 }  // namespace
 
-EdgeFile::EdgeFile(const std::filesystem::path& file)
-    : path_(file), file_(std::fopen(file.c_str(), "w")) {
+EdgeFile::EdgeFile(const std::filesystem::path& file) : path_(file), file_(open_to_write(file)) {
   if (!file_) {
     fail("cannot write {}: {}", file, errno);
   }

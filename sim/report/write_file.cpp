@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -52,7 +53,20 @@ void write_directly(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
+bool is_foreign_link(const fs::path& file) {
+  struct stat found{};
+  if (lstat(file.c_str(), &found) != 0 || !S_ISLNK(found.st_mode)) return false;
+  return found.st_uid != geteuid() && found.st_uid != 0;
+}
+
+void refuse_foreign_link(const fs::path& file) {
+  if (!is_foreign_link(file)) return;
+  throw std::runtime_error(
+      fmt::format("cannot write {}: it is a symlink of another user", file.string()));
+}
+
 void write_file(const fs::path& file, const std::string& text) {
+  refuse_foreign_link(file);
   std::error_code ignored;
   if (!file.parent_path().empty()) fs::create_directories(file.parent_path(), ignored);
   const fs::file_type type = fs::status(file, ignored).type();

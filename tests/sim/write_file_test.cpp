@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "sim/report/accept_log.hpp"
 #include "sim/report/edge_file.hpp"
 #include "tests/temporary_folder.hpp"
 #include "tools/files/file_text.hpp"
@@ -40,6 +41,21 @@ TEST_F(WriteFile, makes_folders_and_replaces_what_was_there) {
   EXPECT_EQ(files::text_of(folder / "a" / "b"), "third");
   EXPECT_NO_THROW(report::write_file("/dev/null", "fourth"));
   EXPECT_TRUE(fs::exists("/dev/null"));
+}
+
+// In a folder that everyone can write, say.
+TEST_F(WriteFile, follows_no_symlink_of_another_user) {
+  const fs::path mine = folder / "mine";
+  std::ofstream(mine) << "precious";
+  fs::create_symlink(mine, file);
+  constexpr uid_t another_user = 65'534;
+  if (lchown(file.c_str(), another_user, another_user) != 0)
+    GTEST_SKIP() << "only root can give a link away";
+  EXPECT_THROW(report::write_file(file, "text"), std::runtime_error);
+  EXPECT_THROW(report::EdgeFile{file}, std::runtime_error);
+  EXPECT_THROW(report::AcceptLog{file}, std::runtime_error);
+  EXPECT_EQ(files::text_of(mine), "precious");
+  EXPECT_EQ(files(), 2U);
 }
 
 TEST_F(WriteFile, leaves_the_file_of_before_and_nothing_else_where_the_disk_is_full) {

@@ -34,7 +34,7 @@ bool written(const std::filesystem::path& file, const std::function<std::string(
 // Of a symlink the file behind it, which would have been written.
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return;
+  if (report::is_foreign_link(file) || !std::filesystem::is_regular_file(file, ignored)) return;
   std::filesystem::remove(std::filesystem::canonical(file, ignored), ignored);
 }
 
