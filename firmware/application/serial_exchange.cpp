@@ -32,7 +32,7 @@ void Application::receive(Now now, std::size_t most) {
   std::span<const char> received(bytes.data(), count);
   if (gap_before_last && !hang_up_.explains(errors)) {
     link_.receive(received.first(count - 1), now.milliseconds);
-    link_.receive_fault();
+    link_.receive_fault(now.milliseconds);
     received = received.last(1);
   }
   link_.receive(received, now.milliseconds);

@@ -61,6 +61,12 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   }
 }
 
+// What is given up now, since it is old, is not the broken line.
+void HostLink::receive_fault(units::Milliseconds now) {
+  give_up_old_line(now);
+  receiver_.spoil();
+}
+
 void HostLink::hang_up() {
   receiver_.forget();
   rescues_left_ = 0;

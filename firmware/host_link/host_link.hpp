@@ -35,9 +35,9 @@ class HostLink {
  public:
   // From the uart. `now` is the time of the last of the bytes.
   void receive(std::span<const char> bytes, units::Milliseconds now);
-  // Something was lost between the bytes received so far and the next: the line that is being
-  // received is broken.
-  void receive_fault() { receiver_.spoil(); }
+  // Something was lost between the bytes received so far and the next, which is received right
+  // behind this call, at the same time: the line that it belongs to is broken.
+  void receive_fault(units::Milliseconds now);
   // The host is gone, and the next byte is another one's: a line that is not finished never will
   // be, and no answer is awaited.
   void hang_up();

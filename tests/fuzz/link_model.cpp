@@ -62,6 +62,11 @@ bool only_asks(std::string_view text) {
 }  // namespace
 
 void LinkModel::put(char byte) {
+  if (lost_before_next_) {
+    link_.receive_fault(units::Milliseconds(now_ms_));
+    disturbed_.push_back(line_.size());
+    lost_before_next_ = false;
+  }
   link_.receive({&byte, 1}, units::Milliseconds(now_ms_));
   if (byte != '\n' && byte != '\r') {
     line_ += byte;
@@ -97,11 +102,6 @@ void LinkModel::end_line() {
   line_.clear();
   parts_ = {0};
   disturbed_.clear();
-}
-
-void LinkModel::disturb() {
-  link_.receive_fault();
-  disturbed_.push_back(line_.size());
 }
 
 void LinkModel::pause(int milliseconds) {

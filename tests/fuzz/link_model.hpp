@@ -18,7 +18,7 @@ class LinkModel {
  public:
   // What happens.
   void put(char byte);
-  void disturb();  // the uart loses something
+  void disturb() { lost_before_next_ = true; }  // the uart loses something
   void pause(int milliseconds);
   void work_on(host_link::Activity activity);
   void take_line();
@@ -62,6 +62,7 @@ class LinkModel {
   std::string line_;  // in progress
   std::vector<std::size_t> parts_{0};  // where in it a part may begin
   std::vector<std::size_t> disturbed_;  // in front of which of its bytes
+  bool lost_before_next_ = false;  // byte
   bool after_return_ = false;
   std::vector<std::uint32_t> restarts_;  // numbers that an M110 may have made the next
   std::optional<std::uint32_t> last_delivered_;

@@ -128,15 +128,26 @@ TEST_F(Link, keeps_answers_for_a_reader_that_sleeps) {
 
 TEST_F(Link, does_not_run_a_line_that_the_uart_found_damaged) {
   hear("M10");
-  link_.receive_fault();
+  link_.receive_fault(now_);
   hear("5\n");
   EXPECT_FALSE(link_.next_line().has_value());
   EXPECT_EQ(read(), "echo:Line damaged on the serial line, not executed\nok\n");
   hear("N1 G2");
-  link_.receive_fault();
+  link_.receive_fault(now_);
   hear("8*18\n");
   EXPECT_FALSE(link_.next_line().has_value());
   EXPECT_EQ(read(), "echo:serial line disturbed, asked for again\nResend: 1\nok\n");
+}
+
+// An old half line is given up there, and the damage is that of the line behind it, whose XOR is
+// right.
+TEST_F(Link, does_not_run_a_damaged_line_behind_an_old_half_line) {
+  hear("G1 X1");
+  pass(2500);
+  link_.receive_fault(now_);
+  hear("0*48\n");
+  EXPECT_FALSE(link_.next_line().has_value());
+  EXPECT_TRUE(read().contains("serial line disturbed, asked for again"));
 }
 
 }  // namespace
