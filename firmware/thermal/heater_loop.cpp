@@ -72,7 +72,7 @@ Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
   if (measured > settings_.maximum) stop_with(Fault::max_temperature);
   if (measured < settings_.minimum && target_ != off) stop_with(Fault::min_temperature);
   if (const auto fault = protection_.update(target_, measured, now)) stop_with(*fault);
-  if (fault_ || target_ == off) return 0;
+  if (fault_ || target_ == off) return plausibility_.probe(false, 0);
   arrival_.update(target_, measured, now);
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
   const Duty duty =

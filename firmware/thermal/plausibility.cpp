@@ -102,7 +102,8 @@ Plausibility::Finding Plausibility::compare(const Window& raw,
                                             std::optional<units::Millicelsius> target,
                                             const Cooling& cooling) {
   const bool frozen = probe_.is_unanswered(
-      raw.celsius, slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
+      raw.celsius, model_->rise * raw.duty / full_duty,
+      slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
   if (raw_windows_ < 2) return Finding::none;
   // One window with a disturbed conversion is no middle one.
   const auto [first, second] = raw_;

@@ -10,19 +10,18 @@
 #include "thermal/controller.hpp"
 #include "thermal/heater_model.hpp"
 #include "thermal/low_pass.hpp"
+#include "thermal/stillness.hpp"
 #include "units/quantity.hpp"
 
 namespace thermal {
 
 // A sensor that froze at the target shows no error, so nothing else finds it. Over the last
-// windows the sensor must move by a part of what the rhythm alone brings by the model. Noise and
-// disturbances add to what it moves; the halves of the rhythm differ in length, so that no
-// periodic disturbance stays opposite to it, and where the filament's heat could cancel it there
-// is no verdict.
+// windows the sensor must move by a part of what the rhythm brings by the model: stillness.hpp. The
+// halves of the rhythm differ in length, so that no periodic disturbance stays opposite to it.
 class Probe {
  public:
   explicit constexpr Probe(const HeaterModel& model)
-      : model_(&model), merged_(merged_of(model)), height_(height_of(model)) {}
+      : model_(&model), halves_(halves_of(model)), height_(height_of(model)) {}
 
   // `duty` with the rhythm, as far as it has room, while the heater is `settled`.
   Duty modulate(bool settled, Duty duty);
@@ -32,30 +31,23 @@ class Probe {
   units::Millicelsius expected_answer() const {
     return units::Millicelsius(answer_ / answer_scale);
   }
-  // With each window of the comparison, its mean in thousandths of a degree, and what the filament
-  // takes away in mK/s: true if the sensor has not answered.
-  bool is_unanswered(std::int32_t celsius, std::int32_t melted, std::int32_t milliseconds);
+  // With each window of the comparison, its mean in thousandths of a degree, and in mK/s all the
+  // heat that the sensor should feel and what the filament takes away: true if the sensor has not
+  // answered.
+  bool is_unanswered(std::int32_t celsius, std::int32_t heating, std::int32_t melted,
+                     std::int32_t milliseconds);
   // The fan has changed: what it takes is not known well enough.
-  void disturb() { undisturbed_ = 0; }
+  void disturb() { stillness_.disturb(); }
 
  private:
-  // Lengths in windows, each up and then down.
-  static constexpr std::array<std::int8_t, 3> halves{3, 2, 4};
-  // The rhythm begins in the middle of its first half, so that its answer swings about 0.
-  static constexpr int first_windows = halves[0] / 2;
-  static constexpr std::size_t length = 18;  // windows of a verdict: one whole rhythm
+  // Lengths in windows of the comparison, each up and then down.
+  using Halves = std::array<std::int32_t, 3>;
   static constexpr std::int32_t answer_scale = 16;
 
   // What the rhythm should bring, in thousandths of a degree from end to end, if two fifths of
   // full power are enough for it.
   static constexpr std::int32_t wanted_swing = 450;
   static constexpr std::int32_t highest = full_duty * 2 / 5;
-
-  struct Window {
-    std::int32_t celsius{};  // thousandths
-    std::int32_t answer{};  // expected, in thousandths of a degree
-    std::int32_t melted{};  // mK that the filament has taken, felt as late as the rhythm
-  };
 
   // The answer to `injected`, one step on.
   struct Path {
@@ -67,21 +59,23 @@ class Probe {
       return model.rise * (felt / duty_scale) / full_duty;
     }
   };
-  // A window of the rhythm is as many of the comparison as take two fifths of the lags: what is
-  // much quicker than those does not come through.
-  static constexpr int merged_of(const HeaterModel& model) {
-    const auto window = model.window.count();
-    const auto wanted = (model.heater_lag + model.sensor_lag).count() * 2 / 5;
-    return static_cast<int>(std::max<std::int64_t>((wanted + window / 2) / window, 1));
+  // About four thirds of the lags: what is much quicker does not come through, and what is slower
+  // does not show within the windows of a verdict.
+  static constexpr Halves halves_of(const HeaterModel& model) {
+    const auto lags = static_cast<std::int32_t>((model.heater_lag + model.sensor_lag).count());
+    const auto thirds = static_cast<std::int32_t>(model.window.count()) * 3;
+    const std::int32_t half = std::max<std::int32_t>((lags * 4 + thirds / 2) / thirds, 3);
+    const std::int32_t uneven = std::max<std::int32_t>(half / 8, 1);
+    return {half, half - uneven, half + uneven};
   }
   static constexpr std::int32_t height_of(const HeaterModel& model) {
     if (model.rise == 0) return 0;
     constexpr int parts = 4;  // steps of a window
-    const auto step = static_cast<std::int32_t>(model.window.count()) * merged_of(model) / parts;
+    const auto step = static_cast<std::int32_t>(model.window.count()) / parts;
     Path path;
     std::int32_t answer = 0, lowest = 0, most = 0;  // answer with answer_scale
     for (int cycle = 0; cycle < 3; ++cycle) {
-      for (const std::int8_t half : halves) {
+      for (const std::int32_t half : halves_of(model)) {
         for (int i = 0; i < 2 * half * parts; ++i) {
           const std::int32_t injected = i < half * parts ? highest : -highest;
           answer += path.slope(model, injected, step) * step * answer_scale / 1'000;
@@ -97,22 +91,20 @@ class Probe {
   void next_window();
 
   const HeaterModel* model_;
-  int merged_;  // windows of the comparison in one of the rhythm
+  Halves halves_;
   std::int32_t height_;
   bool active_ = false;
   bool up_ = true;
-  std::size_t half_ = 0;  // of halves
-  int windows_left_ = first_windows;
+  std::size_t half_ = 0;  // of halves_
+  // The rhythm begins in the middle of its first half, so that its answer swings about 0.
+  std::int32_t windows_left_ = halves_[0] / 2;
   std::int32_t injected_ = 0;  // duty, since the last update
   Path path_;
   std::int32_t answer_ = 0;  // with answer_scale
-  Window sum_{};  // of the window under way
-  int compared_ = 0, updates_ = 0;  // in it
+  std::int32_t answers_ = 0;  // sum of the window under way, in thousandths of a degree
+  std::int32_t updates_ = 0;  // in it
   std::int32_t melted_ = 0;  // mK/s, as the sensor feels it
-  std::size_t seen_ = 0;  // windows since the rhythm began, at most `length`, as the following
-  std::size_t undisturbed_ = 0;  // since disturb()
-  std::size_t still_ = 0;  // in which the sensor has not moved as it must
-  std::array<Window, length> windows_{};
+  Stillness stillness_;
 };
 
 }  // namespace thermal

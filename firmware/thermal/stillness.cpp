@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a reading stands still while the heat that it should follow goes up and down.
+#include "thermal/stillness.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace thermal {
+namespace {
+
+// Of a course from its mean, in thousandths of a degree, so that no sum exceeds 31 bits.
+constexpr std::int32_t farthest = 4'000;
+// An expected course of less (root mean square, thousandths of a degree) shows nothing.
+constexpr std::int32_t least_expected = 20;
+
+using Values = std::span<std::int32_t>;
+using ConstValues = std::span<const std::int32_t>;
+
+void subtract_mean(Values values) {
+  const auto count = static_cast<std::int32_t>(values.size());
+  std::int32_t sum = 0;
+  for (const std::int32_t value : values) sum += value;
+  for (std::int32_t& value : values) value = std::clamp(value - sum / count, -farthest, farthest);
+}
+
+// Less mean and slope, by least squares.
+void subtract_line(Values values) {
+  subtract_mean(values);
+  const auto count = static_cast<std::int32_t>(values.size());
+  const std::int32_t squares = count * (count * count - 1) / 3;  // of `place` below
+  std::int32_t sum = 0, place = 1 - count;
+  for (const std::int32_t value : values) {
+    sum += value * place;
+    place += 2;
+  }
+  place = 1 - count;
+  for (std::int32_t& value : values) {
+    value -= sum / 16 * place / (squares / 16);
+    place += 2;
+  }
+}
+
+std::int64_t product(ConstValues one, ConstValues other) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) sum += one[i] * other[i];
+  return sum;
+}
+std::int64_t energy(ConstValues values) { return product(values, values); }
+
+// Of `one` less `percent` of the other.
+std::int64_t energy_less(ConstValues one, ConstValues other, std::int32_t percent) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const std::int64_t difference = one[i] - other[i] * percent / 100;
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+// The energy that a course has in common with `answer` and its slope.
+std::int64_t energy_in_common(ConstValues course, ConstValues answer, Values slope) {
+  const std::size_t last = answer.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    slope[i] = answer[std::min(i + 1, last)] - answer[i == 0 ? 0 : i - 1];
+  }
+  subtract_line(slope);
+  const std::int64_t expected = energy(answer);
+  const std::int64_t course_answer = product(course, answer);
+  const std::int64_t slope_answer = product(slope, answer);
+  std::int64_t common = course_answer * course_answer / expected;
+  // What of the slope is no part of the answer.
+  const std::int64_t slopes = energy(slope);
+  const std::int64_t rest = slopes - slope_answer * slope_answer / expected;
+  if (rest > slopes / 1'000) {
+    const std::int64_t course_rest =
+        product(course, slope) - course_answer * slope_answer / expected;
+    common += course_rest * course_rest / rest;
+  }
+  return common;
+}
+
+// Whether `part` is at most so many percent of `whole`, as amplitudes.
+bool is_within(std::int64_t part, std::int64_t whole, std::int32_t percent) {
+  return part * 10'000 < whole * percent * percent;
+}
+
+// The course of a temperature that gets so much in each window, from the middle of each to the
+// middle of the next.
+template <class Gain>
+void accumulate(Values course, Gain gain) {
+  std::int32_t mean = 0;
+  for (std::size_t i = 0; i < course.size(); ++i) mean += gain(i);
+  mean /= static_cast<std::int32_t>(course.size());
+  course[0] = 0;
+  for (std::size_t i = 1; i < course.size(); ++i) {
+    course[i] = course[i - 1] + (gain(i - 1) + gain(i)) / 2 - mean;
+  }
+  subtract_line(course);
+}
+
+}  // namespace
+
+bool Stillness::add(const Window& window) {
+  std::shift_left(windows_.begin(), windows_.end(), 1);
+  windows_.back() = window;
+  seen_ = std::min(seen_ + 1, longest);
+  undisturbed_ = std::min(undisturbed_ + 1, longest);
+  still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
+  return still_ >= lasting_length || std::ranges::any_of(limits, [this](const Limits& limit) {
+           return is_still(limit);
+         });
+}
+
+bool Stillness::is_still_for_now() const {
+  constexpr std::size_t length = lasting_length;
+  if (seen_ < length) return false;
+  std::array<std::int32_t, length> course{}, answer{};
+  for (std::size_t i = 0; i < length; ++i) {
+    course[i] = window(length, i).celsius - window(length, 0).celsius;
+    answer[i] = window(length, i).answer;
+  }
+  subtract_mean(course);
+  subtract_line(answer);
+  const std::int64_t expected = energy(answer);
+  return expected >= std::int64_t{length} * least_expected * least_expected &&
+         is_within(energy(course), expected, lasting_limit);
+}
+
+bool Stillness::is_still(const Limits& limits) const {
+  const std::size_t length = limits.length;
+  if (seen_ < length || undisturbed_ < length) return false;
+  std::array<Course, 4> courses;
+  const auto values = [&courses, length](std::size_t i) { return Values(courses[i]).first(length); };
+  const Values course = values(0), answer = values(1), given = values(2), taken = values(3);
+  for (std::size_t i = 0; i < length; ++i) {
+    course[i] = window(length, i).celsius - window(length, 0).celsius;
+    answer[i] = window(length, i).answer;
+  }
+  subtract_mean(course);
+  subtract_line(answer);
+  const std::int64_t moved = energy(course);
+  std::int64_t expected = energy(answer);
+  // Mostly it lives, and that is all.
+  if (!is_within(moved, expected, limits.with_rhythm + limits.rest)) return false;
+
+  accumulate(given, [this, length](std::size_t i) { return window(length, i).given; });
+  accumulate(taken, [this, length](std::size_t i) { return window(length, i).taken; });
+  if (energy(taken) > expected) return false;
+  for (const std::int32_t percent : {0, 50, 100}) {
+    expected = std::min({expected, energy_less(answer, taken, percent),
+                         energy_less(given, taken, percent)});
+  }
+  if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
+  const std::int64_t common = energy_in_common(course, answer, given);
+  return is_within(common, expected, limits.with_rhythm) &&
+         is_within(moved - common, expected, limits.rest);
+}
+
+}  // namespace thermal

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a reading stands still while the heat that it should follow goes up and down.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace thermal {
+
+// Compares the course of the last windows with those that the model expects: of the rhythm alone,
+// of all the heat that is given, each less what the filament takes, for that may be true, or half
+// of it, or nothing, where a nozzle is clogged. All less their straight line, since what the room
+// does is slow. The reading is judged by two parts: the one that goes with the rhythm (least
+// squares on the expected answer and its slope, for the lags may differ), in which little noise is
+// left, and the rest, which shows a disturbance that happens to cancel the rhythm.
+class Stillness {
+ public:
+  // In thousandths of a degree. What is given and taken is per window, as the sensor feels it.
+  struct Window {
+    std::int32_t celsius{};
+    std::int32_t answer{};  // expected of the rhythm
+    std::int32_t given{};
+    std::int32_t taken{};  // by filament
+  };
+
+  // True if the reading is of a frozen sensor.
+  bool add(const Window& window);
+  // There is no rhythm.
+  void restart() { seen_ = still_ = 0; }
+  // What cools is not known well enough from here on.
+  void disturb() { undisturbed_ = 0; }
+
+ private:
+  static constexpr std::size_t longest = 27;
+  using Course = std::array<std::int32_t, longest>;
+
+  struct Limits {
+    std::size_t length;  // windows
+    // Of the expected course, in percent (root mean square): what may go with it, and the rest.
+    std::int32_t with_rhythm, rest;
+  };
+  // Over more windows the noise counts for less.
+  static constexpr std::array<Limits, 2> limits{{{18, 16, 35}, {longest, 20, 55}}};
+  // Whatever cools, in this many windows in a row.
+  static constexpr std::size_t lasting_length = 18;
+  static constexpr std::int32_t lasting_limit = 40;
+
+  const Window& window(std::size_t length, std::size_t i) const {
+    return windows_[longest - length + i];
+  }
+  bool is_still(const Limits& limits) const;
+  bool is_still_for_now() const;
+
+  std::size_t seen_ = 0;  // windows since the rhythm began, at most `longest`, as the following
+  std::size_t undisturbed_ = 0;  // since disturb()
+  std::size_t still_ = 0;  // in a row
+  std::array<Window, longest> windows_{};
+};
+
+}  // namespace thermal
