@@ -33,7 +33,7 @@ constexpr std::int32_t most_in_window = 1'000'000;
 // Heat of so much of full power, in percent, is no cause to look for more.
 constexpr std::int32_t most_watched = 75;
 // In percent of the limit for heat that is missing.
-constexpr std::int32_t unasked_part_at_target = 12, unasked_part_off = 60;
+constexpr std::int32_t unasked_part_at_target = 9, unasked_part_off = 60;
 // The sun, an enclosure or the other heater warm more slowly than that the limit is reached
 // in this time.
 constexpr std::int32_t neighbour_milliseconds = 60'000;

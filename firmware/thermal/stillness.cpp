@@ -106,7 +106,7 @@ bool Stillness::add(const Window& window) {
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
-  return still_ >= lasting_length || std::ranges::any_of(limits, [this](const Limits& limit) {
+  return still_ >= lasting_length || std::ranges::any_of(limits_, [this](const Limits& limit) {
            return is_still(limit);
          });
 }

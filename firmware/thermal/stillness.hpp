@@ -24,6 +24,10 @@ class Stillness {
     std::int32_t taken{};  // by filament
   };
 
+  // `rhythm`: windows of one rise and fall of the expected answer.
+  explicit constexpr Stillness(std::int32_t rhythm)
+      : limits_(2 * rhythm <= static_cast<std::int32_t>(quick[0].length) ? quick : slow) {}
+
   // True if the reading is of a frozen sensor.
   bool add(const Window& window);
   // There is no rhythm.
@@ -40,8 +44,11 @@ class Stillness {
     // Of the expected course, in percent (root mean square): what may go with it, and the rest.
     std::int32_t with_rhythm, rest;
   };
-  // Over more windows the noise counts for less.
-  static constexpr std::array<Limits, 2> limits{{{18, 16, 35}, {longest, 20, 55}}};
+  using LimitTable = std::array<Limits, 2>;
+  // Over more windows the noise counts for less. Of a slow rhythm one rise and fall must do, which
+  // a single disturbance could cancel.
+  static constexpr LimitTable quick{{{18, 16, 35}, {longest, 20, 55}}};
+  static constexpr LimitTable slow{{{18, 12, 28}, {longest, 16, 40}}};
   // Whatever cools, in this many windows in a row.
   static constexpr std::size_t lasting_length = 18;
   static constexpr std::int32_t lasting_limit = 40;
@@ -52,6 +59,7 @@ class Stillness {
   bool is_still(const Limits& limits) const;
   bool is_still_for_now() const;
 
+  LimitTable limits_;
   std::size_t seen_ = 0;  // windows since the rhythm began, at most `longest`, as the following
   std::size_t undisturbed_ = 0;  // since disturb()
   std::size_t still_ = 0;  // in a row

@@ -78,7 +78,7 @@ TEST(described_heaters, find_a_bead_that_freezes_at_the_target_and_stay_near_it)
   const Found bed = break_all(Part::bed, bed_target - 10, Fault::sensor_frozen, held(bed_target),
                               freeze_at(bed_target));
   EXPECT_EQ(bed.named, bed.held);
-  EXPECT_LT(bed.latest, 60);
+  EXPECT_LT(bed.latest, 25);
   EXPECT_LT(bed.highest, bed_target + 4);
 }
 

@@ -52,7 +52,7 @@ void expect_found(const Worst& worst, double within, double below) {
 TEST(hidden_faults, a_bead_that_freezes_at_the_target) {
   const auto freeze = [](Rig& rig) { rig.freeze(); };
   expect_found(break_while_holding(Part::hotend, 600, freeze), 20, 210);
-  expect_found(break_while_holding(Part::bed, 900, freeze), 60, 62);
+  expect_found(break_while_holding(Part::bed, 900, freeze), 20, 62);
 }
 
 TEST(hidden_faults, a_bead_that_freezes_at_the_target_with_noise_on_it) {
@@ -60,8 +60,8 @@ TEST(hidden_faults, a_bead_that_freezes_at_the_target_with_noise_on_it) {
     rig.freeze();
     rig.noise = 0.1;
   };
-  expect_found(break_while_holding(Part::hotend, 600, freeze), 60, 220);
-  expect_found(break_while_holding(Part::bed, 900, freeze), 150, 63);
+  expect_found(break_while_holding(Part::hotend, 600, freeze), 35, 215);
+  expect_found(break_while_holding(Part::bed, 900, freeze), 60, 62);
 }
 
 TEST(hidden_faults, a_bead_that_freezes_just_below_the_target_with_all_the_heat_on) {
@@ -268,6 +268,24 @@ TEST(peace, keeps_a_hotend_within_one_degree_of_its_target) {
   rig.run(600);
   EXPECT_EQ(rig.loop.fault(), std::nullopt);
   EXPECT_LT(rig.farthest, 1.0);
+}
+
+// The probe's last half ends with the heat: what it would have brought must not shift the reading.
+TEST(peace, comes_to_a_target_after_a_pause_at_any_moment_of_the_probe) {
+  for (int i = 0; i < 18; ++i) {
+    Rig rig(Part::hotend, {.start = 190, .seed = static_cast<std::uint64_t>(i + 1)});
+    rig.hold(hotend_target, 30 + i);
+    rig.set_target(0);
+    rig.run(40);
+    const double target = rig.block.celsius(rig.now) + 6;
+    rig.set_target(target);
+    rig.run(20);
+    rig.highest = -300;
+    rig.run(40);
+    EXPECT_EQ(rig.loop.fault(), std::nullopt) << "after " << 30 + i << " s";
+    EXPECT_NEAR(rig.block.celsius(rig.now), target, 1) << "after " << 30 + i << " s";
+    EXPECT_LT(rig.highest, target + 1) << "after " << 30 + i << " s";
+  }
 }
 
 // What is off may be warmed by others.

@@ -67,7 +67,7 @@ void expect_no_alarm(const PlantKind& kind, double seconds, unsigned plants) {
 }
 
 TEST(random_hotends, give_no_false_alarm) {
-  expect_no_alarm(tests::hotend_kind(), hotend_seconds, 3'000);
+  expect_no_alarm(tests::hotend_kind(), hotend_seconds, 10'000);
 }
 
 // Shares are of the faults at random moments of random prints.
