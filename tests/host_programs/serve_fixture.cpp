@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -33,7 +32,7 @@ Serve::Serve()
 }
 
 Serve::~Serve() {
-  if (job_ > 0) kill_at_once();
+  if (job_) kill_at_once();
 }
 
 void Serve::start(const std::vector<std::string>& options, const char* speed) {
@@ -48,37 +47,27 @@ void Serve::start(const std::vector<std::string>& options, const char* speed) {
                                  "--accept-log",
                                  folder_ / "accepted"};
   words.insert(words.end(), options.begin(), options.end());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
   const std::string output = file_path("output");
   fs::remove(output);
-  job_ = fork();
-  if (job_ == 0) {
-    dup2(open(output.c_str(), O_WRONLY | O_CREAT, 0644), STDOUT_FILENO);
-    execv(arguments[0], arguments.data());
-    _exit(127);
-  }
+  job_.emplace(process::Start{.arguments = words, .output = output});
   const auto end = std::chrono::steady_clock::now() + patience;
   while (file("output").find("serving ") == std::string::npos &&
-         waitpid(job_, nullptr, WNOHANG) == 0 && std::chrono::steady_clock::now() < end) {
+         !job_->ending() && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(50ms);
   }
   ASSERT_TRUE(fs::is_symlink(port));
 }
 
 int Serve::stop() {
-  kill(job_, SIGINT);
-  int status = 0;
-  waitpid(job_, &status, 0);
-  job_ = 0;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  job_->signal(SIGINT);
+  const int status = job_->wait().exit_status;
+  job_.reset();
+  return status;
 }
 
 void Serve::kill_at_once() {
-  kill(job_, SIGKILL);
-  waitpid(job_, nullptr, 0);
-  job_ = 0;
+  job_->signal(SIGKILL);
+  job_.reset();
 }
 
 std::string Serve::file(const char* name) const { return files::text_of(file_path(name)); }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/types.h>
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tools/process/process.hpp"
 
 namespace host_programs {
 
@@ -44,7 +46,7 @@ class Serve : public testing::Test {
 
  private:
   std::filesystem::path folder_;
-  pid_t job_ = 0;
+  std::optional<process::Process> job_;
 };
 
 }  // namespace host_programs

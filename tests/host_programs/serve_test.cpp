@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `stepfabric serve` as a host program meets it: a port that may be opened, left and opened again,
 // and a job that ends well on Ctrl-C.
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <thread>
@@ -17,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
+const std::string stepfabric = BUILD_DIRECTORY "/bin/stepfabric";
 using host_programs::Serve;
 
 TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
@@ -124,14 +123,11 @@ TEST_F(Serve, a_host_that_only_writes_and_closes_is_obeyed) {
 
 TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
   start({});
-  const std::string complaint = file_path("complaint");
-  const std::string second = BUILD_DIRECTORY "/bin/stepfabric serve --speed max --until 1 --pty " +
-                             port.string() + " --report " + file_path("second") + " 2> " +
-                             complaint;
-  const int status = std::system(second.c_str());
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 2);
-  EXPECT_NE(file("complaint").find("port is in use by process "), std::string::npos);
+  const auto second = process::capture(
+      {.arguments = {stepfabric, "serve", "--speed", "max", "--until", "1", "--pty", port.string(),
+                     "--report", file_path("second")}});
+  EXPECT_EQ(second.exit_status, 2);
+  EXPECT_NE(second.output.find("port is in use by process "), std::string::npos);
   const int host = open_port();
   EXPECT_TRUE(connect(host));
   close(host);
@@ -141,15 +137,15 @@ TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
 // As on a board: the running firmware makes way, and the one that has come takes its place.
 TEST_F(Serve, a_firmware_is_loaded_over_the_port_and_answers) {
   start({"--clock-hz", "4000000"});
-  const std::string load = BUILD_DIRECTORY "/bin/stepfabric load ";
-  const std::string firmware = BUILD_DIRECTORY "/firmware/firmware.elf ";
-  EXPECT_EQ(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
+  const process::Start load{
+      .arguments = {stepfabric, "load", BUILD_DIRECTORY "/firmware/firmware.elf", port.string()}};
+  EXPECT_EQ(process::capture(load).exit_status, 0);
   const int host = open_port();
   EXPECT_TRUE(connect(host));
   close(host);
   EXPECT_EQ(stop(), 0);
   // With no program at the other end.
-  EXPECT_NE(std::system((load + firmware + port.string() + " 2> /dev/null").c_str()), 0);
+  EXPECT_NE(process::capture(load).exit_status, 0);
 }
 
 // The whole memory a jump to itself: it looks to a reader of the firmware's words like 111 lines.
@@ -160,8 +156,8 @@ TEST_F(Serve, outlives_another_program_and_serves_the_firmware_again) {
     std::ofstream stream(program, std::ios::binary);
     for (int i = 0; i < 12'500; ++i) stream.write("\x6f\0\0\0", 4);
   }
-  const std::string load = BUILD_DIRECTORY "/bin/stepfabric load " + program + " " + port.string();
-  EXPECT_EQ(std::system((load + " 2> /dev/null").c_str()), 0);
+  const process::Start load{.arguments = {stepfabric, "load", program, port.string()}};
+  EXPECT_EQ(process::capture(load).exit_status, 0);
   std::this_thread::sleep_for(2s);
   const int host = open_port();  // resets the chip
   EXPECT_NE(read_until(host, "start\n").find("start\n"), std::string::npos);

@@ -2,9 +2,7 @@
 // Starts QEMU with its log on a pipe and reads the blocks that `-d cpu` writes.
 #include "tests/processor/qemu_machine.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -35,30 +33,21 @@ QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb) {
       .write(reinterpret_cast<const char*>(image.data()),
              static_cast<std::streamsize>(image.size()));
 
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
-  process_ = fork();
-  if (process_ < 0) throw std::runtime_error("cannot start QEMU");
-  if (process_ == 0) {
-    dup2(ends[1], STDERR_FILENO);
-    const std::string loader =
-        "loader,file=" + image_file_.string() + ",addr=0x80000000,force-raw=on";
-    const char* const processor = has_zbb ? "rv32i,m=on,c=on,zicsr=on,zifencei=on,zbb=on"
-                                          : "rv32i,m=on,c=on,zicsr=on,zifencei=on";
-    execlp("qemu-system-riscv32", "qemu-system-riscv32", "-machine", "virt", "-cpu", processor,
-           "-m", "1M", "-bios", "none", "-display", "none", "-monitor", "none", "-serial", "none",
-           "-accel", "tcg,one-insn-per-tb=on", "-device", loader.c_str(), "-d", "cpu,nochain",
-           // As a file it is written line by line, otherwise number by number.
-           "-D", "/dev/stderr", static_cast<char*>(nullptr));
-    _exit(127);
-  }
-  close(ends[1]);
-  log_ = fdopen(ends[0], "r");
+  const std::string loader = "loader,file=" + name + ",addr=0x80000000,force-raw=on";
+  const std::string base = "rv32i,m=on,c=on,zicsr=on,zifencei=on";
+  process_.emplace(process::Start{
+      .arguments = {"qemu-system-riscv32", "-machine", "virt", "-cpu",
+                    has_zbb ? base + ",zbb=on" : base, "-m", "1M", "-bios", "none", "-display",
+                    "none", "-monitor", "none", "-serial", "none", "-accel",
+                    "tcg,one-insn-per-tb=on", "-device", loader, "-d", "cpu,nochain",
+                    // As a file it is written line by line, otherwise number by number.
+                    "-D", "/dev/stderr"},
+      .to_pipe = true});
+  log_ = fdopen(dup(process_->pipe()), "r");
 }
 
 QemuMachine::~QemuMachine() {
-  kill(process_, SIGKILL);
-  waitpid(process_, nullptr, 0);
+  process_->signal(SIGKILL);
   if (log_ != nullptr) std::fclose(log_);
   std::filesystem::remove(image_file_);
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/process/process.hpp"
+
 namespace processor {
 
 // State in QEMU's log before an instruction.
@@ -42,7 +44,7 @@ class QemuMachine {
   bool read_line();
 
   std::filesystem::path image_file_;
-  int process_ = -1;
+  std::optional<process::Process> process_;
   std::FILE* log_ = nullptr;
   std::array<char, 256> line_{};
 };

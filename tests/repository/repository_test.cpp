@@ -190,6 +190,23 @@ TEST(repository, nothing_names_a_folder_of_somebodys_machine) {
   }
 }
 
+// A test that forks itself, with no program, says so here.
+TEST(repository, programs_are_started_in_one_place) {
+  const std::set<std::string> forks_itself{"tests/sim/pseudo_terminal_path_test.cpp"};
+  const std::regex start(R"(\b(fork|posix_spawnp?|exec[lv]p?e?|popen|std::system)\()");
+  for (const fs::path& file : files({".cpp", ".hpp"})) {
+    const std::string folder = file.begin()->string();
+    if (folder == "firmware" || file.parent_path() == "tools/process" ||
+        forks_itself.contains(file) || file.filename() == "repository_test.cpp") {
+      continue;
+    }
+    std::smatch match;
+    const std::string text = files::text_of(project / file);
+    EXPECT_FALSE(std::regex_search(text, match, start))
+        << file << " calls " << match[1] << ": tools/process starts programs";
+  }
+}
+
 TEST(repository, the_firmware_logic_includes_no_hardware) {
   const std::regex hardware(R"(#include "(drivers|platform|sim)/)");
   for (const char* folder : {"firmware/units", "firmware/gcode", "firmware/motion",

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Long jobs end when they are asked to, by Ctrl-C or `kill`, and say so.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <iterator>
+#include <optional>
 #include <thread>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
 
 namespace {
 
@@ -27,25 +25,10 @@ class StartedJob {
   explicit StartedJob(std::vector<std::string> arguments)
       : output_(scenarios::scratch_folder() / "output") {
     arguments.insert(arguments.begin(), BUILD_DIRECTORY "/bin/stepfabric");
-    std::vector<char*> words;
-    for (std::string& argument : arguments) words.push_back(argument.data());
-    words.push_back(nullptr);
     setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
     // What a job of an earlier run said is not this one's.
     std::filesystem::remove(output_);
-    process_ = fork();
-    if (process_ == 0) {
-      const int file = open(output_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-      dup2(file, STDOUT_FILENO);
-      dup2(file, STDERR_FILENO);
-      execv(words[0], words.data());
-      _exit(127);
-    }
-  }
-  ~StartedJob() {
-    if (process_ <= 0) return;
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
+    process_.emplace(process::Start{.arguments = arguments, .output = output_});
   }
   StartedJob(const StartedJob&) = delete;
   StartedJob& operator=(const StartedJob&) = delete;
@@ -56,11 +39,9 @@ class StartedJob {
   }
   // The exit status after the signal; -1 where it does not end.
   int status_after(int signal) {
-    kill(process_, signal);
-    int status = 0;
-    if (!comes_true([&] { return waitpid(process_, &status, WNOHANG) == process_; })) return -1;
-    process_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    process_->signal(signal);
+    if (!comes_true([&] { return process_->ending().has_value(); })) return -1;
+    return process_->ending()->exit_status;
   }
 
  private:
@@ -75,7 +56,7 @@ class StartedJob {
   }
 
   std::filesystem::path output_;
-  pid_t process_ = 0;
+  std::optional<process::Process> process_;
 };
 
 TEST(interrupt, ends_the_stepping_benchmark_in_its_search) {

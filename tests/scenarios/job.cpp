@@ -1,42 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts the `stepfabric` program of this build and collects what it leaves.
 #include "tests/scenarios/job.hpp"
-#include "directories.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
+#include <cstdlib>
 #include <fstream>
-#include <stdexcept>
+
+#include "directories.hpp"
+#include "tools/process/process.hpp"
 
 namespace scenarios {
-namespace {
-
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& word) {
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-}  // namespace
-
 JobResult run_job(const std::vector<std::string>& arguments) {
-  std::string command = "STEPFABRIC_BUILD_DIR=" + quoted(BUILD_DIRECTORY) + " " +
-                        quoted(std::string(BUILD_DIRECTORY) + "/bin/stepfabric");
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  command += " 2>&1 < /dev/null";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  JobResult result;
-  std::array<char, 4096> buffer{};
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) result.output += buffer.data();
-  const int status = pclose(pipe);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
+  setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+  process::Start start{.arguments = {BUILD_DIRECTORY "/bin/stepfabric"}, .has_input = false};
+  start.arguments.insert(start.arguments.end(), arguments.begin(), arguments.end());
+  const process::Captured job = process::capture(start);
+  return {.status = job.exit_status, .output = job.output};
 }
 
 fs::path scratch_folder() {

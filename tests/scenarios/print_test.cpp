@@ -11,6 +11,7 @@
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
 
 namespace {
 
@@ -45,9 +46,9 @@ void expect_clean(const Print& print) {
 // The judge that shares nothing with firmware and simulation.
 void expect_edges_as_asked(const std::string& gcode, const Print& print, int clock_hz) {
   const std::string step_us = std::to_string(2 * (clock_hz / 1'000'000));
-  const std::string command = std::string(BUILD_DIRECTORY) + "/bin/check_edges '" + gcode + "' '" +
-                              print.edges.string() + "' --shortest-interval " + step_us;
-  EXPECT_EQ(std::system(command.c_str()), 0);
+  const process::Start check{.arguments = {BUILD_DIRECTORY "/bin/check_edges", gcode,
+                                           print.edges.string(), "--shortest-interval", step_us}};
+  EXPECT_EQ(process::run(check).exit_status, 0);
 }
 
 std::string totals(const Print& print) {

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -14,6 +13,7 @@
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
 
 namespace {
 
@@ -40,15 +40,7 @@ class ReportFiles : public testing::Test {
   static int shell(const std::string& line) {
     setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
     const std::string script = "stepfabric=" BUILD_DIRECTORY "/bin/stepfabric; " + line;
-    const char* words[] = {"bash", "-c", script.c_str(), nullptr};
-    const pid_t child = fork();
-    if (child == 0) {
-      execvp(words[0], const_cast<char**>(words));
-      _exit(127);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return process::run({.arguments = {"bash", "-c", script}}).exit_status;
   }
   std::string print_line(const std::string& options = "") const {
     return "\"$stepfabric\" print " + gcode.string() + " --report " + report.string() + " " +

@@ -2,11 +2,12 @@
 // Reads a board's tables, its top entity's ports, and the pin constraints that are generated.
 #include "tests/synthesis/board_pins.hpp"
 
-#include <cstdio>
 #include <fstream>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+
+#include "tools/process/process.hpp"
 
 namespace synthesis {
 namespace {
@@ -64,15 +65,9 @@ std::vector<Row> read_table(const std::filesystem::path& file) {
 
 Constraints generate_constraints(const std::filesystem::path& project, const std::string& board) {
   const std::string script = (project / "tools/hardware/write_constraints.sh").string();
-  const std::string command = "'" + script + "' '" + project.string() + "' '" + board + "' 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot call " + script);
-  std::string text;
-  for (int character = std::fgetc(pipe); character != EOF; character = std::fgetc(pipe)) {
-    text += static_cast<char>(character);
-  }
+  const auto [status, text] = process::capture({.arguments = {script, project.string(), board}});
   Constraints constraints;
-  if (pclose(pipe) != 0) {
+  if (status != 0) {
     constraints.refusal = text;
     return constraints;
   }

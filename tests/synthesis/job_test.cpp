@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "directories.hpp"
 #include "sim/devices/path_lock.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
 
 namespace synthesis {
 namespace {
@@ -151,11 +151,12 @@ echo "ERROR: Unable to place cell 'x', no BELs remaining to implement cell type 
 exit 1
 )";
   std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
-  const std::string command = "cd '" + folder_.string() +
-                              "' && directory=. && . '" PROJECT_DIRECTORY
-                              "/tools/hardware/steps.sh' && place ./nextpnr 2> words";
-  EXPECT_NE(std::system(command.c_str()), 0);
-  const std::string words = text_of("words");
+  const auto [status, words] = process::capture(
+      {.arguments = {"sh", "-c",
+                     "directory=. && . '" PROJECT_DIRECTORY
+                     "/tools/hardware/steps.sh' && place ./nextpnr"},
+       .folder = folder_});
+  EXPECT_NE(status, 0);
   EXPECT_NE(words.find("does not fit into this device"), std::string::npos) << words;
   EXPECT_NE(words.find("ICESTORM_LC:  9679/ 7680   126%"), std::string::npos) << words;
   EXPECT_EQ(words.find("ICESTORM_RAM"), std::string::npos) << words;

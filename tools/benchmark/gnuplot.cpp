@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 #include <stdexcept>
 
 #include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
 
 namespace benchmarks {
 
@@ -50,9 +50,8 @@ std::string svg_of(const std::string& name, PictureSize size, const std::string&
       "font \"Lato,DejaVu Sans,sans-serif,14\" background \"#ffffff\"\n"
       "set output \"{}\"\n{}",
       size.width, size.height, name, picture.string(), script);
-  const std::string command =
-      fmt::format("gnuplot '{}' > '{}' 2>&1", script_file.string(), messages.string());
-  if (std::system(command.c_str()) != 0) {
+  const process::Start gnuplot{.arguments = {"gnuplot", script_file.string()}, .output = messages};
+  if (process::run(gnuplot).exit_status != 0) {
     throw std::runtime_error(fmt::format("gnuplot failed: {}", files::text_of(messages)));
   }
   const std::string svg = files::text_of(picture);

@@ -13,15 +13,11 @@ std::filesystem::path project_folder();
 std::filesystem::path build_folder();
 
 // Builds targets, with the output in <build>/build.log. Throws std::runtime_error with
-// the end of the log. As run_program(), ends what it has started and throws Interrupted
-// on a signal (signals.hpp).
+// the end of the log. On a signal it ends what it has started and throws Interrupted (signals.hpp).
 void build(const std::vector<std::string>& targets);
 
 // Runs a program with this one's terminal and waits for it; returns its exit status (128 + signal).
+// On a signal it ends what it has started and throws Interrupted.
 int run_program(const std::vector<std::string>& arguments);
-
-// Goes on as another program, which gets this one's terminal and its signals. Throws
-// std::runtime_error where it cannot be started.
-[[noreturn]] void become_program(const std::vector<std::string>& arguments);
 
 }  // namespace command

@@ -22,6 +22,7 @@
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
+#include "tools/process/process.hpp"
 #include "tools/proof/run.hpp"
 #include "tools/synthesis/job.hpp"
 
@@ -49,7 +50,7 @@ struct Jobs {
   build({name});
   std::vector<std::string> words{(build_folder() / "bin" / name).string()};
   words.insert(words.end(), arguments + 1, arguments + count);
-  become_program(words);
+  process::become(words);
 }
 
 bool this_is_program(const char* path, std::string_view name) {
@@ -93,7 +94,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   }
   build({"firmware"});  // synth
   const auto firmware = build_folder() / "firmware" / "firmware.elf";
-  return synthesis::synthesize(jobs.synth, project_folder(), firmware) ? success : failure;
+  return synthesis::synthesize(jobs.synth, project_folder(), firmware, end_if_interrupted) ? success : failure;
 }
 
 // What is opened while one of these is closed gets its number, and what is then said on the stream

@@ -13,27 +13,12 @@
 #include <vector>
 
 #include "sim/devices/path_lock.hpp"
+#include "tools/process/process.hpp"
 #include "tools/synthesis/device.hpp"
 #include "tools/synthesis/report.hpp"
 
 namespace synthesis {
 namespace {
-
-std::string quoted(const std::filesystem::path& path) {
-  std::string text = "'";
-  for (const char character : path.string()) {
-    if (character == '\'') {
-      text += "'\\''";
-    } else {
-      text += character;
-    }
-  }
-  return text + "'";
-}
-
-void call(const std::string& command) {
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("the synthesis failed");
-}
 
 // All that the tools make there would be mixed with what another synthesis makes.
 void take(const std::filesystem::path& directory, std::optional<devices::PathLock>& lock) {
@@ -49,40 +34,42 @@ void take(const std::filesystem::path& directory, std::optional<devices::PathLoc
 class Scripts {
  public:
   Scripts(const Options& options, const std::filesystem::path& project,
-          const std::filesystem::path& firmware, const std::filesystem::path& directory)
+          const std::filesystem::path& firmware, const std::filesystem::path& directory,
+          const std::function<void()>& look)
       : options_(options),
         device_(device_named(options.device)),
         project_(project),
         firmware_(firmware),
-        directory_(directory) {}
+        directory_(directory),
+        look_(look) {}
 
-  std::string synthesize() const {
-    return fmt::format("{} {} {} {} {}{}", script("synthesize_board.sh", "synthesize_ice40.sh"),
-                       quoted(project_), options_.board,
-                       device_.family == Family::ecp5 ? quoted(firmware_) : options_.device,
-                       quoted(directory_), generics());
+  void synthesize() const {
+    std::vector<std::string> words{
+        script("synthesize_board.sh", "synthesize_ice40.sh"), project_.string(), options_.board,
+        device_.family == Family::ecp5 ? firmware_.string() : options_.device, directory_.string()};
+    if (options_.board == "core") {
+      words.push_back(fmt::format("-gmemory_size_bytes={}", device_.memory_bytes));
+    }
+    if (options_.debug) words.emplace_back("-ghas_debug=true");
+    if (options_.zbb) words.emplace_back("-ghas_zbb=true");
+    call(words);
   }
 
-  std::string place(std::uint32_t seed, const std::filesystem::path& folder) const {
-    return fmt::format("{} {} {} {} {} {} {}", script("place_board.sh", "place_ice40.sh"),
-                       quoted(project_), options_.board, quoted(directory_), options_.device, seed,
-                       quoted(folder));
+  void place(std::uint32_t seed, const std::filesystem::path& folder) const {
+    call({script("place_board.sh", "place_ice40.sh"), project_.string(), options_.board,
+          directory_.string(), options_.device, std::to_string(seed), folder.string()});
   }
 
  private:
-  std::string script(const char* of_ecp5, const char* of_ice40) const {
-    return quoted(project_ / "tools/hardware" /
-                  (device_.family == Family::ecp5 ? of_ecp5 : of_ice40));
+  void call(const std::vector<std::string>& words) const {
+    if (process::run({.arguments = words}, {}, look_).exit_status != 0) {
+      throw std::runtime_error("the synthesis failed");
+    }
   }
 
-  std::string generics() const {
-    std::string text;
-    if (options_.board == "core") {
-      text += fmt::format(" -gmemory_size_bytes={}", device_.memory_bytes);
-    }
-    if (options_.debug) text += " -ghas_debug=true";
-    if (options_.zbb) text += " -ghas_zbb=true";
-    return text;
+  std::string script(const char* of_ecp5, const char* of_ice40) const {
+    const char* name = device_.family == Family::ecp5 ? of_ecp5 : of_ice40;
+    return (project_ / "tools/hardware" / name).string();
   }
 
   const Options& options_;
@@ -90,6 +77,7 @@ class Scripts {
   const std::filesystem::path& project_;
   const std::filesystem::path& firmware_;
   const std::filesystem::path& directory_;
+  const std::function<void()>& look_;
 };
 
 }  // namespace
@@ -128,7 +116,7 @@ void add_options(CLI::App& job, Options& options) {
 }
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
-                const std::filesystem::path& firmware) {
+                const std::filesystem::path& firmware, const std::function<void()>& look) {
   const Device& device = device_named(options.device);
   const bool alone = options.board == "core";
   if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");
@@ -140,13 +128,13 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
   std::optional<devices::PathLock> lock;
   take(directory, lock);
-  const Scripts scripts(options, project, firmware, directory);
-  call(scripts.synthesize());
+  const Scripts scripts(options, project, firmware, directory, look);
+  scripts.synthesize();
   Report report;
   std::vector<Placement> placements;
   for (std::uint32_t seed = options.seed; seed < options.seed + options.seeds; ++seed) {
     const std::filesystem::path folder = directory / fmt::format("seed_{}", seed);
-    call(scripts.place(seed, folder));
+    scripts.place(seed, folder);
     const Report placed = read_report(directory, folder, device.family);
     placements.push_back({.seed = seed, .fastest_mhz = placed.fastest_mhz});
     if (placed.fastest_mhz <= report.fastest_mhz) continue;

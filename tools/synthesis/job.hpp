@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace CLI {
@@ -27,8 +28,9 @@ void add_options(CLI::App& job, Options& options);
 // `firmware` is the ELF file that becomes the memory's contents. Writes the netlist, BOARD.bit and
 // synthesis.json of the fastest placement, and a folder for each placement, into the directory.
 // False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
-// tool fails.
+// tool fails. `look` is called every few milliseconds; where it throws, the tools end.
 bool synthesize(const Options& options, const std::filesystem::path& project,
-                const std::filesystem::path& firmware);
+                const std::filesystem::path& firmware,
+                const std::function<void()>& look = {});
 
 }  // namespace synthesis
