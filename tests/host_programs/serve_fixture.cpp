@@ -51,8 +51,8 @@ void Serve::start(const std::vector<std::string>& options, const char* speed) {
   fs::remove(output);
   job_.emplace(process::Start{.arguments = words, .output = output});
   const auto end = std::chrono::steady_clock::now() + patience;
-  while (file("output").find("serving ") == std::string::npos &&
-         !job_->ending() && std::chrono::steady_clock::now() < end) {
+  while (file("output").find("serving ") == std::string::npos && !job_->ending() &&
+         std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(50ms);
   }
   ASSERT_TRUE(fs::is_symlink(port));

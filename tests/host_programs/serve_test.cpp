@@ -123,9 +123,9 @@ TEST_F(Serve, a_host_that_only_writes_and_closes_is_obeyed) {
 
 TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
   start({});
-  const auto second = process::capture(
-      {.arguments = {stepfabric, "serve", "--speed", "max", "--until", "1", "--pty", port.string(),
-                     "--report", file_path("second")}});
+  const auto second =
+      process::capture({.arguments = {stepfabric, "serve", "--speed", "max", "--until", "1",
+                                      "--pty", port.string(), "--report", file_path("second")}});
   EXPECT_EQ(second.exit_status, 2);
   EXPECT_NE(second.output.find("port is in use by process "), std::string::npos);
   const int host = open_port();

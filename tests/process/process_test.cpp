@@ -22,7 +22,7 @@ Start shell(const std::string& script) { return {.arguments = {"sh", "-c", scrip
 
 bool ends_soon(pid_t process) {
   for (int i = 0; i < 500; ++i) {
-    // A process that nobody has waited for yet is still there, but does nothing any more.
+    // A process that has not been waited for yet is still there, but does nothing any more.
     const std::string status = files::text_of("/proc/" + std::to_string(process) + "/stat");
     if (status.empty() || status.find(") Z ") != std::string::npos) {
       return true;
@@ -35,8 +35,10 @@ bool ends_soon(pid_t process) {
 // A shell that starts a sleeper, writes its number into `sleeper`, and waits for it.
 class ProcessGroup : public testing::Test {
  protected:
-  Start parent() { return {.arguments = {"sh", "-c", "sleep 600 & echo $! > sleeper; wait"},
-                           .folder = folder.path()}; }
+  Start parent() {
+    return {.arguments = {"sh", "-c", "sleep 600 & echo $! > sleeper; wait"},
+            .folder = folder.path()};
+  }
   pid_t sleeper() const {
     pid_t number = 0;
     while (!(std::ifstream(folder.path() / "sleeper") >> number)) {

@@ -151,11 +151,11 @@ echo "ERROR: Unable to place cell 'x', no BELs remaining to implement cell type 
 exit 1
 )";
   std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
-  const auto [status, words] = process::capture(
-      {.arguments = {"sh", "-c",
-                     "directory=. && . '" PROJECT_DIRECTORY
-                     "/tools/hardware/steps.sh' && place ./nextpnr"},
-       .folder = folder_});
+  const auto [status, words] =
+      process::capture({.arguments = {"sh", "-c",
+                                      "directory=. && . '" PROJECT_DIRECTORY
+                                      "/tools/hardware/steps.sh' && place ./nextpnr"},
+                        .folder = folder_});
   EXPECT_NE(status, 0);
   EXPECT_NE(words.find("does not fit into this device"), std::string::npos) << words;
   EXPECT_NE(words.find("ICESTORM_LC:  9679/ 7680   126%"), std::string::npos) << words;

@@ -22,6 +22,7 @@
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
+#include "tools/figures/job.hpp"
 #include "tools/process/process.hpp"
 #include "tools/proof/run.hpp"
 #include "tools/synthesis/job.hpp"
@@ -40,6 +41,7 @@ struct Jobs {
   BenchOptions bench;
   DebugOptions debug;
   FuzzOptions fuzz;
+  figures::Options figures;
   std::vector<std::string> labels;
 };
 
@@ -89,12 +91,19 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("test")) {
     return test(jobs.labels);
   }
+  if (app.got_subcommand("figures")) {
+    const bool good =
+        figures::run(jobs.figures, project_folder(), build_folder(), build, end_if_interrupted);
+    return good ? success : failure;
+  }
   if (app.got_subcommand("prove")) {
     return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
   }
   build({"firmware"});  // synth
   const auto firmware = build_folder() / "firmware" / "firmware.elf";
-  return synthesis::synthesize(jobs.synth, project_folder(), firmware, end_if_interrupted) ? success : failure;
+  return synthesis::synthesize(jobs.synth, project_folder(), firmware, end_if_interrupted)
+             ? success
+             : failure;
 }
 
 // What is opened while one of these is closed gets its number, and what is then said on the stream
@@ -132,6 +141,9 @@ int run_command(int count, char** arguments) {
       *app.add_subcommand("synth", "Synthesise, place and route the chip with its firmware."),
       jobs.synth);
   add_options(app, jobs.bench);
+  figures::add_options(
+      *app.add_subcommand("figures", "Measure the figures that the pages show, and write them."),
+      jobs.figures);
   add_options(app, jobs.debug);
   try {
     app.parse(count, arguments);

@@ -15,18 +15,18 @@ namespace process {
 
 struct Start {
   std::vector<std::string> arguments;  // the program first, looked for along PATH
-  std::filesystem::path folder{};      // it runs there; empty: in this process's folder
-  std::filesystem::path output{};      // file for standard output; empty: this process's own
-  std::filesystem::path errors{};      // file for standard error; empty: where the output goes
-  bool to_pipe = false;                // both streams are read through Process::pipe()
-  bool has_input = true;               // this process's standard input; false: none
-  std::chrono::seconds cpu_limit{0};   // of each process, killed when it has used so much; 0: none
+  std::filesystem::path folder{};  // it runs there; empty: in this process's folder
+  std::filesystem::path output{};  // file for standard output; empty: this process's own
+  std::filesystem::path errors{};  // file for standard error; empty: where the output goes
+  bool to_pipe = false;  // both streams are read through Process::pipe()
+  bool has_input = true;  // this process's standard input; false: none
+  std::chrono::seconds cpu_limit{0};  // of each process, killed when it has used so much; 0: none
 };
 
 struct Ending {
-  int exit_status{};        // 128 + signal where a signal ended it, 127 where it was not found
-  bool timed_out{};         // at the limit of run(), or at `cpu_limit`
-  double cpu_seconds{};     // of the program and of the children that it waited for
+  int exit_status{};  // 128 + signal where a signal ended it, 127 where it was not found
+  bool timed_out{};  // at the limit of run(), or at `cpu_limit`
+  double cpu_seconds{};  // of the program and of the children that it waited for
 };
 
 // A running program, at the head of a process group of its own: what it starts in turn is signalled

@@ -30,7 +30,6 @@ void add_options(CLI::App& job, Options& options);
 // False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
 // tool fails. `look` is called every few milliseconds; where it throws, the tools end.
 bool synthesize(const Options& options, const std::filesystem::path& project,
-                const std::filesystem::path& firmware,
-                const std::function<void()>& look = {});
+                const std::filesystem::path& firmware, const std::function<void()>& look = {});
 
 }  // namespace synthesis
