@@ -41,9 +41,7 @@ class ProcessGroup : public testing::Test {
   }
   pid_t sleeper() const {
     pid_t number = 0;
-    while (!(std::ifstream(folder.path() / "sleeper") >> number)) {
-      std::this_thread::sleep_for(5ms);
-    }
+    while (!(std::ifstream(folder.path() / "sleeper") >> number)) std::this_thread::sleep_for(5ms);
     return number;
   }
   TemporaryFolder folder;

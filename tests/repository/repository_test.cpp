@@ -2,52 +2,22 @@
 // Rules of the tree that a text search can check: the layout, file headers, forbidden VHDL.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
-#include "directories.hpp"
-#include "tools/files/file_text.hpp"
+#include "tests/repository/tree.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path project = PROJECT_DIRECTORY;
-
-bool lies_in_a_hidden_or_build_folder(const fs::path& relative) {
-  const std::string first = relative.begin()->string();
-  return first == "build" || first == ".git" || first == ".cache" || first == "report";
-}
-
-// All files of the tree, but for build products, as paths relative to the project.
-std::vector<fs::path> files(const std::set<std::string>& extensions, const fs::path& below = "") {
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::recursive_directory_iterator(project / below)) {
-    const fs::path relative = fs::relative(entry.path(), project);
-    if (!entry.is_regular_file() || lies_in_a_hidden_or_build_folder(relative)) continue;
-    if (extensions.contains(relative.extension().string())) found.push_back(relative);
-  }
-  std::ranges::sort(found);
-  return found;
-}
-
-const std::set<std::string> source_extensions{".vhd", ".cpp",   ".hpp",  ".c",  ".h",  ".S",
-                                              ".sh",  ".cmake", ".toml", ".ld", ".vlt"};
-
-bool is_generated(const fs::path& relative) {
-  const std::string folder = relative.parent_path().string();
-  return (folder == "rtl/registers" || folder == "firmware/registers") &&
-         relative.extension() != ".md";
-}
+using ::files::text_of;
+using repository::files;
+using repository::is_generated;
+using repository::project;
+using repository::source_extensions;
 
 TEST(repository, every_source_file_names_its_licence_at_the_top) {
   for (const fs::path& file : files(source_extensions)) {
-    std::istringstream text(files::text_of(project / file));
+    std::istringstream text(text_of(project / file));
     std::string line;
     bool found = false;
     for (int i = 0; i < 3 && std::getline(text, line); ++i) {
@@ -72,7 +42,7 @@ TEST(repository, every_folder_of_sources_explains_itself_in_a_readme) {
 TEST(repository, every_link_of_a_page_leads_to_a_file) {
   const std::regex link(R"(\]\(([^)#:\s]+)(#[^)]*)?\))");
   for (const fs::path& file : files({".md"})) {
-    const std::string text = files::text_of(project / file);
+    const std::string text = text_of(project / file);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const fs::path target = project / file.parent_path() / (*match)[1].str();
       EXPECT_TRUE(fs::exists(target)) << file << " links to " << (*match)[1];
@@ -89,7 +59,7 @@ TEST(repository, retired_words_stay_away) {
   extensions.insert({".md", ".psl", ".txt", ".csv"});
   for (const fs::path& file : files(extensions)) {
     if (file.filename() == "repository_test.cpp" || file.begin()->string() == "examples") continue;
-    std::istringstream text(files::text_of(project / file));
+    std::istringstream text(text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       std::smatch match;
@@ -105,7 +75,7 @@ TEST(repository, every_entity_has_a_test_bench) {
   const std::regex entity(R"((?:^|\n)entity (\w+) is)");
   for (const fs::path& file : files({".vhd"}, "rtl")) {
     if (is_generated(file)) continue;
-    const std::string text = files::text_of(project / file);
+    const std::string text = text_of(project / file);
     for (std::sregex_iterator match(text.begin(), text.end(), entity), end; match != end; ++match) {
       const std::string name = (*match)[1];
       EXPECT_TRUE(benches.contains(name + "_tb")) << file << ": entity " << name << " has no bench";
@@ -116,7 +86,7 @@ TEST(repository, every_entity_has_a_test_bench) {
 TEST(repository, every_test_bench_is_run_by_ctest) {
   for (const fs::path& file : files({".vhd"}, "testbench")) {
     if (!file.stem().string().ends_with("_tb")) continue;
-    const std::string list = files::text_of(project / file.parent_path() / "CMakeLists.txt");
+    const std::string list = text_of(project / file.parent_path() / "CMakeLists.txt");
     const std::string bench = file.stem().string();
     const std::regex listed("\\b" + bench.substr(0, bench.size() - 3) + "(_tb)?\\b");
     EXPECT_TRUE(std::regex_search(list, listed))
@@ -139,7 +109,7 @@ TEST(repository, the_hardware_uses_no_construct_that_synthesis_gets_wrong) {
       {std::regex(R"(\b(altsyncram|altpll|EHXPLLL|DP16KD)\b)"),
        "vendor primitive outside boards/"}};
   for (const fs::path& file : files({".vhd"}, "rtl")) {
-    std::istringstream text(files::text_of(project / file));
+    std::istringstream text(text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       const std::string code = line.substr(0, line.find("--"));
@@ -150,39 +120,12 @@ TEST(repository, the_hardware_uses_no_construct_that_synthesis_gets_wrong) {
   }
 }
 
-TEST(repository, lines_are_at_most_100_columns_wide_in_cpp_and_110_in_vhdl) {
-  for (const fs::path& file : files({".vhd", ".cpp", ".hpp"})) {
-    if (is_generated(file)) continue;
-    const int most = file.extension() == ".vhd" ? 110 : 100;
-    std::istringstream text(files::text_of(project / file));
-    std::string line;
-    for (int number = 1; std::getline(text, line); ++number) {
-      const auto columns = std::ranges::count_if(
-          line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; });
-      EXPECT_LE(columns, most) << file << ":" << number;
-    }
-  }
-}
-
-// A file is about one thing, and a screen or five.
-TEST(repository, no_source_file_is_longer_than_300_lines) {
-  constexpr auto most = 300;
-  std::set<std::string> extensions = source_extensions;
-  extensions.insert({".psl", ".py", ".smt2", ".tcl", ".gdb"});
-  for (const fs::path& file : files(extensions)) {
-    if (is_generated(file)) continue;
-    const std::string text = files::text_of(project / file);
-    EXPECT_LE(std::ranges::count(text, '\n'), most)
-        << file << ": split it by what its parts are about";
-  }
-}
-
 TEST(repository, nothing_names_a_folder_of_somebodys_machine) {
   const std::regex personal(R"((^|[^A-Za-z0-9_.])/(home|root|work|Users)/)");
   std::set<std::string> extensions = source_extensions;
   extensions.insert({".md", ".txt", ".json"});
   for (const fs::path& file : files(extensions)) {
-    std::istringstream text(files::text_of(project / file));
+    std::istringstream text(text_of(project / file));
     std::string line;
     for (int number = 1; std::getline(text, line); ++number) {
       EXPECT_FALSE(std::regex_search(line, personal)) << file << ":" << number << ": " << line;
@@ -201,7 +144,7 @@ TEST(repository, programs_are_started_in_one_place) {
       continue;
     }
     std::smatch match;
-    const std::string text = files::text_of(project / file);
+    const std::string text = text_of(project / file);
     EXPECT_FALSE(std::regex_search(text, match, start))
         << file << " calls " << match[1] << ": tools/process starts programs";
   }
@@ -212,7 +155,7 @@ TEST(repository, the_firmware_logic_includes_no_hardware) {
   for (const char* folder : {"firmware/units", "firmware/gcode", "firmware/motion",
                              "firmware/thermal", "firmware/host_link"}) {
     for (const fs::path& file : files({".cpp", ".hpp"}, folder)) {
-      EXPECT_FALSE(std::regex_search(files::text_of(project / file), hardware)) << file;
+      EXPECT_FALSE(std::regex_search(text_of(project / file), hardware)) << file;
     }
   }
 }

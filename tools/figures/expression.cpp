@@ -24,9 +24,7 @@ class Parser {
 
   double all() {
     const double value = sum();
-    if (next() != '\0') {
-      throw std::runtime_error(fmt::format("\"{}\" is too much", rest_));
-    }
+    if (next() != '\0') throw std::runtime_error(fmt::format("\"{}\" is too much", rest_));
     return value;
   }
 
@@ -72,9 +70,7 @@ class Parser {
 
   double figure() {
     std::size_t length = 0;
-    while (length < rest_.size() && is_part_of_name(rest_[length])) {
-      ++length;
-    }
+    while (length < rest_.size() && is_part_of_name(rest_[length])) ++length;
     const std::string name(rest_.substr(0, length));
     rest_.remove_prefix(length);
     const std::size_t dot = name.find('.');
@@ -89,9 +85,7 @@ class Parser {
 
   // The next character that is no blank; '\0' at the end.
   char next() {
-    while (rest_.starts_with(' ')) {
-      rest_.remove_prefix(1);
-    }
+    while (rest_.starts_with(' ')) rest_.remove_prefix(1);
     return rest_.empty() ? '\0' : rest_.front();
   }
 
@@ -105,9 +99,7 @@ std::string with_thousands_set_apart(const std::string& number) {
   const std::size_t sign = number.starts_with('-') ? 1 : 0;
   std::string text = number;
   if (point - sign > 4) {
-    for (std::size_t at = point - 3; at > sign && at < point; at -= 3) {
-      text.insert(at, " ");
-    }
+    for (std::size_t at = point - 3; at > sign && at < point; at -= 3) text.insert(at, " ");
   }
   return text;
 }
@@ -115,9 +107,7 @@ std::string with_thousands_set_apart(const std::string& number) {
 int decimals_of(const std::string& text) {
   std::size_t length = 0;
   const int decimals = std::stoi(text, &length);
-  if (decimals < 0 || decimals > 9) {
-    throw std::runtime_error("0 to 9 decimals are possible");
-  }
+  if (decimals < 0 || decimals > 9) throw std::runtime_error("0 to 9 decimals are possible");
   return decimals;
 }
 

@@ -15,9 +15,7 @@ namespace {
 std::vector<std::string> words_of(const toml::table& table, const char* name) {
   std::vector<std::string> words;
   if (const toml::array* array = table[name].as_array()) {
-    for (const toml::node& node : *array) {
-      words.push_back(node.value<std::string>().value());
-    }
+    for (const toml::node& node : *array) words.push_back(node.value<std::string>().value());
   }
   return words;
 }

@@ -34,9 +34,7 @@ const Group& group_named(const Project& project, const std::string& name) {
 }
 
 bool report(const std::vector<std::string>& problems) {
-  for (const std::string& problem : problems) {
-    fmt::print(stderr, "{}\n", problem);
-  }
+  for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
   return problems.empty();
 }
 
@@ -55,19 +53,13 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
          const std::filesystem::path& build_folder, const Build& build,
          const std::function<void()>& look) {
   Project project = read_project(project_folder);
-  if (options.check) {
-    return report(problems_of(project));
-  }
+  if (options.check) return report(problems_of(project));
   std::vector<std::string> names = options.names;
   if (names == std::vector<std::string>{"all"}) {
     names.clear();
-    for (const auto& [name, group] : project.groups) {
-      names.push_back(name);
-    }
+    for (const auto& [name, group] : project.groups) names.push_back(name);
   }
-  for (const std::string& name : names) {
-    group_named(project, name);
-  }
+  for (const std::string& name : names) group_named(project, name);
   for (const std::string& name : names) {
     const Group& group = group_named(project, name);
     fmt::print(stderr, "stepfabric: {}: {}, some {} min\n", name, group.command_text(),
@@ -76,9 +68,7 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
     project.store[name] = measure(group, {project_folder, build_folder, look});
     std::ofstream(store_file(project_folder)) << to_json(project.store);
   }
-  if (names.empty()) {
-    list(project);
-  }
+  if (names.empty()) list(project);
   return report(update_pages(project));
 }
 

@@ -13,9 +13,7 @@ int main(int count, char** arguments) {
   CLI11_PARSE(app, count, arguments);
   try {
     const auto problems = figures::problems_of(figures::read_project(project));
-    for (const std::string& problem : problems) {
-      std::puts(problem.c_str());
-    }
+    for (const std::string& problem : problems) std::puts(problem.c_str());
     return problems.empty() ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "check_figures: %s\n", error.what());

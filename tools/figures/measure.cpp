@@ -37,9 +37,7 @@ std::string this_machine() {
 
 nlohmann::json json_of(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) {
-    throw std::runtime_error(fmt::format("{} was not written", file.string()));
-  }
+  if (!stream) throw std::runtime_error(fmt::format("{} was not written", file.string()));
   return nlohmann::json::parse(stream);
 }
 
@@ -58,9 +56,7 @@ Record measure(const Group& group, const Place& place) {
       {"result", result.string()}};
   process::Start call{
       .arguments = {}, .folder = place.project, .output = output, .has_input = false};
-  for (const std::string& word : group.command) {
-    call.arguments.push_back(filled_in(word, names));
-  }
+  for (const std::string& word : group.command) call.arguments.push_back(filled_in(word, names));
   const int status = process::run(call, {}, place.look).exit_status;
   const std::string said = files::text_of(output);
   if (status != 0) {
@@ -73,9 +69,7 @@ Record measure(const Group& group, const Place& place) {
                 .machine = group.of_machine ? this_machine() : "",
                 .values = {}};
   const auto json = group.result.empty() ? nlohmann::json() : json_of(result);
-  for (const auto& [name, path] : group.paths) {
-    record.values[name] = number_at(json, path);
-  }
+  for (const auto& [name, path] : group.paths) record.values[name] = number_at(json, path);
   for (const auto& [name, expression] : group.matches) {
     record.values[name] = number_in(said, expression);
   }

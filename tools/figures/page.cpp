@@ -32,9 +32,7 @@ class Writer {
         read(line);
       }
     }
-    if (table_) {
-      problem(fmt::format("the table {} has no end", table_->name));
-    }
+    if (table_) problem(fmt::format("the table {} has no end", table_->name));
     return page_;
   }
 

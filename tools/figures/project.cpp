@@ -95,9 +95,7 @@ Project read_project(const fs::path& folder) {
                   .tables = {},
                   .store = read_store(store_file(folder))};
   for (const auto& entry : fs::directory_iterator(home / "tables")) {
-    if (entry.path().extension() != ".md") {
-      continue;
-    }
+    if (entry.path().extension() != ".md") continue;
     project.tables[entry.path().stem().string()] = files::text_of(entry.path());
   }
   return project;
@@ -114,18 +112,14 @@ std::vector<std::string> problems_of(const Project& project) {
     }
   }
   for (const auto& [name, text] : project.tables) {
-    if (!used.contains(name)) {
-      problems.push_back(fmt::format("table {}: no page shows it", name));
-    }
+    if (!used.contains(name)) problems.push_back(fmt::format("table {}: no page shows it", name));
   }
   return problems;
 }
 
 std::vector<std::string> update_pages(const Project& project) {
   each_page(project, [&](const fs::path& file, const std::string& before, const Page& page) {
-    if (page.text != before) {
-      std::ofstream(project.folder / file, std::ios::binary) << page.text;
-    }
+    if (page.text != before) std::ofstream(project.folder / file, std::ios::binary) << page.text;
   });
   // What has been written is right; what is still wrong cannot be made.
   return problems_of(project);

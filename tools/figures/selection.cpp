@@ -44,24 +44,16 @@ bool meets(const Json& element, const std::string& conditions) {
 Nodes followed(const Json& node, const std::string& part) {
   Nodes found;
   if (part == "*") {
-    for (const Json& element : node) {
-      found.push_back(&element);
-    }
+    for (const Json& element : node) found.push_back(&element);
   } else if (node.is_object()) {
-    if (const auto member = node.find(part); member != node.end()) {
-      found.push_back(&*member);
-    }
+    if (const auto member = node.find(part); member != node.end()) found.push_back(&*member);
   } else if (node.is_array() && part.contains('=')) {
     for (const Json& element : node) {
-      if (meets(element, part)) {
-        found.push_back(&element);
-      }
+      if (meets(element, part)) found.push_back(&element);
     }
   } else if (node.is_array()) {
     const std::size_t index = std::stoul(part);
-    if (index < node.size()) {
-      found.push_back(&node[index]);
-    }
+    if (index < node.size()) found.push_back(&node[index]);
   }
   return found;
 }
@@ -69,22 +61,14 @@ Nodes followed(const Json& node, const std::string& part) {
 std::optional<double> as_number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
 double combined(const std::string& how, const std::vector<double>& numbers) {
-  if (how == "sum") {
-    return std::accumulate(numbers.begin(), numbers.end(), 0.0);
-  }
-  if (how == "max") {
-    return std::ranges::max(numbers);
-  }
-  if (how == "min") {
-    return std::ranges::min(numbers);
-  }
+  if (how == "sum") return std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  if (how == "max") return std::ranges::max(numbers);
+  if (how == "min") return std::ranges::min(numbers);
   throw std::runtime_error(fmt::format("{} is none of sum, max, min, count", how));
 }
 
@@ -92,9 +76,7 @@ double combined(const std::string& how, const std::vector<double>& numbers) {
 
 double number_at(const Json& json, const std::string& path) {
   const std::size_t slash = path.find('/');
-  if (slash == std::string::npos) {
-    throw std::runtime_error(fmt::format("{} is no path", path));
-  }
+  if (slash == std::string::npos) throw std::runtime_error(fmt::format("{} is no path", path));
   Nodes nodes{&json};
   for (const std::string& part : parts_of(path.substr(slash + 1), '/')) {
     Nodes next;
@@ -104,18 +86,14 @@ double number_at(const Json& json, const std::string& path) {
     nodes = next;
   }
   const std::string how = slash == 0 ? "" : path.substr(0, slash - 1);
-  if (how == "count") {
-    return static_cast<double>(nodes.size());
-  }
+  if (how == "count") return static_cast<double>(nodes.size());
   if (nodes.empty() || (how.empty() && nodes.size() != 1)) {
     throw std::runtime_error(fmt::format("{} is there {} times", path, nodes.size()));
   }
   std::vector<double> numbers;
   for (const Json* node : nodes) {
     const auto number = as_number(text_of(*node));
-    if (!number) {
-      throw std::runtime_error(fmt::format("{} is no number: {}", path, node->dump()));
-    }
+    if (!number) throw std::runtime_error(fmt::format("{} is no number: {}", path, node->dump()));
     numbers.push_back(*number);
   }
   return how.empty() ? numbers.front() : combined(how, numbers);
@@ -131,9 +109,7 @@ double number_in(const std::string& text, const std::string& expression) {
     }
     found = number;
   }
-  if (!found) {
-    throw std::runtime_error(fmt::format("{} matches nothing", expression));
-  }
+  if (!found) throw std::runtime_error(fmt::format("{} matches nothing", expression));
   return *found;
 }
 

@@ -30,9 +30,7 @@ Record record_of(const Json& json) {
                 .machine = json.value("machine", ""),
                 .values = {}};
   const Json& values = json.at("values");
-  for (const auto& [name, value] : values.items()) {
-    record.values[name] = value.get<double>();
-  }
+  for (const auto& [name, value] : values.items()) record.values[name] = value.get<double>();
   return record;
 }
 
@@ -43,9 +41,7 @@ Store read_store(const std::filesystem::path& file) {
   try {
     std::ifstream stream(file);
     const Json all = Json::parse(stream);
-    for (const auto& [name, json] : all.items()) {
-      store[name] = record_of(json);
-    }
+    for (const auto& [name, json] : all.items()) store[name] = record_of(json);
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   }
@@ -56,9 +52,7 @@ std::string to_json(const Store& store) {
   Json json = Json::object();
   for (const auto& [name, record] : store) {
     Json& entry = json[name] = {{"command", record.command}, {"measured", record.measured}};
-    if (!record.machine.empty()) {
-      entry["machine"] = record.machine;
-    }
+    if (!record.machine.empty()) entry["machine"] = record.machine;
     entry["values"] = Json::object();
     for (const auto& [value_name, value] : record.values) {
       entry["values"][value_name] = number(value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// figures.json: what was measured, with which command, when, and where that matters on what
-// machine.
+// figures.json: what was measured, with which command, when,
+// and where that matters on what machine.
 #pragma once
 
 #include <filesystem>

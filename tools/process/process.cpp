@@ -34,9 +34,7 @@ class Descriptor {
     return *this;
   }
   ~Descriptor() {
-    if (number_ >= 0) {
-      close(number_);
-    }
+    if (number_ >= 0) close(number_);
   }
   int number() const { return number_; }
   int release() { return std::exchange(number_, -1); }
@@ -47,9 +45,7 @@ class Descriptor {
 
 Descriptor opened(const std::filesystem::path& file, int mode) {
   Descriptor descriptor(open(file.c_str(), mode | O_CLOEXEC, 0644));
-  if (descriptor.number() < 0) {
-    throw std::runtime_error("cannot open " + file.string());
-  }
+  if (descriptor.number() < 0) throw std::runtime_error("cannot open " + file.string());
   return descriptor;
 }
 
@@ -68,22 +64,16 @@ struct Streams {
   Descriptor input, output, errors, reading_end;
 
   explicit Streams(const Start& start) {
-    if (!start.has_input) {
-      input = opened("/dev/null", O_RDONLY);
-    }
+    if (!start.has_input) input = opened("/dev/null", O_RDONLY);
     if (start.to_pipe) {
       std::array<int, 2> ends{};
-      if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        throw std::runtime_error("cannot make a pipe");
-      }
+      if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
       reading_end = Descriptor(ends[0]);
       output = Descriptor(ends[1]);
     } else if (!start.output.empty()) {
       output = opened(start.output, O_WRONLY | O_CREAT | O_TRUNC);
     }
-    if (!start.errors.empty()) {
-      errors = opened(start.errors, O_WRONLY | O_CREAT | O_TRUNC);
-    }
+    if (!start.errors.empty()) errors = opened(start.errors, O_WRONLY | O_CREAT | O_TRUNC);
   }
 };
 
@@ -102,9 +92,7 @@ struct Streams {
   const bool ready = (streams.input.number() < 0 || dup2(streams.input.number(), 0) == 0) &&
                      (output < 0 || dup2(output, 1) == 1) && (errors < 0 || dup2(errors, 2) == 2) &&
                      (*folder == '\0' || chdir(folder) == 0);
-  if (ready) {
-    execvp(arguments[0], arguments);
-  }
+  if (ready) execvp(arguments[0], arguments);
   _exit(ready ? 127 : 126);
 }
 
@@ -121,12 +109,8 @@ Process::Process(const Start& start) : has_cpu_limit_(start.cpu_limit.count() !=
   Streams streams(start);
   std::fflush(nullptr);
   id_ = fork();
-  if (id_ < 0) {
-    throw std::runtime_error("cannot start " + start.arguments.front());
-  }
-  if (id_ == 0) {
-    execute(arguments.data(), folder.c_str(), streams, cpu_seconds);
-  }
+  if (id_ < 0) throw std::runtime_error("cannot start " + start.arguments.front());
+  if (id_ == 0) execute(arguments.data(), folder.c_str(), streams, cpu_seconds);
   setpgid(id_, id_);  // whichever process comes first
   pipe_ = streams.reading_end.release();
 }
@@ -135,23 +119,17 @@ Process::~Process() {
   if (!ending_) {
     signal(SIGTERM);
     const auto end = Clock::now() + grace;
-    while (!collect(WNOHANG) && Clock::now() < end) {
-      std::this_thread::sleep_for(look_interval);
-    }
+    while (!collect(WNOHANG) && Clock::now() < end) std::this_thread::sleep_for(look_interval);
     signal(SIGKILL);
     wait();
   }
-  if (pipe_ >= 0) {
-    close(pipe_);
-  }
+  if (pipe_ >= 0) close(pipe_);
 }
 
 bool Process::collect(int options) {
   int status = 0;
   rusage use{};
-  if (ending_ || wait4(id_, &status, options, &use) != id_) {
-    return ending_.has_value();
-  }
+  if (ending_ || wait4(id_, &status, options, &use) != id_) return ending_.has_value();
   const int killer = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   ending_ = {.exit_status = killer == 0 ? WEXITSTATUS(status) : 128 + killer,
              // At a hard limit equal to the soft one the kernel sends SIGKILL.
@@ -183,9 +161,7 @@ Ending run(const Start& start, std::chrono::seconds limit, const std::function<v
       ending.timed_out = true;
       return ending;
     }
-    if (look) {
-      look();
-    }
+    if (look) look();
     std::this_thread::sleep_for(look_interval);
   }
   return *process.ending();
@@ -198,9 +174,7 @@ Captured capture(Start start) {
   std::array<char, 4096> buffer{};
   for (ssize_t count = 1; count > 0;) {
     count = read(process.pipe(), buffer.data(), buffer.size());
-    if (count > 0) {
-      captured.output.append(buffer.data(), static_cast<std::size_t>(count));
-    }
+    if (count > 0) captured.output.append(buffer.data(), static_cast<std::size_t>(count));
   }
   captured.exit_status = process.wait().exit_status;
   return captured;
