@@ -182,9 +182,7 @@ void Application::report(Now now) {
     link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed))
                   .view());
   }
-  if (due(reports.position_interval(), next_position_)) {
-    link_.say(reports.position_line().view());
-  }
+  if (due(reports.position_interval(), next_position_)) link_.say(reports.position_line().view());
 }
 
 // A host that is gone shall not leave the printer hot for ever.

@@ -16,7 +16,9 @@ Progress FileCommands::select(ActiveCommand& command) {
 
 // Of a file of the host's it asks the host to go on.
 Progress FileCommands::resume(ActiveCommand& command) {
-  if (!file_refused_) return command.say("//action:resume");
+  if (!file_refused_) {
+    return command.say("//action:resume");
+  }
   if (refuse_without_card(command) == Progress::again) return Progress::again;
   file_refused_ = false;
   return Progress::done;

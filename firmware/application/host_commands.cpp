@@ -64,7 +64,9 @@ Progress HostCommands::ask_user(ActiveCommand& command, Question question) {
   }
   const bool over = answer_due_.count() != 0 && now >= answer_due_;
   if (!over && !command.wait_cancelled) return Progress::again;
-  if (said == 0 && command.say("//action:prompt_end") == Progress::again) return Progress::again;
+  if (said == 0 && command.say("//action:prompt_end") == Progress::again) {
+    return Progress::again;
+  }
   said = 1;
   return pauses ? command.say("//action:resumed") : Progress::done;
 }
@@ -91,7 +93,9 @@ Progress HostCommands::say_text(ActiveCommand& command) {
   }
   host_link::TextLine line;
   if (echo || (!action && reads_as_answer(text))) line.text("echo:");
-  if (action) line.text("//");
+  if (action) {
+    line.text("//");
+  }
   return command.say(line.text(text));
 }
 

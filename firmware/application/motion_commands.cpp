@@ -41,9 +41,7 @@ Progress MotionCommands::append(ActiveCommand& command) {
     if (heat_.extrusion_is_cold() || too_long) {
       const char* notice =
           too_long ? "echo: too long extrusion prevented" : "echo: cold extrusion prevented";
-      if (command.lines_said == 0 && command.say(notice) == Progress::again) {
-        return Progress::again;
-      }
+      if (command.lines_said == 0 && command.say(notice) == Progress::again) return Progress::again;
       command.lines_said = 1;
       extruder = before;
     }

@@ -90,8 +90,9 @@ std::uint32_t load_or_pass(bool requested) {
   if (!requested) Line::configure(machine::machine.baud, clock_hz);
   if (requested || program_entry == 0 || knocked(clock_hz)) {
     stop_everything();
-    if (requested)
+    if (requested) {
       Line::send({reinterpret_cast<const std::uint8_t*>(greeting.data()), greeting.size()});
+    }
     program_entry = serve(clock_hz);
   }
   Line::leave();

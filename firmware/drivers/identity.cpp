@@ -11,9 +11,7 @@ namespace identity_registers = registers::identity;
 
 std::optional<Identity> read_identity() {
   using identity_registers::Magic;
-  if (platform::read<Magic>().word != Magic::Word::stepfabric) {
-    return std::nullopt;
-  }
+  if (platform::read<Magic>().word != Magic::Word::stepfabric) return std::nullopt;
   const auto version = platform::read<identity_registers::Version>();
   const auto motion = platform::read<identity_registers::Motion>();
   const auto thermal = platform::read<identity_registers::Thermal>();

@@ -58,8 +58,9 @@ thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const 
         .reference_high = platform::read<registers::ReferenceHigh>(channel).cycles,
         .age = units::Milliseconds(platform::read<registers::Age>(channel).ticks * cycles_per_tick *
                                    1'000 / clock_.count())};
-    if (platform::read<registers::Status>(channel).conversions == status.conversions)
+    if (platform::read<registers::Status>(channel).conversions == status.conversions) {
       return reading;
+    }
   }
 }
 

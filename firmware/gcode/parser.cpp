@@ -94,7 +94,9 @@ class LineParser {
         position_ = line_.size();
         return true;
       }
-      if (here() != '(') return true;
+      if (here() != '(') {
+        return true;
+      }
       const std::size_t closing = line_.find(')', position_);
       if (closing == std::string_view::npos) {
         return set_error(ParseFault::unclosed_comment, position_);
@@ -124,9 +126,7 @@ class LineParser {
       }
       command_.subcode = static_cast<std::uint8_t>(subcode);
     }
-    if (!at_end() && starts_number(here())) {
-      return set_error(ParseFault::malformed_code, position_);
-    }
+    if (!at_end() && starts_number(here())) return set_error(ParseFault::malformed_code, position_);
     return true;
   }
 

@@ -68,7 +68,9 @@ std::uint32_t take_m_code(std::string_view& text) {
 }
 
 std::optional<EmergencyCommand> emergency_in(std::string_view text) {
-  if (text.starts_with("//")) return action_in(text);
+  if (text.starts_with("//")) {
+    return action_in(text);
+  }
   switch (take_m_code(text)) {
     case 112:
       return EmergencyCommand{Kind::kill};

@@ -171,7 +171,9 @@ void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgem
 
 void HostLink::accept(const ReceivedLine& line, bool emergency) {
   ++statistics_.accepted;
-  if (queue_.size() == 0) last_busy_ = now_;  // the host's wait begins
+  if (queue_.size() == 0) {
+    last_busy_ = now_;  // the host's wait begins
+  }
   queue_.put(line.text, line.number, emergency);
 }
 

@@ -123,9 +123,7 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
     // A line shorter than its rounded steps has them in too short a time. That is only a matter of
     // rounding, and no reason to slow down: it counts as longer, but not as longer than its steps.
     length = std::max(length, std::min(least_length, length_of_few_steps(line, path)));
-    if (least_length > length) {
-      result.speed = at_least_slowest(length / time_of_steps);
-    }
+    if (least_length > length) result.speed = at_least_slowest(length / time_of_steps);
   }
   const Scaled microseconds_times_speed = Scaled::of(1'000) * length;
   const Scaled time = microseconds_times_speed / scaled(result.speed.count());

@@ -28,7 +28,7 @@ struct Segment {
   std::uint32_t ticks{};  // 1 .. line_ticks
   bool continues_line{};
   bool ends_motion{};  // standing still after this segment is intended: an empty queue is no
-                       // underrun
+      // underrun
   // Course of the base tick rate. Each clock: phase += rate; rate += acceleration; acceleration +=
   // jerk. A tick is made when the phase passes 1. The rate never exceeds 1/2 tick per clock and is
   // never integrated below the step generator's rate floor.

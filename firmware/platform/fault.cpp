@@ -61,8 +61,9 @@ const char* name_of(std::uint32_t cause) {
 void stop_everything() {
   asm volatile("csrci mstatus, 8");  // the image that makes the steps in an interrupt makes no more
   using HeaterDuty = registers::heater_control::Duty;
-  for (std::size_t channel = 0; channel < HeaterDuty::count; ++channel)
+  for (std::size_t channel = 0; channel < HeaterDuty::count; ++channel) {
     write(channel, HeaterDuty{});
+  }
   write(registers::step_generator::Command{.flush = true, .stop = true});
 }
 

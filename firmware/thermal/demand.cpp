@@ -66,8 +66,9 @@ bool Demand::has_grown(const Power& power) const {
     const std::int32_t cooled_before = before.still + most_carried * before.carried;
     const std::int32_t more_cooled =
         std::max(cooled_now, cooled_before) * growth_scale / cooled_before;
-    if (explained > std::max<std::int32_t>(most_before, 0) * more_cooled / growth_scale)
+    if (explained > std::max<std::int32_t>(most_before, 0) * more_cooled / growth_scale) {
       return true;
+    }
   }
   return false;
 }

@@ -101,9 +101,9 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
 Plausibility::Finding Plausibility::compare(const Window& raw,
                                             std::optional<units::Millicelsius> target,
                                             const Cooling& cooling) {
-  const bool frozen = probe_.is_unanswered(
-      raw.celsius, model_->rise * raw.duty / full_duty,
-      slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
+  const bool frozen =
+      probe_.is_unanswered(raw.celsius, model_->rise * raw.duty / full_duty,
+                           slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
   if (raw_windows_ < 2) return Finding::none;
   // One window with a disturbed conversion is no middle one.
   const auto [first, second] = raw_;

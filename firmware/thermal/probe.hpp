@@ -21,7 +21,9 @@ namespace thermal {
 class Probe {
  public:
   explicit constexpr Probe(const HeaterModel& model)
-      : model_(&model), halves_(halves_of(model)), height_(height_of(model)),
+      : model_(&model),
+        halves_(halves_of(model)),
+        height_(height_of(model)),
         stillness_(2 * halves_[0]) {}
 
   // `duty` with the rhythm, as far as it has room, while the heater is `settled`.

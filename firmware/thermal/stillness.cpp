@@ -106,9 +106,8 @@ bool Stillness::add(const Window& window) {
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
-  return still_ >= lasting_length || std::ranges::any_of(limits_, [this](const Limits& limit) {
-           return is_still(limit);
-         });
+  return still_ >= lasting_length ||
+         std::ranges::any_of(limits_, [this](const Limits& limit) { return is_still(limit); });
 }
 
 bool Stillness::is_still_for_now() const {
@@ -130,7 +129,9 @@ bool Stillness::is_still(const Limits& limits) const {
   const std::size_t length = limits.length;
   if (seen_ < length || undisturbed_ < length) return false;
   std::array<Course, 4> courses;
-  const auto values = [&courses, length](std::size_t i) { return Values(courses[i]).first(length); };
+  const auto values = [&courses, length](std::size_t i) {
+    return Values(courses[i]).first(length);
+  };
   const Values course = values(0), answer = values(1), given = values(2), taken = values(3);
   for (std::size_t i = 0; i < length; ++i) {
     course[i] = window(length, i).celsius - window(length, 0).celsius;
@@ -147,8 +148,8 @@ bool Stillness::is_still(const Limits& limits) const {
   accumulate(taken, [this, length](std::size_t i) { return window(length, i).taken; });
   if (energy(taken) > expected) return false;
   for (const std::int32_t percent : {0, 50, 100}) {
-    expected = std::min({expected, energy_less(answer, taken, percent),
-                         energy_less(given, taken, percent)});
+    expected = std::min(
+        {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
   const std::int64_t common = energy_in_common(course, answer, given);

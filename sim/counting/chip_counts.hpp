@@ -17,8 +17,10 @@ namespace counting {
 #define HEATER_TIME(name) REGISTER(thermal__DOT__heat__DOT__timing, name)
 #define FAN(name) REGISTER(thermal__DOT__cooling_fan__DOT__modulator, name)
 #define FAN_SETTING(name) REGISTER(thermal__DOT__cooling_fan__DOT__registers, name)
-#define PROCESSOR(path, name) \
-  REGISTER(with_processor_computing__DOT__cpu__DOT__machine_mode__DOT__control_status_registers##path, name)
+#define PROCESSOR(path, name)                                                                     \
+  REGISTER(                                                                                       \
+      with_processor_computing__DOT__cpu__DOT__machine_mode__DOT__control_status_registers##path, \
+      name)
 
 // `Root` is the structure of all the model's variables. A template, so that a model without these
 // names can be used without leaps.

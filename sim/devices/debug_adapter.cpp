@@ -34,17 +34,13 @@ DebugAdapter::DebugAdapter(std::uint16_t port, sim::InputPins& inputs) : pins_(i
 }
 
 DebugAdapter::~DebugAdapter() {
-  if (debugger_ >= 0) {
-    close(debugger_);
-  }
+  if (debugger_ >= 0) close(debugger_);
   close(listener_);
 }
 
 void DebugAdapter::listen_on(std::uint16_t port) {
   listener_ = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (listener_ < 0) {
-    fail("cannot make a socket");
-  }
+  if (listener_ < 0) fail("cannot make a socket");
   const int yes = 1;
   setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   sockaddr_in address{};
@@ -77,23 +73,17 @@ void DebugAdapter::wake(sim::Clock now) {
       disconnect(now);
       return;
     }
-    if (!receive(now)) {
-      return;
-    }
+    if (!receive(now)) return;
   }
   next_wake_ = now + clocks_per_level;
 }
 
 void DebugAdapter::look_for_debugger(sim::Clock now) {
   debugger_ = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-  if (debugger_ < 0) {
-    return;
-  }
+  if (debugger_ < 0) return;
   const int yes = 1;
   setsockopt(debugger_, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-  if (on_connect) {
-    on_connect(now);
-  }
+  if (on_connect) on_connect(now);
 }
 
 void DebugAdapter::disconnect(sim::Clock now) {
@@ -103,17 +93,13 @@ void DebugAdapter::disconnect(sim::Clock now) {
   requests_.clear();
   next_request_ = 0;
   replies_.clear();
-  if (on_disconnect) {
-    on_disconnect(now);
-  }
+  if (on_disconnect) on_disconnect(now);
 }
 
 bool DebugAdapter::receive(sim::Clock now) {
   std::array<char, buffer_bytes> buffer{};
   const ssize_t count = recv(debugger_, buffer.data(), buffer.size(), 0);
-  if (count < 0 && (errno == EAGAIN || errno == EINTR)) {
-    return false;
-  }
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
   if (count <= 0) {
     disconnect(now);
     return false;
@@ -125,9 +111,7 @@ bool DebugAdapter::receive(sim::Clock now) {
 
 bool DebugAdapter::move_pins() {
   while (next_request_ < requests_.size()) {
-    if (obey(requests_[next_request_++])) {
-      return true;
-    }
+    if (obey(requests_[next_request_++])) return true;
   }
   return false;
 }
@@ -156,9 +140,7 @@ void DebugAdapter::send_replies() {
     const ssize_t count =
         send(debugger_, replies_.data() + sent, replies_.size() - sent, MSG_NOSIGNAL);
     // A debugger that does not read its few answers has gone, which receive() finds out.
-    if (count < 0 && errno != EAGAIN && errno != EINTR) {
-      break;
-    }
+    if (count < 0 && errno != EAGAIN && errno != EINTR) break;
     sent += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   replies_.clear();

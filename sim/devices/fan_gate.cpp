@@ -17,9 +17,7 @@ FanGate::FanGate(sim::ClockRate rate, SpeedListener listener)
 }
 
 void FanGate::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {
-  if (on_) {
-    clocks_on_ += now - on_since_;
-  }
+  if (on_) clocks_on_ += now - on_since_;
   on_ = pins.fan();
   on_since_ = now;
 }

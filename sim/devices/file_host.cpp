@@ -44,9 +44,7 @@ FileHost::FileHost(std::vector<FileCommand> commands, SerialLine& line, sim::Clo
 }
 
 void FileHost::wake(sim::Clock now) {
-  if (ended()) {
-    return;
-  }
+  if (ended()) return;
   if (state_ == HostState::waiting_for_start) {
     state_ = HostState::printing;
     send_lines(now);
@@ -81,21 +79,13 @@ void FileHost::byte_received(sim::Clock now, std::uint8_t byte) {
   } else if (byte != '\r') {
     reply_ += static_cast<char>(byte);
   }
-  if (state_ == HostState::printing) {
-    watch();
-  }
+  if (state_ == HostState::printing) watch();
 }
 
 void FileHost::take_reply(sim::Clock now, const std::string& reply) {
-  if (reply.empty()) {
-    return;
-  }
-  for (HostListener* listener : listeners_) {
-    listener->reply(now, reply);
-  }
-  if (ended()) {
-    return;
-  }
+  if (reply.empty()) return;
+  for (HostListener* listener : listeners_) listener->reply(now, reply);
+  if (ended()) return;
   const std::string text = lower_case(reply);
   if (state_ == HostState::waiting_for_start) {
     if (text.starts_with("start")) {
@@ -159,14 +149,10 @@ void FileHost::acknowledge(sim::Clock now) {
     send_lines(now);
     return;
   }
-  if (in_flight_.empty()) {
-    return;
-  }
+  if (in_flight_.empty()) return;
   const Flight done = in_flight_.front();
   in_flight_.pop_front();
-  if (done) {
-    acknowledge_line(now, *done);
-  }
+  if (done) acknowledge_line(now, *done);
   refused_ = false;
   if (acknowledged_ == script_.size() && oks_in_doubt_ != 0) {
     --oks_in_doubt_;
@@ -188,9 +174,7 @@ void FileHost::acknowledge_line(sim::Clock now, std::size_t index) {
   acknowledged_ = index + 1;
   resends_of_line_ = resends_without_progress_ = 0;
   counts_.lines_executed += refused_ ? 0 : 1;
-  if (command.file_line != 0) {
-    ++(refused_ ? counts_.commands_refused : counts_.commands_executed);
-  }
+  if (command.file_line != 0) ++(refused_ ? counts_.commands_refused : counts_.commands_executed);
   for (HostListener* listener : listeners_) {
     listener->command_acknowledged(now, command.file_line, command.text, !refused_);
   }
@@ -199,9 +183,7 @@ void FileHost::acknowledge_line(sim::Clock now, std::size_t index) {
 void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   std::optional<std::size_t> number = first_number(reply);
   // A chip that has not got the M110 counts from elsewhere, and no line behind it goes out before.
-  if (number && acknowledged_ == 0) {
-    number = 0;
-  }
+  if (number && acknowledged_ == 0) number = 0;
   // The next one may be asked for, even behind the last: a copy of the one before came damaged.
   if (!number || *number > next_) {
     fail(fmt::format("the chip asks for a line that was never sent: \"{}\"", reply));
@@ -217,9 +199,7 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   // The lines before it will still be answered.
   const std::size_t dropped =
       std::erase_if(in_flight_, [&](const Flight& line) { return line && *line >= *number; });
-  if (asked_twice || oks_in_doubt_ != 0) {
-    oks_in_doubt_ += dropped;
-  }
+  if (asked_twice || oks_in_doubt_ != 0) oks_in_doubt_ += dropped;
   next_ = *number;
   resend_asked_ = true;
   resend_asked_at_ = now;
@@ -257,9 +237,7 @@ void FileHost::send_lines(sim::Clock now) {
     }
     send_line(now, next_++);
   }
-  if (!ended()) {
-    watch();
-  }
+  if (!ended()) watch();
 }
 
 void FileHost::send_line(sim::Clock now, std::size_t index) {

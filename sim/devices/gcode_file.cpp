@@ -22,9 +22,7 @@ namespace {
 std::optional<std::size_t> character_length(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text.front());
   std::size_t length = 1;
-  if (first >= 0xf5 || (first >= 0x80 && first < 0xc2)) {
-    return std::nullopt;
-  }
+  if (first >= 0xf5 || (first >= 0x80 && first < 0xc2)) return std::nullopt;
   if (first >= 0xf0) {
     length = 4;
   } else if (first >= 0xe0) {
@@ -32,13 +30,9 @@ std::optional<std::size_t> character_length(std::string_view text) {
   } else if (first >= 0xc2) {
     length = 2;
   }
-  if (text.size() < length) {
-    return std::nullopt;
-  }
+  if (text.size() < length) return std::nullopt;
   for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<std::uint8_t>(text[i]) & 0xc0) != 0x80) {
-      return std::nullopt;
-    }
+    if ((static_cast<std::uint8_t>(text[i]) & 0xc0) != 0x80) return std::nullopt;
   }
   return length;
 }
@@ -64,16 +58,12 @@ std::size_t end_of_command(std::string_view line) {
 // comment only control characters count: it may be written in any encoding.
 std::optional<std::string> printable(std::string_view line) {
   const std::size_t comment = std::min(end_of_command(line), line.size());
-  if (std::ranges::any_of(line.substr(comment), is_control_character)) {
-    return std::nullopt;
-  }
+  if (std::ranges::any_of(line.substr(comment), is_control_character)) return std::nullopt;
   line = line.substr(0, comment);
   std::string text;
   while (!line.empty()) {
     const std::optional<std::size_t> length = character_length(line);
-    if (!length || is_control_character(line.front())) {
-      return std::nullopt;
-    }
+    if (!length || is_control_character(line.front())) return std::nullopt;
     const bool blank = line.front() == '\t' || line.front() == '\r';
     text += *length > 1 ? '?' : blank ? ' ' : line.front();
     line.remove_prefix(*length);
@@ -83,9 +73,7 @@ std::optional<std::string> printable(std::string_view line) {
 
 // Whose text may hold a star: M117 5*3
 bool is_message(std::string_view text) {
-  if (!text.starts_with('M') && !text.starts_with('m')) {
-    return false;
-  }
+  if (!text.starts_with('M') && !text.starts_with('m')) return false;
   const std::string_view code = text.substr(1, text.find_first_not_of("0123456789", 1) - 1);
   return code == "0" || code == "1" || code == "117" || code == "118";
 }
@@ -110,13 +98,9 @@ std::expected<std::string_view, std::string> without_frame(std::string_view line
       return std::unexpected(
           fmt::format("what is behind its star is no checksum: \"*{}\"", behind));
     }
-    if (!checksum) {
-      return line;
-    }
+    if (!checksum) return line;
     command = line.substr(0, star);
-    for (const char character : command) {
-      right ^= static_cast<std::uint8_t>(character);
-    }
+    for (const char character : command) right ^= static_cast<std::uint8_t>(character);
     if (given != right) {
       return std::unexpected(
           fmt::format("its checksum is {}, but that of its text is {}", given, right));
@@ -145,9 +129,7 @@ std::string without_comment(std::string_view line) {
     line.remove_prefix(closed + 1);
   }
   const std::size_t first = command.find_first_not_of(' ');
-  if (first == std::string::npos) {
-    return {};
-  }
+  if (first == std::string::npos) return {};
   return command.substr(first, command.find_last_not_of(' ') - first + 1);
 }
 
@@ -158,9 +140,7 @@ std::expected<std::vector<FileCommand>, std::string> parse_gcode_text(std::strin
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   std::vector<FileCommand> commands;
   std::size_t file_line = 0;
-  if (text.starts_with(byte_order_mark)) {
-    text.remove_prefix(byte_order_mark.size());
-  }
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   while (!text.empty()) {
     ++file_line;
     const std::size_t end = text.find('\n');
@@ -174,14 +154,10 @@ std::expected<std::vector<FileCommand>, std::string> parse_gcode_text(std::strin
       return std::unexpected(fmt::format("{}, line {}: {}", name, file_line, plain.error()));
     }
     std::string command = without_comment(*printable(*plain));
-    if (!command.empty()) {
-      commands.push_back({file_line, std::move(command)});
-    }
+    if (!command.empty()) commands.push_back({file_line, std::move(command)});
     text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
   }
-  if (commands.empty()) {
-    return std::unexpected(fmt::format("{} holds no G-code command", name));
-  }
+  if (commands.empty()) return std::unexpected(fmt::format("{} holds no G-code command", name));
   return commands;
 }
 
@@ -196,9 +172,7 @@ std::expected<std::vector<FileCommand>, std::string> read_gcode_file(
   }
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) {
-    return std::unexpected(fmt::format("{} cannot be read", file.string()));
-  }
+  if (!stream) return std::unexpected(fmt::format("{} cannot be read", file.string()));
   return parse_gcode_text(text, file.string());
 }
 

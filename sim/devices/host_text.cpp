@@ -23,9 +23,7 @@ bool contains_any(const std::string& text, std::initializer_list<std::string_vie
 
 std::optional<std::size_t> first_number(std::string_view text) {
   const std::size_t begin = text.find_first_of("0123456789");
-  if (begin == std::string_view::npos) {
-    return std::nullopt;
-  }
+  if (begin == std::string_view::npos) return std::nullopt;
   std::size_t number = 0;
   const auto result = std::from_chars(text.data() + begin, text.data() + text.size(), number);
   return result.ec == std::errc{} ? std::optional(number) : std::nullopt;
@@ -34,9 +32,7 @@ std::optional<std::size_t> first_number(std::string_view text) {
 std::string numbered_line(std::size_t number, std::string_view command) {
   std::string line = fmt::format("N{} {}", number, command);
   unsigned checksum = 0;
-  for (const char character : line) {
-    checksum ^= static_cast<std::uint8_t>(character);
-  }
+  for (const char character : line) checksum ^= static_cast<std::uint8_t>(character);
   return line + fmt::format("*{}\n", checksum);
 }
 
@@ -60,9 +56,7 @@ bool waits_for_a_time(std::string_view text) {
       return false;
     }
     const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(text[at])));
-    if ((letter == 'S' || letter == 'P') && number > 0) {
-      return true;
-    }
+    if ((letter == 'S' || letter == 'P') && number > 0) return true;
     at = text.find_first_not_of("+-.0123456789", digits);
     at = at == std::string_view::npos ? at : at - 1;
   }
@@ -75,9 +69,7 @@ std::string shortened(const std::string& text) {
 }
 
 std::string place_of(const FileCommand& command) {
-  if (command.file_line == 0) {
-    return fmt::format("the host's \"{}\"", command.text);
-  }
+  if (command.file_line == 0) return fmt::format("the host's \"{}\"", command.text);
   return fmt::format("line {} \"{}\"", command.file_line, shortened(command.text));
 }
 

@@ -19,14 +19,10 @@ MotorDriver::MotorDriver(std::size_t axis_index, const DriverTiming& timing, sim
 void MotorDriver::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) {
   if (changed.enable(axis_index_)) {
     enabled_ = pins.enable(axis_index_);
-    if (!enabled_) {
-      axis_.release();
-    }
+    if (!enabled_) axis_.release();
   }
   // The driver sees both change at once: a rising step pin samples a direction without set-up time.
-  if (changed.direction(axis_index_)) {
-    change_direction(now, pins.direction(axis_index_));
-  }
+  if (changed.direction(axis_index_)) change_direction(now, pins.direction(axis_index_));
   if (changed.step(axis_index_)) {
     if (pins.step(axis_index_)) {
       rise(now);
@@ -40,16 +36,12 @@ void MotorDriver::change_direction(sim::Clock now, bool backward) {
   direction_ = backward ? -1 : 1;
   direction_changed_at_ = now;
   any_direction_change_ = true;
-  if (any_rise_ && now - rose_at_ < direction_hold_) {
-    take_back_step();
-  }
+  if (any_rise_ && now - rose_at_ < direction_hold_) take_back_step();
 }
 
 void MotorDriver::rise(sim::Clock now) {
   ++(direction_ > 0 ? counts_.forward : counts_.backward);
-  if (any_rise_) {
-    counts_.shortest_interval = std::min(counts_.shortest_interval, now - rose_at_);
-  }
+  if (any_rise_) counts_.shortest_interval = std::min(counts_.shortest_interval, now - rose_at_);
   const bool low_too_short = any_fall_ && now - fell_at_ < low_;
   const bool setup_too_short =
       any_direction_change_ && now - direction_changed_at_ < direction_setup_;
@@ -73,16 +65,12 @@ void MotorDriver::rise(sim::Clock now) {
 void MotorDriver::fall(sim::Clock now) {
   fell_at_ = now;
   any_fall_ = true;
-  if (now - rose_at_ < high_) {
-    take_back_step();
-  }
+  if (now - rose_at_ < high_) take_back_step();
 }
 
 // What a violation after the rising edge spoils: that pulse is illegal, once, and its step is lost.
 void MotorDriver::take_back_step() {
-  if (!step_taken_) {
-    return;
-  }
+  if (!step_taken_) return;
   step_taken_ = false;
   ++counts_.illegal;
   axis_.undo_step(last_step_direction_);

@@ -79,15 +79,11 @@ void PseudoTerminal::make_slave() {
     fail("cannot make a pseudo-terminal");
   }
   std::array<char, 128> name{};
-  if (ptsname_r(master_, name.data(), name.size()) != 0) {
-    fail("cannot name the pseudo-terminal");
-  }
+  if (ptsname_r(master_, name.data(), name.size()) != 0) fail("cannot name the pseudo-terminal");
   slave_path_ = name.data();
   // Only after its first use does a terminal show that it is not open.
   const int slave = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (slave < 0) {
-    fail("cannot open the pseudo-terminal");
-  }
+  if (slave < 0) fail("cannot open the pseudo-terminal");
   close(slave);
   set_raw(master_, chip_baud_);
 }
@@ -96,9 +92,7 @@ void PseudoTerminal::make_slave() {
 // says which one that is.
 void PseudoTerminal::make_link() {
   const std::string stale = lock_.note_left_behind();
-  if (!stale.empty() && identity_of_link(link_) == stale) {
-    std::filesystem::remove(link_);
-  }
+  if (!stale.empty() && identity_of_link(link_) == stale) std::filesystem::remove(link_);
   // Does not follow and does not replace what stands there.
   if (symlink(slave_path_.c_str(), link_.c_str()) != 0) {
     const int error = errno;
@@ -120,9 +114,7 @@ void PseudoTerminal::release() {
     std::error_code ignored;
     std::filesystem::remove(link_, ignored);
   }
-  if (master_ >= 0) {
-    close(master_);
-  }
+  if (master_ >= 0) close(master_);
 }
 
 void PseudoTerminal::wake(sim::Clock now) {
@@ -182,13 +174,9 @@ void PseudoTerminal::send_what_is_left(sim::Clock now) {
 }
 
 void PseudoTerminal::host_came(sim::Clock now) {
-  if (connected_) {
-    return;
-  }
+  if (connected_) return;
   connected_ = true;
-  if (on_open) {
-    on_open(now);
-  }
+  if (on_open) on_open(now);
 }
 
 // Perhaps the next one is there already, with a speed of its own.
@@ -206,16 +194,12 @@ void PseudoTerminal::host_left(sim::Clock now) {
   follow_speed(now);
   line_.hang_up(now, rate_.clocks(break_seconds));
   rest_until_ = now + rate_.clocks(break_seconds + rest_seconds);
-  if (on_close) {
-    on_close(now);
-  }
+  if (on_close) on_close(now);
 }
 
 void PseudoTerminal::follow_speed(sim::Clock now) {
   const std::uint32_t chosen = baud_of(master_);
-  if (chosen == 0 || chosen == host_baud_) {
-    return;
-  }
+  if (chosen == 0 || chosen == host_baud_) return;
   host_baud_ = chosen;
   line_.set_baud(now, chosen);
   // What was held back was written at the speed before.
@@ -229,16 +213,10 @@ void PseudoTerminal::forget_unread() const {
 }
 
 void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {
-  if (on_byte) {
-    on_byte(now, static_cast<char>(byte));
-  }
-  if (!connected_ || leaving_) {
-    return;
-  }
+  if (on_byte) on_byte(now, static_cast<char>(byte));
+  if (!connected_ || leaving_) return;
   to_host_ += static_cast<char>(byte);
-  if (byte == '\n') {
-    flush();
-  }
+  if (byte == '\n') flush();
   if (to_host_.size() > host_buffer_bytes) {
     bytes_dropped_ += to_host_.size();
     to_host_.clear();
@@ -246,13 +224,9 @@ void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {
 }
 
 void PseudoTerminal::flush() {
-  if (to_host_.empty()) {
-    return;
-  }
+  if (to_host_.empty()) return;
   const ssize_t count = write(master_, to_host_.data(), to_host_.size());
-  if (count > 0) {
-    to_host_.erase(0, static_cast<std::size_t>(count));
-  }
+  if (count > 0) to_host_.erase(0, static_cast<std::size_t>(count));
 }
 
 }  // namespace devices

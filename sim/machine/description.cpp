@@ -44,12 +44,8 @@ AxisDescription axis_of(const Entry& root, char letter) {
   axis.max_speed_mm_s = entry["max_speed_mm_s"].number();
   axis.max_acceleration_mm_s2 = entry["max_acceleration_mm_s2"].number();
   axis.jerk_mm_s = entry["jerk_mm_s"].number();
-  if (entry["travel_mm"]) {
-    axis.travel_mm = entry["travel_mm"].number();
-  }
-  if (entry["endstop"]) {
-    axis.end_stop = entry["endstop"].whole_number();
-  }
+  if (entry["travel_mm"]) axis.travel_mm = entry["travel_mm"].number();
+  if (entry["endstop"]) axis.end_stop = entry["endstop"].whole_number();
   axis.driver = {driver["high_ns"].whole_number(), driver["low_ns"].whole_number(),
                  driver["direction_setup_ns"].whole_number(),
                  driver["direction_hold_ns"].whole_number()};
@@ -100,9 +96,7 @@ Description description_of(const toml::table& table, const std::filesystem::path
   Description description;
   description.name = root["name"].text();
   description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    description.axes[i] = axis_of(root, axis_letters[i]);
-  }
+  for (std::size_t i = 0; i < axis_count; ++i) description.axes[i] = axis_of(root, axis_letters[i]);
   description.hotend = heater_of(root, "hotend");
   description.bed = heater_of(root, "bed");
   const Entry converter = root["temperature_converter"];

@@ -184,9 +184,7 @@ void add_fault(FaultPlan& plan, std::string_view text) {
   for (const auto& [prefix, where] : {std::pair{std::string_view("hotend"), Heated::hotend},
                                       std::pair{std::string_view("bed"), Heated::bed}}) {
     const std::optional<std::string_view> fault = rest_after(name, prefix);
-    if (seconds && fault && add_heat_fault(plan, where, *fault, *seconds)) {
-      return;
-    }
+    if (seconds && fault && add_heat_fault(plan, where, *fault, *seconds)) return;
   }
   refuse(text);
 }

@@ -128,9 +128,7 @@ void Printer::attach_all() {
   for (std::size_t i = 0; i < axis_count; ++i) {
     simulation_.attach(*motors_[i], sim::OutputPins::motor_pins(i));
   }
-  for (const auto& end_stop : end_stops_) {
-    simulation_.attach(*end_stop, {});
-  }
+  for (const auto& end_stop : end_stops_) simulation_.attach(*end_stop, {});
   simulation_.attach(serial_line_, sim::OutputPins::transmit_pin());
   simulation_.attach(fan_, sim::OutputPins::fan_pin());
   simulation_.attach(*extrusion_, {});
@@ -138,9 +136,7 @@ void Printer::attach_all() {
 }
 
 void Printer::add_step_listener(devices::StepListener& listener) {
-  for (const auto& motor : motors_) {
-    motor->add_listener(listener);
-  }
+  for (const auto& motor : motors_) motor->add_listener(listener);
 }
 
 }  // namespace machine

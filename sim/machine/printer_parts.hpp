@@ -90,9 +90,7 @@ class Printer::Saboteur : public sim::Device {
 
  private:
   static bool is_due(double planned, double seconds, double& next) {
-    if (planned <= seconds) {
-      return true;
-    }
+    if (planned <= seconds) return true;
     next = std::min(next, planned);
     return false;
   }

@@ -69,9 +69,7 @@ void Axis::slip_if_left_behind() {
   const std::int64_t half_period = 2 * properties_.microsteps_per_full_step;
   const double load = std::abs(lag_) / static_cast<double>(half_period);
   peak_load_ = std::max(peak_load_, std::min(load, 1.0));
-  if (load <= 1.0) {
-    return;
-  }
+  if (load <= 1.0) return;
   const std::int64_t lost = lag_ < 0 ? 2 * half_period : -2 * half_period;
   position_ -= lost;
   lag_ += static_cast<double>(lost);

@@ -156,8 +156,7 @@ void ProcessorModel::write_csr(std::uint32_t number, std::uint32_t value, Clock 
     case mcycle:
     case mcycleh:
       // The other half goes on counting.
-      s.cycles.set(next_clock,
-                   with_half(s.cycles.at(next_clock), number == mcycleh, value));
+      s.cycles.set(next_clock, with_half(s.cycles.at(next_clock), number == mcycleh, value));
       break;
     case minstret:
     case minstreth:

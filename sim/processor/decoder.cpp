@@ -16,9 +16,9 @@ using enum Operation;
 
 constexpr std::array alu{add,          shift_left,  less,         below,
                          exclusive_or, shift_right, inclusive_or, conjunction};
-constexpr std::array alu_immediate{add_immediate,        shift_left_immediate, less_immediate,
-                                   below_immediate,      xor_immediate,        shift_right_immediate,
-                                   or_immediate,         and_immediate};
+constexpr std::array alu_immediate{add_immediate,   shift_left_immediate, less_immediate,
+                                   below_immediate, xor_immediate,        shift_right_immediate,
+                                   or_immediate,    and_immediate};
 constexpr std::array multiplication{multiply, multiply_high, multiply_high_mixed,
                                     multiply_high_unsigned};
 constexpr std::array branches{branch_equal, branch_not_equal, illegal,      illegal,
@@ -66,8 +66,7 @@ class Decoder {
       case 0x37:
       case 0x17:
         writes();
-        result_.immediate =
-            (word_ & 0xffff'f000) + (bits(word_, 6, 0) == 0x17 ? address_ : 0);
+        result_.immediate = (word_ & 0xffff'f000) + (bits(word_, 6, 0) == 0x17 ? address_ : 0);
         return constant;
       case 0x6f:
         writes();
@@ -151,8 +150,7 @@ class Decoder {
     reads_first();
     const bool of_two = bits(word_, 6, 0) == 0x33;
     if (of_two) reads_second();
-    const bool by_alu =
-        funct7() == 0x20 || (funct7() == 0x30 && (of_two || funct3() == 5));
+    const bool by_alu = funct7() == 0x20 || (funct7() == 0x30 && (of_two || funct3() == 5));
     return by_alu ? manipulate : manipulate_late;
   }
 

@@ -17,9 +17,7 @@ constexpr std::uint32_t fetch_access = 1, illegal_instruction = 2, breakpoint_ca
 std::int32_t as_signed(std::uint32_t value) { return static_cast<std::int32_t>(value); }
 
 std::uint32_t upper(std::uint64_t product) { return static_cast<std::uint32_t>(product >> 32); }
-std::uint64_t wide(std::int32_t value) {
-  return static_cast<std::uint64_t>(std::int64_t{value});
-}
+std::uint64_t wide(std::int32_t value) { return static_cast<std::uint64_t>(std::int64_t{value}); }
 
 std::uint32_t quotient_or_remainder(std::uint32_t word, std::uint32_t a, std::uint32_t b) {
   const unsigned which = word >> 12 & 3;
@@ -121,36 +119,36 @@ bool ProcessorModel::execute(Clock limit) {
       return true;
     };
 
-#define LOAD(operation, Type)                                               \
-  case Operation::operation:                                                \
-    if (load_to_register.template operator()<Type>()) break;                \
+#define LOAD(operation, Type)                                \
+  case Operation::operation:                                 \
+    if (load_to_register.template operator()<Type>()) break; \
     return other_access(sizeof(Type), load_misaligned);
-#define STORE(operation, Type)                                              \
-  case Operation::operation:                                                \
-    if (store_from_register.template operator()<Type>()) break;             \
+#define STORE(operation, Type)                                  \
+  case Operation::operation:                                    \
+    if (store_from_register.template operator()<Type>()) break; \
     return other_access(sizeof(Type), store_misaligned);
-#define BRANCH(operation, condition)                                        \
-  case Operation::operation:                                                \
-    branch(condition);                                                      \
-    late = no_register;                                                     \
-    ++instructions;                                                         \
+#define BRANCH(operation, condition) \
+  case Operation::operation:         \
+    branch(condition);               \
+    late = no_register;              \
+    ++instructions;                  \
     break;
 // One clock, and the result at once; or late.
-#define RESULT(operation, value)                                            \
-  case Operation::operation:                                                \
-    result = (value);                                                       \
-    pc += next.bytes;                                                       \
-    begins = clock + 1;                                                     \
-    late = no_register;                                                     \
-    ++instructions;                                                         \
+#define RESULT(operation, value) \
+  case Operation::operation:     \
+    result = (value);            \
+    pc += next.bytes;            \
+    begins = clock + 1;          \
+    late = no_register;          \
+    ++instructions;              \
     break;
-#define LATE_RESULT(operation, value)                                       \
-  case Operation::operation:                                                \
-    result = (value);                                                       \
-    pc += next.bytes;                                                       \
-    begins = clock + 1;                                                     \
-    late = next.destination;                                                \
-    ++instructions;                                                         \
+#define LATE_RESULT(operation, value) \
+  case Operation::operation:          \
+    result = (value);                 \
+    pc += next.bytes;                 \
+    begins = clock + 1;               \
+    late = next.destination;          \
+    ++instructions;                   \
     break;
 
     switch (next.operation) {
@@ -180,8 +178,7 @@ bool ProcessorModel::execute(Clock limit) {
         RESULT(and_immediate, a & immediate)
         RESULT(shift_left_immediate, a << immediate)
         RESULT(shift_right_immediate, a >> immediate)
-        RESULT(shift_arithmetic_immediate,
-               static_cast<std::uint32_t>(as_signed(a) >> immediate))
+        RESULT(shift_arithmetic_immediate, static_cast<std::uint32_t>(as_signed(a) >> immediate))
         RESULT(add, a + b)
         RESULT(subtract, a - b)
         RESULT(shift_left, a << (b & 31))

@@ -276,8 +276,8 @@ const Instruction& ProcessorModel::decoded_at(std::uint32_t place) {
   const bool is_word = (lower & 3) == 3;
   const bool has_both = place + 2 < size_;
   if (is_word && has_both) std::memcpy(&upper, &memory_[place + 2], sizeof upper);
-  instruction = decode(std::uint32_t{lower} | std::uint32_t{upper} << 16, memory_start + place,
-                       has_zbb_);
+  instruction =
+      decode(std::uint32_t{lower} | std::uint32_t{upper} << 16, memory_start + place, has_zbb_);
   if (is_word && !has_both) instruction = {.operation = Operation::fetch_fault};
   holds_code_[place >> code_block_shift] = 1;
   holds_code_[(place + 2) >> code_block_shift] = 1;

@@ -25,18 +25,14 @@ std::string accept_log_row(const AcceptedLine& line) {
 AcceptLog::AcceptLog(const std::filesystem::path& file) : file_(file) {
   refuse_foreign_link(file);
   stream_.open(file, std::ios::binary);
-  if (!stream_) {
-    throw std::runtime_error(fmt::format("cannot write {}", file.string()));
-  }
+  if (!stream_) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }
 
 void AcceptLog::put(const AcceptedLine& line) { stream_ << accept_log_row(line) << std::flush; }
 
 void AcceptLog::close() {
   stream_.close();
-  if (!stream_) {
-    throw std::runtime_error(fmt::format("cannot write all of {}", file_.string()));
-  }
+  if (!stream_) throw std::runtime_error(fmt::format("cannot write all of {}", file_.string()));
 }
 
 }  // namespace report

@@ -9,9 +9,7 @@ void AskedPath::command_acknowledged(sim::Clock now, std::size_t file_line,
   GcodePath unchanged = gcode_;
   const Request request = executed ? gcode_.read(command) : unchanged.read(command);
   const Move* move = std::get_if<Move>(&request);
-  if (move == nullptr) {
-    return;
-  }
+  if (move == nullptr) return;
   AskedMove line{.file_line = file_line,
                  .seconds = rate_.seconds(now),
                  .extrudes = move->to[3] > move->from[3],

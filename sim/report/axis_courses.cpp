@@ -19,9 +19,7 @@ AxisCourses::AxisCourses(sim::ClockRate rate, std::array<double, axes> steps_per
 }
 
 void AxisCourses::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= axes) {
-    return;
-  }
+  if (edge.axis >= axes) return;
   constexpr double half_step = 0.5;
   extend(tracks_[edge.axis], edge.clock,
          static_cast<double>(edge.position) - half_step * edge.direction);

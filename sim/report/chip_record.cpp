@@ -31,9 +31,7 @@ void ChipRecord::wake(sim::Clock now) {
     }
   }
   underruns_ = queue.underruns;  // a reset of the chip begins at 0
-  if (++looks_ % looks_per_load == 0) {
-    put_load(now);
-  }
+  if (++looks_ % looks_per_load == 0) put_load(now);
 }
 
 void ChipRecord::put_load(sim::Clock now) {

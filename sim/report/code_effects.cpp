@@ -98,13 +98,9 @@ bool is_macro(std::string_view command) {
 
 bool moves_or_heats(std::string_view command) {
   const GcodeWords words(command);
-  if (words.all().empty()) {
-    return false;
-  }
+  if (words.all().empty()) return false;
   const GcodeWord& first = words.all().front();
-  if (is_macro(command)) {
-    return true;
-  }
+  if (is_macro(command)) return true;
   switch (first.letter) {
     case 'G':
     case 'M':
@@ -118,13 +114,9 @@ bool moves_or_heats(std::string_view command) {
     default:
       return true;
   }
-  if (effective(first)) {
-    return true;
-  }
+  if (effective(first)) return true;
   constexpr std::int64_t names_an_object = 486;
-  if (first.letter == 'M' && first.value == names_an_object * billionths) {
-    return false;
-  }
+  if (first.letter == 'M' && first.value == names_an_object * billionths) return false;
   // A second command in the line, which some firmwares execute and others refuse with the line.
   return std::ranges::any_of(words.all().begin() + 1, words.all().end(), [](const GcodeWord& word) {
     return word.letter == 'G' && effective(word);

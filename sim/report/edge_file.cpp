@@ -33,9 +33,7 @@ std::FILE* open_to_write(const std::filesystem::path& file) {
 }  // namespace
 
 EdgeFile::EdgeFile(const std::filesystem::path& file) : path_(file), file_(open_to_write(file)) {
-  if (!file_) {
-    fail("cannot write {}: {}", file, errno);
-  }
+  if (!file_) fail("cannot write {}: {}", file, errno);
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   // A full disk is noticed before the job.
   rows_ = "cycle,axis,direction,position\n";
@@ -44,9 +42,7 @@ EdgeFile::EdgeFile(const std::filesystem::path& file) : path_(file), file_(open_
 }
 
 void EdgeFile::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= axis_names.size()) {
-    return;
-  }
+  if (edge.axis >= axis_names.size()) return;
   fmt::format_to(std::back_inserter(rows_), "{},{},{},{}\n", edge.clock, axis_names[edge.axis],
                  edge.direction, edge.position);
   if (rows_.size() >= most_waiting_bytes) flush();
@@ -62,12 +58,8 @@ void EdgeFile::flush() {
 
 void EdgeFile::close() {
   flush();
-  if (std::fclose(file_.release()) != 0 && error_ == 0) {
-    error_ = errno;
-  }
-  if (failed()) {
-    fail("cannot write all of {}: {}", path_, error_);
-  }
+  if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno;
+  if (failed()) fail("cannot write all of {}: {}", path_, error_);
 }
 
 }  // namespace report

@@ -27,9 +27,7 @@ constexpr std::size_t words_per_look = 64;
 
 std::uint32_t block_of(const sim::ElfImage& firmware) {
   const std::optional<std::uint32_t> address = firmware.symbol("statistics");
-  if (!address) {
-    throw std::runtime_error("the firmware has no symbol `statistics`");
-  }
+  if (!address) throw std::runtime_error("the firmware has no symbol `statistics`");
   return *address;
 }
 
@@ -110,9 +108,7 @@ void FirmwareWatch::report_accepted(sim::Clock now) {
   }
   for (; accepted_ != accepted; ++accepted_) {
     const AcceptedLine taken = line(accepted_);
-    if (on_accepted) {
-      on_accepted(now, taken);
-    }
+    if (on_accepted) on_accepted(now, taken);
   }
 }
 

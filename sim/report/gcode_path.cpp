@@ -73,9 +73,7 @@ std::optional<Femtometers> GcodePath::length(const GcodeWords& words, char lette
   const std::optional<std::int64_t> value = words.value(letter);
   // 10^7 units are further than any machine, and leave room for sums.
   constexpr std::int64_t furthest = 10'000'000 * billionths;
-  if (!value || *value > furthest || *value < -furthest) {
-    return std::nullopt;
-  }
+  if (!value || *value > furthest || *value < -furthest) return std::nullopt;
   return Femtometers{*value} * (inches_ ? per_billionth_inch : per_billionth_mm);
 }
 
@@ -84,9 +82,7 @@ Request GcodePath::move(const GcodeWords& words) {
   bool any = false;
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
     const std::optional<Femtometers> value = length(words, axis_words[i]);
-    if (!value) {
-      continue;
-    }
+    if (!value) continue;
     any = true;
     const bool absolute = i == extruder ? extruder_absolute_ : absolute_;
     const Femtometers distance = absolute ? *value - logical_[i] : *value;
@@ -102,9 +98,7 @@ Request GcodePath::home(const GcodeWords& words) {
   const bool all = !words.has('X') && !words.has('Y') && !words.has('Z');
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     homing.axes[i] = all || words.has(axis_words[i]);
-    if (homing.axes[i]) {
-      machine_[i] = logical_[i] = 0;
-    }
+    if (homing.axes[i]) machine_[i] = logical_[i] = 0;
   }
   return homing;
 }

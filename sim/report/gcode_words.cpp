@@ -32,17 +32,13 @@ class Reader {
     GcodeWord word{static_cast<char>(std::toupper(first)), std::nullopt};
     text_.remove_prefix(1);
     skip_blanks();
-    if (std::isalpha(first) != 0) {
-      word.value = number();
-    }
+    if (std::isalpha(first) != 0) word.value = number();
     return word;
   }
 
  private:
   void skip_blanks() {
-    while (!text_.empty() && is_blank(text_.front())) {
-      text_.remove_prefix(1);
-    }
+    while (!text_.empty() && is_blank(text_.front())) text_.remove_prefix(1);
   }
   void skip_to_behind(char closing) {
     const std::size_t end = text_.find(closing, 1);
@@ -87,14 +83,10 @@ class Reader {
           round_up = rest.front() >= '5';
         }
       }
-      for (; decimals < kept_decimals; ++decimals) {
-        fraction *= 10;
-      }
+      for (; decimals < kept_decimals; ++decimals) fraction *= 10;
       fraction += round_up ? 1 : 0;
     }
-    if (!any) {
-      return std::nullopt;
-    }
+    if (!any) return std::nullopt;
     text_ = rest;
     const std::int64_t value = whole * billionths + fraction;
     return negative ? -value : value;
@@ -109,9 +101,7 @@ GcodeWords::GcodeWords(std::string_view command) {
   Reader reader(command);
   while (!reader.at_end()) {
     words_.push_back(reader.word());
-    if (words_.size() == 1 && (is('M', 117) || is('M', 118))) {
-      return;
-    }
+    if (words_.size() == 1 && (is('M', 117) || is('M', 118))) return;
   }
 }
 
@@ -122,9 +112,7 @@ bool GcodeWords::is(char letter, int code) const {
 
 const GcodeWord* GcodeWords::find(char letter) const {
   for (std::size_t i = 1; i < words_.size(); ++i) {
-    if (words_[i].letter == letter) {
-      return &words_[i];
-    }
+    if (words_[i].letter == letter) return &words_[i];
   }
   return nullptr;
 }

@@ -24,9 +24,7 @@ constexpr const char* pause =
 
 std::uint64_t illegal_pulses(const Results& results) {
   std::uint64_t count = 0;
-  for (const AxisResult& axis : results.axes) {
-    count += axis.illegal_pulses;
-  }
+  for (const AxisResult& axis : results.axes) count += axis.illegal_pulses;
   return count;
 }
 
@@ -91,9 +89,7 @@ void add_more(Page& page, std::uint64_t count, std::size_t listed) {
 
 void add_lines(Page& page, const char* id, const char* title, const std::vector<RefusedLine>& lines,
                std::uint64_t count, const Results& results, const Courses& courses) {
-  if (count == 0) {
-    return;
-  }
+  if (count == 0) return;
   add(page,
       "<section id=\"{}\"><h2>{}: {}</h2><div class=\"scroll\"><table><tr><th>line</th>"
       "<th>answered</th><th class=\"text\">text</th><th class=\"text\">reason</th></tr>\n",
@@ -120,9 +116,7 @@ std::string with_breaks(std::string text) {
 
 void add_missed(Page& page, const Results& results) {
   const Findings& findings = results.findings;
-  if (results.points_missed == 0) {
-    return;
-  }
+  if (results.points_missed == 0) return;
   add(page, "<section id=\"missed\"><h2>Missed points: {}</h2>\n<p class=\"note\">",
       grouped(results.points_missed));
   const char* between = "";
@@ -153,9 +147,7 @@ void add_missed(Page& page, const Results& results) {
 }
 
 void add_underruns(Page& page, const Results& results, const Courses& courses) {
-  if (results.underruns == 0) {
-    return;
-  }
+  if (results.underruns == 0) return;
   add(page, "<section id=\"underruns\"><h2>Underruns: {}</h2><div class=\"scroll\"><p>",
       grouped(results.underruns));
   for (const Underruns& some : courses.chip.underruns) {
@@ -189,13 +181,9 @@ void add_verdict(Page& page, const Results& results) {
     return;
   }
   add(page, "<div class=\"verdict bad\" id=\"verdict\">{}<div><b>Bad print</b><ul>\n", cross);
-  if (!results.fault.empty()) {
-    add(page, "<li>{}</li>\n", escaped(results.fault));
-  }
+  if (!results.fault.empty()) add(page, "<li>{}</li>\n", escaped(results.fault));
   for (const std::string& problem : results.findings.problems) {
-    if (problem != results.fault) {
-      add(page, "<li>{}</li>\n", escaped(problem));
-    }
+    if (problem != results.fault) add(page, "<li>{}</li>\n", escaped(problem));
   }
   if (results.fault.empty() && results.findings.problems.empty()) {
     add(page, "<li>{}</li>\n", name_of(results.outcome));
@@ -218,9 +206,7 @@ void add_facts(Page& page, const Results& results) {
     add_fact(page, grouped(findings.warning_count), "unknown codes that move nothing", Mark::wary,
              "warnings");
   }
-  if (findings.lines_lost > 0) {
-    add_count(page, findings.lines_lost, "lines without an answer");
-  }
+  if (findings.lines_lost > 0) add_count(page, findings.lines_lost, "lines without an answer");
   add_fact(page, grouped(results.points_reached), "points reached to the step");
   add_fact(page, length_text(results.max_deviation_mm), "farthest from the G-code's lines");
   add_fact(page, length_text(results.length_mm), "way of the nozzle");

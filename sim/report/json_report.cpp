@@ -57,9 +57,7 @@ Json messages_json(const Results& results) {
 
 Json counts_json(const std::array<std::uint64_t, 4>& counts) {
   Json json;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    json[axis_names[i]] = counts[i];
-  }
+  for (std::size_t i = 0; i < counts.size(); ++i) json[axis_names[i]] = counts[i];
   return json;
 }
 

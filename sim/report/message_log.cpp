@@ -23,15 +23,11 @@ void MessageLog::command_sent(sim::Clock, std::size_t file_line, std::string_vie
 }
 
 void MessageLog::command_acknowledged(sim::Clock, std::size_t, std::string_view, bool) {
-  if (!in_flight_.empty()) {
-    in_flight_.pop_front();
-  }
+  if (!in_flight_.empty()) in_flight_.pop_front();
 }
 
 void MessageLog::reply(sim::Clock now, std::string_view line) {
-  if (starts_with_any(line, {"ok", "echo:busy", "busy:", " T:", "T:"})) {
-    return;
-  }
+  if (starts_with_any(line, {"ok", "echo:busy", "busy:", " T:", "T:"})) return;
   if (messages_.size() >= most_messages) {
     ++dropped_;
     return;

@@ -114,9 +114,7 @@ Json heater_json(const char* name, const std::vector<TemperatureSample>& samples
   const std::size_t stride = samples.size() / most_samples + 1;
   for (std::size_t i = stride - 1; i < samples.size(); i += stride) {
     double open = 0;  // of all samples since the one before
-    for (std::size_t k = i + 1 - stride; k <= i; ++k) {
-      open += samples[k].duty;
-    }
+    for (std::size_t k = i + 1 - stride; k <= i; ++k) open += samples[k].duty;
     t.put(ms_per_s * samples[i].seconds);
     celsius.put(100 * samples[i].celsius);
     target.put(10 * samples[i].target_c);
@@ -156,9 +154,7 @@ Json missed_json(const std::vector<MissedPoint>& points) {
 
 Json marks_json(const Results& results, const Courses& courses) {
   Json json = Json::array();
-  for (const MissedPoint& point : results.findings.missed) {
-    json.push_back({{"t", point.seconds}});
-  }
+  for (const MissedPoint& point : results.findings.missed) json.push_back({{"t", point.seconds}});
   for (const RefusedLine& line : results.findings.refused) {
     if (const RefusalPlace place = place_of(line, results, courses); place.known) {
       json.push_back({{"t", place.seconds}});
@@ -169,9 +165,7 @@ Json marks_json(const Results& results, const Courses& courses) {
 
 Json intervals_json(const Courses& courses) {
   Json counts = Json::array();
-  for (const StepStatistics::Histogram& histogram : courses.intervals) {
-    counts.push_back(histogram);
-  }
+  for (const StepStatistics::Histogram& histogram : courses.intervals) counts.push_back(histogram);
   return {{"bins_per_decade", StepStatistics::bins_per_decade}, {"axes", std::move(counts)}};
 }
 
@@ -181,9 +175,7 @@ std::string words_of(const MissedPoint& point) {
   std::string words;
   for (std::size_t i = 0; i < point.axes.size(); ++i) {
     const AxisArrival& axis = point.axes[i];
-    if (!axis.missed) {
-      continue;
-    }
+    if (!axis.missed) continue;
     words += fmt::format("{}{} {:+} steps: {:.3f} mm where {:.3f} mm are asked",
                          words.empty() ? "" : "\n", static_cast<char>(axis_names[i][0] - 'a' + 'A'),
                          axis.reached_steps - axis.wanted_steps, axis.reached_mm, axis.wanted_mm);
@@ -195,13 +187,9 @@ RefusalPlace place_of(const RefusedLine& line, const Results& results, const Cou
   const auto asked = std::ranges::find_if(courses.asked, [&](const AskedMove& candidate) {
     return !candidate.executed && candidate.file_line == line.file_line;
   });
-  if (asked != courses.asked.end()) {
-    return {true, asked->seconds, true, asked->from, asked->to};
-  }
+  if (asked != courses.asked.end()) return {true, asked->seconds, true, asked->from, asked->to};
   const auto message = std::ranges::find(results.messages, line.file_line, &Message::file_line);
-  if (message != results.messages.end()) {
-    return {true, message->seconds, false, {}, {}};
-  }
+  if (message != results.messages.end()) return {true, message->seconds, false, {}, {}};
   return {};
 }
 

@@ -48,9 +48,7 @@ void PathCheck::ask(const Move& move) {
 
 void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   position_ = position;
-  if (items_.empty() || items_.front().homing) {
-    return;
-  }
+  if (items_.empty() || items_.front().homing) return;
   double distance = distance_mm(items_.front());
   const double left_mm = left_line_steps / std::min(steps_per_mm_[0], steps_per_mm_[1]);
   if (distance > left_mm && items_.size() > 1 && !items_[1].homing &&
@@ -61,9 +59,7 @@ void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   max_deviation_mm_ = std::max(max_deviation_mm_, distance);
   max_deviation_steps_ =
       std::max(max_deviation_steps_, distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
-  if (distance <= left_mm) {
-    watch_z_and_e(items_.front());
-  }
+  if (distance <= left_mm) watch_z_and_e(items_.front());
   pass_reached_lines();
 }
 
@@ -83,13 +79,9 @@ void PathCheck::watch_z_and_e(Item& item) {
   const auto way = [&](std::size_t axis) { return item.target[axis] - item.start[axis]; };
   const double part = part_of_way(item);
   const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
-  if (item.apart || !long_enough || part < middle_from || part > middle_to) {
-    return;
-  }
+  if (item.apart || !long_enough || part < middle_from || part > middle_to) return;
   for (const std::size_t axis : {2UZ, 3UZ}) {
-    if (std::abs(way(axis)) < least_steps) {
-      continue;
-    }
+    if (std::abs(way(axis)) < least_steps) continue;
     const double done =
         static_cast<double>(position_[axis] - item.start[axis]) / static_cast<double>(way(axis));
     item.apart = item.apart || done < least_part || done > most_part;
@@ -120,9 +112,7 @@ void PathCheck::pass_lost_line() {
   const Item& item = items_.front();
   const bool near = std::abs(position_[0] - item.target[0]) <= near_end_steps &&
                     std::abs(position_[1] - item.target[1]) <= near_end_steps;
-  if (near) {
-    items_.pop_front();
-  }
+  if (near) items_.pop_front();
 }
 
 void PathCheck::finish() {

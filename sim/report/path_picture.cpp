@@ -29,12 +29,8 @@ Place place_of(double x_mm, double y_mm) {
 class Pen {
  public:
   void line(Place from, Place to) {
-    if (from == to) {
-      return;
-    }
-    if (!down_ || from != at_) {
-      add(text_, "M{} {}", from.x, from.y);
-    }
+    if (from == to) return;
+    if (!down_ || from != at_) add(text_, "M{} {}", from.x, from.y);
     add(text_, "l{} {}", to.x - from.x, to.y - from.y);
     at_ = to;
     down_ = true;

@@ -39,9 +39,7 @@ Steps PointCheck::steps_at(const Point& point) const {
 }
 
 void PointCheck::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= state_.position.size()) {
-    return;
-  }
+  if (edge.axis >= state_.position.size()) return;
   close_state(edge.clock);
   state_.clock = edge.clock;
   state_.position[edge.axis] = edge.position;
@@ -83,16 +81,12 @@ void PointCheck::reply(sim::Clock, std::string_view line) {
 
 void PointCheck::command_acknowledged(sim::Clock now, std::size_t, std::string_view,
                                       bool executed) {
-  if (in_flight_.empty()) {
-    return;
-  }
+  if (in_flight_.empty()) return;
   close_state(now);
   judge_states();
   const SentCommand command = std::move(in_flight_.front());
   in_flight_.pop_front();
-  if (executed) {
-    carry_out(command);
-  }
+  if (executed) carry_out(command);
   judge_states();
   add_missed(match_.take_missed(), judged_);
 }
@@ -108,9 +102,7 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   // The others wait for the end of all motion, also where the next command has been sent already.
-  if (std::holds_alternative<Homing>(request)) {
-    path_.ask_homing();
-  }
+  if (std::holds_alternative<Homing>(request)) path_.ask_homing();
   judge_states_until(std::numeric_limits<sim::Clock>::max());
   if (!std::holds_alternative<QuickStop>(request)) {
     match_.settle(!std::holds_alternative<Homing>(request));
@@ -133,9 +125,7 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
   length_mm_ +=
       std::hypot(millimeters(move.to[0] - move.from[0]), millimeters(move.to[1] - move.from[1]),
                  millimeters(move.to[2] - move.from[2]));
-  if (command.extrusion_prevented) {
-    gcode_.stand_at(extruder, move.from[extruder]);
-  }
+  if (command.extrusion_prevented) gcode_.stand_at(extruder, move.from[extruder]);
 }
 
 void PointCheck::finish_homing(const Homing& homing) {
@@ -187,17 +177,13 @@ void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judge
       judgement.missed_by_axis[i] += axis.missed ? 1 : 0;
     }
     ++judgement.missed;
-    if (judgement.list.size() < most_listed) {
-      judgement.list.push_back(std::move(missed));
-    }
+    if (judgement.list.size() < most_listed) judgement.list.push_back(std::move(missed));
   }
 }
 
 PointCheck::Judgement PointCheck::judgement() const {
   PointMatch match = match_;
-  for (const MachineState& state : states_) {
-    match.at(state);
-  }
+  for (const MachineState& state : states_) match.at(state);
   match.at(state_);
   const bool nothing_asked = match.nothing_open() && in_flight_.empty();
   match.abandon();

@@ -25,9 +25,7 @@ void PointMatch::ask(const Steps& target, AskedLine line) {
   if (same_place && items_.back().reached == 0) {
     items_.back().lines.push_back(std::move(line));
   } else {
-    if (items_.size() == most_items) {
-      settle_oldest();
-    }
+    if (items_.size() == most_items) settle_oldest();
     Item& item = items_.emplace_back();
     item.target = target;
     item.lines.push_back(std::move(line));
@@ -43,9 +41,7 @@ void PointMatch::at(const MachineState& state) {
   bool any = false;
   for (Item& item : items_) {
     any = any || item.target == state.position;
-    if (item.reached == 0) {
-      note_nearest(item, state);
-    }
+    if (item.reached == 0) note_nearest(item, state);
   }
   if (any) {
     update_chains(state);
@@ -90,9 +86,7 @@ void PointMatch::finish_reached_prefix() {
   std::size_t lines = 0, count = 0;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     lines += items_[i].lines.size();
-    if (items_[i].reached == lines) {
-      count = i + 1;
-    }
+    if (items_[i].reached == lines) count = i + 1;
   }
   if (count > 0) {
     finish(count, std::vector<bool>(count, true));

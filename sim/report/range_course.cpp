@@ -15,9 +15,7 @@ void RangeCourse::put(double value) {
     ++samples_in_last_;
     return;
   }
-  if (buckets_.size() == most_buckets) {
-    merge_pairs();
-  }
+  if (buckets_.size() == most_buckets) merge_pairs();
   buckets_.push_back({sample, sample});
   samples_in_last_ = 1;
 }

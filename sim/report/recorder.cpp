@@ -13,9 +13,7 @@ namespace {
 
 std::array<std::int64_t, 4> start_positions(const machine::Printer& printer) {
   std::array<std::int64_t, 4> positions{};
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    positions[i] = printer.axis(i).position();
-  }
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = printer.axis(i).position();
   return positions;
 }
 
@@ -66,9 +64,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
 
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
-  if (!executed) {
-    return;
-  }
+  if (!executed) return;
   const Request request = GcodePath().read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
@@ -122,9 +118,7 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   results.commands_executed = host.commands_executed;
   results.commands_refused = host.commands_refused;
   results.busy_replies = host.busy_replies;
-  for (std::size_t i = 0; i < results.axes.size(); ++i) {
-    results.axes[i] = axis_result(i);
-  }
+  for (std::size_t i = 0; i < results.axes.size(); ++i) results.axes[i] = axis_result(i);
   results.max_deviation_mm = points_.max_deviation_mm();
   results.length_mm = points_.length_mm();
   results.max_deviation_steps = points_.max_deviation_steps();
@@ -185,22 +179,16 @@ void Recorder::flush_edges() {
 }
 
 void Recorder::close_edges() {
-  if (edges_) {
-    edges_->close();
-  }
+  if (edges_) edges_->close();
 }
 
 std::uint32_t stack_peak_bytes(const sim::ElfImage& firmware, const sim::Chip& chip) {
   constexpr std::uint32_t paint = 0xA5A5'A5A5;
   const std::optional<std::uint32_t> bottom = firmware.symbol("_stack_bottom");
   const std::optional<std::uint32_t> top = firmware.symbol("_stack_top");
-  if (!bottom || !top) {
-    return 0;
-  }
+  if (!bottom || !top) return 0;
   std::uint32_t address = *bottom;
-  while (address < *top && chip.read_memory(address) == paint) {
-    address += 4;
-  }
+  while (address < *top && chip.read_memory(address) == paint) address += 4;
   return *top - address;
 }
 

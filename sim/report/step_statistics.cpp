@@ -13,9 +13,7 @@ StepStatistics::StepStatistics(sim::ClockRate rate) : rate_(rate) {
 }
 
 void StepStatistics::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= axes) {
-    return;
-  }
+  if (edge.axis >= axes) return;
   sim::Clock& last = last_edge_[edge.axis];
   if (last != sim::never) {
     const sim::Clock interval = edge.clock - last;

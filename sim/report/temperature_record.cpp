@@ -19,9 +19,7 @@ TemperatureRecord::TemperatureRecord(bool bed, sim::ClockRate rate, std::size_t 
 }
 
 void TemperatureRecord::pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins) {
-  if (open_) {
-    open_clocks_ += now - open_since_;
-  }
+  if (open_) open_clocks_ += now - open_since_;
   open_ = pins.heater(heater_channel_);
   open_since_ = now;
 }
@@ -48,20 +46,14 @@ void TemperatureRecord::wake(sim::Clock now) {
   if (target_c_ > 0 && result_.seconds_to_target < 0 && celsius >= target_c_ - arrived_c) {
     result_.seconds_to_target = seconds - first_asked_seconds_;
   }
-  if (held_) {
-    result_.band_c = std::max(result_.band_c, std::abs(celsius - target_c_));
-  }
+  if (held_) result_.band_c = std::max(result_.band_c, std::abs(celsius - target_c_));
 }
 
 void TemperatureRecord::command_sent(sim::Clock now, std::size_t, std::string_view command) {
   const Request request = gcode_.read(command);
   const TemperatureTarget* target = std::get_if<TemperatureTarget>(&request);
-  if (target == nullptr || target->bed != bed_) {
-    return;
-  }
-  if (target->celsius > 0 && result_.target_c <= 0) {
-    first_asked_seconds_ = rate_.seconds(now);
-  }
+  if (target == nullptr || target->bed != bed_) return;
+  if (target->celsius > 0 && result_.target_c <= 0) first_asked_seconds_ = rate_.seconds(now);
   held_ = held_ && target->celsius == target_c_;
   target_c_ = target->celsius;
   result_.target_c = std::max(result_.target_c, target_c_);
@@ -70,9 +62,7 @@ void TemperatureRecord::command_sent(sim::Clock now, std::size_t, std::string_vi
 void TemperatureRecord::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                              bool executed) {
   const bool waited = command.starts_with(bed_ ? "M190" : "M109");
-  if (waited && executed && target_c_ > 0) {
-    held_ = true;
-  }
+  if (waited && executed && target_c_ > 0) held_ = true;
 }
 
 TemperatureResult TemperatureRecord::result() const {

@@ -55,9 +55,7 @@ bool ToolPath::homed(std::array<bool, 3> axes) {
       origin_[i] = 0;
     }
   }
-  if (any) {
-    begin_here();
-  }
+  if (any) begin_here();
   return any;
 }
 
@@ -78,22 +76,16 @@ ToolPoint ToolPath::present() const {
 }
 
 void ToolPath::keep_present() {
-  if (!moved_) {
-    return;
-  }
+  if (!moved_) return;
   moved_ = false;
   const ToolPoint point = present();
   way_since_extruded_mm_ += distance(latest_.back(), point);
   latest_.push_back(point);
-  if (latest_.size() >= most_latest) {
-    thin();
-  }
+  if (latest_.size() >= most_latest) thin();
 }
 
 void ToolPath::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= positions_.size()) {
-    return;
-  }
+  if (edge.axis >= positions_.size()) return;
   if (edge.axis == 3) {
     positions_[3] = edge.position;
     extruder_stepped(edge.direction);
@@ -141,18 +133,14 @@ void ToolPath::thin() {
 
 std::vector<ToolPoint> ToolPath::points() const {
   std::vector<ToolPoint> all = latest_;
-  if (moved_) {
-    all.push_back(present());
-  }
+  if (moved_) all.push_back(present());
   all = simplified(all, tolerance_mm_);
   all.insert(all.begin(), points_.begin(), points_.end());
   return all;
 }
 
 std::vector<ToolPoint> simplified(const std::vector<ToolPoint>& points, double tolerance_mm) {
-  if (points.size() < 3) {
-    return points;
-  }
+  if (points.size() < 3) return points;
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;
   // A change between travel and extrusion, or a rest, ends a line whatever its shape.
@@ -166,9 +154,7 @@ std::vector<ToolPoint> simplified(const std::vector<ToolPoint>& points, double t
   }
   ends.push_back(points.size() - 1);
   std::vector<std::pair<std::size_t, std::size_t>> stretches;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    stretches.emplace_back(ends[i - 1], ends[i]);
-  }
+  for (std::size_t i = 1; i < ends.size(); ++i) stretches.emplace_back(ends[i - 1], ends[i]);
   while (!stretches.empty()) {
     const auto [first, last] = stretches.back();
     stretches.pop_back();
@@ -189,9 +175,7 @@ std::vector<ToolPoint> simplified(const std::vector<ToolPoint>& points, double t
   }
   std::vector<ToolPoint> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (kept[i]) {
-      result.push_back(points[i]);
-    }
+    if (kept[i]) result.push_back(points[i]);
   }
   return result;
 }

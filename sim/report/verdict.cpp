@@ -122,9 +122,7 @@ void judge(Results& results) {
   const std::string lost = by_axis(results, [](const AxisResult& axis) {
     return axis.disabled_pulses + axis.slipped_steps + axis.frame_steps;
   });
-  if (!lost.empty()) {
-    problems.push_back(fmt::format("steps lost by the motors: {}", lost));
-  }
+  if (!lost.empty()) problems.push_back(fmt::format("steps lost by the motors: {}", lost));
 }
 
 }  // namespace report

@@ -24,16 +24,12 @@ class ElfFile {
       : name_(name), contents_(contents.begin(), contents.end()) {
     elf_version(EV_CURRENT);
     elf_ = elf_memory(contents_.data(), contents_.size());
-    if (elf_ == nullptr || elf_kind(elf_) != ELF_K_ELF) {
-      fail("is not an ELF file");
-    }
+    if (elf_ == nullptr || elf_kind(elf_) != ELF_K_ELF) fail("is not an ELF file");
     if (gelf_getehdr(elf_, &header_) == nullptr || gelf_getclass(elf_) != ELFCLASS32 ||
         header_.e_machine != EM_RISCV) {
       fail("is not a program for 32-bit RISC-V: compile it for -march=rv32imc_zicsr -mabi=ilp32");
     }
-    if (header_.e_type != ET_EXEC) {
-      fail("is not an executable: link it to fixed addresses");
-    }
+    if (header_.e_type != ET_EXEC) fail("is not an executable: link it to fixed addresses");
     if ((header_.e_flags & EF_RISCV_RVE) != 0) {
       fail("is compiled for RV32E with 16 registers: compile it for -mabi=ilp32");
     }
@@ -102,9 +98,7 @@ std::vector<ElfSegment> segments_of(ElfFile& file) {
     if (gelf_getphdr(file.elf(), static_cast<int>(i), &header) == nullptr) {
       file.fail("has a damaged program header");
     }
-    if (header.p_type != PT_LOAD || header.p_memsz == 0) {
-      continue;
-    }
+    if (header.p_type != PT_LOAD || header.p_memsz == 0) continue;
     if (content == nullptr || header.p_offset + header.p_filesz > file_size ||
         header.p_filesz > header.p_memsz) {
       file.fail("is damaged: a segment lies beyond its end");
@@ -125,22 +119,16 @@ std::vector<ElfSegment> segments_of(ElfFile& file) {
                 header.p_filesz - skipped);
     segments.push_back(std::move(segment));
   }
-  if (segments.empty()) {
-    file.fail("holds nothing to load");
-  }
+  if (segments.empty()) file.fail("holds nothing to load");
   return segments;
 }
 
 void read_symbols(ElfFile& file, Elf_Scn* section, const GElf_Shdr& header, ElfImage& image) {
   Elf_Data* data = elf_getdata(section, nullptr);
-  if (data == nullptr || header.sh_entsize == 0) {
-    return;
-  }
+  if (data == nullptr || header.sh_entsize == 0) return;
   for (std::size_t i = 0; i < header.sh_size / header.sh_entsize; ++i) {
     GElf_Sym symbol;
-    if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) {
-      continue;
-    }
+    if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) continue;
     const char* name = elf_strptr(file.elf(), header.sh_link, symbol.st_name);
     if (name != nullptr && *name != '\0' && symbol.st_shndx != SHN_UNDEF) {
       image.symbols[name] = static_cast<std::uint32_t>(symbol.st_value);
@@ -150,15 +138,9 @@ void read_symbols(ElfFile& file, Elf_Scn* section, const GElf_Shdr& header, ElfI
 
 void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
   GElf_Shdr header;
-  if (gelf_getshdr(section, &header) == nullptr) {
-    return;
-  }
-  if (header.sh_type == SHT_SYMTAB) {
-    read_symbols(file, section, header, image);
-  }
-  if ((header.sh_flags & SHF_ALLOC) == 0) {
-    return;
-  }
+  if (gelf_getshdr(section, &header) == nullptr) return;
+  if (header.sh_type == SHT_SYMTAB) read_symbols(file, section, header, image);
+  if ((header.sh_flags & SHF_ALLOC) == 0) return;
   std::size_t names = 0;
   elf_getshdrstrndx(file.elf(), &names);
   const char* name = elf_strptr(file.elf(), names, header.sh_name);
@@ -222,9 +204,7 @@ ElfImage read_elf(const std::filesystem::path& path) {
   }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(path.string() + ": " + std::strerror(errno));
-  }
+  if (!stream) throw std::runtime_error(path.string() + ": " + std::strerror(errno));
   const std::vector<std::uint8_t> contents{std::istreambuf_iterator<char>(stream), {}};
   return parse_elf(contents, path.string());
 }

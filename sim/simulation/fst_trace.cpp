@@ -18,9 +18,7 @@ constexpr int all_levels = 99;
 class FstTrace : public Trace {
  public:
   FstTrace(Vprinter_core& model, const std::string& file) {
-    if (!std::ofstream(file)) {
-      throw std::runtime_error("cannot write " + file);
-    }
+    if (!std::ofstream(file)) throw std::runtime_error("cannot write " + file);
     model.trace(&writer_, all_levels);
     writer_.open(file.c_str());
   }

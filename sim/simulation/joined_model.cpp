@@ -147,9 +147,8 @@ bool JoinedModel::serve_bus(Clock edge) {
 }
 
 void JoinedModel::look_at_interrupts() {
-  const std::uint32_t lines =
-      std::uint32_t{model_->outer_timer_interrupt} << timer_interrupt_bit |
-      std::uint32_t{model_->outer_interrupts} << first_interrupt_bit;
+  const std::uint32_t lines = std::uint32_t{model_->outer_timer_interrupt} << timer_interrupt_bit |
+                              std::uint32_t{model_->outer_interrupts} << first_interrupt_bit;
   if (lines == lines_) return;
   lines_ = lines;
   processor_->set_interrupts(now_, lines);

@@ -48,9 +48,7 @@ class ModelClocks {
       if (leaps_ && most >= least_leap && rests() && counting::counts_are_usual(*model_.rootp)) {
         counting::Counts counts = counting::read_counts(*model_.rootp);
         const Clock clocks = counts.carry(most, least_leap);
-        if (clocks != 0) {
-          set_counts(counts);
-        }
+        if (clocks != 0) set_counts(counts);
         return clocks;
       }
     }
@@ -89,8 +87,8 @@ class ModelClocks {
   static constexpr Clock least_leap = 12;
 
   // Bits of a set of clocks.
-  static constexpr unsigned free_running = 1, processor = 2, registers = 4, axes = 8, peripherals = 16,
-                            sets = 32;
+  static constexpr unsigned free_running = 1, processor = 2, registers = 4, axes = 8,
+                            peripherals = 16, sets = 32;
 
   static constexpr bool has_levels = requires(Model& model) {
     model.rootp->__Vtrigprevexpr___TOP__clocks_free_running__0;

@@ -74,9 +74,7 @@ NetlistModel::~NetlistModel() {
 
 void NetlistModel::hold_reset() {
   set_inputs();
-  for (int i = 0; i < reset_clocks; ++i) {
-    clocks_->clock(true);
-  }
+  for (int i = 0; i < reset_clocks; ++i) clocks_->clock(true);
 }
 
 void NetlistModel::set_inputs() {
@@ -108,16 +106,12 @@ void NetlistModel::advance(Clock limit) {
       ++now_;
       processor_.sleeping_clocks += model.sleeping;
       processor_.instructions += model.retired;
-      if (trace_) {
-        trace_->record(now_);
-      }
+      if (trace_) trace_->record(now_);
     }
     // The fan's is the only pin that `clk` alone changes.
     if (others || model.fan_gate != fan_gate) {
       outputs_ = sampled_outputs();
-      if (outputs_ != before) {
-        return;
-      }
+      if (outputs_ != before) return;
     }
   }
 }
@@ -145,8 +139,7 @@ auto upper_lanes(Root& root) {
 }
 
 constexpr std::size_t lower_words = sizeof(Vprinter_core___024root::RAM(lanes_n1));
-constexpr std::size_t upper_words =
-    sizeof(Vprinter_core___024root::RAM(two_banks_upper_lanes_n1));
+constexpr std::size_t upper_words = sizeof(Vprinter_core___024root::RAM(two_banks_upper_lanes_n1));
 
 // The word's byte in each lane.
 template <typename Root>

@@ -42,17 +42,13 @@ void Simulation::run_until(Clock limit) {
   while (now() < limit && !stopping_) {
     // A device may have asked for a time that has passed (set before it was attached): that is now.
     const Clock wake = std::max(earliest_wake(), now());
-    if (wake > now()) {
-      chip_.advance(std::min(limit, wake));
-    }
+    if (wake > now()) chip_.advance(std::min(limit, wake));
     const OutputPins changed{chip_.outputs().word ^ previous_.word};
     if (changed.word != 0) {
       previous_ = chip_.outputs();
       tell_changes(changed);
     }
-    if (wake <= now()) {
-      wake_due_devices();
-    }
+    if (wake <= now()) wake_due_devices();
   }
 }
 

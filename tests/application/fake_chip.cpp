@@ -49,8 +49,9 @@ std::uint32_t FakeChip::duty_address(std::size_t channel) {
 std::uint32_t FakeChip::end_stops() const {
   if (!end_stops_work) return 0;
   std::uint32_t triggered = end_stops_stuck;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
+  }
   return triggered;
 }
 
@@ -59,8 +60,9 @@ std::size_t FakeChip::place_of(std::uint32_t address) {
   constexpr std::uint32_t first = 0xF000'0000, bytes_of_peripheral = 0x1000;
   const std::size_t peripheral = (address - first) / bytes_of_peripheral;
   const std::size_t place = address % bytes_of_peripheral / 4;
-  if (address < first || peripheral >= peripherals || place >= words_of_peripheral)
+  if (address < first || peripheral >= peripherals || place >= words_of_peripheral) {
     throw std::out_of_range("no register has the address " + std::to_string(address));
+  }
   return peripheral * words_of_peripheral + place;
 }
 
@@ -90,8 +92,9 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return identity::Magic{identity::Magic::Word::stepfabric}.encode();
   }
   if (address == identity::Clock::address) return clock_hz;
-  if (address == identity::Motion::address)
+  if (address == identity::Motion::address) {
     return identity::Motion{.axes = 5, .queue_depth = 32}.encode();
+  }
   if (address == uart::Status::address) {
     return uart::Status{.receive_level = static_cast<std::uint32_t>(
                             std::min<std::size_t>(to_firmware.size(), 1023)),
@@ -112,8 +115,9 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
     return static_cast<std::uint32_t>(time);
   }
   if (address == timer::TimeHigh::address) return time_high_;
-  if (address == end_stops::Status::address)
+  if (address == end_stops::Status::address) {
     return end_stops::Status{.triggered = end_stops()}.encode();
+  }
   if (address == steps::Build::address) return steps::Build{.axes = 5, .queue_depth = 32}.encode();
   if (address == steps::Status::address) {
     advance_motion(clocks_per_status_read);
@@ -164,12 +168,8 @@ std::uint32_t FakeChip::read(std::uint32_t address) {
   if (const std::size_t i = index_of<sense::Thermistor>(address); i < heaters.size()) {
     return count_of(thermistor_ohms(i));
   }
-  if (index_of<sense::ReferenceLow>(address) < heaters.size()) {
-    return count_of(470);
-  }
-  if (index_of<sense::ReferenceHigh>(address) < heaters.size()) {
-    return count_of(10'000);
-  }
+  if (index_of<sense::ReferenceLow>(address) < heaters.size()) return count_of(470);
+  if (index_of<sense::ReferenceHigh>(address) < heaters.size()) return count_of(10'000);
   return word(address);
 }
 

@@ -47,9 +47,7 @@ void FakeChip::open_supply(bool heat::Supply::* cause) {
 
 void FakeChip::switch_supply(heat::Supply::Key key) {
   using Key = heat::Supply::Key;
-  if (key == Key::close) {
-    supply_ = {.closed = !supply_refuses, .refused = supply_refuses};
-  }
+  if (key == Key::close) supply_ = {.closed = !supply_refuses, .refused = supply_refuses};
   if (key == Key::open) supply_.closed = false;
 }
 

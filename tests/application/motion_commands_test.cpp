@@ -87,7 +87,9 @@ TEST(motion_commands, relative_moves_never_drift) {
   Printer printer;
   prepare(printer);
   printer.talk("-> G91\n<- ok");
-  for (int i = 0; i < 300; ++i) printer.talk("-> G1 X0.0333\n<- ok");  // 2.664 steps each
+  for (int i = 0; i < 300; ++i) {
+    printer.talk("-> G1 X0.0333\n<- ok");  // 2.664 steps each
+  }
   printer.talk("-> M400\n<- ok");
   EXPECT_EQ(printer.chip.position[x], 799);  // 9.99 mm
 }

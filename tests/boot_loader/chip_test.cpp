@@ -8,9 +8,9 @@
 
 #include "directories.hpp"
 #include "sim/machine/printer.hpp"
+#include "sim/processor/encode.hpp"
 #include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
-#include "sim/processor/encode.hpp"
 #include "tools/loading/loading.hpp"
 
 namespace {

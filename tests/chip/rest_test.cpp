@@ -36,9 +36,7 @@ class Tormentor : public sim::Device, public devices::ByteListener {
     if (random_() % 16 == 0) {
       inputs_.emergency_stop = now > emergency_from && !inputs_.emergency_stop;
     }
-    if (now > noise_from && line_.waiting_bytes() == 0) {
-      inputs_.receive = random_() % 4 != 0;
-    }
+    if (now > noise_from && line_.waiting_bytes() == 0) inputs_.receive = random_() % 4 != 0;
     // From every clock to rarely: the filters see bounces, levels and long rests.
     next_wake_ = now + 1 + random_() % (std::uint64_t{1} << random_() % 18);
   }

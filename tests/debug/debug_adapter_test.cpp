@@ -110,18 +110,14 @@ std::string clock(bool tms, bool tdi) {
 
 std::string walk(const std::string& tms) {
   std::string requests;
-  for (const char level : tms) {
-    requests += clock(level == '1', false);
-  }
+  for (const char level : tms) requests += clock(level == '1', false);
   return requests;
 }
 
 // From run-test/idle through a register and back; `select` leads there.
 std::string scan(const std::string& select, std::uint64_t bits, unsigned count) {
   std::string requests = walk(select + "00");
-  for (unsigned i = 0; i < count; ++i) {
-    requests += clock(i + 1 == count, (bits >> i & 1) != 0);
-  }
+  for (unsigned i = 0; i < count; ++i) requests += clock(i + 1 == count, (bits >> i & 1) != 0);
   return requests + walk("10");
 }
 

@@ -139,7 +139,9 @@ void WildProgram::compare_stop() {
   }
   const std::uint64_t low = read(reg::StopTimeLow::address);
   const std::uint64_t time = std::uint64_t{read(reg::StopTimeHigh::address)} << 32u | low;
-  if (stop_clock_ != clock) return;  // another one meanwhile
+  if (stop_clock_ != clock) {
+    return;  // another one meanwhile
+  }
   expect(equal, "a stop has the positions of its clock");
   expect(clock - time == clock_offset_, "a stop has its time");
   ++latches_compared_;

@@ -145,8 +145,9 @@ void Print::take(const host_link::AcceptedLine& line) {
   if (line.text == "M110 N0") return;
   lied_ = lied_ || (arrived_ < wanted_.size() && lies(line.text));
   if (line.text.empty() || lied_) return;
-  while (arrived_ < wanted_.size() && wanted_[arrived_] != line.text && may_be_left_out())
+  while (arrived_ < wanted_.size() && wanted_[arrived_] != line.text && may_be_left_out()) {
     ++arrived_;
+  }
   if (line.text == "M400" && arrived_ == wanted_.size()) {
     waited_ = true;
     return;
@@ -161,9 +162,7 @@ void Print::serve_link() {
   while (link_.emergency()) {
   }
   link_.update(milliseconds(), host_link::Activity::idle);
-  if (const auto line = link_.next_line()) {
-    take(*line);
-  }
+  if (const auto line = link_.next_line()) take(*line);
   link_.finished();
   while (link_.query()) require(link_.query_answered(" T:0"), "no room for an answer");
   while (!link_.to_send().empty()) {
@@ -183,7 +182,9 @@ void Print::run() {
     now_ += 50 * clocks_per_ms;
     if (host_.next_wake() <= now_) host_.wake(now_);
   }
-  if (lied_) return;  // an ok too many: what host and chip believe of the rest differs
+  if (lied_) {
+    return;  // an ok too many: what host and chip believe of the rest differs
+  }
   require(host_.ended(), "the print has no end; the last line was \"{}\"", last_sent_);
   if (host_.state() == devices::HostState::faulted) {
     require(host_.fault().contains("boot loader"), "the print faulted: {}", host_.fault());

@@ -88,13 +88,9 @@ std::string Serve::read_until(int descriptor, const std::string& wanted,
   const auto end = std::chrono::steady_clock::now() + time;
   while (text.find(wanted) == std::string::npos && std::chrono::steady_clock::now() < end) {
     pollfd event{descriptor, POLLIN, 0};
-    if (poll(&event, 1, 200) <= 0) {
-      continue;
-    }
+    if (poll(&event, 1, 200) <= 0) continue;
     char byte = 0;
-    if (read(descriptor, &byte, 1) == 1) {
-      text += byte;
-    }
+    if (read(descriptor, &byte, 1) == 1) text += byte;
   }
   return text;
 }
@@ -102,9 +98,7 @@ std::string Serve::read_until(int descriptor, const std::string& wanted,
 bool Serve::connect(int descriptor) {
   for (int i = 0; i < 20; ++i) {
     write_text(descriptor, "M105\n");
-    if (read_until(descriptor, "ok T:", 5s).find("ok T:") != std::string::npos) {
-      return true;
-    }
+    if (read_until(descriptor, "ok T:", 5s).find("ok T:") != std::string::npos) return true;
   }
   return false;
 }

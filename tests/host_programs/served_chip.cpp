@@ -66,26 +66,18 @@ void ServedChip::byte_received(sim::Clock now, std::uint8_t byte) {
     }
     waiting_since_ = line.starts_with("echo:busy") ? rate.seconds(now) : -1;
   }
-  if (!line.starts_with("echo:busy")) {
-    replies_.push_back(line);
-  }
+  if (!line.starts_with("echo:busy")) replies_.push_back(line);
 }
 
 void ServedChip::finish_sending() {
-  while (printer->serial_line().waiting_bytes() != 0) {
-    run(millisecond);
-  }
+  while (printer->serial_line().waiting_bytes() != 0) run(millisecond);
   run(millisecond);
 }
 
 std::string ServedChip::reply(double seconds) {
   const double end = simulation.seconds() + seconds;
-  while (replies_.empty() && simulation.seconds() < end) {
-    run(millisecond);
-  }
-  if (replies_.empty()) {
-    return {};
-  }
+  while (replies_.empty() && simulation.seconds() < end) run(millisecond);
+  if (replies_.empty()) return {};
   std::string line = std::move(replies_.front());
   replies_.pop_front();
   return line;
@@ -135,9 +127,7 @@ bool ServedChip::converse(host_link::test::HostModel& host, double faults_per_by
   const double end = simulation.seconds() + patience_seconds;
   for (long now = 0; simulation.seconds() < end && !(host.done() && down.idle()); ++now) {
     const std::string text = host.speak(now);
-    if (!text.empty() && waiting_since_ < 0) {
-      waiting_since_ = simulation.seconds();
-    }
+    if (!text.empty() && waiting_since_ < 0) waiting_since_ = simulation.seconds();
     down.send(text);
     const std::string arrived = down.arrive_in_a_millisecond();
     eavesdropper.hear(arrived);

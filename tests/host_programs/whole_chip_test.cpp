@@ -56,9 +56,7 @@ Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& li
   Taken taken{{}, std::move(chip.edges), chip.watch->resends()};
   const int first = host->first_number();
   for (const auto& line : chip.accepted) {
-    if (!line.number || line.text.starts_with("M110")) {
-      continue;
-    }
+    if (!line.number || line.text.starts_with("M110")) continue;
     const auto place = static_cast<std::size_t>(*line.number - first);
     if (place < taken.lines.size()) {
       // What was no command has been asked for again, with the lines behind it.
@@ -139,29 +137,21 @@ TEST(misbehaving_hosts, one_that_is_gone_in_the_midst_of_a_numbered_line) {
 TEST(misbehaving_hosts, one_that_floods_without_waiting) {
   ServedChip chip;
   std::string flood;
-  while (flood.size() < 100'000) {
-    flood += "G1 X10 Y10 F3000\n";
-  }
+  while (flood.size() < 100'000) flood += "G1 X10 Y10 F3000\n";
   chip.send(flood);
   chip.finish_sending();
   EXPECT_LT(chip.accepted.size(), flood.size() / 17);
-  for (const auto& line : chip.accepted) {
-    EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
-  }
+  for (const auto& line : chip.accepted) EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
   chip.expect_that_a_fresh_host_prints();
 }
 
 TEST(misbehaving_hosts, one_that_floods_a_megabyte_without_waiting) {
   ServedChip chip;
   std::string flood;
-  while (flood.size() < 1'000'000) {
-    flood += "G1 X10 Y10 F3000\n";
-  }
+  while (flood.size() < 1'000'000) flood += "G1 X10 Y10 F3000\n";
   chip.send(flood);
   chip.finish_sending();
-  for (const auto& line : chip.accepted) {
-    EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
-  }
+  for (const auto& line : chip.accepted) EXPECT_EQ(line.text, "G1 X10 Y10 F3000");
   chip.expect_that_a_fresh_host_prints();
 }
 
@@ -183,9 +173,7 @@ TEST(misbehaving_hosts, one_at_the_wrong_speed) {
   ServedChip chip;
   for (const std::uint32_t baud : {115'200u, 57'600u, 500'000u, 9'600u}) {
     chip.printer->serial_line().set_baud(chip.simulation.now(), baud);
-    for (int i = 0; i < 5; ++i) {
-      chip.send("\nN0 M110 N0*125\nM105\n");
-    }
+    for (int i = 0; i < 5; ++i) chip.send("\nN0 M110 N0*125\nM105\n");
     chip.finish_sending();
   }
   EXPECT_TRUE(chip.edges.empty());

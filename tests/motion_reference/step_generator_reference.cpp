@@ -220,8 +220,9 @@ void StepGeneratorReference::integrate(std::uint64_t leap) {
   // Neither the change nor the acceleration leaves its 64 bits.
   const Wide jerk = active_->jerk;
   std::uint64_t times = leap;
-  while (times > 1 && jerk * Wide(times) != static_cast<std::int64_t>(jerk * Wide(times)))
+  while (times > 1 && jerk * Wide(times) != static_cast<std::int64_t>(jerk * Wide(times))) {
     times /= 2;
+  }
   const Wide more = jerk * Wide(times);
   const Wide acceleration = Wide(static_cast<std::int64_t>(acceleration_)) + more;
   if (acceleration == static_cast<std::int64_t>(acceleration)) {

@@ -39,9 +39,7 @@ TEST(Axis, follows_every_step_of_a_ramp_at_the_limits_of_the_machine) {
 TEST(Axis, starts_at_the_permitted_jerk_without_loss) {
   plants::Axis axis(x_axis, 0);
   const double interval = 1.0 / (10 * 80.0);
-  for (int i = 1; i <= 1000; ++i) {
-    axis.step(1.0 + i * interval, 1);
-  }
+  for (int i = 1; i <= 1000; ++i) axis.step(1.0 + i * interval, 1);
   EXPECT_EQ(axis.position(), 1000);
   EXPECT_EQ(axis.slipped_steps(), 0U);
 }
@@ -49,9 +47,7 @@ TEST(Axis, starts_at_the_permitted_jerk_without_loss) {
 TEST(Axis, loses_steps_where_it_is_started_at_full_speed) {
   plants::Axis axis(x_axis, 0);
   const double interval = 1.0 / (200 * 80.0);
-  for (int i = 1; i <= 2000; ++i) {
-    axis.step(1.0 + i * interval, 1);
-  }
+  for (int i = 1; i <= 2000; ++i) axis.step(1.0 + i * interval, 1);
   EXPECT_GT(axis.slipped_steps(), 500U);
   EXPECT_LT(axis.position(), 1500);
 }
@@ -65,18 +61,14 @@ TEST(Axis, loses_steps_beyond_its_speed_limit_however_slowly_it_is_accelerated) 
 TEST(Axis, loses_whole_electrical_periods_only) {
   plants::Axis axis(x_axis, 0);
   const double interval = 1.0 / (200 * 80.0);
-  for (int i = 1; i <= 2000; ++i) {
-    axis.step(1.0 + i * interval, 1);
-  }
+  for (int i = 1; i <= 2000; ++i) axis.step(1.0 + i * interval, 1);
   EXPECT_EQ(axis.slipped_steps() % 64, 0U);
   EXPECT_EQ((2000 - axis.position()) % 64, 0);
 }
 
 TEST(Axis, stops_at_its_frame_and_counts_the_steps_lost_there) {
   plants::Axis axis(x_axis, 0);
-  for (int i = 1; i <= 200; ++i) {
-    axis.step(1.0 + 0.01 * i, -1);
-  }
+  for (int i = 1; i <= 200; ++i) axis.step(1.0 + 0.01 * i, -1);
   EXPECT_EQ(axis.position(), -160);
   EXPECT_EQ(axis.frame_steps(), 40U);
   EXPECT_EQ(axis.slipped_steps(), 0U);

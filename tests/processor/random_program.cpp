@@ -106,9 +106,7 @@ std::vector<std::uint8_t> random_program(std::uint32_t seed,
   while (text.program.size() < instructions_of_prologue + settings.length) {
     text.one_in(2) ? add_random_half_word(text) : add_random_word(text);
   }
-  for (std::size_t count = 0; count < instructions_of_epilogue; ++count) {
-    text.emit(encode::nop());
-  }
+  for (std::size_t count = 0; count < instructions_of_epilogue; ++count) text.emit(encode::nop());
   read_back(text);
   repeat_from(text, body);
   tell_the_end(text);

@@ -70,9 +70,7 @@ void add_upper_immediate(RandomText& text) {
 // Mostly a place in memory, sometimes on the bus, rarely misaligned or where nothing answers.
 std::pair<Word, std::int32_t> place(RandomText& text, Word size) {
   std::int32_t offset = static_cast<std::int32_t>(text.below(256)) - 128;
-  if (text.settings.portable || !text.one_in(12)) {
-    offset &= -static_cast<std::int32_t>(1u << size);
-  }
+  if (text.settings.portable || !text.one_in(12)) offset &= -static_cast<std::int32_t>(1u << size);
   if (!text.one_in(6)) return {random_registers::data_base, offset};
   return {random_registers::bus_base, text.one_in(5) ? offset + 0x400 : (offset & 0xFF)};
 }

@@ -49,9 +49,7 @@ std::optional<TimeModel::Prediction> TimeModel::next(const InstructionSetModel& 
 }
 
 unsigned TimeModel::clocks_behind(const Retirement& event, const InstructionSetModel& model) const {
-  if (event.interrupt) {
-    return table_.at("interrupt") - clocks_to_take - clocks_of_first_instruction;
-  }
+  if (event.interrupt) return table_.at("interrupt") - clocks_to_take - clocks_of_first_instruction;
   const auto timed = timed_instruction(model, Chip::has_zbb);
   if (event.trap && timed && timed->on_bus) {
     return table_.at("refused access") - table_.at(timed->row);

@@ -2,8 +2,8 @@
 // The rows of the table of times to which instructions belong.
 #include "tests/processor/timed_instruction.hpp"
 
-#include "tests/processor/chip.hpp"
 #include "sim/processor/encode.hpp"
+#include "tests/processor/chip.hpp"
 
 namespace processor {
 namespace {

@@ -46,9 +46,7 @@ TEST(campaign, counts_neither_equivalent_mutants_nor_refused_ones) {
 
 TEST(campaign, is_good_from_97_percent_on_where_every_survivor_is_listed) {
   auto outcomes = killed(97);
-  for (const char* id : {"a", "b", "c"}) {
-    outcomes.push_back(outcome(id, Fate::surviving, true));
-  }
+  for (const char* id : {"a", "b", "c"}) outcomes.push_back(outcome(id, Fate::surviving, true));
   EXPECT_TRUE(proof::is_good(outcomes, {}, false));
   outcomes.push_back(outcome("d", Fate::surviving, true));
   EXPECT_FALSE(proof::is_good(outcomes, {}, false));

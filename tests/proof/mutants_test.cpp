@@ -23,9 +23,7 @@ using testing::UnorderedElementsAre;
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words;
-  for (const proof::Token& token : proof::tokens_of(text)) {
-    words.push_back(token.text);
-  }
+  for (const proof::Token& token : proof::tokens_of(text)) words.push_back(token.text);
   return words;
 }
 

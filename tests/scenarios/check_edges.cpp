@@ -130,7 +130,9 @@ class Walk {
         if (position_[axis] < low || position_[axis] > high) return fail(move, "leaves the line");
       }
       const double distance = distance_xy(position_, from, move);
-      if (trying_ && distance > 2) return false;  // still homing
+      if (trying_ && distance > 2) {
+        return false;  // still homing
+      }
       if (distance > worst_distance_) {
         worst_distance_ = distance;
         worst_line_ = move.line;
@@ -146,9 +148,7 @@ class Walk {
     while (following < moves_.size() && moves_[following].steps == move.steps) ++following;
     while (true) {
       bool home = true;
-      for (std::size_t axis = 0; axis < axes; ++axis) {
-        home &= position_[axis] == move.steps[axis];
-      }
+      for (std::size_t axis = 0; axis < axes; ++axis) home &= position_[axis] == move.steps[axis];
       if (home && can_follow(move, following)) return true;
       if (next_ == edges_.instants.size()) return fail(move, "homing does not end at 0");
       step();

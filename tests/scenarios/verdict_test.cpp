@@ -15,9 +15,7 @@ using testing::HasSubstr;
 
 std::vector<int> lines_of(const nlohmann::json& list) {
   std::vector<int> lines;
-  for (const auto& entry : list) {
-    lines.push_back(entry["file_line"].get<int>());
-  }
+  for (const auto& entry : list) lines.push_back(entry["file_line"].get<int>());
   return lines;
 }
 
@@ -132,9 +130,7 @@ TEST(verdict, is_good_on_a_noisy_line_with_several_lines_in_flight) {
 
 TEST(verdict, names_a_higher_clock_where_the_processor_is_the_limit) {
   std::string gcode = "G28 X Y\nG1 F12000\n";
-  for (int i = 1; i <= 250; ++i) {
-    gcode += "G1 X" + std::to_string(0.2 * i) + "\n";
-  }
+  for (int i = 1; i <= 250; ++i) gcode += "G1 X" + std::to_string(0.2 * i) + "\n";
   const Print print = print_text(gcode, {"--window", "4", "--baud", "1000000"});
   EXPECT_GT(print.report["processor"]["saturated_seconds"], 0);
   EXPECT_THAT(print.job.output, HasSubstr("try --clock-hz 8000000"));

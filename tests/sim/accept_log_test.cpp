@@ -66,15 +66,11 @@ TEST(FirmwareWatch, reports_every_accepted_line_once_and_in_order) {
   firmware.accept("M110", -1);
   firmware.accept("G1 X10 Y20", 100'000);
   watch.wake(3000);
-  for (int i = 0; i < 8; ++i) {
-    firmware.accept("M105", std::nullopt);
-  }
+  for (int i = 0; i < 8; ++i) firmware.accept("M105", std::nullopt);
   watch.wake(4000);
   watch.wake(5000);
   std::string expected = "-1\tM110\n100000\tG1 X10 Y20\n";
-  for (int i = 0; i < 8; ++i) {
-    expected += "-\tM105\n";
-  }
+  for (int i = 0; i < 8; ++i) expected += "-\tM105\n";
   EXPECT_EQ(log, expected);
 }
 
@@ -206,9 +202,7 @@ TEST(ServedHost, reports_commands_one_after_the_other_although_more_are_accepted
   host.add_listener(listener);
   host.accepted(1, {1, "G28 ; home"});
   host.accepted(1, {2, "G1 X5"});
-  for (const char byte : std::string("echo:busy: processing\nok\n")) {
-    host.heard(2, byte);
-  }
+  for (const char byte : std::string("echo:busy: processing\nok\n")) host.heard(2, byte);
   host.finished(2, true);
   host.finished(3, false);
   host.finished(4, true);

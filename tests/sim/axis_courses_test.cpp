@@ -120,9 +120,7 @@ TEST_F(AxisCoursesTest, lasts_as_long_as_the_print) {
 TEST(RangeCourse, loses_no_peak_however_long_it_gets) {
   report::RangeCourse course(0.001);
   constexpr std::size_t samples = 10 * report::RangeCourse::most_buckets + 5;
-  for (std::size_t i = 0; i < samples; ++i) {
-    course.put(i == 12'345 ? 100 : i == 54'321 ? -100 : 1);
-  }
+  for (std::size_t i = 0; i < samples; ++i) course.put(i == 12'345 ? 100 : i == 54'321 ? -100 : 1);
   EXPECT_LE(course.buckets().size(), report::RangeCourse::most_buckets);
   EXPECT_NEAR(static_cast<double>(course.buckets().size()) * course.bucket_seconds(),
               0.001 * samples, course.bucket_seconds());

@@ -71,9 +71,7 @@ void FakeChip::receive_bit() {
     return;
   }
   const std::string line = std::exchange(line_, {});
-  if (firmware) {
-    say(firmware(line));
-  }
+  if (firmware) say(firmware(line));
 }
 
 void FakeChip::wait_for_rest() {

@@ -31,16 +31,12 @@ class FileHostTest : public testing::Test, public devices::HostListener {
     simulation.attach(*host, {});
     chip.firmware = [this, answers](const std::string& text) mutable {
       sent.push_back(text);
-      if (answers.empty()) {
-        return std::string("ok\n");
-      }
+      if (answers.empty()) return std::string("ok\n");
       const std::string answer = answers.front();
       answers.pop_front();
       return answer;
     };
-    if (says_start) {
-      chip.say("start\n");
-    }
+    if (says_start) chip.say("start\n");
     simulation.run_until(rate.clocks(seconds));
   }
 

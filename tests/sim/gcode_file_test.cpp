@@ -43,9 +43,7 @@ TEST(GcodeFile, takes_off_the_numbers_and_right_checksums_of_the_lines) {
       "N0 M110 N0*125\nN1 G28*18 ; home\r\nn7G1X1\n N10 \nG28*77\nN-1 M110*15\n", "f");
   ASSERT_TRUE(commands) << commands.error();
   std::vector<std::string> texts;
-  for (const auto& command : *commands) {
-    texts.push_back(command.text);
-  }
+  for (const auto& command : *commands) texts.push_back(command.text);
   EXPECT_THAT(texts, testing::ElementsAre("M110 N0", "G28", "G1X1", "G28", "M110"));
   EXPECT_EQ(commands->back().file_line, 6U);
 }

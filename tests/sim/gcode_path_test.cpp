@@ -60,9 +60,7 @@ TEST(GcodePath, homes_named_axes_only) {
 TEST(GcodePath, adds_without_any_error) {
   GcodePath path;
   path.read("G91");
-  for (int i = 0; i < 1'000'000; ++i) {
-    path.read("G1 X0.000001 Y-0.1 E0.00007");
-  }
+  for (int i = 0; i < 1'000'000; ++i) path.read("G1 X0.000001 Y-0.1 E0.00007");
   EXPECT_THAT(path.position(), ElementsAre(1 * mm, -100'000 * mm, 0, 70 * mm));
   path.read("G20");
   path.read("M221 S33");

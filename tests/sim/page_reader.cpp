@@ -27,9 +27,7 @@ std::string fault_in_attributes(const std::string& attributes, std::set<std::str
   std::size_t at = 0;
   for (std::sregex_iterator found(attributes.begin(), attributes.end(), attribute), end;
        found != end; ++found) {
-    if (static_cast<std::size_t>(found->position()) != at) {
-      break;
-    }
+    if (static_cast<std::size_t>(found->position()) != at) break;
     at += static_cast<std::size_t>(found->length());
     if ((*found)[1] == "id" && !ids.insert((*found)[3]).second) {
       return "id twice: " + (*found)[3].str();
@@ -55,9 +53,7 @@ std::string fault_in_text(std::string_view text) {
 
 std::string fault_in_page(std::string_view page) {
   constexpr std::string_view doctype = "<!DOCTYPE html>\n";
-  if (!page.starts_with(doctype)) {
-    return "no doctype";
-  }
+  if (!page.starts_with(doctype)) return "no doctype";
   std::vector<std::string> open;
   std::set<std::string> ids;
   std::size_t at = doctype.size();
@@ -66,13 +62,9 @@ std::string fault_in_page(std::string_view page) {
     if (const std::string fault = fault_in_text(page.substr(at, tag - at)); !fault.empty()) {
       return fault;
     }
-    if (tag == page.size()) {
-      break;
-    }
+    if (tag == page.size()) break;
     const std::size_t end = page.find('>', tag);
-    if (end == std::string_view::npos) {
-      return "a tag without end" + near(page, tag);
-    }
+    if (end == std::string_view::npos) return "a tag without end" + near(page, tag);
     const bool closing = page[tag + 1] == '/';
     const std::size_t name_at = tag + (closing ? 2 : 1);
     const std::size_t name_end = std::min(page.find_first_of(" \n/>", name_at), end);
@@ -94,9 +86,7 @@ std::string fault_in_page(std::string_view page) {
     }
     if (name == "script" || name == "style") {
       at = page.find("</" + name + ">", at);  // their content has no tags
-      if (at == std::string_view::npos) {
-        return name + " without end";
-      }
+      if (at == std::string_view::npos) return name + " without end";
       at += name.size() + 3;
     } else if (!is_void(name) && page[end - 1] != '/') {
       open.push_back(name);
@@ -123,9 +113,7 @@ std::string text_without_tags(std::string_view html) {
 
 std::string between(std::string_view page, std::string_view begin, std::string_view end) {
   const std::size_t from = page.find(begin);
-  if (from == std::string_view::npos) {
-    return "";
-  }
+  if (from == std::string_view::npos) return "";
   const std::size_t to = page.find(end, from + begin.size());
   return to == std::string_view::npos
              ? ""

@@ -17,9 +17,7 @@ class PointCheckTest : public testing::Test {
 
   void send(const std::string& command, bool executed = true) {
     begin(command);
-    if (executed && command.starts_with("G28")) {
-      go_to(0, 0);
-    }
+    if (executed && command.starts_with("G28")) go_to(0, 0);
     end(executed);
   }
   void begin(const std::string& command) { check.command_sent(++clock, ++file_line, command); }
@@ -45,9 +43,7 @@ class PointCheckTest : public testing::Test {
         const auto ideal =
             static_cast<double>((to[axis] - from[axis]) * tick) / static_cast<double>(ticks);
         const std::int64_t next = from[axis] + std::llround(ideal);
-        if (next != position[axis]) {
-          step(axis, next > position[axis] ? 1 : -1);
-        }
+        if (next != position[axis]) step(axis, next > position[axis] ? 1 : -1);
       }
     }
   }

@@ -75,9 +75,7 @@ TEST_F(PointCheckTest, misses_all_points_behind_a_lost_step_and_finds_none_of_th
   for (int i = 1; i <= 20; ++i) {
     send("G1 X" + std::to_string(i) + " Y" + std::to_string(i % 2) + " E" + std::to_string(i));
   }
-  for (int i = 1; i <= 20; ++i) {
-    go_to(80 * i - (i > 5 ? 1 : 0), 80 * (i % 2), 0, 500 * i);
-  }
+  for (int i = 1; i <= 20; ++i) go_to(80 * i - (i > 5 ? 1 : 0), 80 * (i % 2), 0, 500 * i);
   send("M400");
   EXPECT_EQ(reached(), 5U);
   EXPECT_EQ(missed(), 15U);
@@ -119,9 +117,7 @@ TEST_F(PointCheckTest, misses_where_moves_shorter_than_a_step_are_lost) {
   send("G28 X Y");
   send("G1 X20");
   go_to(20, 0);
-  for (int i = 1; i <= 200; ++i) {
-    send("G1 X" + std::to_string(20 + 0.005 * i));
-  }
+  for (int i = 1; i <= 200; ++i) send("G1 X" + std::to_string(20 + 0.005 * i));
   send("G1 X20");
   go_to(19, 0);
   send("M400");
@@ -144,9 +140,7 @@ TEST_F(PointCheckTest, stays_right_over_more_points_than_it_keeps_in_mind) {
   for (int i = 0; i < 5000; ++i) {
     send(i % 2 == 0 ? "G1 X1 Y1" : "G1 X0 Y1");
     // Every tenth line is left out, and the one behind it with it.
-    if (i % 20 < 18) {
-      go_to(i % 2 == 0 ? 1 : 0, 1);
-    }
+    if (i % 20 < 18) go_to(i % 2 == 0 ? 1 : 0, 1);
   }
   send("M400");
   EXPECT_EQ(reached() + missed(), 5000U);

@@ -62,9 +62,7 @@ TEST_F(PseudoTerminalTest, writes_through_no_symlink_that_a_neighbour_has_plante
     devices::PseudoTerminal terminal(link, line, rate, 250'000);
   }
   EXPECT_EQ(files::text_of(folder / "victim"), "precious");
-  for (const char* end : {".lock", ".new"}) {
-    EXPECT_TRUE(fs::is_symlink(link.string() + end)) << end;
-  }
+  for (const char* end : {".lock", ".new"}) EXPECT_TRUE(fs::is_symlink(link.string() + end)) << end;
 }
 
 // In a folder like /tmp, with the first user's environment, as after `su`.

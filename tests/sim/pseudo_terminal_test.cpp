@@ -92,7 +92,9 @@ TEST_F(PseudoTerminalTest, discards_what_a_slow_host_has_left_when_the_next_one_
   const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
   devices::set_raw(port, 300);
   std::string much;
-  for (int i = 0; i < 200; ++i) much += "G1 X20\n";  // 47 s
+  for (int i = 0; i < 200; ++i) {
+    much += "G1 X20\n";  // 47 s
+  }
   write_text(port, much);
   simulation.run_until(simulation.now() + rate.clocks(0.05));
   close(port);

@@ -69,9 +69,7 @@ class RefusalLogTest : public testing::Test {
  protected:
   void send(std::size_t line, const std::string& command, const std::string& reply, bool executed) {
     log.command_sent(0, line, command);
-    if (!reply.empty()) {
-      log.reply(0, reply);
-    }
+    if (!reply.empty()) log.reply(0, reply);
     log.command_acknowledged(0, line, command, executed);
   }
   report::Findings findings() const {

@@ -75,9 +75,7 @@ TEST(JsonReport, has_every_name_of_the_contract) {
       contract.push_back(std::string(heater) + "." + name);
     }
   }
-  for (const std::string& name : contract) {
-    EXPECT_TRUE(names.contains(name)) << name;
-  }
+  for (const std::string& name : contract) EXPECT_TRUE(names.contains(name)) << name;
 }
 
 TEST(JsonReport, reports_values_as_they_are) {

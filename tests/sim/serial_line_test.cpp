@@ -27,9 +27,7 @@ TEST(SerialLine, brings_every_byte_to_the_chip_and_back) {
   simulation.attach(line, sim::OutputPins::transmit_pin());
   std::string all;
   for (int byte = 1; byte < 256; ++byte) {
-    if (byte != '\n') {
-      all += static_cast<char>(byte);
-    }
+    if (byte != '\n') all += static_cast<char>(byte);
   }
   chip.firmware = [](const std::string& text) { return "<" + text + ">"; };
   line.send(0, all + "\n");

@@ -94,9 +94,7 @@ TEST_F(ToolPathTest, thins_a_long_print_as_it_goes) {
   const auto points = path.points();
   EXPECT_LT(points.size(), 200U);
   std::size_t corners = 0;
-  for (const report::ToolPoint& point : points) {
-    corners += point.x == 50;
-  }
+  for (const report::ToolPoint& point : points) corners += point.x == 50;
   EXPECT_GE(corners, 20U);
 }
 
@@ -142,9 +140,7 @@ TEST_F(ToolPathTest, remembers_how_long_the_nozzle_stood) {
   line(80, 0, 0);
   const auto points = path.points();
   std::size_t at = 0;
-  while (at + 1 < points.size() && points[at].x != 1) {
-    ++at;
-  }
+  while (at + 1 < points.size() && points[at].x != 1) ++at;
   ASSERT_LT(at + 1, points.size());
   EXPECT_EQ(points[at + 1].x, 1);
   EXPECT_NEAR(points[at].seconds, arrived, 1e-6);
@@ -163,9 +159,7 @@ TEST_F(ToolPathTest, begins_where_the_axes_are_homed) {
 
 TEST(ToolPath, leaves_out_what_lies_on_a_line_and_keeps_corners_and_changes) {
   std::vector<report::ToolPoint> points{{0, 0, 0, false, 0}};
-  for (int i = 1; i <= 100; ++i) {
-    points.push_back({static_cast<float>(i), 0, 0, i > 50, 0});
-  }
+  for (int i = 1; i <= 100; ++i) points.push_back({static_cast<float>(i), 0, 0, i > 50, 0});
   points.push_back({100, 50, 0, true, 0});
   const auto kept = report::simplified(points, 0.01);
   ASSERT_EQ(kept.size(), 4U);

@@ -49,8 +49,9 @@ TEST_F(WriteFile, follows_no_symlink_of_another_user) {
   std::ofstream(mine) << "precious";
   fs::create_symlink(mine, file);
   constexpr uid_t another_user = 65'534;
-  if (lchown(file.c_str(), another_user, another_user) != 0)
+  if (lchown(file.c_str(), another_user, another_user) != 0) {
     GTEST_SKIP() << "only root can give a link away";
+  }
   EXPECT_THROW(report::write_file(file, "text"), std::runtime_error);
   EXPECT_THROW(report::EdgeFile{file}, std::runtime_error);
   EXPECT_THROW(report::AcceptLog{file}, std::runtime_error);

@@ -143,8 +143,9 @@ TEST(stepper, makes_the_steps_of_the_model_in_its_order) {
     units::PerAxis<std::int64_t> positions{};
     for (const Segment& segment : segments) {
       if (segment.continues_line) continue;
-      for (std::size_t axis = 0; axis < positions.size(); ++axis)
+      for (std::size_t axis = 0; axis < positions.size(); ++axis) {
         positions[axis] += segment.steps[axis];
+      }
     }
     for (std::size_t axis = 0; axis < positions.size(); ++axis) {
       const auto& pulses = world().pulses.axis(axis);
@@ -179,8 +180,9 @@ TEST(stepper, keeps_the_guard_whatever_is_asked) {
     for (std::uint32_t seed = 0; seed < 4; ++seed) {
       auto segments = random_segments(seed, 60);
       // Faster than any guard or program permits.
-      for (Segment& segment : segments)
+      for (Segment& segment : segments) {
         segment.rate = std::min(segment.rate << 6, std::uint64_t{1} << 63);
+      }
       Motion run(guard);
       run.execute(segments);
       for (std::size_t axis = 0; axis < units::axis_count; ++axis) {

@@ -38,7 +38,9 @@ Found break_all(Part part, double start, Fault expected, Prepare prepare, Break 
                      .loss = between(model.least_loss, model.most_loss, loss),
                      .start = start,
                      .seed = static_cast<std::uint64_t>(9 * power + loss)});
-      if (!prepare(rig, power + loss) || rig.loop.fault()) continue;  // too weak for this target
+      if (!prepare(rig, power + loss) || rig.loop.fault()) {
+        continue;  // too weak for this target
+      }
       ++found.held;
       rig.highest = -300;
       const double broken_at = rig.now;

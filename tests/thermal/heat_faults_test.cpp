@@ -81,8 +81,7 @@ void expect_frozen_found(const plants::HeatedBlockProperties& block,
     double highest = 0;
     for (unsigned i = 0; i < 60; ++i) {
       Bench bench(block, settings, clock_hz, 100 + i);
-      const Find found =
-          find(bench, target, 300, held_for(30 + 0.37 * i), bead(BeadFault::frozen));
+      const Find found = find(bench, target, 300, held_for(30 + 0.37 * i), bead(BeadFault::frozen));
       EXPECT_GE(found.seconds, 0) << "never found";
       seconds.push_back(found.seconds);
       highest = std::max(highest, found.highest);

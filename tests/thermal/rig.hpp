@@ -106,9 +106,7 @@ class Rig {
   }
   void note(double degrees) {
     highest = std::max(highest, degrees);
-    if (target_ > 0 && loop.at_target()) {
-      farthest = std::max(farthest, std::abs(degrees - target_));
-    }
+    if (target_ > 0 && loop.at_target()) farthest = std::max(farthest, std::abs(degrees - target_));
   }
   void heat(double duty) {
     constexpr int slots = 4;

@@ -26,8 +26,9 @@ struct Judge {
   }
   // The window of the first verdict, or -1. The reading by the window and the expected answer; the
   // filament takes as `taken` says, and the controller gives as much more.
-  int run(int windows, const std::function<double(double, double)>& reading,
-          const std::function<double(double)>& taken = [](double) { return 0.0; }) {
+  int run(
+      int windows, const std::function<double(double, double)>& reading,
+      const std::function<double(double)>& taken = [](double) { return 0.0; }) {
     for (int i = 0; i < windows; ++i) {
       const double given = lost + answer_at(now + 0.5) - answer_at(now - 0.5) + taken(now);
       if (stillness.add({.celsius = rounded(205'000 + reading(now, answer_at(now))),
@@ -81,11 +82,10 @@ TEST_P(Stillnesses, take_a_weak_answer_for_alive) {
 TEST_P(Stillnesses, take_a_late_answer_for_alive) {
   for (const double part : {-0.25, 0.25}) {
     Judge judge(GetParam());
-    EXPECT_EQ(judge.run(300,
-                        [&](double window, double) {
-                          return 0.5 * judge.answer_at(window - part * judge.rhythm);
-                        }),
-              -1)
+    EXPECT_EQ(
+        judge.run(300, [&](double window,
+                           double) { return 0.5 * judge.answer_at(window - part * judge.rhythm); }),
+        -1)
         << part;
   }
 }

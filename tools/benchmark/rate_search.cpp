@@ -58,9 +58,7 @@ std::uint32_t RateSearch::shortest_above(std::uint32_t failing, std::uint32_t st
   for (std::uint32_t more = part_of(good, 0.25); !holds(good, rule); more *= 2) {
     failing = good;
     good += more;
-    if (good > longest_interval) {
-      throw std::runtime_error("no rate will do: " + fault_below(good));
-    }
+    if (good > longest_interval) throw std::runtime_error("no rate will do: " + fault_below(good));
   }
   while (good - failing > part_of(good, fineness_)) {
     const std::uint32_t middle = failing + (good - failing) / 2;

@@ -57,7 +57,9 @@ class WindowHost : public devices::ByteListener {
     if (reply.starts_with("ok")) {
       answers_.push_back({.heard_from = heard_from_, .heard = now, .sent = all_sent_});
     }
-    if (reply.starts_with("echo:busy")) return;  // a long move or homing: it will answer
+    if (reply.starts_with("echo:busy")) {
+      return;  // a long move or homing: it will answer
+    }
     if (reply.starts_with("Error") || reply.starts_with("echo:")) complaint_ = reply;
   }
 

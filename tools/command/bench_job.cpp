@@ -77,9 +77,7 @@ void print_both(const BenchOptions& options, benchmarks::Comparison& comparison)
 }
 
 void show(const BenchOptions& options, const benchmarks::Comparison& comparison) {
-  if (!options.json.empty()) {
-    report::write_file(options.json, benchmarks::to_json(comparison));
-  }
+  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(comparison));
   report::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
   report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
 }
@@ -191,9 +189,7 @@ int bench(const BenchOptions& options) {
   if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   }
-  if (chosen.print_file.empty() && !chosen.quick) {
-    chosen.print_file = short_print();
-  }
+  if (chosen.print_file.empty() && !chosen.quick) chosen.print_file = short_print();
   for (const std::string& name : chosen.names) {
     const int status = bench_one(name, chosen);
     if (status != success) return status;

@@ -23,16 +23,12 @@ namespace {
 class BuildLock {
  public:
   BuildLock() : file_(open((build_folder() / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
-    if (file_ >= 0) {
-      flock(file_, LOCK_EX);
-    }
+    if (file_ >= 0) flock(file_, LOCK_EX);
   }
   BuildLock(const BuildLock&) = delete;
   BuildLock& operator=(const BuildLock&) = delete;
   ~BuildLock() {
-    if (file_ >= 0) {
-      close(file_);
-    }
+    if (file_ >= 0) close(file_);
   }
 
  private:
@@ -44,9 +40,7 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count) {
   std::deque<std::string> lines;
   for (std::string line; std::getline(stream, line);) {
     lines.push_back(line);
-    if (lines.size() > count) {
-      lines.pop_front();
-    }
+    if (lines.size() > count) lines.pop_front();
   }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }

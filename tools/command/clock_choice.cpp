@@ -58,9 +58,7 @@ ClockChoice clock_that_keeps_up(const PrinterChoices& choices) {
   const double seconds = std::chrono::duration<double>(Time::now() - began).count();
   const double speed = static_cast<double>(simulation.now()) / seconds;
   for (const std::uint32_t clock_hz : round_clocks_hz) {
-    if (clock_hz <= usable_share * speed) {
-      return {clock_hz, speed};
-    }
+    if (clock_hz <= usable_share * speed) return {clock_hz, speed};
   }
   return {lowest_serve_clock_hz, speed};
 }

@@ -70,27 +70,13 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
     }
     return debug(jobs.debug);
   }
-  if (app.got_subcommand("print")) {
-    return print(jobs.print);
-  }
-  if (app.got_subcommand("serve")) {
-    return serve(jobs.serve);
-  }
-  if (app.got_subcommand("run")) {
-    return run(jobs.run);
-  }
-  if (app.got_subcommand("load")) {
-    return load(jobs.load);
-  }
-  if (app.got_subcommand("bench")) {
-    return bench(jobs.bench);
-  }
-  if (app.got_subcommand("fuzz")) {
-    return fuzz(jobs.fuzz);
-  }
-  if (app.got_subcommand("test")) {
-    return test(jobs.labels);
-  }
+  if (app.got_subcommand("print")) return print(jobs.print);
+  if (app.got_subcommand("serve")) return serve(jobs.serve);
+  if (app.got_subcommand("run")) return run(jobs.run);
+  if (app.got_subcommand("load")) return load(jobs.load);
+  if (app.got_subcommand("bench")) return bench(jobs.bench);
+  if (app.got_subcommand("fuzz")) return fuzz(jobs.fuzz);
+  if (app.got_subcommand("test")) return test(jobs.labels);
   if (app.got_subcommand("figures")) {
     const bool good =
         figures::run(jobs.figures, project_folder(), build_folder(), build, end_if_interrupted);

@@ -14,9 +14,7 @@ class Pacer {
   // Sleeps as long as the simulation is ahead. A model that has fallen behind may catch up only a
   // little: hosts would see a printer that is faster than any.
   void keep(double simulated_seconds) {
-    if (!real_time_) {
-      return;
-    }
+    if (!real_time_) return;
     const Time::time_point due = origin_ + duration(simulated_seconds);
     const Time::time_point now = Time::now();
     if (due > now) {

@@ -55,9 +55,7 @@ StartTemperatures near_first_targets(const std::vector<devices::FileCommand>& co
   for (const devices::FileCommand& command : commands) {
     const report::Request request = gcode.read(command.text);
     const auto* target = std::get_if<report::TemperatureTarget>(&request);
-    if (target == nullptr || target->celsius <= 0) {
-      continue;
-    }
+    if (target == nullptr || target->celsius <= 0) continue;
     bool& known = target->bed ? bed_known : hotend_known;
     double& celsius = target->bed ? start.bed_c : start.hotend_c;
     if (!known) {
@@ -134,9 +132,7 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devi
   while (!host.ended() && simulation.now() < until && !interrupt_requested() && !files_failed()) {
     simulation.run_until(std::min(simulation.now() + chunk, until));
     saturation.look(setup);
-    if (progress.due()) {
-      progress.show(facts_of(setup, host));
-    }
+    if (progress.due()) progress.show(facts_of(setup, host));
   }
   report::Outcome outcome = report::Outcome::stopped;
   if (host.ended()) {
@@ -164,9 +160,7 @@ std::uint64_t lost_lines(report::Outcome outcome, const devices::FileHost& host,
 }
 
 int exit_status_of(const report::Results& results) {
-  if (results.outcome == report::Outcome::stopped && interrupt_requested()) {
-    return interrupted;
-  }
+  if (results.outcome == report::Outcome::stopped && interrupt_requested()) return interrupted;
   return results.good() ? success : failure;
 }
 
@@ -204,9 +198,7 @@ void check_files(const PrintOptions& options) {
 
 int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   const auto commands = devices::read_gcode_file(options.file);
-  if (!commands) {
-    return refuse(reports, commands.error());
-  }
+  if (!commands) return refuse(reports, commands.error());
   PrinterSetup setup(options.printer, near_first_targets(*commands));
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
@@ -222,9 +214,7 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
     };
     setup.simulation().attach(watch, {});
   }
-  if (!options.trace.empty()) {
-    setup.chip().trace_to(options.trace);
-  }
+  if (!options.trace.empty()) setup.chip().trace_to(options.trace);
 
   const Time::time_point started = Time::now();
   report::Outcome outcome = report::Outcome::faulted;

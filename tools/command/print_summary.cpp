@@ -24,16 +24,10 @@ constexpr const char* plain = "\x1b[0m";
 template <class Line>
 void show_lines(const char* title, const std::vector<Line>& lines, std::uint64_t count,
                 void (*show)(const Line& line)) {
-  if (lines.empty()) {
-    return;
-  }
+  if (lines.empty()) return;
   say("  {}:\n", title);
-  for (std::size_t i = 0; i < std::min(lines.size(), most_shown); ++i) {
-    show(lines[i]);
-  }
-  if (count > most_shown) {
-    say("    and {} more: see the report\n", count - most_shown);
-  }
+  for (std::size_t i = 0; i < std::min(lines.size(), most_shown); ++i) show(lines[i]);
+  if (count > most_shown) say("    and {} more: see the report\n", count - most_shown);
 }
 
 void show_refused(const report::RefusedLine& line) {
@@ -58,9 +52,7 @@ void show_verdict(const report::Results& results) {
   say("{}: {}, {}{}{}\n", results.file, name_of(results.outcome),
       colours ? (results.good() ? green : red) : "", results.good() ? "good" : "BAD",
       colours ? plain : "");
-  for (const std::string& problem : results.findings.problems) {
-    say("  ! {}\n", problem);
-  }
+  for (const std::string& problem : results.findings.problems) say("  ! {}\n", problem);
 }
 
 // Names a clock that boards have where the processor held the motion up.

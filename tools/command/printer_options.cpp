@@ -22,15 +22,15 @@ void add_printer_options(CLI::App& job, PrinterChoices& choices) {
       ->capture_default_str();
   job.add_flag("--warm", choices.warm,
                "the heaters start near their targets, which saves simulated minutes");
-  job.add_flag("--every-clock", choices.every_clock,
-               "evaluate every clock edge of the chip, all of it by its netlist: the same print, many "
-               "times slower");
+  job.add_flag(
+      "--every-clock", choices.every_clock,
+      "evaluate every clock edge of the chip, all of it by its netlist: the same print, many "
+      "times slower");
   job.add_option("--processor", choices.processor,
                  "what stands for the processor, to the same clocks: its model, or its netlist, "
                  "which is slower")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, sim::Processor>{{"model", sim::Processor::model},
-                                                {"netlist", sim::Processor::netlist}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, sim::Processor>{
+          {"model", sim::Processor::model}, {"netlist", sim::Processor::netlist}}))
       ->default_str("model");
   job.add_option("--accept-log", choices.accept_log,
                  "write each line that the firmware took: <number or ->TAB<command>")

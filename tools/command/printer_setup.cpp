@@ -46,9 +46,7 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
     options.hotend_start_c = warm.hotend_c;
     options.bed_start_c = warm.bed_c;
   }
-  for (const std::string& fault : choices.faults) {
-    machine::add_fault(options.faults, fault);
-  }
+  for (const std::string& fault : choices.faults) machine::add_fault(options.faults, fault);
   printer_.emplace(description_, options, simulation_);
 }
 
@@ -64,9 +62,7 @@ void PrinterSetup::set_speed_of_line() {
                     baud_, baud_ * least_clocks_per_bit, clock_hz));
   }
   const std::optional<std::uint32_t> word = firmware_.symbol("serial_baud");
-  if (!word) {
-    throw std::runtime_error("the firmware has no symbol `serial_baud`");
-  }
+  if (!word) throw std::runtime_error("the firmware has no symbol `serial_baud`");
   chip_.write_memory(*word, baud_);
 }
 

@@ -70,9 +70,7 @@ std::uint32_t wait_for_store(sim::Simulation& simulation, std::uint32_t tohost,
   while (simulation.now() < max_cycles) {
     simulation.run_until(simulation.now() + 1);
     const std::uint32_t value = simulation.chip().read_memory(tohost);
-    if (value != 0) {
-      return value;
-    }
+    if (value != 0) return value;
     if (simulation.now() % clocks_between_looks_at_the_keyboard == 0 && interrupt_requested()) {
       break;
     }
@@ -98,9 +96,7 @@ std::string_view what_goes_on(sim::Simulation& simulation) {
 }  // namespace
 
 void make_start(const sim::ElfImage& image, sim::Chip& chip) {
-  if (image.entry == reset_address) {
-    return;
-  }
+  if (image.entry == reset_address) return;
   constexpr std::uint32_t jump_bytes = 8;
   const bool free = std::ranges::all_of(image.segments, [](const sim::ElfSegment& segment) {
     return segment.address >= reset_address + jump_bytes;
@@ -138,12 +134,8 @@ int run(const RunOptions& options) {
   make_start(image, chip);
   check_place(*tohost, chip);
   std::optional<Signature> signature;
-  if (!options.signature.empty()) {
-    signature = find_signature(image, chip);
-  }
-  if (!options.trace.empty()) {
-    chip.trace_to(options.trace);
-  }
+  if (!options.signature.empty()) signature = find_signature(image, chip);
+  if (!options.trace.empty()) chip.trace_to(options.trace);
   const sim::ClockRate rate(options.clock_hz);
   sim::Simulation simulation(chip, rate);
   PrintedBytes printed;
@@ -162,14 +154,10 @@ int run(const RunOptions& options) {
   say_to(stderr, "{:.2f} million clocks per second\n",
          static_cast<double>(chip.now()) / std::max(wall.count(), 1e-9) * 1e-6);
   if (value != 0) {
-    if (signature) {
-      write_signature(*signature, chip, options.signature);
-    }
+    if (signature) write_signature(*signature, chip, options.signature);
     return say_how_it_ended(value);
   }
-  if (interrupt_requested()) {
-    return interrupted;
-  }
+  if (interrupt_requested()) return interrupted;
   say_to(stderr, "{} did not store to tohost within {} cycles: {}\n", options.program.string(),
          options.max_cycles, what_goes_on(simulation));
   return time_out;

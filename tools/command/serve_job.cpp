@@ -35,9 +35,7 @@ void choose_clock(ServeOptions& options) {
 }
 
 int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
-  if (options.terminal.empty()) {
-    options.terminal = devices::PrivateFolder().path() / "port";
-  }
+  if (options.terminal.empty()) options.terminal = devices::PrivateFolder().path() / "port";
   choose_clock(options);
   Service service(options);
   service.greet(reports.page());

@@ -33,9 +33,7 @@ Service::Service(const ServeOptions& options)
       watch_(setup_.firmware(), setup_.chip()),
       recorder_(setup_.printer(), host_, simulation_, options.edges),
       pacer_(options.real_time) {
-  if (!options.printer.accept_log.empty()) {
-    accept_log_.emplace(options.printer.accept_log);
-  }
+  if (!options.printer.accept_log.empty()) accept_log_.emplace(options.printer.accept_log);
   listen();
   hold_back();
   simulation_.attach(terminal_, {});
@@ -49,15 +47,9 @@ void Service::run() {
       options_.until_seconds ? rate.clocks(*options_.until_seconds) : sim::never;
   while (!interrupt_requested() && simulation_.now() < until) {
     simulation_.run_until(std::min(simulation_.now() + chunk, until));
-    if (reset_wanted_) {
-      reset();
-    }
-    if (simulation_.seconds() - held_since_ > longest_start_seconds) {
-      terminal_.hold_back(false);
-    }
-    if (progress_.due()) {
-      show_status();
-    }
+    if (reset_wanted_) reset();
+    if (simulation_.seconds() - held_since_ > longest_start_seconds) terminal_.hold_back(false);
+    if (progress_.due()) show_status();
     pacer_.keep(simulation_.seconds());
   }
   progress_.finish();
@@ -81,9 +73,7 @@ std::string Service::close_files() {
     complaint = error.what();
   }
   try {
-    if (accept_log_) {
-      accept_log_->close();
-    }
+    if (accept_log_) accept_log_->close();
   } catch (const std::runtime_error& error) {
     complaint = error.what();
   }
@@ -108,13 +98,13 @@ void Service::listen() {
   terminal_.on_close = [this](sim::Clock) { say("the host has closed the port"); };
   terminal_.on_byte = [this](sim::Clock now, char byte) {
     host_.heard(now, byte);
-    if (byte == '\n' && !reset_wanted_) terminal_.hold_back(false);  // it has greeted
+    if (byte == '\n' && !reset_wanted_) {
+      terminal_.hold_back(false);  // it has greeted
+    }
   };
   watch_.on_accepted = [this](sim::Clock now, const report::AcceptedLine& line) {
     host_.accepted(now, line);
-    if (accept_log_) {
-      accept_log_->put(line);
-    }
+    if (accept_log_) accept_log_->put(line);
   };
   watch_.on_program = [this](sim::Clock, bool firmware) {
     firmware_is_there_ = firmware;
@@ -176,9 +166,7 @@ void Service::show_status() {
 }
 
 std::string Service::connection() const {
-  if (!terminal_.connected()) {
-    return "no host";
-  }
+  if (!terminal_.connected()) return "no host";
   if (terminal_.host_baud() != setup_.baud()) {
     return fmt::format("the host is at {} baud, not {}!", terminal_.host_baud(), setup_.baud());
   }
@@ -195,9 +183,7 @@ void Service::complain_if_disk_is_full() {
 
 void Service::complain_if_slow(double ratio, double seconds) {
   slow_for_ = ratio < slow_ratio ? slow_for_ + seconds : 0;
-  if (!options_.real_time || complained_ || slow_for_ < slow_seconds) {
-    return;
-  }
+  if (!options_.real_time || complained_ || slow_for_ < slow_seconds) return;
   complained_ = true;
   say(fmt::format(
       "this machine simulates {:.2f} million clocks/s: with --clock-hz {} the printer "

@@ -49,9 +49,7 @@ void let_writes_fail() {
 bool interrupt_requested() { return requested != 0; }
 
 void end_if_interrupted() {
-  if (interrupt_requested()) {
-    throw Interrupted();
-  }
+  if (interrupt_requested()) throw Interrupted();
 }
 
 }  // namespace command

@@ -49,9 +49,7 @@ std::string BenchJudge::key(const std::string& bench, const Variant& variant) co
 double BenchJudge::seconds(const std::string& bench, const fs::path& folder) {
   {
     const std::scoped_lock lock(mutex_);
-    if (const auto found = seconds_.find(bench); found != seconds_.end()) {
-      return found->second;
-    }
+    if (const auto found = seconds_.find(bench); found != seconds_.end()) return found->second;
   }
   std::vector<std::string> arguments{"ghdl", "-c", "--std=08", "-fpsl"};
   for (const std::string& file : sources_.files(sources_.simulated(), bench, "", "")) {
@@ -87,19 +85,13 @@ Judged BenchJudge::ask(const std::string& bench, const Variant& variant, const f
   // One that hangs is found by its processor time.
   const std::chrono::seconds limit(static_cast<int>(std::ceil(3 * usual + 3)));
   const ProcessResult result = run_process(arguments, folder, log, wall_limit, limit);
-  if (result.exit_status == 0) {
-    return {Finding::passes, bench};
-  }
-  if (result.timed_out) {
-    return {Finding::killed, bench + " does not end"};
-  }
+  if (result.exit_status == 0) return {Finding::passes, bench};
+  if (result.timed_out) return {Finding::killed, bench + " does not end"};
   // What fails while time goes by gives its time: "FILE:LINE:COLUMN:@TIME:(assertion failure): ..."
   static const std::regex failure(R"(:@[0-9]+[a-z]+:.*)");
   const std::string text = text_of(log) + text_of(log.string() + ".err");
   std::smatch match;
-  if (std::regex_search(text, match, failure)) {
-    return {Finding::killed, bench};
-  }
+  if (std::regex_search(text, match, failure)) return {Finding::killed, bench};
   if (text.find("simulation failed") == std::string::npos) {
     return {Finding::refused, last_words(log)};
   }

@@ -27,14 +27,10 @@ std::vector<Unit> units_of(const fs::path& project) {
   for (const char* folder : {"motion", "thermal"}) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(project / "rtl" / folder)) {
-      if (entry.path().extension() == ".vhd") {
-        files.push_back(entry.path());
-      }
+      if (entry.path().extension() == ".vhd") files.push_back(entry.path());
     }
     std::ranges::sort(files);
-    for (const fs::path& file : files) {
-      units.push_back({file.stem().string(), text_of(file)});
-    }
+    for (const fs::path& file : files) units.push_back({file.stem().string(), text_of(file)});
   }
   return units;
 }
@@ -141,25 +137,17 @@ bool run_campaign(const CampaignOptions& options, const fs::path& project, const
       options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < jobs; ++i) {
-      workers.emplace_back(run, i);
-    }
+    for (unsigned i = 0; i < jobs; ++i) workers.emplace_back(run, i);
   }
-  if (!failure.empty()) {
-    throw std::runtime_error(failure);
-  }
+  if (!failure.empty()) throw std::runtime_error(failure);
 
   const std::vector<std::string> stale = stale_entries(judgements, made, outcomes);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const bool good = is_good(outcomes, stale, is_sample);
   print_campaign(outcomes, stale, seconds);
-  if (!options.json.empty()) {
-    write_campaign(options.json, outcomes, stale, good, seconds);
-  }
-  if (options.record) {
-    record_campaign(lists, outcomes, made);
-  }
+  if (!options.json.empty()) write_campaign(options.json, outcomes, stale, good, seconds);
+  if (options.record) record_campaign(lists, outcomes, made);
   return good;
 }
 

@@ -29,9 +29,7 @@ const char* name_of(Fate fate) {
 Count count(const std::vector<MutantOutcome>& outcomes, const std::string& unit) {
   Count count;
   for (const MutantOutcome& outcome : outcomes) {
-    if (!unit.empty() && outcome.unit != unit) {
-      continue;
-    }
+    if (!unit.empty() && outcome.unit != unit) continue;
     switch (outcome.fate) {
       case Fate::killed:
         ++count.killed;
@@ -55,17 +53,11 @@ Count count(const std::vector<MutantOutcome>& outcomes, const std::string& unit)
 
 std::vector<std::size_t> sample_of(std::size_t all, std::size_t wanted, std::uint64_t seed) {
   std::vector<std::size_t> numbers(all);
-  for (std::size_t i = 0; i < all; ++i) {
-    numbers[i] = i;
-  }
-  if (wanted == 0 || wanted >= all) {
-    return numbers;
-  }
+  for (std::size_t i = 0; i < all; ++i) numbers[i] = i;
+  if (wanted == 0 || wanted >= all) return numbers;
   // Not std::shuffle: its choice is not the same with every library.
   std::mt19937_64 random(seed);
-  for (std::size_t i = 0; i < wanted; ++i) {
-    std::swap(numbers[i], numbers[i + random() % (all - i)]);
-  }
+  for (std::size_t i = 0; i < wanted; ++i) std::swap(numbers[i], numbers[i + random() % (all - i)]);
   numbers.resize(wanted);
   std::ranges::sort(numbers);
   return numbers;
@@ -77,9 +69,7 @@ std::vector<std::string> stale_entries(const std::map<std::string, Judgement>& j
   std::vector<std::string> stale;
   const std::set<std::string> known(made.begin(), made.end());
   for (const auto& [id, judgement] : judgements) {
-    if (!known.contains(id)) {
-      stale.push_back(fmt::format("no such mutant is made: {}", id));
-    }
+    if (!known.contains(id)) stale.push_back(fmt::format("no such mutant is made: {}", id));
   }
   for (const MutantOutcome& outcome : outcomes) {
     // A proof of equivalence refutes no judgement, and whether it ends in time is the machine's.

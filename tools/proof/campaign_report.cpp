@@ -22,9 +22,7 @@ using Json = nlohmann::ordered_json;
 std::vector<std::string> units_of(const std::vector<MutantOutcome>& outcomes) {
   std::vector<std::string> units;
   for (const MutantOutcome& outcome : outcomes) {
-    if (units.empty() || units.back() != outcome.unit) {
-      units.push_back(outcome.unit);
-    }
+    if (units.empty() || units.back() != outcome.unit) units.push_back(outcome.unit);
   }
   return units;
 }
@@ -59,9 +57,7 @@ double mean_seconds(const std::vector<MutantOutcome>& outcomes, const std::strin
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file);
   stream << text;
-  if (!stream.flush()) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 }  // namespace
@@ -72,9 +68,7 @@ void print_progress(const MutantOutcome& outcome, std::size_t done, std::size_t 
     fmt::print("SURVIVES{} ({}, {:.1f} s) {}\n", outcome.is_listed ? ", listed" : "", outcome.by,
                outcome.seconds, outcome.mutant.id);
   }
-  if (done % interval == 0) {
-    fmt::print("{} of {} mutants tried\n", done, all);
-  }
+  if (done % interval == 0) fmt::print("{} of {} mutants tried\n", done, all);
   std::fflush(stdout);
 }
 
@@ -133,23 +127,17 @@ void record_campaign(const std::filesystem::path& folder,
                      const std::vector<std::string>& made) {
   std::filesystem::create_directories(folder);
   std::map<std::string, const MutantOutcome*> tried;
-  for (const MutantOutcome& outcome : outcomes) {
-    tried[outcome.mutant.id] = &outcome;
-  }
+  for (const MutantOutcome& outcome : outcomes) tried[outcome.mutant.id] = &outcome;
   const std::vector<std::string> units = units_of(outcomes);
   std::set<std::string> to_write(units.begin(), units.end());
   for (const std::string& id : made) {
     const std::string unit = id.substr(0, id.find(':'));
-    if (!exists(folder / (unit + ".tsv"))) {
-      to_write.insert(unit);
-    }
+    if (!exists(folder / (unit + ".tsv"))) to_write.insert(unit);
   }
   for (const std::string& unit : to_write) {
     std::string text;
     for (const std::string& id : made) {
-      if (!id.starts_with(unit + ": ")) {
-        continue;
-      }
+      if (!id.starts_with(unit + ": ")) continue;
       const auto found = tried.find(id);
       text += fmt::format("{}\t{}\t{}\n",
                           found == tried.end() ? not_tried : name_of(found->second->fate),
@@ -162,16 +150,12 @@ void record_campaign(const std::filesystem::path& folder,
 
 std::set<std::string> untried_mutants(const std::filesystem::path& folder) {
   std::set<std::string> ids;
-  if (!exists(folder)) {
-    return ids;
-  }
+  if (!exists(folder)) return ids;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     std::ifstream stream(file.path());
     const std::string start = fmt::format("{}\t\t", not_tried);
     for (std::string line; file.path().extension() == ".tsv" && std::getline(stream, line);) {
-      if (line.starts_with(start)) {
-        ids.insert(line.substr(start.size()));
-      }
+      if (line.starts_with(start)) ids.insert(line.substr(start.size()));
     }
   }
   return ids;

@@ -88,9 +88,7 @@ std::string text_of(const std::string& name, const Row& row) {
 std::string summary_of(const fs::path& folder) {
   std::vector<fs::path> lists;
   for (const auto& file : fs::directory_iterator(folder)) {
-    if (file.path().extension() == ".tsv") {
-      lists.push_back(file.path());
-    }
+    if (file.path().extension() == ".tsv") lists.push_back(file.path());
   }
   std::ranges::sort(lists);
   std::string text = introduction;
@@ -108,9 +106,7 @@ std::string summary_of(const fs::path& folder) {
     text += text_of(fmt::format("`{}`", list.stem().string()), row);
   }
   text += text_of("**all**", all);
-  if (survivors.empty()) {
-    return text + "\nNone of those that were tried survives.\n";
-  }
+  if (survivors.empty()) return text + "\nNone of those that were tried survives.\n";
   return text + "\nSurviving, and what they were tried on:\n\n" + survivors;
 }
 
@@ -118,9 +114,7 @@ void write_summary(const fs::path& folder) {
   const fs::path file = folder / "RESULTS.md";
   std::ofstream stream(file);
   stream << summary_of(folder);
-  if (!stream.flush()) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 }  // namespace proof

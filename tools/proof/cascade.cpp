@@ -50,9 +50,7 @@ MutantOutcome Cascade::try_mutant(const Unit& unit, const Mutant& mutant, const 
   // The first text that compiles counts.
   for (std::size_t choice = 0; choice < mutant.texts.size(); ++choice) {
     decide(unit, choice, folder, quick, outcome);
-    if (outcome.fate != Fate::refused) {
-      break;
-    }
+    if (outcome.fate != Fate::refused) break;
   }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
@@ -85,17 +83,13 @@ void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folde
                  outcome);
   };
   for (const std::string& bench : judges_.benches.own_benches(unit.name)) {
-    if (ask_bench(bench)) {
-      return;
-    }
+    if (ask_bench(bench)) return;
   }
   // Short benches, which take less than a solver, comparison, proofs of the unit, long benches,
   // proofs of what contains it.
   std::vector<std::string> benches = judges_.benches.other_benches(unit.name);
   std::map<std::string, double> seconds;
-  for (const std::string& bench : benches) {
-    seconds[bench] = bench_seconds(bench, folder);
-  }
+  for (const std::string& bench : benches) seconds[bench] = bench_seconds(bench, folder);
   std::ranges::sort(benches, {}, [&seconds](const std::string& bench) { return seconds[bench]; });
   constexpr double short_seconds = 5;
   const auto is_decided_by_benches = [&](bool are_short) {
@@ -103,17 +97,13 @@ void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folde
       return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
     });
   };
-  if (is_decided_by_benches(true)) {
-    return;
-  }
+  if (is_decided_by_benches(true)) return;
   if (takes(
           ask(judges_.netlists.key(variant), [&] { return judges_.netlists.ask(variant, folder); }),
           outcome)) {
     return;
   }
-  if (quick) {
-    return;
-  }
+  if (quick) return;
   const std::string comparison = outcome.by;
   const std::vector<Proof> proofs = judges_.proofs.proofs_of(unit.name);
   const auto is_killed_by_proofs = [&](bool are_own) {

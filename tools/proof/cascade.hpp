@@ -28,9 +28,7 @@ class Cascade {
  private:
   template <typename Ask>
   Judged ask(const std::string& key, const Ask& judge) {
-    if (const auto found = findings_.find(key)) {
-      return *found;
-    }
+    if (const auto found = findings_.find(key)) return *found;
     const Judged judged = judge();
     findings_.add(key, judged);
     return judged;

@@ -31,9 +31,7 @@ Findings::Findings(const std::filesystem::path& file) {
     std::getline(words, detail);
     const auto* name = std::ranges::find_if(
         names, [&finding](const Name& entry) { return entry.text == finding; });
-    if (name != names.end() && !stream.eof()) {
-      known_[key] = {name->finding, detail};
-    }
+    if (name != names.end() && !stream.eof()) known_[key] = {name->finding, detail};
   }
   file_.open(file, std::ios::app);
   file_ << "\n";

@@ -29,9 +29,7 @@ class Translation {
   Translation(std::string_view top, const Choice& choice) : top_(top), choice_(choice) {}
 
   FormalNetlist translate(std::vector<std::string> lines) {
-    for (std::size_t number = 0; number < lines.size(); ++number) {
-      translate_line(lines, number);
-    }
+    for (std::size_t number = 0; number < lines.size(); ++number) translate_line(lines, number);
     for (const auto* names : {&choice_.only, &choice_.except}) {
       for (const std::string& property : *names) {
         if (!has(seen_, property)) {
@@ -139,12 +137,8 @@ FormalNetlist make_formal(std::string_view verilog, std::string_view top, const 
 }
 
 bool is_property(std::string_view label, std::string_view property) {
-  if (!label.ends_with(property)) {
-    return false;
-  }
-  if (label.size() == property.size()) {
-    return true;
-  }
+  if (!label.ends_with(property)) return false;
+  if (label.size() == property.size()) return true;
   const char before = label[label.size() - property.size() - 1];
   return before == '_' || before == '.';
 }

@@ -36,9 +36,7 @@ JudgedSources::JudgedSources(const Folders& folders)
 
 std::vector<std::string> JudgedSources::entities_of(const std::string& unit) const {
   static const std::regex entity(R"((^|\n)entity )");
-  if (std::regex_search(synthesized_.text_of(unit), entity)) {
-    return {unit};
-  }
+  if (std::regex_search(synthesized_.text_of(unit), entity)) return {unit};
   const fs::path folder = synthesized_.file_of(unit).parent_path();
   std::vector<std::string> users;
   for (const std::string& name : synthesized_.units()) {
@@ -109,9 +107,7 @@ std::optional<std::string> JudgedSources::synthesize(
 void write(const fs::path& file, const std::string& text) {
   std::ofstream stream(file);
   stream << text;
-  if (!stream.flush()) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 std::string last_words(const fs::path& log) {

@@ -12,11 +12,11 @@ namespace proof {
 
 enum class Method {
   induction,  // for any number of clocks: the first `depth` by trying all, the rest by induction
-              // over `depth`
+  // over `depth`
   bounded,  // the first `depth` clocks after the start, whatever the inputs
   arithmetic,  // a statement about numbers, without clocks
   sighting,  // no proof either: that signals take so many values, so that what is said of these
-             // is said of something
+  // is said of something
   bench,  // no proof: a test bench, for mutations of what no solver can follow
 };
 

@@ -17,9 +17,7 @@ namespace {
 class Entry {
  public:
   Entry(const std::filesystem::path& file, const toml::node& node) : file_(file) {
-    if (!node.is_table()) {
-      fail("is not a table");
-    }
+    if (!node.is_table()) fail("is not a table");
     table_ = node.as_table();
     name_ = text("name");
   }
@@ -27,17 +25,13 @@ class Entry {
   std::string text(const std::string& key) {
     const toml::node* found = find(key);
     const auto value = found == nullptr ? std::nullopt : found->value<std::string>();
-    if (!value || value->empty()) {
-      fail(key + " must be a text");
-    }
+    if (!value || value->empty()) fail(key + " must be a text");
     return *value;
   }
 
   int whole(const std::string& key, int fallback) {
     const toml::node* found = find(key);
-    if (found == nullptr) {
-      return fallback;
-    }
+    if (found == nullptr) return fallback;
     const auto value = found->value<std::int64_t>();
     constexpr std::int64_t most_clocks = 1000;
     if (!found->is_integer() || *value < 1 || *value > most_clocks) {
@@ -48,25 +42,17 @@ class Entry {
 
   bool flag(const std::string& key) {
     const toml::node* found = find(key);
-    if (found != nullptr && !found->is_boolean()) {
-      fail(key + " must be true or false");
-    }
+    if (found != nullptr && !found->is_boolean()) fail(key + " must be true or false");
     return found != nullptr && *found->value<bool>();
   }
 
   std::vector<std::string> texts(const std::string& key) {
     std::vector<std::string> values;
     const toml::node* found = find(key);
-    if (found == nullptr) {
-      return values;
-    }
-    if (!found->is_array()) {
-      fail(key + " must be an array of texts");
-    }
+    if (found == nullptr) return values;
+    if (!found->is_array()) fail(key + " must be an array of texts");
     for (const toml::node& element : *found->as_array()) {
-      if (!element.is_string()) {
-        fail(key + " must be an array of texts");
-      }
+      if (!element.is_string()) fail(key + " must be an array of texts");
       values.push_back(*element.value<std::string>());
     }
     return values;
@@ -75,16 +61,10 @@ class Entry {
   std::map<std::string, std::string> generics() {
     std::map<std::string, std::string> values;
     const toml::node* found = find("generics");
-    if (found == nullptr) {
-      return values;
-    }
-    if (!found->is_table()) {
-      fail("generics must be a table");
-    }
+    if (found == nullptr) return values;
+    if (!found->is_table()) fail("generics must be a table");
     for (const auto& [key, value] : *found->as_table()) {
-      if (!value.is_integer()) {
-        fail("generics must be whole numbers");
-      }
+      if (!value.is_integer()) fail("generics must be whole numbers");
       values[std::string(key.str())] = std::to_string(*value.value<std::int64_t>());
     }
     return values;
@@ -121,9 +101,7 @@ Method method_of(Entry& entry) {
   const std::string text = entry.text("by");
   for (const Method method :
        {Method::induction, Method::bounded, Method::arithmetic, Method::sighting, Method::bench}) {
-    if (text == name_of(method)) {
-      return method;
-    }
+    if (text == name_of(method)) return method;
   }
   entry.fail("by must be induction, bounded, arithmetic, sighting or bench");
 }
@@ -144,13 +122,9 @@ Proof proof_of(Entry& entry) {
     proof.only = entry.texts("only");
     proof.except = entry.texts("except");
     proof.free = entry.texts("free");
-    for (const std::string& file : entry.texts("stand_ins")) {
-      proof.stand_ins.emplace_back(file);
-    }
+    for (const std::string& file : entry.texts("stand_ins")) proof.stand_ins.emplace_back(file);
     proof.free_copies = entry.texts("free_copies");
-    if (!entry.has("depth")) {
-      entry.fail("depth is missing");
-    }
+    if (!entry.has("depth")) entry.fail("depth is missing");
     proof.depth = entry.whole("depth", 1);
     if (proof.method == Method::sighting) {
       proof.signals = entry.texts("signals");
@@ -172,9 +146,7 @@ Mutation mutation_of(Entry& entry) {
   mutation.from = entry.text("from");
   mutation.to = entry.text("to");
   mutation.proof = entry.text("proof");
-  if (entry.has("property")) {
-    mutation.property = entry.text("property");
-  }
+  if (entry.has("property")) mutation.property = entry.text("property");
   mutation.depth = entry.whole("depth", usual_depth);
   return mutation;
 }
@@ -200,9 +172,7 @@ void read(const std::filesystem::path& file, const char* key, Item (*make)(Entry
     items.push_back(make(entry));
     entry.finish();
     const auto is_same = [&items](const Item& other) { return other.name == items.back().name; };
-    if (std::ranges::count_if(items, is_same) > 1) {
-      entry.fail("stands there twice");
-    }
+    if (std::ranges::count_if(items, is_same) > 1) entry.fail("stands there twice");
   }
 }
 
@@ -210,13 +180,9 @@ void read(const std::filesystem::path& file, const char* key, Item (*make)(Entry
 std::vector<std::filesystem::path> lists_in(const std::filesystem::path& folder, const char* name) {
   std::vector<std::filesystem::path> files;
   for (const auto& group : std::filesystem::directory_iterator(folder)) {
-    if (!is_directory(group.path() / name)) {
-      continue;
-    }
+    if (!is_directory(group.path() / name)) continue;
     for (const auto& file : std::filesystem::directory_iterator(group.path() / name)) {
-      if (file.path().extension() == ".toml") {
-        files.push_back(file.path());
-      }
+      if (file.path().extension() == ".toml") files.push_back(file.path());
     }
   }
   std::ranges::sort(files);

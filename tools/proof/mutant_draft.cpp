@@ -22,9 +22,7 @@ std::string shown_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
     const bool is_blank = c == ' ' || c == '\n';
-    if (!is_blank || (!result.empty() && result.back() != ' ')) {
-      result += is_blank ? ' ' : c;
-    }
+    if (!is_blank || (!result.empty() && result.back() != ' ')) result += is_blank ? ' ' : c;
   }
   return trimmed(result);
 }
@@ -47,12 +45,8 @@ void MutantDraft::replace(const char* kind, Span span, Span statement,
   constexpr std::size_t shown_context = 60;
   std::string before = text_.shown({statement.first, span.first});
   std::string after = text_.shown({span.last, std::max(span.last, statement.last)});
-  if (before.size() > shown_context) {
-    before = "..." + before.substr(before.size() - shown_context);
-  }
-  if (after.size() > shown_context) {
-    after = after.substr(0, shown_context) + "...";
-  }
+  if (before.size() > shown_context) before = "..." + before.substr(before.size() - shown_context);
+  if (after.size() > shown_context) after = after.substr(0, shown_context) + "...";
   const std::string operation = kind;
   const std::string what = text_.shown(span);
   std::string shown;
@@ -72,9 +66,7 @@ std::vector<Mutant> MutantDraft::finish() {
   std::map<std::string, int> seen;
   for (Mutant& mutant : mutants_) {
     const int count = ++seen[mutant.id];
-    if (count > 1) {
-      mutant.id += fmt::format(" #{}", count);
-    }
+    if (count > 1) mutant.id += fmt::format(" #{}", count);
   }
   return std::move(mutants_);
 }

@@ -36,13 +36,9 @@ void read_entry(const std::string& file, const toml::table& entry, Judgement::Ki
 
 std::map<std::string, Judgement> read_judgements(const std::filesystem::path& folder) {
   std::map<std::string, Judgement> judgements;
-  if (!exists(folder)) {
-    return judgements;
-  }
+  if (!exists(folder)) return judgements;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    if (file.path().extension() != ".toml") {
-      continue;
-    }
+    if (file.path().extension() != ".toml") continue;
     const std::string name = file.path().filename().string();
     toml::table table;
     try {

@@ -54,9 +54,7 @@ std::vector<std::string> constants_of(std::string_view text) {
   std::vector<std::string> names;
   const std::vector<Token> tokens = tokens_of(text);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].text == "constant") {
-      names.push_back(tokens[i + 1].text);
-    }
+    if (tokens[i].text == "constant") names.push_back(tokens[i + 1].text);
   }
   return names;
 }

@@ -15,15 +15,9 @@ std::string mutated(const std::string& text, const Mutation& mutation) {
                                          mutation.list.string(), mutation.name,
                                          mutation.file.string(), what));
   };
-  if (place == std::string::npos) {
-    fail("is not there");
-  }
-  if (text.find(mutation.from, place + 1) != std::string::npos) {
-    fail("stands there more than once");
-  }
-  if (mutation.from == mutation.to) {
-    fail("is not changed");
-  }
+  if (place == std::string::npos) fail("is not there");
+  if (text.find(mutation.from, place + 1) != std::string::npos) fail("stands there more than once");
+  if (mutation.from == mutation.to) fail("is not changed");
   std::string result = text;
   result.replace(place, mutation.from.size(), mutation.to);
   return result;

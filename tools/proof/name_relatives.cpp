@@ -37,16 +37,12 @@ NameRelatives::NameRelatives(const VhdlText& text, const std::vector<std::string
   std::set<std::string> names[2];
   for (const Expression& expression : text.outline().expressions) {
     for (std::size_t i = expression.tokens.first; i < expression.tokens.last; ++i) {
-      if (text.is_name(i, expression.tokens)) {
-        names[text.is_field(i)].insert(text.word(i));
-      }
+      if (text.is_name(i, expression.tokens)) names[text.is_field(i)].insert(text.word(i));
     }
   }
   for (const bool fields : {false, true}) {
     std::set<std::string> others = names[fields];
-    if (!fields) {
-      others.insert(constants.begin(), constants.end());
-    }
+    if (!fields) others.insert(constants.begin(), constants.end());
     for (const std::string& name : names[fields]) {
       std::string found;
       double nearest = 0;
@@ -58,9 +54,7 @@ NameRelatives::NameRelatives(const VhdlText& text, const std::vector<std::string
           nearest = near;
         }
       }
-      if (!found.empty()) {
-        families_[fields][name] = found;
-      }
+      if (!found.empty()) families_[fields][name] = found;
     }
   }
 }

@@ -56,9 +56,7 @@ std::optional<Choice> NetlistJudge::invariants_of(const std::string& entity) con
   Choice choice;
   if (some_take_all) {
     for (const std::string& property : except) {
-      if (!only.contains(property)) {
-        choice.except.push_back(property);
-      }
+      if (!only.contains(property)) choice.except.push_back(property);
     }
     return choice;
   }
@@ -102,9 +100,7 @@ std::string NetlistJudge::write_netlist(const std::string& verilog, const std::s
   const fs::path log = folder / fmt::format("{}.log", name);
   const ProcessResult result =
       run_process({"yosys", "-q", "-p", script}, folder, log, wall_limit, synthesis_limit);
-  if (result.exit_status != 0) {
-    throw std::runtime_error(last_words(log));
-  }
+  if (result.exit_status != 0) throw std::runtime_error(last_words(log));
   return netlist.string();
 }
 
@@ -113,18 +109,14 @@ const NetlistJudge::Original& NetlistJudge::original(const std::string& entity) 
   {
     const std::scoped_lock lock(mutex_);
     auto& entry = originals_[entity];
-    if (!entry) {
-      entry = std::make_unique<Original>();
-    }
+    if (!entry) entry = std::make_unique<Original>();
     original = entry.get();
   }
   std::call_once(original->once, [&] {
     const fs::path folder = sources_.work() / "originals" / entity;
     fs::create_directories(folder);
     const auto verilog = sources_.synthesize(entity, "", "", compared_generics(entity), folder);
-    if (!verilog) {
-      throw std::runtime_error(entity + " cannot be synthesized");
-    }
+    if (!verilog) throw std::runtime_error(entity + " cannot be synthesized");
     original->verilog = *verilog;
     original->netlist = write_netlist(*verilog, entity, "gold", folder);
   });
@@ -135,9 +127,7 @@ Judged NetlistJudge::ask(const Variant& variant, const fs::path& folder) {
   Judged judged;
   for (const std::string& entity : sources_.entities_of(variant.unit)) {
     judged = compare_in(entity, variant, folder);
-    if (judged.finding != Finding::equivalent) {
-      break;
-    }
+    if (judged.finding != Finding::equivalent) break;
   }
   return judged;
 }
@@ -149,9 +139,7 @@ Judged NetlistJudge::compare_in(const std::string& entity, const Variant& varian
   write(file, variant.synthesized);
   const auto verilog =
       sources_.synthesize(entity, variant.unit, file.string(), compared_generics(entity), folder);
-  if (!verilog) {
-    return {Finding::refused, "refused by synthesis"};
-  }
+  if (!verilog) return {Finding::refused, "refused by synthesis"};
   if (without_comments(*verilog) == without_comments(gold.verilog)) {
     return {Finding::equivalent, "the same netlist"};
   }

@@ -54,9 +54,7 @@ Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::pat
   write(file, variant.synthesized);
   const auto verilog =
       sources_.synthesize(proof.entity, variant.unit, file.string(), proof.generics, folder);
-  if (!verilog) {
-    return {Finding::passes, "not synthesized with these generics"};
-  }
+  if (!verilog) return {Finding::passes, "not synthesized with these generics"};
   FormalNetlist formal;
   try {
     formal = make_formal(*verilog, proof.entity,
@@ -69,9 +67,7 @@ Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::pat
   for (const std::string& entity : proof.free) {
     cuts += fmt::format("cutpoint t:{0} t:{0}_*; ", entity);
   }
-  for (const std::string& copy : proof.free_copies) {
-    cuts += fmt::format("cutpoint c:*{}_*; ", copy);
-  }
+  for (const std::string& copy : proof.free_copies) cuts += fmt::format("cutpoint c:*{}_*; ", copy);
   const int depth =
       proof.method == Method::bounded ? std::min(proof.depth, deepest_run) : deepest_run;
   const std::string script = fmt::format(

@@ -52,12 +52,8 @@ Json json_of(const Trial& trial) {
     json["entity"] = trial.proof.entity;
     json["generics"] = trial.proof.generics;
     json["method"] = name_of(trial.proof.method);
-    if (trial.proof.depth != 0) {
-      json["depth_clocks"] = trial.proof.depth;
-    }
-    if (trial.proof.method == Method::sighting) {
-      json["values"] = trial.proof.values;
-    }
+    if (trial.proof.depth != 0) json["depth_clocks"] = trial.proof.depth;
+    if (trial.proof.method == Method::sighting) json["values"] = trial.proof.values;
     json["result"] = name_of(trial.outcome.verdict);
     json["properties"] = trial.outcome.asserted;
     json["assumptions"] = trial.outcome.assumed;
@@ -83,9 +79,7 @@ void print_line(const Trial& trial) {
                configuration_of(trial.proof), how(trial.proof), trial.outcome.asserted.size(),
                trial.outcome.seconds);
   }
-  if (!good) {
-    fmt::print("  {}\n", trial.outcome.explanation);
-  }
+  if (!good) fmt::print("  {}\n", trial.outcome.explanation);
   std::fflush(stdout);
 }
 
@@ -109,17 +103,13 @@ void write_json(const std::filesystem::path& file, const std::vector<Trial>& tri
   for (const Trial& trial : trials) {
     json[trial.mutation ? "mutations" : "proofs"].push_back(json_of(trial));
     if (trial.outcome.verdict != Verdict::holds) {
-      if (trial.proof.method == Method::sighting) {
-        json["values"] = trial.proof.values;
-      }
+      if (trial.proof.method == Method::sighting) json["values"] = trial.proof.values;
       json["result"] = "fails";
     }
   }
   std::ofstream stream(file);
   stream << json.dump(2) << "\n";
-  if (!stream.flush()) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 }  // namespace proof

@@ -42,9 +42,7 @@ std::vector<Trial> chosen(const Options& options, const List& list) {
       throw std::runtime_error(fmt::format("no proof or mutation {} is to be tried", name));
     }
   }
-  if (trials.empty()) {
-    throw std::runtime_error("nothing is to be tried");
-  }
+  if (trials.empty()) throw std::runtime_error("nothing is to be tried");
   return trials;
 }
 
@@ -84,17 +82,13 @@ bool prove(const Options& options, const std::filesystem::path& project,
       options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < jobs; ++i) {
-      workers.emplace_back(work);
-    }
+    for (unsigned i = 0; i < jobs; ++i) workers.emplace_back(work);
   }
 
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   print_summary(trials, seconds);
-  if (!options.json.empty()) {
-    write_json(options.json, trials, seconds);
-  }
+  if (!options.json.empty()) write_json(options.json, trials, seconds);
   return std::ranges::all_of(
       trials, [](const Trial& trial) { return trial.outcome.verdict == Verdict::holds; });
 }

@@ -39,9 +39,7 @@ std::set<std::string> read_solutions(std::string_view text) {
   int clock = 0;
   std::string values;
   const auto finish = [&] {
-    if (values.find('1') != std::string::npos) {
-      solutions.insert(values);
-    }
+    if (values.find('1') != std::string::npos) solutions.insert(values);
     values.clear();
   };
   std::smatch match;

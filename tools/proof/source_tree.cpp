@@ -20,9 +20,7 @@ std::set<std::string> names_needed(const std::string& text) {
   std::set<std::string> needs;
   const std::vector<Token> tokens = tokens_of(text);
   for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
-    if (tokens[i].text == "work" && tokens[i + 1].text == ".") {
-      needs.insert(tokens[i + 2].text);
-    }
+    if (tokens[i].text == "work" && tokens[i + 1].text == ".") needs.insert(tokens[i + 2].text);
   }
   return needs;
 }
@@ -42,9 +40,7 @@ SourceTree::SourceTree(const std::vector<fs::path>& folders) {
 
 const SourceTree::File& SourceTree::file(const std::string& unit) const {
   const auto found = files_.find(unit);
-  if (found == files_.end()) {
-    throw std::runtime_error(fmt::format("there is no file {}.vhd", unit));
-  }
+  if (found == files_.end()) throw std::runtime_error(fmt::format("there is no file {}.vhd", unit));
   return found->second;
 }
 
@@ -67,9 +63,7 @@ std::set<std::string> SourceTree::closure_of(const std::string& unit) const {
 
 std::vector<std::string> SourceTree::units() const {
   std::vector<std::string> names;
-  for (const auto& [name, file] : files_) {
-    names.push_back(name);
-  }
+  for (const auto& [name, file] : files_) names.push_back(name);
   return names;
 }
 

@@ -19,9 +19,7 @@ std::size_t operand_end(const VhdlText& text, std::size_t i, Span all) {
       break;
     }
     depth += text.word(i) == "(" ? 1 : text.word(i) == ")" ? -1 : 0;
-    if (depth == 0 && (is_boundary(text.word(i)) || is_logical(text.word(i)))) {
-      break;
-    }
+    if (depth == 0 && (is_boundary(text.word(i)) || is_logical(text.word(i)))) break;
   }
   return i;
 }
@@ -33,9 +31,7 @@ std::size_t operand_start(const VhdlText& text, std::size_t i, Span all) {
       break;
     }
     depth += before == ")" ? 1 : before == "(" ? -1 : 0;
-    if (depth == 0 && (is_boundary(before) || is_logical(before))) {
-      break;
-    }
+    if (depth == 0 && (is_boundary(before) || is_logical(before))) break;
   }
   return i;
 }
@@ -45,17 +41,13 @@ std::size_t operand_start(const VhdlText& text, std::size_t i, Span all) {
 void drop_operands(const VhdlText& text, const Expression& expression, MutantDraft& draft) {
   const Span all = expression.tokens;
   for (std::size_t i = all.first; i < all.last; ++i) {
-    if (!is_logical(text.word(i)) || !text.has_operand_before(i, all)) {
-      continue;
-    }
+    if (!is_logical(text.word(i)) || !text.has_operand_before(i, all)) continue;
     const std::size_t end = operand_end(text, i + 1, all);
     draft.replace("operand", {i, end}, expression.statement, {""});
     const std::size_t start = operand_start(text, i, all);
     const bool is_first = start == all.first || !is_logical(text.word(start - 1)) ||
                           !text.has_operand_before(start - 1, all);
-    if (is_first) {
-      draft.replace("operand", {start, i + 1}, expression.statement, {""});
-    }
+    if (is_first) draft.replace("operand", {start, i + 1}, expression.statement, {""});
   }
 }
 
@@ -78,9 +70,7 @@ void swap_neighbours(const VhdlText& text, const Expression& expression, MutantD
       depth += text.word(k) == "(" ? 1 : text.word(k) == ")" ? -1 : 0;
     }
     for (std::size_t k = 0; k + 1 < values.size(); ++k) {
-      if (values[k].first >= values[k].last || values[k + 1].first >= values[k + 1].last) {
-        continue;
-      }
+      if (values[k].first >= values[k].last || values[k + 1].first >= values[k + 1].last) continue;
       const std::string between = text.source({values[k].last, values[k + 1].first});
       if (text.source(values[k]) != text.source(values[k + 1])) {
         draft.replace("swap", {values[k].first, values[k + 1].last}, expression.statement,

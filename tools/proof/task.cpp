@@ -35,9 +35,7 @@ Outcome solve(const SolverInput& input, const Stage& stage, const fs::path& fold
   const fs::path trace = folder / fmt::format("{}.vcd", stage.name);
   std::vector<std::string> arguments{
       "yosys-smtbmc", "-s", "z3", "-t", std::to_string(stage.depth), "--dump-vcd", trace.string()};
-  if (*stage.option != '\0') {
-    arguments.insert(arguments.begin() + 1, stage.option);
-  }
+  if (*stage.option != '\0') arguments.insert(arguments.begin() + 1, stage.option);
   arguments.push_back(input.file.string());
   const fs::path log_file = folder / fmt::format("{}.log", stage.name);
   const ProcessResult result = run_process(arguments, folder, log_file, limit);
@@ -100,9 +98,7 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
   if (ask_sat(input, "-tempinduct-baseonly", clocks, folder, limit) != Answer::yes) {
     base = solve(input, from_start(clocks), folder, limit);
   }
-  if (proof.method == Method::bounded || base.verdict != Verdict::holds) {
-    return base;
-  }
+  if (proof.method == Method::bounded || base.verdict != Verdict::holds) return base;
   if (ask_sat(input, "-tempinduct-inductonly", proof.depth, folder, limit) == Answer::yes) {
     return base;
   }
@@ -227,9 +223,7 @@ Outcome try_proof(const Folders& folders, const Proof& proof, const fs::path& so
       return run_bench(folders, folder / "sources", proof.entity, folder, limit);
     }
     const SolverInput input = make_solver_input(folders, sources, proof, nullptr, folder);
-    if (proof.method == Method::sighting) {
-      return sight(input, proof, folder, limit);
-    }
+    if (proof.method == Method::sighting) return sight(input, proof, folder, limit);
     Outcome outcome = solve_clocked(input, proof, folder, limit);
     outcome.asserted = input.netlist.asserted;
     outcome.assumed = input.netlist.assumed;

@@ -74,9 +74,7 @@ class TokenOperators {
         {"<=", {"<", ">"}}, {">", {">=", "<="}}, {">=", {">", "<"}}};
     static const std::map<std::string, const char*> arithmetic{{"+", "-"}, {"-", "+"}, {"*", "+"}};
     if (const auto found = relations.find(word(i)); found != relations.end()) {
-      for (const char* to : found->second) {
-        mutate_token(i, expression.statement, "relation", to);
-      }
+      for (const char* to : found->second) mutate_token(i, expression.statement, "relation", to);
       // Bits have no order that anyone means.
       if (word(i) == "=" && i + 1 < expression.tokens.last &&
           text_.token(i + 1).kind != Kind::character) {
@@ -93,9 +91,7 @@ class TokenOperators {
 
   // The name behind a `&`; the first one of a chain where it is a name alone.
   void zero_parts(std::size_t i, const Expression& expression) {
-    if (const auto name = text_.name_from(i + 1, expression.tokens)) {
-      zero_part(*name, expression);
-    }
+    if (const auto name = text_.name_from(i + 1, expression.tokens)) zero_part(*name, expression);
     if (i > expression.tokens.first && text_.token(i - 1).kind == Kind::word &&
         (i - 1 == expression.tokens.first || word(i - 2) == "(" || word(i - 2) == ",") &&
         !is_reserved(word(i - 1))) {
@@ -126,9 +122,7 @@ class TokenOperators {
 
   void mutate_number(std::size_t i, const Expression& expression) {
     const auto value = number(word(i));
-    if (!value) {
-      return;
-    }
+    if (!value) return;
     const auto is_direction = [this](std::size_t place) {
       return word(place) == "downto" || word(place) == "to";
     };
@@ -148,9 +142,7 @@ class TokenOperators {
       return;
     }
     mutate_token(i, expression.statement, "number", std::to_string(*value + 1));
-    if (*value > 0) {
-      mutate_token(i, expression.statement, "number", std::to_string(*value - 1));
-    }
+    if (*value > 0) mutate_token(i, expression.statement, "number", std::to_string(*value - 1));
   }
 
   const VhdlText& text_;

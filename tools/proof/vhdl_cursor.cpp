@@ -14,9 +14,7 @@ bool VhdlCursor::is(std::string_view text, std::size_t distance) const {
 
 bool VhdlCursor::is_one_of(std::initializer_list<std::string_view> texts) const {
   for (const std::string_view text : texts) {
-    if (is(text)) {
-      return true;
-    }
+    if (is(text)) return true;
   }
   return false;
 }
@@ -36,9 +34,7 @@ std::size_t VhdlCursor::find(std::initializer_list<std::string_view> texts) cons
     const std::string& text = tokens_[i].text;
     if (depth == 0) {
       for (const std::string_view wanted : texts) {
-        if (text == wanted && tokens_[i].kind != Token::Kind::string) {
-          return i;
-        }
+        if (text == wanted && tokens_[i].kind != Token::Kind::string) return i;
       }
     }
     depth += text == "(" ? 1 : text == ")" ? -1 : 0;
@@ -47,9 +43,7 @@ std::size_t VhdlCursor::find(std::initializer_list<std::string_view> texts) cons
 }
 
 void VhdlCursor::skip_to_end_of(std::string_view unit) {
-  while (!(is("end") && is(unit, 1))) {
-    skip_past(";");
-  }
+  while (!(is("end") && is(unit, 1))) skip_past(";");
   skip_past(";");
 }
 

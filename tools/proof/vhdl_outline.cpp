@@ -61,9 +61,7 @@ class UnitReader {
         const std::size_t sign = cursor_.find({":=", ";"});
         if (sign < end) {
           statements_.add_expression({sign + 1, end}, {start, end});
-          if (in_subprogram_) {
-            outline_.values.push_back({{sign + 1, end}, {start, end}});
-          }
+          if (in_subprogram_) outline_.values.push_back({{sign + 1, end}, {start, end}});
         }
       }
       cursor_.go_to(end + 1);
@@ -88,12 +86,8 @@ class UnitReader {
   }
 
   void read_concurrent_statements() {
-    while (!cursor_.is_one_of({"end", "elsif", "else"})) {
-      read_concurrent();
-    }
-    if (cursor_.is("end")) {
-      cursor_.advance();
-    }
+    while (!cursor_.is_one_of({"end", "elsif", "else"})) read_concurrent();
+    if (cursor_.is("end")) cursor_.advance();
   }
 
   void read_concurrent() {
@@ -104,9 +98,7 @@ class UnitReader {
       if (cursor_.is("(")) {
         cursor_.skip_parentheses();
       }
-      if (cursor_.is("is")) {
-        cursor_.advance();
-      }
+      if (cursor_.is("is")) cursor_.advance();
       read_declarations(false);
       cursor_.expect("begin");
       statements_.read_sequence();
@@ -149,9 +141,7 @@ class UnitReader {
   // Of a block or a generate statement, past its `end` or up to its next branch.
   void read_region() {
     read_declarations(true);
-    if (cursor_.is("begin")) {
-      cursor_.advance();
-    }
+    if (cursor_.is("begin")) cursor_.advance();
     read_concurrent_statements();
   }
 
@@ -159,9 +149,7 @@ class UnitReader {
   void read_instance() {
     const std::size_t end = cursor_.find({";"});
     for (std::size_t map = cursor_.place(); map < end; ++map) {
-      if (cursor_.text_at(map) != "map") {
-        continue;
-      }
+      if (cursor_.text_at(map) != "map") continue;
       cursor_.go_to(map + 2);
       bool more = true;
       while (more) {

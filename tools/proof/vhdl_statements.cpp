@@ -5,9 +5,7 @@
 namespace proof {
 
 void StatementReader::add_expression(Span tokens, Span statement) {
-  if (tokens.first < tokens.last) {
-    outline_.expressions.push_back({tokens, statement});
-  }
+  if (tokens.first < tokens.last) outline_.expressions.push_back({tokens, statement});
 }
 
 void StatementReader::add_condition(Span tokens, Span statement) {
@@ -16,9 +14,7 @@ void StatementReader::add_condition(Span tokens, Span statement) {
 }
 
 void StatementReader::read_sequence() {
-  while (!cursor_.is_one_of({"end", "elsif", "else", "when"})) {
-    read_sequential();
-  }
+  while (!cursor_.is_one_of({"end", "elsif", "else", "when"})) read_sequential();
 }
 
 void StatementReader::read_branch_head(std::string_view end) {
@@ -57,9 +53,7 @@ void StatementReader::read_sequential() {
       read_value({start, end});
     } else {
       const std::size_t when = cursor_.find({"when", ";"});
-      if (when < end) {
-        add_condition({when + 1, end}, {start, end});
-      }
+      if (when < end) add_condition({when + 1, end}, {start, end});
     }
     cursor_.go_to(end + 1);
   } else {
@@ -106,15 +100,11 @@ void StatementReader::read_assignment(Span statement) {
   const std::size_t sign = cursor_.find({"<=", ":=", ";"});
   if (sign >= statement.last) {
     const std::size_t parenthesis = cursor_.find({"(", ";"});
-    if (parenthesis < statement.last) {
-      add_expression({parenthesis, statement.last}, statement);
-    }
+    if (parenthesis < statement.last) add_expression({parenthesis, statement.last}, statement);
     return;
   }
   const std::size_t parenthesis = cursor_.find({"(", "<=", ":="});
-  if (parenthesis < sign) {
-    add_expression({parenthesis, sign}, statement);
-  }
+  if (parenthesis < sign) add_expression({parenthesis, sign}, statement);
   cursor_.go_to(sign + 1);
   read_value(statement);
 }

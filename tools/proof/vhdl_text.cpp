@@ -10,9 +10,7 @@ VhdlText::VhdlText(std::string_view text)
     : text_(text), tokens_(tokens_of(text)), outline_(outline_of(tokens_)) {}
 
 std::string VhdlText::source(Span span) const {
-  if (span.first >= span.last) {
-    return {};
-  }
+  if (span.first >= span.last) return {};
   const std::size_t begin = tokens_[span.first].begin;
   return std::string(text_.substr(begin, tokens_[span.last - 1].end - begin));
 }
@@ -32,9 +30,7 @@ std::string VhdlText::shown(Span span) const {
 }
 
 bool VhdlText::is_literal(Span span) const {
-  if (span.first + 1 == span.last) {
-    return tokens_[span.first].kind != Kind::word;
-  }
+  if (span.first + 1 == span.last) return tokens_[span.first].kind != Kind::word;
   return word(span.first) == "(" && word(span.first + 1) == "others" && span.last - span.first <= 7;
 }
 
@@ -42,9 +38,7 @@ bool VhdlText::is_one_relation(Span span) const {
   int relations = 0;
   for (std::size_t i = span.first; i < span.last; ++i) {
     relations += word(i) == "=" || word(i) == "/=" ? 1 : 0;
-    if (is_logical(word(i)) || word(i) == "not") {
-      return false;
-    }
+    if (is_logical(word(i)) || word(i) == "not") return false;
   }
   return relations == 1;
 }
@@ -61,9 +55,7 @@ bool VhdlText::has_operand_before(std::size_t i, Span span) const {
 
 std::optional<Span> VhdlText::name_from(std::size_t i, Span within) const {
   const std::size_t first = i;
-  if (tokens_[i].kind != Kind::word || is_reserved(word(i))) {
-    return std::nullopt;
-  }
+  if (tokens_[i].kind != Kind::word || is_reserved(word(i))) return std::nullopt;
   for (++i; i < within.last;) {
     if (word(i) == "." && i + 1 < within.last) {
       i += 2;

@@ -23,9 +23,7 @@ class Lexer {
   explicit Lexer(std::string_view text) : text_(text) {}
 
   std::vector<Token> tokens() {
-    for (skip(); place_ < text_.size(); skip()) {
-      read();
-    }
+    for (skip(); place_ < text_.size(); skip()) read();
     return std::move(tokens_);
   }
 
@@ -60,9 +58,7 @@ class Lexer {
   std::size_t string_length(std::size_t distance) const {
     for (++distance; at(distance) != '\0'; ++distance) {
       if (at(distance) == '"') {
-        if (at(distance + 1) != '"') {
-          return distance + 1;
-        }
+        if (at(distance + 1) != '"') return distance + 1;
         ++distance;
       }
     }
@@ -71,9 +67,7 @@ class Lexer {
 
   // After a name or `)` it leads an attribute or a qualified expression.
   bool is_tick() const {
-    if (tokens_.empty()) {
-      return false;
-    }
+    if (tokens_.empty()) return false;
     const Token& before = tokens_.back();
     return before.text == ")" || (before.kind == Token::Kind::word && !is_reserved(before.text));
   }
@@ -82,9 +76,7 @@ class Lexer {
     const char c = at(0);
     if (is_letter(c)) {
       std::size_t length = 1;
-      while (is_word_part(at(length))) {
-        ++length;
-      }
+      while (is_word_part(at(length))) ++length;
       at(length) == '"' && length <= 2 ? add(Token::Kind::string, string_length(length))
                                        : add(Token::Kind::word, length);
     } else if (is_digit(c)) {

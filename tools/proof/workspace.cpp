@@ -22,9 +22,7 @@ constexpr std::chrono::seconds tool_limit{300};
 void write(const fs::path& file, const std::string& text) {
   std::ofstream stream(file);
   stream << text;
-  if (!stream.flush()) {
-    throw std::runtime_error("cannot write " + file.string());
-  }
+  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 void run_tool(const std::vector<std::string>& arguments, const fs::path& folder,
@@ -42,9 +40,7 @@ void run_tool(const std::vector<std::string>& arguments, const fs::path& folder,
 void add_sources(const fs::path& folder, std::vector<std::string>& files) {
   const std::size_t first = files.size();
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ".vhd") {
-      files.push_back(entry.path().string());
-    }
+    if (entry.path().extension() == ".vhd") files.push_back(entry.path().string());
   }
   std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
 }
@@ -79,9 +75,7 @@ void prepare_sources(const Folders& folders, const fs::path& sources, const Muta
   std::vector<std::string> weaver{
       (folders.project / "tools" / "hardware" / "weave_properties.sh").string(), rtl.string(),
       folders.list().string(), sources.string()};
-  if (purpose == Purpose::simulator) {
-    weaver.emplace_back("simulation");
-  }
+  if (purpose == Purpose::simulator) weaver.emplace_back("simulation");
   run_tool(weaver, sources.parent_path(), sources.parent_path() / "weave.log");
 }
 
@@ -99,9 +93,7 @@ fs::path analyse(const Folders& folders, const fs::path& sources,
   };
   std::vector<std::string> files;
   add_sources(sources, files);
-  for (const fs::path& stand_in : stand_ins) {
-    put_in_place(folders.list() / stand_in, files);
-  }
+  for (const fs::path& stand_in : stand_ins) put_in_place(folders.list() / stand_in, files);
   add_sources(folders.project / "testbench", files);
   ghdl("import", files, "import.log");
   ghdl("make", {unit}, "make.log");
@@ -141,12 +133,8 @@ SolverInput make_solver_input(const Folders& folders, const fs::path& sources, c
     checks += fmt::format("select -assert-min 1 {}; ", selection);
     cuts += fmt::format("cutpoint {}; ", selection);
   };
-  for (const std::string& entity : proof.free) {
-    free(fmt::format("t:{0} t:{0}_*", entity));
-  }
-  for (const std::string& copy : proof.free_copies) {
-    free(fmt::format("c:*{}_*", copy));
-  }
+  for (const std::string& entity : proof.free) free(fmt::format("t:{0} t:{0}_*", entity));
+  for (const std::string& copy : proof.free_copies) free(fmt::format("c:*{}_*", copy));
   const std::string prepare = fmt::format("prep -top {};", proof.entity);
   write(folder / "formal.v", input.netlist.verilog);
   input.file = folder / "formal.smt2";

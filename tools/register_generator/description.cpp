@@ -30,8 +30,9 @@ toml::table half_of(const toml::table& wide, const std::string& half) {
   };
   result.insert_or_assign("name", text(wide, "name") + "_" + half);
   result.insert_or_assign("summary", (low ? "Low word: " : "High word: ") + text(wide, "summary"));
-  if (const auto* access = wide["access_" + half].as_string())
+  if (const auto* access = wide["access_" + half].as_string()) {
     result.insert_or_assign("access", *access);
+  }
   result.erase("access_low");
   result.erase("access_high");
   if (!low) result.erase("read_event");
@@ -75,10 +76,12 @@ Register read_register(const Reader& reader, const toml::table& table, unsigned&
   if (next_offset > window_bytes) reader.fail(place, "lies beyond the 4 KiB of a peripheral");
   result.read_event = reader.flag(table, "read_event", place);
   result.write_event = reader.flag(table, "write_event", place);
-  if (result.read_event && !result.readable())
+  if (result.read_event && !result.readable()) {
     reader.fail(place, "read_event on a write-only register");
-  if (result.write_event && !result.writable())
+  }
+  if (result.write_event && !result.writable()) {
     reader.fail(place, "write_event on a read-only register");
+  }
 
   const auto* fields = table["field"].as_array();
   if (!fields || fields->empty()) reader.fail(place, "needs at least one field");
@@ -176,9 +179,7 @@ std::vector<std::filesystem::path> description_files(const std::filesystem::path
     if (entry.path().extension() != ".toml") continue;
     const Reader reader(entry.path());
     files.insert(entry.path());
-    for (const std::filesystem::path& part : reader.includes(reader.table())) {
-      included.insert(part);
-    }
+    for (const std::filesystem::path& part : reader.includes(reader.table())) included.insert(part);
   }
   std::vector<std::filesystem::path> found;
   std::ranges::set_difference(files, included, std::back_inserter(found));

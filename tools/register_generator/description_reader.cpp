@@ -103,10 +103,11 @@ void Reader::read_bits(const toml::table& table, const std::string& place, Field
   unsigned lsb = 0;
   char rest = 0;
   const int found = std::sscanf(text.c_str(), "%u:%u%c", &msb, &lsb, &rest);
-  if (found == 1 && text.find(':') == std::string::npos)
+  if (found == 1 && text.find(':') == std::string::npos) {
     lsb = msb;
-  else if (found != 2)
+  } else if (found != 2) {
     fail(place, "'bits' must be a number or \"msb:lsb\"");
+  }
   if (msb > 31 || lsb > msb) fail(place, "'bits' must be within 31 to 0, the higher first");
   field.msb = msb;
   field.lsb = lsb;

@@ -36,8 +36,9 @@ std::string markdown_file(const Peripheral& peripheral, const std::string& sourc
       "part of it is loaded.\n",
       peripheral.name, peripheral.summary, peripheral.address, source);
   if (!peripheral.constants.empty()) text += "\n| constant | value | meaning |\n|---|---|---|\n";
-  for (const Constant& constant : peripheral.constants)
+  for (const Constant& constant : peripheral.constants) {
     text += fmt::format("| `{}` | {} | {} |\n", constant.name, constant.value, constant.summary);
+  }
   for (const Register& r : peripheral.registers) {
     const std::string place = r.is_array
                                   ? fmt::format("0x{:03X} + 4·i, i = 0…{}", r.offset, r.count - 1)
@@ -47,8 +48,9 @@ std::string markdown_file(const Peripheral& peripheral, const std::string& sourc
     text += "\n| bits | field | reset | meaning |\n|---|---|---|---|\n";
     for (const Field& field : r.fields) {
       std::string meaning = field.summary;
-      for (const auto& [name, value] : field.values)
+      for (const auto& [name, value] : field.values) {
         meaning += fmt::format(" `{}` = {}.", name, value);
+      }
       text += fmt::format("| {} | `{}` | {} | {} |\n", bits_of(field), field.name,
                           r.stored() ? fmt::format("{}", field.reset) : "", meaning);
     }

@@ -118,8 +118,9 @@ class Writer {
                     : fmt::format("subtype {} is natural range {} downto {};\n", place(r, field),
                                   field.msb, field.lsb);
       fields += fmt::format("{} : {};\n", field.name, type_of(field));
-      for (const auto& [name, value] : field.values)
+      for (const auto& [name, value] : field.values) {
         values += fmt::format("constant {}_{} : natural := {};\n", prefix(r, field), name, value);
+      }
     }
     return fill(register_template,
                 {{"summary", r.summary},

@@ -32,10 +32,11 @@ std::vector<Element> elements_of(const Peripheral& peripheral) {
   for (const Register& r : peripheral.registers) {
     for (unsigned i = 0; i < r.count; ++i) {
       const unsigned index = r.offset / 4 + i;
-      if (r.is_array)
+      if (r.is_array) {
         found.emplace_back(r, index, fmt::format("{}_{}", r.name, i), fmt::format("({})", i));
-      else
+      } else {
         found.emplace_back(r, index, r.name, "");
+      }
     }
   }
   return found;
@@ -103,18 +104,21 @@ class Writer {
  private:
   std::string ports() const {
     std::string text = "response : out bus_response_t := bus_response_idle";
-    if (peripheral_.has_from_software())
+    if (peripheral_.has_from_software()) {
       text += fmt::format(";\nfrom_software : out {}_from_software_t", peripheral_.name);
-    if (peripheral_.has_to_software())
+    }
+    if (peripheral_.has_to_software()) {
       text += fmt::format(";\nto_software : in {}_to_software_t", peripheral_.name);
+    }
     return text;
   }
 
   std::string signals() const {
     std::string text;
     for (const Element& element : elements_) {
-      if (element.r.readable())
+      if (element.r.readable()) {
         text += fmt::format("signal {}_word : std_ulogic_vector(31 downto 0);\n", element.name);
+      }
       if (element.r.stored()) {
         text +=
             fmt::format("signal {}_stored : {} := {}_after_reset;\n", element.name,
@@ -122,8 +126,9 @@ class Writer {
       }
     }
     for (const Element& element : elements_) {
-      for (const char* event : events_of(element))
+      for (const char* event : events_of(element)) {
         text += fmt::format("signal {}_{} : std_ulogic := '0';\n", element.name, event);
+      }
     }
     return text;
   }
@@ -177,11 +182,12 @@ class Writer {
                                       {"written", element.r.name + "_written" + element.suffix},
                                       {"index", std::to_string(element.index)}});
       }
-      if (element.r.stored())
+      if (element.r.stored()) {
         text += fmt::format("from_software.{} <= {}_stored;\n", target, element.name);
-      else if (element.r.writable())
+      } else if (element.r.writable()) {
         text += fmt::format("from_software.{} <= to_{}(written_data);\n", target,
                             vhdl_register(peripheral_, element.r));
+      }
     }
     return notes + (text.empty() ? "" : "\n" + text);
   }
