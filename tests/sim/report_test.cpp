@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "directories.hpp"
 #include "sim/report/edge_file.hpp"
 #include "sim/report/json_report.hpp"
 #include "tools/files/file_text.hpp"
@@ -76,6 +77,17 @@ TEST(JsonReport, has_every_name_of_the_contract) {
     }
   }
   for (const std::string& name : contract) EXPECT_TRUE(names.contains(name)) << name;
+}
+
+TEST(JsonReport, has_every_name_on_its_page) {
+  const nlohmann::json json = nlohmann::json::parse(report::to_json(some_results()));
+  const std::string page = files::text_of(PROJECT_DIRECTORY "/sim/report/report_json.md");
+  std::set<std::string> names;
+  collect_names(json, "", names);
+  for (const std::string& name : names) {
+    const std::string last = "`" + name.substr(name.rfind('.') + 1) + "`";
+    EXPECT_NE(page.find(last), std::string::npos) << name;
+  }
 }
 
 TEST(JsonReport, reports_values_as_they_are) {
