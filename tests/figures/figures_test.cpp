@@ -154,6 +154,12 @@ TEST_F(Project, is_good_where_the_pages_show_what_was_measured) {
   EXPECT_THAT(problems(), IsEmpty());
 }
 
+TEST_F(Project, puts_pictures_into_their_place) {
+  group("[pictures]\n\"result.json\" = \"picture.svg\"\n");
+  measured();
+  EXPECT_EQ(files::text_of(folder.path() / "picture.svg"), "{\"clocks\": 5}\n");
+}
+
 TEST_F(Project, names_the_machine_where_the_figures_depend_on_it) {
   group("of_machine = true\n");
   EXPECT_THAT(measured().machine, HasSubstr(" cores"));

@@ -32,7 +32,7 @@ const LoopRates* one_axis(const Figures& figures, const DriverGuard& guard) {
 std::vector<Bar> bars_of(const Comparison& comparison) {
   std::vector<Bar> bars;
   for (const PublishedFigure& figure : published_figures) {
-    bars.push_back({figure.system, figure.steps_per_second / figure.clock_mhz, 0x8a929c});
+    bars.push_back({figure.system, figure.steps_per_million_clocks(), 0x8a929c});
   }
   const LoopRates& hardware = *one_axis(comparison.figures[0], no_driver);
   const LoopRates& software = *one_axis(comparison.figures[1], no_driver);
@@ -110,9 +110,10 @@ std::string to_html(const Comparison& comparison) {
   std::string published;
   for (const PublishedFigure& figure : published_figures) {
     published += fmt::format(
-        "<tr><td>{}</td><td>{:g} MHz</td><td>{:g}</td><td>{:.4g}</td><td>{}</td></tr>\n",
-        figure.system, figure.clock_mhz, figure.steps_per_second,
-        figure.steps_per_second / figure.clock_mhz, figure.remark);
+        "<tr><td>{}</td><td>{:g} MHz</td><td>{:.0f}</td><td>{:.0f}</td><td>{}</td>"
+        "<td><a href=\"{}\">source</a></td></tr>\n",
+        figure.system, figure.clock_mhz, figure.steps_per_second(),
+        figure.steps_per_million_clocks(), figure.remark, figure.source);
   }
   return fmt::format(
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Stepping</title>\n"
@@ -120,8 +121,8 @@ std::string to_html(const Comparison& comparison) {
       "margin:24px auto;padding:0 20px}}svg{{width:100%;height:auto}}td{{padding:3px 12px 3px 0}}"
       "pre{{background:#f3f5f7;padding:14px;overflow-x:auto}}</style>\n"
       "<h1>Stepping in hardware and in software</h1>\n{}\n<pre>{}</pre>\n"
-      "<h2>Other systems, one axis, as published or measured elsewhere</h2>\n"
-      "<table><tr><td>system</td><td>clock</td><td>steps/s</td><td>per million clocks</td><td></td>"
+      "<h2>Other systems, one axis, as published</h2>\n"
+      "<table><tr><td>system</td><td>clock</td><td>steps/s</td><td>per million clocks</td><td></td><td></td>"
       "</tr>\n{}</table></html>\n",
       to_svg(comparison), escaped, published);
 }

@@ -133,9 +133,10 @@ std::string to_json(const Comparison& comparison) {
     json["published"].push_back(
         {{"system", figure.system},
          {"clock_mhz", figure.clock_mhz},
-         {"steps_per_second", figure.steps_per_second},
-         {"steps_per_million_clocks", rounded(figure.steps_per_second / figure.clock_mhz)},
-         {"remark", figure.remark}});
+         {"steps_per_second", rounded(figure.steps_per_second())},
+         {"steps_per_million_clocks", rounded(figure.steps_per_million_clocks())},
+         {"remark", figure.remark},
+         {"source", figure.source}});
   }
   return json.dump(2) + "\n";
 }

@@ -31,8 +31,8 @@ std::map<std::string, std::string> texts_of(const toml::table& table, const char
 }
 
 void refuse_unknown_entries(const toml::table& table) {
-  const std::set<std::string_view> known{"about",   "build",      "command", "result",
-                                         "minutes", "of_machine", "values",  "matches"};
+  const std::set<std::string_view> known{"about",      "build",  "command", "result",  "minutes",
+                                         "of_machine", "values", "matches", "pictures"};
   for (const auto& [key, node] : table) {
     if (!known.contains(key.str())) {
       throw std::runtime_error(fmt::format("{} is no entry of a group", key.str()));
@@ -73,6 +73,7 @@ Group read_group(const std::filesystem::path& file) {
                 .minutes = table["minutes"].value<int>().value(),
                 .of_machine = table["of_machine"].value_or(false),
                 .paths = texts_of(table, "values"),
+                .pictures = texts_of(table, "pictures"),
                 .matches = texts_of(table, "matches")};
     if (group.command.empty() || (group.paths.empty() && group.matches.empty())) {
       throw std::runtime_error("a group needs a command and values");

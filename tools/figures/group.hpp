@@ -18,6 +18,7 @@ struct Group {
   int minutes{};  // that it takes on a machine with nothing else to do
   bool of_machine{};  // another machine gives other figures
   std::map<std::string, std::string> paths;  // name of a value: where it is in the result
+  std::map<std::string, std::string> pictures;  // file in {folder}: where it goes in the project
   std::map<std::string, std::string> matches;  // name: regular expression for what it says
 
   // The call as a person writes it.

@@ -73,6 +73,10 @@ Record measure(const Group& group, const Place& place) {
   for (const auto& [name, expression] : group.matches) {
     record.values[name] = number_in(said, expression);
   }
+  for (const auto& [file, place_in_project] : group.pictures) {
+    std::filesystem::copy_file(folder / file, place.project / place_in_project,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
   return record;
 }
 

@@ -17,7 +17,8 @@ struct Place {
   std::function<void()> look;
 };
 
-// Runs the group's command with a folder of its own, `<build>/figures/NAME`, and reads its values.
+// Runs the group's command with a folder of its own, `<build>/figures/NAME`, reads its values,
+// and copies its pictures to their places.
 // Throws std::runtime_error where the command fails, with the end of what it said, or where a value
 // is not there.
 Record measure(const Group& group, const Place& place);
