@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stepping of other systems, as they publish it: one axis at the highest rate. Not measured by this
-// benchmark.
+// Stepping of other systems, as they publish it: one axis at the highest rate.
 #pragma once
 
 #include <array>

@@ -122,8 +122,8 @@ std::string to_html(const Comparison& comparison) {
       "pre{{background:#f3f5f7;padding:14px;overflow-x:auto}}</style>\n"
       "<h1>Stepping in hardware and in software</h1>\n{}\n<pre>{}</pre>\n"
       "<h2>Other systems, one axis, as published</h2>\n"
-      "<table><tr><td>system</td><td>clock</td><td>steps/s</td><td>per million clocks</td><td></td><td></td>"
-      "</tr>\n{}</table></html>\n",
+      "<table><tr><td>system</td><td>clock</td><td>steps/s</td><td>per million clocks</td><td></td>"
+      "<td></td></tr>\n{}</table></html>\n",
       to_svg(comparison), escaped, published);
 }
 

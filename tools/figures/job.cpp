@@ -52,7 +52,7 @@ void add_options(CLI::App& job, Options& options) {
 bool run(const Options& options, const std::filesystem::path& project_folder,
          const std::filesystem::path& build_folder, const Build& build,
          const std::function<void()>& look) {
-  Project project = read_project(project_folder);
+  const Project project = read_project(project_folder);
   if (options.check) return report(problems_of(project));
   std::vector<std::string> names = options.names;
   if (names == std::vector<std::string>{"all"}) {
@@ -65,11 +65,14 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
     fmt::print(stderr, "stepfabric: {}: {}, some {} min\n", name, group.command_text(),
                group.minutes);
     build(group.build);
-    project.store[name] = measure(group, {project_folder, build_folder, look});
-    std::ofstream(store_file(project_folder)) << to_json(project.store);
+    const Record record = measure(group, {project_folder, build_folder, look});
+    // What has been written meanwhile stays.
+    Store store = read_store(store_file(project_folder));
+    store[name] = record;
+    std::ofstream(store_file(project_folder)) << to_json(store);
   }
   if (names.empty()) list(project);
-  return report(update_pages(project));
+  return report(update_pages(read_project(project_folder)));
 }
 
 }  // namespace figures
