@@ -10,13 +10,7 @@ folder=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 . "$here/served_print.sh"
 
-# The tool root shows the host's Python packages under /run/host_python.
-[ ! -d /run/host_python/printrun ] || export PYTHONPATH=/run/host_python
-if ! python3 -W ignore -c 'import printrun.printcore' 2>/dev/null; then
-  echo "SKIPPED: no Printrun on this machine, so the real printcore and pronsole were NOT tried." >&2
-  echo "On Debian 12: apt-get install --no-install-recommends printrun" >&2
-  exit 77
-fi
+need_printrun
 
 begin_in_folder
 write_job 40 'M117 Layer %d G1 X5*\nM105\n'
@@ -34,7 +28,6 @@ serve_and_print() {
   end_serving "$name"
 }
 
-taken() { grep -v -P '^(-|-1)\t' "$1.accept" | grep -v -P '\tM110' || true; }
 same_lines() { taken "$1" | cmp - wanted || fail "$1: the lines taken are not those of the file"; }
 
 for client in printcore pronsole; do

@@ -14,6 +14,17 @@ fail() {
   exit 1
 }
 
+# Ends the script with status 77 where Printrun is missing.
+need_printrun() {
+  # The tool root shows the host's Python packages under /run/host_python.
+  [ ! -d /run/host_python/printrun ] || export PYTHONPATH=/run/host_python
+  if ! python3 -W ignore -c 'import printrun.printcore' 2>/dev/null; then
+    echo "SKIPPED: no Printrun on this machine, so the real printcore and pronsole were NOT tried." >&2
+    echo "On Debian 12: apt-get install --no-install-recommends printrun" >&2
+    exit 77
+  fi
+}
+
 end_programs() {
   [ -z "$cable" ] || kill "$cable" 2>/dev/null || true
   [ -z "$server" ] || kill "$server" 2>/dev/null || true
@@ -90,3 +101,6 @@ end_serving() {
   wait "$server" || fail "serve did not end well, see $folder/$1.log"
   server=
 }
+
+# taken NAME: number and text of the lines that the firmware has taken, but for the M110 of the hosts.
+taken() { grep -v -P '^(-|-1)\t' "$1.accept" | grep -v -P '\tM110' || true; }
