@@ -77,25 +77,58 @@ begin
       from_software.settle_written <= "0000";
     end procedure;
 
+    type limit_t is (minimum_limit, maximum_limit, hot_limit, settle_limit);
+
+    procedure set_limit(channel : natural; limit : limit_t) is
+    begin
+      case limit is
+        when minimum_limit =>
+          put(hottest);
+          from_software.minimum_count_written(channel) <= '1';
+        when maximum_limit =>
+          put(coldest);
+          from_software.maximum_count_written(channel) <= '1';
+        when hot_limit =>
+          put(hot);
+          from_software.hot_count_written(channel) <= '1';
+        when settle_limit =>
+          put(10);
+          from_software.settle_written(channel) <= '1';
+      end case;
+      clocks(1);
+      write_nothing;
+    end procedure;
+
     procedure set_limits(channel : natural) is
     begin
-      put(hottest);
-      from_software.minimum_count_written(channel) <= '1';
+      for limit in limit_t loop
+        set_limit(channel, limit);
+      end loop;
       clocks(1);
-      write_nothing;
-      put(coldest);
-      from_software.maximum_count_written(channel) <= '1';
-      clocks(1);
-      write_nothing;
-      put(hot);
-      from_software.hot_count_written(channel) <= '1';
-      clocks(1);
-      write_nothing;
-      put(10);
-      from_software.settle_written(channel) <= '1';
-      clocks(1);
-      write_nothing;
-      clocks(1);
+    end procedure;
+
+    procedure start_over is
+    begin
+      reset <= '1';
+      clocks(2);
+      reset <= '0';
+      clocks(2);
+    end procedure;
+
+    impure function locked return std_ulogic_vector is
+    begin
+      return status.minimum_locked & status.maximum_locked & status.hot_locked & status.settle_locked;
+    end function;
+
+    -- These trips and no others, in the order of the arguments.
+    procedure expect_trips(trips : std_ulogic_vector(0 to 7); what : string) is
+      variable shown : std_ulogic_vector(0 to 7);
+    begin
+      shown := status.watchdog_trip & status.sensor_invalid_trip & status.sensor_stale_trip &
+        status.too_hot_trip & status.too_cold_trip & status.limits_missing_trip &
+        status.emergency_stop_trip & status.heats_unasked_trip;
+      shows_its_cause_alone : assert shown = trips and status.tripped = (or trips)
+        report what & ": " & to_string(shown) severity failure;
     end procedure;
 
     procedure convert(count : natural) is
@@ -104,6 +137,16 @@ begin
       clocks(1);
       reading.updated <= '0';
       clocks(3);
+    end procedure;
+
+    procedure pass(ticks : positive) is
+    begin
+      for i in 1 to ticks loop
+        tick <= '1';
+        clocks(1);
+        tick <= '0';
+        clocks(1);
+      end loop;
     end procedure;
 
     procedure clear_trips(channel : natural) is
@@ -144,12 +187,33 @@ begin
         takes_only_its_own_limits : assert any_locked = '0' and status.refused = '0' severity failure;
       end if;
     end loop;
-    put(hottest);
-    from_software.minimum_count_written(own) <= '1';
-    clocks(1);
-    write_nothing;
-    one_limit_locks : assert any_locked = '1' and status.minimum_locked = '1' severity failure;
-    limits_are_not_complete : assert status.maximum_locked = '0' and status.permitted = '0' severity failure;
+
+    -- One limit locks the scale in which it is counted; all must be set before it may heat.
+    for limit in limit_t loop
+      start_over;
+      set_limit(own, limit);
+      clocks(1);
+      one_limit_locks : assert any_locked = '1'
+        and locked = std_ulogic_vector(shift_right(to_unsigned(8, 4), limit_t'pos(limit)))
+        report limit_t'image(limit) & " locks " & to_string(locked) severity failure;
+      start_over;
+      for other in limit_t loop
+        if other /= limit then
+          set_limit(own, other);
+        end if;
+      end loop;
+      clocks(1);
+      reading <= (updated => '1', valid => '1', count => to_unsigned(50_000, 32));
+      clocks(1);
+      reading.updated <= '0';
+      from_software.duty(own).density <= to_unsigned(65535, 16);
+      clocks(3);
+      does_not_heat_without : assert gate = '0' and status.permitted = '0' and status.limits_missing_trip = '1'
+        report limit_t'image(limit) severity failure;
+      from_software.duty(own).density <= (others => '0');
+    end loop;
+    start_over;
+    set_limit(own, minimum_limit);
     set_limits(own);
     the_second_write_is_refused : assert status.refused = '1' severity failure;
     limits_are_what_was_written : assert minimum_count = hottest and maximum_count = coldest
@@ -168,34 +232,54 @@ begin
 
     convert(hottest - 1);
     expect_gate('0', "too hot");
-    shows_it : assert status.too_hot_trip = '1' and status.tripped = '1' severity failure;
+    expect_trips("00010000", "too hot");
     convert(50_000);
     ask(own, 0);
     clear_trips(0);
     stays_until_its_own_clearing : assert status.tripped = '1' severity failure;
     clear_trips(own);
-    is_cleared : assert status.tripped = '0' and status.refused = '0' severity failure;
+    expect_trips("00000000", "cleared");
+    is_cleared : assert status.refused = '0' severity failure;
+
+    ask(own, 65535);
+    convert(coldest + 1);
+    expect_trips("00001000", "too cold");
+    convert(50_000);
+    ask(own, 0);
+    clear_trips(own);
+    ask(own, 65535);
+    reading <= (updated => '1', valid => '0', count => to_unsigned(50_000, 32));
+    clocks(1);
+    reading.updated <= '0';
+    clocks(3);
+    expect_trips("00000000", "one invalid conversion");
+    pass(60);
+    expect_trips("01000000", "invalid");
+    convert(50_000);
+    ask(own, 0);
+    clear_trips(own);
+    ask(own, 65535);
+    pass(60);
+    expect_trips("00100000", "no reading");
+    convert(50_000);
+    ask(own, 0);
+    clear_trips(own);
 
     -- With the gate closed for the settling time the count falls by more than an eighth.
-    for i in 1 to 20 loop
-      tick <= '1';
-      clocks(1);
-      tick <= '0';
-      clocks(1);
-    end loop;
+    pass(20);
     convert(50_000);
     convert(30_000);
-    unasked_heat_is_found : assert status.heats_unasked_trip = '1' severity failure;
+    expect_trips("00000001", "unasked heat");
     clear_trips(own);
 
     emergency_stop <= '1';
     clocks(2);
     emergency_stop <= '0';
-    stops : assert status.emergency_stop_trip = '1' severity failure;
+    expect_trips("00000010", "emergency stop");
     clear_trips(own);
     watchdog_alive <= '0';
     ask(own, 1);
-    the_watchdog_trips : assert status.watchdog_trip = '1' severity failure;
+    expect_trips("10000000", "watchdog");
     reset <= '1';
     clocks(2);
     reset_forgets : assert any_locked = '0' and status.tripped = '0' severity failure;
