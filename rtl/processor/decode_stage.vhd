@@ -42,9 +42,9 @@ entity decode_stage is
     first_index : out register_index_t;
     second_index : out register_index_t;
     -- The instruction in execute.
-    executing : out executing_t;
-    redirect_condition : out redirect_condition_t;
-    control : out control_t;
+    issued : out executing_t;
+    issued_condition : out redirect_condition_t;
+    issued_control : out control_t;
     legal : out std_ulogic;
     result_is_address : out std_ulogic;
     executing_instruction : out word_t;
@@ -60,6 +60,9 @@ end entity;
 
 architecture rtl of decode_stage is
 
+  signal executing : executing_t;
+  signal redirect_condition : redirect_condition_t;
+  signal control : control_t;
   signal decode_valid, decode_fault, decode_is_word : std_ulogic;
   signal decode_instruction : word_t;
   signal decoded_alternate_address : unsigned(31 downto 0);
@@ -169,5 +172,9 @@ begin
       hazard => hazard,
       first => first_operand,
       second => second_operand);
+
+  issued <= executing;
+  issued_condition <= redirect_condition;
+  issued_control <= control;
 
 end architecture;

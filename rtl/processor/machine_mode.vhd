@@ -54,7 +54,7 @@ entity machine_mode is
     -- Trap of the instruction in execute; the same without debug mode; the latter in the next clock.
     trap : out trap_t;
     machine_trap : out trap_t;
-    taken_trap : out trap_t;
+    taken : out trap_t;
     return_from_trap : out std_ulogic;
     enter_debug : out std_ulogic;
     -- All stages before are flushed; in the next clock fetch is redirected to a handler, or away from it.
@@ -72,6 +72,7 @@ architecture rtl of machine_mode is
 
   signal csr_operand : word_t;
   signal csr_legal : std_ulogic;
+  signal taken_trap : trap_t;
 
 begin
 
@@ -166,5 +167,7 @@ begin
       resuming <= '0';
     end if;
   end process;
+
+  taken <= taken_trap;
 
 end architecture;

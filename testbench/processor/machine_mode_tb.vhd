@@ -73,7 +73,7 @@ begin
       counted => counted, csr_request => csr_request, csr_data => csr_data,
       interrupt_requested => interrupt_requested, wake_request => wake_request,
       interrupt_pending => interrupt_pending, interrupt_cause => interrupt_cause, trap => trap,
-      machine_trap => machine_trap, taken_trap => taken_trap, return_from_trap => return_from_trap,
+      machine_trap => machine_trap, taken => taken_trap, return_from_trap => return_from_trap,
       enter_debug => enter_debug, flush => flush, entering_handler => entering_handler,
       returning => returning, resuming => resuming, trap_target => trap_target,
       return_address => return_address, return_target => return_target);
