@@ -35,8 +35,8 @@ class ProcessorModel {
   // A multiple of 4 bytes, all 0.
   ProcessorModel(std::uint32_t memory_bytes, bool has_zbb);
 
-  // `released`: the first clock in which the processor is not in reset. The memory and the registers
-  // stay as they are.
+  // `released`: the first clock in which the processor is not in reset. The memory and the
+  // registers stay as they are.
   void reset(Clock released);
 
   // Executes all that is complete by `limit` or earlier. Returns the last clock up to which that

@@ -20,8 +20,8 @@ inline constexpr int reset_clocks = 8;
 // All of the chip by its netlist.
 std::unique_ptr<ChipModel> make_netlist_model(std::uint32_t clock_hz, Edges edges);
 
-// A model of the processor with its memory, and the netlist of all else. Null where the program holds
-// a netlist that the model does not replace: with the debug port, or traced.
+// A model of the processor with its memory, and the netlist of all else. Null where the program
+// holds a netlist that the model does not replace: with the debug port, or traced.
 std::unique_ptr<ChipModel> make_joined_model(std::uint32_t clock_hz, Edges edges);
 
 }  // namespace sim

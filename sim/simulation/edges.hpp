@@ -11,8 +11,8 @@ namespace sim {
 // slower, and show it.
 enum class Edges : std::uint8_t { leaping, resting, all };
 
-// `model`: sim/processor, with the netlist of all else. The results are those of the netlist, which is
-// taken where a program holds no model of the processor.
+// `model`: sim/processor, with the netlist of all else. The results are those of the netlist, which
+// is taken where a program holds no model of the processor.
 enum class Processor : std::uint8_t { model, netlist };
 
 }  // namespace sim

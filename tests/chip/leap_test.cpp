@@ -7,10 +7,13 @@
 
 #include "sim/counting/chip_counts.hpp"
 #include "sim/simulation/model_clocks.hpp"
+#include "Vchip_without_processor.h"
+#include "Vchip_without_processor___024root.h"
 #include "Vprinter_core.h"
 #include "Vprinter_core___024root.h"
 
 STEPFABRIC_MODEL_FUNCTIONS(Vprinter_core)
+STEPFABRIC_MODEL_FUNCTIONS(Vchip_without_processor)
 
 void vl_stop(const char* file, int line, const char*) {
   ADD_FAILURE() << "an assertion of the hardware failed: " << file << ":" << line;
@@ -21,21 +24,25 @@ void vl_fatal(const char* file, int line, const char*, const char* message) {
 
 namespace {
 
-using Model = Vprinter_core;
-using Root = Vprinter_core___024root;
 using counting::Counts;
 
-static_assert(counting::has_counts<Root>);
+static_assert(counting::has_counts<Vprinter_core___024root>);
+static_assert(counting::has_counts<Vchip_without_processor___024root>);
+static_assert(counting::has_processor<Vprinter_core___024root>);
 
-// A chip whose processor sleeps for ever.
+// A chip whose processor sleeps for ever, or is not there.
+template <class Model>
 class Sleeper {
  public:
   explicit Sleeper(sim::Edges edges) : model_(&context_), clocks_(model_, edges) {
     model_.clock_frequency_hz = 4'000'000;
     model_.receive = 1;
     model_.tms = 1;
-    write(0, 0x10500073);  // wfi
-    write(1, 0xffdff06f);  // j -4
+    constexpr std::uint32_t wait_for_interrupt = 0x10500073, jump_back = 0xffdff06f;
+    if constexpr (counting::has_processor<std::remove_pointer_t<decltype(model_.rootp)>>) {
+      write(model_, 0, wait_for_interrupt);
+      write(model_, 1, jump_back);
+    }
     restart();
   }
 
@@ -74,14 +81,15 @@ class Sleeper {
     return std::tuple(model_.step, model_.direction, model_.motor_enable, model_.transmit,
                       model_.fan_gate, model_.heater_gate, model_.heater_supply, model_.fault,
                       model_.sensor_drive_enable, model_.sensor_drive_level, model_.sleeping,
-                      model_.at_rest_processor, model_.at_rest_registers, model_.at_rest_axes,
-                      model_.at_rest_peripherals);
+                      model_.processor_at_rest, model_.bus_at_rest, model_.axes_at_rest,
+                      model_.peripherals_at_rest);
   }
 
  private:
-  void write(std::uint32_t word, std::uint32_t value) {
+  template <class Whole>
+  static void write(Whole& model, std::uint32_t word, std::uint32_t value) {
 #define LANE(n) \
-  model_.rootp->printer_core__DOT__with_processor_computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
+  model.rootp->printer_core__DOT__with_processor_computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
     LANE(1) = static_cast<std::uint8_t>(value);
     LANE(2) = static_cast<std::uint8_t>(value >> 8);
     LANE(3) = static_cast<std::uint8_t>(value >> 16);
@@ -166,8 +174,14 @@ class RandomCounts {
   std::mt19937_64 random_;
 };
 
-TEST(leap, leaves_what_as_many_edges_of_the_clock_leave) {
-  Sleeper edges(sim::Edges::all), leaps(sim::Edges::leaping);
+template <class Model>
+class Leap : public testing::Test {};
+
+using Models = testing::Types<Vprinter_core, Vchip_without_processor>;
+TYPED_TEST_SUITE(Leap, Models);
+
+TYPED_TEST(Leap, leaves_what_as_many_edges_of_the_clock_leave) {
+  Sleeper<TypeParam> edges(sim::Edges::all), leaps(sim::Edges::leaping);
   RandomCounts random(12);
   sim::Clock clocks = 0;
   for (int trial = 0; trial < 4000; ++trial) {

@@ -123,16 +123,17 @@ class Run {
   }
 
   void differs(const std::optional<Retirement>& event, const char* what) {
-    char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "clock %llu: the netlist has %s at %08x (%08x) x%u = %08x, the model %s; it goes on at %08x",
-        static_cast<unsigned long long>(chip_.clocks()),
-        !event        ? "nothing"
-        : event->trap ? "a trap"
-                      : "an instruction",
-        event ? event->address : 0, event ? event->instruction : 0, event ? event->destination : 0,
-        event ? event->value : 0, what, model_.state().program_counter);
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "clock %llu: the netlist has %s at %08x (%08x) x%u = %08x, the model %s; it goes "
+                  "on at %08x",
+                  static_cast<unsigned long long>(chip_.clocks()),
+                  !event        ? "nothing"
+                  : event->trap ? "a trap"
+                                : "an instruction",
+                  event ? event->address : 0, event ? event->instruction : 0,
+                  event ? event->destination : 0, event ? event->value : 0, what,
+                  model_.state().program_counter);
     result_.difference = text;
   }
 

@@ -14,8 +14,8 @@ struct ModelLockstepSettings {
   // Interrupts are requested and withdrawn in any clocks; 0: none.
   std::uint32_t seed = 0;
   unsigned longest_pause = 60;
-  // So many clocks at most the model runs ahead of the netlist, and is taken back where an interrupt
-  // line changes meanwhile.
+  // So many clocks at most the model runs ahead of the netlist, and is taken back where an
+  // interrupt line changes meanwhile.
   unsigned longest_lead = 1;
 };
 

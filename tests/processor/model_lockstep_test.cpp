@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model that takes the processor's place in simulations does in each clock what the netlist does,
-// whatever the program, with interrupts requested and withdrawn in any clock.
+// The model that takes the processor's place in simulations does in each clock what the netlist
+// does, whatever the program, with interrupts requested and withdrawn in any clock.
 #include <gtest/gtest.h>
 
 #include "sim/processor/times.hpp"
@@ -74,6 +74,20 @@ TEST(ModelLockstep, random_programs_with_wild_words) {
                 sum);
   }
   EXPECT_GT(sum.instructions, 200'000U);
+}
+
+TEST(ModelLockstep, directed_programs) {
+  ModelLockstep sum;
+  for (const char* name : {"arithmetic", "compressed", "memory", "traps", "registers", "interrupts",
+                           "machine_mode", "busy"}) {
+    if (HasFatalFailure()) return;
+    expect_same(read_program(name).image, {.clocks = 40'000, .longest_lead = 200}, sum);
+  }
+  if (Chip::has_zbb) {
+    expect_same(read_program("bit_manipulation").image, {.clocks = 40'000, .longest_lead = 200},
+                sum);
+  }
+  EXPECT_GT(sum.instructions, 10'000U);
 }
 
 }  // namespace

@@ -80,24 +80,52 @@ TEST(print, the_same_steps_are_made_at_every_clock) {
   }
 }
 
-// With moves, heat, a fan, damage on the line and a fault: each byte that the two jobs leave.
+// Each byte that a job leaves, but for how long it took.
+auto left_by(const std::string& gcode, std::vector<std::string> options) {
+  const auto accepted = scenarios::scratch_folder() / "accepted";
+  options.insert(options.end(), {"--accept-log", accepted.string()});
+  const Print print = print_text(gcode, options);
+  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  nlohmann::json report = print.report;
+  EXPECT_GT(report.erase("wall_seconds"), 0u);
+  return std::tuple(files::text_of(print.edges), files::text_of(accepted), report.dump());
+}
+
+// With moves, heat, a fan, damage on the line and a fault.
 TEST(print, every_clock_is_evaluated_to_the_same_edges_lines_and_figures) {
   const std::string gcode =
       "M106 S77\nM104 S190\nG28 X Y\nG1 X20 Y10 F6000\nG1 X0.5 Y7.3 F900\nG4 P300\nM105\n"
       "G1 X9 Y9 Z0.2 F7000\nM84\n";
-  const auto accepted = scenarios::scratch_folder() / "accepted";
   const auto run = [&](std::vector<std::string> options) {
-    options.insert(options.end(), {"--fault", "serial=0.005", "--fault", "x-end-stop-bounces",
-                                   "--accept-log", accepted.string()});
-    const Print print = print_text(gcode, options);
-    EXPECT_EQ(print.job.status, 0) << print.job.output;
-    nlohmann::json report = print.report;
-    EXPECT_GT(report.erase("wall_seconds"), 0u);
-    return std::tuple(files::text_of(print.edges), files::text_of(accepted), report.dump());
+    options.insert(options.end(), {"--fault", "serial=0.005", "--fault", "x-end-stop-bounces"});
+    return left_by(gcode, options);
   };
   const auto quick = run({});
   EXPECT_GT(std::get<0>(quick).size(), 1000u);
+  EXPECT_EQ(run({"--processor", "netlist"}), quick);
   EXPECT_EQ(run({"--every-clock"}), quick);
+}
+
+// On a noisy line, with another noise each time.
+TEST(print, the_processor_s_model_and_its_netlist_leave_the_same) {
+  const std::string gcode =
+      "M104 S60\nG28 X Y\nG1 X20 Y10 F6000\nG1 X0.5 Y7.3 F900\nM105\nG1 X9 Y9 Z0.2 F7000\n";
+  for (int seed = 1; seed <= 10; ++seed) {
+    const std::vector<std::string> options{"--fault", "serial=0.01", "--seed",
+                                           std::to_string(seed)};
+    std::vector<std::string> by_netlist = options;
+    by_netlist.insert(by_netlist.end(), {"--processor", "netlist"});
+    EXPECT_EQ(left_by(gcode, by_netlist), left_by(gcode, options)) << "seed " << seed;
+  }
+}
+
+// Interrupts in the middle of everything: the processor's model is taken back all the time.
+TEST(software_stepping, is_the_same_by_the_processor_s_model_and_by_its_netlist) {
+  const std::string gcode = "G28 X\nG1 X3 F9000\nG1 X2.5 Y7.3\nG1 X5 Y5 F12000\nG1 X5.02\n";
+  const std::vector<std::string> options{"--clock-hz", "16000000", "--stepping", "software"};
+  std::vector<std::string> by_netlist = options;
+  by_netlist.insert(by_netlist.end(), {"--processor", "netlist"});
+  EXPECT_EQ(left_by(gcode, by_netlist), left_by(gcode, options));
 }
 
 TEST(software_stepping, makes_the_same_steps_as_the_hardware) {

@@ -24,19 +24,21 @@ struct ModelScope {
   std::function<void()> look = [] {};  // called many times a second; what it throws ends all
 };
 
+// What the chip is simulated by: as `print` does it; with the processor's netlist; without leaps;
+// every edge by eval().
+enum class ModelKind : std::uint8_t { usual, whole_netlist, resting, all_edges };
+
 struct ModelWork {
   std::string name;
   std::uint32_t clock_hz{};
   std::uint64_t clocks{};  // measured ones
   double awake{};  // share of these in which the processor does not sleep
   double instructions_per_clock{};
-  // Clocks per second of processor time, the best of some runs, by which edges are evaluated; 0
-  // where that was not measured.
-  std::array<double, 3> clocks_per_second{};
+  // Clocks per second of processor time, the best of some runs, by kind of model; 0 where
+  // that was not measured.
+  std::array<double, 4> clocks_per_second{};
 
-  double speed(sim::Edges edges) const {
-    return clocks_per_second[static_cast<std::size_t>(edges)];
-  }
+  double speed(ModelKind kind) const { return clocks_per_second[static_cast<std::size_t>(kind)]; }
 };
 
 // Runs of all kinds alternate, so that a busy machine is unfair to none. Throws

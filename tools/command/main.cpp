@@ -62,11 +62,14 @@ bool this_is_program(const char* path, std::string_view name) {
 int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   const bool traces = !jobs.print.trace.empty() || !jobs.run.trace.empty();
   if (traces && !this_is_program(arguments[0], "stepfabric_traced")) {
-    become_other_program("stepfabric_traced", "writes waveforms", count, arguments);
+    become_other_program("stepfabric_traced", "writes waveforms, with the processor by its netlist",
+                         count, arguments);
   }
   if (app.got_subcommand("debug")) {
     if (!this_is_program(arguments[0], "stepfabric_debug")) {
-      become_other_program("stepfabric_debug", "has the debug port", count, arguments);
+      become_other_program("stepfabric_debug",
+                           "has the debug port, with the processor by its netlist", count,
+                           arguments);
     }
     return debug(jobs.debug);
   }
