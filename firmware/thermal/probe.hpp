@@ -49,7 +49,7 @@ class Probe {
 
   // What the rhythm should bring, in thousandths of a degree from end to end, if two fifths of
   // full power are enough for it.
-  static constexpr std::int32_t wanted_swing = 450;
+  static constexpr std::int32_t wanted_swing = 540;
   static constexpr std::int32_t highest = full_duty * 2 / 5;
 
   // The answer to `injected`, one step on.

@@ -16,6 +16,17 @@ constexpr std::int32_t least_expected = 20;
 using Values = std::span<std::int32_t>;
 using ConstValues = std::span<const std::int32_t>;
 
+// The mean with both neighbours, which takes noise and leaves a slow rhythm.
+void smooth(Values values) {
+  std::int32_t before = values.front();
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    const std::int32_t now = values[i];
+    values[i] = (before + now + values[i + 1]) / 3;
+    before = now;
+  }
+  values.back() = (before + 2 * values.back()) / 3;
+}
+
 void subtract_mean(Values values) {
   const auto count = static_cast<std::int32_t>(values.size());
   std::int32_t sum = 0;
@@ -106,8 +117,9 @@ bool Stillness::add(const Window& window) {
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
-  return still_ >= lasting_length ||
-         std::ranges::any_of(limits_, [this](const Limits& limit) { return is_still(limit); });
+  return still_ >= lasting_length || std::ranges::any_of(is_slow_ ? slow : quick, [this](const Limits& limit) {
+           return is_still(limit);
+         });
 }
 
 bool Stillness::is_still_for_now() const {
@@ -128,15 +140,15 @@ bool Stillness::is_still_for_now() const {
 bool Stillness::is_still(const Limits& limits) const {
   const std::size_t length = limits.length;
   if (seen_ < length || undisturbed_ < length) return false;
-  std::array<Course, 4> courses;
-  const auto values = [&courses, length](std::size_t i) {
-    return Values(courses[i]).first(length);
-  };
+  std::array<Course, 4> courses{};
+  const auto values = [&courses, length](std::size_t i) { return Values(courses[i]).first(length); };
   const Values course = values(0), answer = values(1), given = values(2), taken = values(3);
   for (std::size_t i = 0; i < length; ++i) {
     course[i] = window(length, i).celsius - window(length, 0).celsius;
     answer[i] = window(length, i).answer;
   }
+  if (is_slow_) smooth(course);
+  if (is_slow_) smooth(answer);
   subtract_mean(course);
   subtract_line(answer);
   const std::int64_t moved = energy(course);
@@ -148,8 +160,8 @@ bool Stillness::is_still(const Limits& limits) const {
   accumulate(taken, [this, length](std::size_t i) { return window(length, i).taken; });
   if (energy(taken) > expected) return false;
   for (const std::int32_t percent : {0, 50, 100}) {
-    expected = std::min(
-        {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
+    expected = std::min({expected, energy_less(answer, taken, percent),
+                         energy_less(given, taken, percent)});
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
   const std::int64_t common = energy_in_common(course, answer, given);

@@ -26,7 +26,7 @@ class Stillness {
 
   // `rhythm`: windows of one rise and fall of the expected answer.
   explicit constexpr Stillness(std::int32_t rhythm)
-      : limits_(2 * rhythm <= static_cast<std::int32_t>(quick[0].length) ? quick : slow) {}
+      : is_slow_(2 * rhythm > static_cast<std::int32_t>(slow[0].length)) {}
 
   // True if the reading is of a frozen sensor.
   bool add(const Window& window);
@@ -36,7 +36,7 @@ class Stillness {
   void disturb() { undisturbed_ = 0; }
 
  private:
-  static constexpr std::size_t longest = 27;
+  static constexpr std::size_t longest = 54;
   using Course = std::array<std::int32_t, longest>;
 
   struct Limits {
@@ -44,11 +44,11 @@ class Stillness {
     // Of the expected course, in percent (root mean square): what may go with it, and the rest.
     std::int32_t with_rhythm, rest;
   };
-  using LimitTable = std::array<Limits, 2>;
+  using LimitTable = std::array<Limits, 3>;
   // Over more windows the noise counts for less. Of a slow rhythm one rise and fall must do, which
-  // a single disturbance could cancel.
-  static constexpr LimitTable quick{{{18, 16, 35}, {longest, 20, 55}}};
-  static constexpr LimitTable slow{{{18, 12, 28}, {longest, 16, 40}}};
+  // a single disturbance could cancel; but its reading can be smoothed.
+  static constexpr LimitTable quick{{{18, 16, 30}, {27, 20, 50}, {36, 20, 60}}};
+  static constexpr LimitTable slow{{{18, 10, 15}, {27, 14, 26}, {longest, 16, 40}}};
   // Whatever cools, in this many windows in a row.
   static constexpr std::size_t lasting_length = 18;
   static constexpr std::int32_t lasting_limit = 40;
@@ -59,7 +59,7 @@ class Stillness {
   bool is_still(const Limits& limits) const;
   bool is_still_for_now() const;
 
-  LimitTable limits_;
+  bool is_slow_;
   std::size_t seen_ = 0;  // windows since the rhythm began, at most `longest`, as the following
   std::size_t undisturbed_ = 0;  // since disturb()
   std::size_t still_ = 0;  // in a row

@@ -132,7 +132,7 @@ TEST(stillness, looks_longer_where_the_filament_takes_in_the_rhythm) {
 
 // One rise and fall proves less than three.
 TEST(stillness, asks_more_of_a_slow_rhythm) {
-  const auto little = [](double, double answer) { return 0.125 * answer; };
+  const auto little = [](double, double answer) { return 0.12 * answer; };
   Judge quick(quick_rhythm), slow(slow_rhythm);
   EXPECT_EQ(quick.run(18, little), 17);
   EXPECT_EQ(slow.run(18, little), -1);
