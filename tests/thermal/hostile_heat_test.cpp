@@ -61,7 +61,7 @@ TEST(hidden_faults, a_bead_that_freezes_at_the_target_with_noise_on_it) {
     rig.noise = 0.1;
   };
   expect_found(break_while_holding(Part::hotend, 600, freeze), 35, 215);
-  expect_found(break_while_holding(Part::bed, 900, freeze), 150, 63);
+  expect_found(break_while_holding(Part::bed, 900, freeze), 80, 62);
 }
 
 TEST(hidden_faults, a_bead_that_freezes_just_below_the_target_with_all_the_heat_on) {
