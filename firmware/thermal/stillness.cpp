@@ -117,9 +117,9 @@ bool Stillness::add(const Window& window) {
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
-  return still_ >= lasting_length || std::ranges::any_of(is_slow_ ? slow : quick, [this](const Limits& limit) {
-           return is_still(limit);
-         });
+  if (still_ >= lasting_length) return true;
+  return std::ranges::any_of(is_slow_ ? slow : quick,
+                             [this](const Limits& limit) { return is_still(limit); });
 }
 
 bool Stillness::is_still_for_now() const {
@@ -141,7 +141,9 @@ bool Stillness::is_still(const Limits& limits) const {
   const std::size_t length = limits.length;
   if (seen_ < length || undisturbed_ < length) return false;
   std::array<Course, 4> courses{};
-  const auto values = [&courses, length](std::size_t i) { return Values(courses[i]).first(length); };
+  const auto values = [&courses, length](std::size_t i) {
+    return Values(courses[i]).first(length);
+  };
   const Values course = values(0), answer = values(1), given = values(2), taken = values(3);
   for (std::size_t i = 0; i < length; ++i) {
     course[i] = window(length, i).celsius - window(length, 0).celsius;
