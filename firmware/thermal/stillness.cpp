@@ -162,8 +162,8 @@ bool Stillness::is_still(const Limits& limits) const {
   accumulate(taken, [this, length](std::size_t i) { return window(length, i).taken; });
   if (energy(taken) > expected) return false;
   for (const std::int32_t percent : {0, 50, 100}) {
-    expected = std::min({expected, energy_less(answer, taken, percent),
-                         energy_less(given, taken, percent)});
+    expected = std::min(
+        {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
   const std::int64_t common = energy_in_common(course, answer, given);

@@ -48,8 +48,7 @@ struct Probed : testing::Test {
       }
       const std::int32_t answer = probe.expected_answer().count();
       const auto mean = static_cast<std::int32_t>(std::lround(sum / updates));
-      const bool unanswered =
-          probe.is_unanswered(mean, lost + answer - before, melted, window_ms);
+      const bool unanswered = probe.is_unanswered(mean, lost + answer - before, melted, window_ms);
       before = answer;
       if (unanswered) return window;
     }
