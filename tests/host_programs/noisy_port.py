@@ -3,8 +3,8 @@
 """A bad cable: a port between a host program and the printer's port that harms bytes, from a seed.
 
 Faults hit single bytes in both directions: a flipped bit, another byte, a lost, doubled or inserted
-one. Stalls stop everything for half a second; a disconnect closes the printer's port for a second and
-loses what is said meanwhile. Runs until it is ended by a signal, and then tells what it did.
+one. Stalls stop everything for half a second. A disconnect is a plug that is out for a second: both ports stay
+open, and what is said meanwhile is lost. Runs until it is ended by a signal, and then tells what it did.
 """
 import argparse
 import fcntl
@@ -82,9 +82,11 @@ class Cable:
 
     def disconnect(self):
         self.disconnects += 1
-        os.close(self.printer)
-        time.sleep(1)
-        self.printer = self.open_printer()
+        plugged_in = time.monotonic() + 1
+        while (left := plugged_in - time.monotonic()) > 0:
+            readable, _, _ = select.select([self.host, self.printer], [], [], left)
+            for source in readable:
+                os.read(source, 256)
 
     def carry(self):
         readable, _, _ = select.select([self.host, self.printer], [], [], 0.2)
