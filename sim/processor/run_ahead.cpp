@@ -34,7 +34,8 @@ void ProcessorModel::bring_to(Clock clock) {
 }
 
 Clock ProcessorModel::run(Clock limit) {
-  if (change_waits_) apply_change();
+  // Up to its edge the change changes nothing, and nothing later may be done.
+  if (change_waits_ && limit > change_->now) apply_change();
   return run_with_these_lines(limit);
 }
 
