@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fetch, and the instructions of RV32IM but those of SYSTEM, for which see
-// instruction_set_model_system.cpp; instruction_set_model_compressed.cpp for C, and
-// instruction_set_model_bits.cpp for Zbb.
+// instruction_set_model_system.cpp; C and Zbb are shared with sim/processor.
 #include "tests/processor/instruction_set_model.hpp"
 
 #include <limits>
