@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The machine generator takes the given machine exactly, and names every mistake in a description.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
 
 #include "machine/machine.hpp"
 #include "machine_generator/header.hpp"
 #include "machine_generator/reader.hpp"
 #include "tests/sim/changed_description.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -124,6 +129,34 @@ TEST(machine_generator, says_the_line_of_a_wrong_entry) {
 
 TEST(machine_generator, says_the_line_of_broken_toml) {
   EXPECT_THAT(complaint("[serial]", "[serial"), HasSubstr("line "));
+}
+
+// What never ends is not read to its end.
+TEST(machine_generator, takes_only_files_of_a_bounded_size) {
+  const auto complaint_of_file = [](const std::filesystem::path& file) {
+    try {
+      machine_generator::Reader::parse(file);
+    } catch (const machine_generator::DescriptionError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::filesystem::path& file :
+       {std::filesystem::path("/dev/zero"), pipe, folder.path()}) {
+    EXPECT_EQ(complaint_of_file(file), file.string() + ": is not a regular file");
+  }
+  EXPECT_EQ(complaint_of_file(folder.path() / "none"),
+            (folder.path() / "none").string() + ": cannot be read");
+
+  constexpr std::size_t most = std::size_t{1} << 20;
+  const std::filesystem::path large = folder.path() / "large.toml";
+  folder.write(large, std::string(most, '\n'));
+  EXPECT_EQ(complaint_of_file(large), "");
+  folder.write(large, std::string(most + 1, '\n'));
+  EXPECT_EQ(complaint_of_file(large), large.string() + ": is larger than 1 MiB");
 }
 
 }  // namespace

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
+#include <system_error>
 
 namespace machine_generator {
 
 namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 20;  // no machine needs a tenth of it
 
 // What stands before the comment; of a text in quotes a # is a part.
 std::string_view without_comment(std::string_view line) {
@@ -50,11 +52,21 @@ void check_characters(std::string_view text, const std::string& name) {
 }  // namespace
 
 toml::table Reader::parse(const std::filesystem::path& file) {
+  const auto fail = [&](std::string_view what) {
+    throw DescriptionError(fmt::format("{}: {}", file.string(), what));
+  };
+  std::error_code error;
+  const bool exists = std::filesystem::exists(file, error);
+  // Before it is opened: a named pipe would have to be waited for.
+  if (exists && !std::filesystem::is_regular_file(file, error)) fail("is not a regular file");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw DescriptionError(file.string() + ": cannot be read");
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) fail("cannot be read");
+  // Not by its size, which a file of /proc has only when it is read.
+  std::string text(most_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad()) fail("cannot be read");
+  if (text.size() > most_bytes) fail("is larger than 1 MiB");
   return parse(text, file);
 }
 

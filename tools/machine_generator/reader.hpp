@@ -22,7 +22,8 @@ class DescriptionError : public std::runtime_error {
 
 class Reader {
  public:
-  // The whole file. Throws DescriptionError where it is missing or not TOML.
+  // The whole file. Throws DescriptionError where it is missing, no regular file, larger
+  // than 1 MiB or not TOML.
   static toml::table parse(const std::filesystem::path& file);
   // The same of a file's text; `name` is for the message.
   static toml::table parse(std::string_view text, const std::filesystem::path& name);
