@@ -35,6 +35,7 @@ constexpr std::array moving_m{
     Range{23, 24},  // selects and prints a file of the card
     Range{28, 29},  // what is between them is stored, not executed
     Range{32, 32},  // prints a file of the card
+    Range{37, 37},  // simulates what is behind it (RepRapFirmware)
     Range{44, 46},  // calibration (Prusa)
     Range{48, 48},  // tries the probe
     Range{82, 83},  // meaning of E
@@ -42,9 +43,12 @@ constexpr std::array moving_m{
     Range{98, 98},  // macro (RepRapFirmware)
     Range{101, 103},  // extruder on, off (old RepRap)
     Range{104, 104},  // hotend
-    Range{109, 109},   Range{116, 116},  // waits for heat
+    Range{109, 109},  // hotend, and waits
+    Range{111, 111},  // dry run
+    Range{116, 116},  // waits for heat
     Range{125, 125},  // parks the head
     Range{140, 141},  // bed, chamber
+    Range{149, 149},  // units of temperatures
     Range{190, 192},   Range{200, 200},  // volumetric extrusion
     Range{163, 166},  // mixing extruder
     Range{206, 206},  // home offset
