@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "application/coordinate_commands.hpp"
+#include "application/dry_run_commands.hpp"
 #include "application/factor_commands.hpp"
 #include "application/file_commands.hpp"
 #include "application/heat_commands.hpp"
@@ -31,7 +32,8 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(std::tie(motion, modes, settings, factors, heat, reports, host, files));
+    return std::get<Group&>(
+        std::tie(motion, modes, settings, factors, heat, reports, host, files, dry_runs));
   }
 
   Coordinates coordinates;
@@ -43,6 +45,7 @@ struct CommandGroups {
   ReportCommands reports;
   HostCommands host;
   FileCommands files;
+  DryRunCommands dry_runs;
 };
 
 // How the executor calls what carries a command out.

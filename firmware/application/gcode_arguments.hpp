@@ -46,6 +46,9 @@ inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor, "Fac
 inline constexpr Arguments line_number{numbers("N", "number")};
 inline constexpr Arguments repeats{numbers("L", "times")};
 inline constexpr Arguments answer{numbers("S", "button")};
+inline constexpr Arguments simulation{numbers("S", "mode"), flags("P")};
+inline constexpr Arguments debug_bits{clamped("S", "bits", 0, 255)};
+inline constexpr Arguments temperature_units{flags("CFK")};
 inline constexpr Arguments name{text("name")};
 inline constexpr Arguments message{text("text")};
 inline constexpr Arguments marked_message{text("A1 E1 text")};

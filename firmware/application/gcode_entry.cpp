@@ -67,6 +67,7 @@ constexpr auto entries = [] {
                .start = row.conduct.start,
                .refuses_others = row.conduct.refuses_others,
                .while_storing = row.conduct.while_storing,
+               .while_dry_run = row.conduct.executed_in_dry_run(),
                .code = row.code,
                .first_limit = static_cast<std::uint8_t>(all.place_of(limits)),
                .limit_count = static_cast<std::uint8_t>(limits.size()),

@@ -11,6 +11,7 @@ struct GcodeEntry {
   Start start;
   bool refuses_others;
   bool while_storing;
+  bool while_dry_run;
   std::uint16_t code;
   std::uint8_t first_limit;  // of all limits
   std::uint8_t limit_count;

@@ -36,6 +36,11 @@ Progress refuse_heat(ActiveCommand& command, const thermal::HeaterLoop& loop) {
   return command.refuse(reason.decimal(loop.highest_target().count(), 3, 2).view());
 }
 
+// A number in Fahrenheit or Kelvin would be a much hotter one in °C.
+Progress refuse_units(ActiveCommand& command) {
+  return command.refuse("Temperatures only in degrees Celsius, none is set until M149 C");
+}
+
 // There is one fan, number 0.
 bool is_for_another_fan(const ActiveCommand& command) {
   return command.integer('P').value_or(0) != 0;
@@ -45,8 +50,13 @@ bool is_for_another_fan(const ActiveCommand& command) {
 
 Progress HeatCommands::set_temperature(ActiveCommand& command, Heater heater) {
   const auto value = command.value('S');
-  if (!value) return Progress::done;
-  const units::Millicelsius target = temperature_of(*value);
+  return value ? take_target(command, heater, *value) : Progress::done;
+}
+
+// 0 or less is off, whatever the unit: 0 °F and 0 K are below the 0 °C of a heater that is off.
+Progress HeatCommands::take_target(ActiveCommand& command, Heater heater, std::int64_t millionths) {
+  if (other_units_ && millionths > 0) return refuse_units(command);
+  const units::Millicelsius target = temperature_of(millionths);
   if (is_too_hot(heat_.loop(heater), target)) return refuse_heat(command, heat_.loop(heater));
   heat_.set_target(heater, target);
   return Progress::done;
@@ -74,15 +84,21 @@ Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
   const bool waits_for_cooling = command.command.has_number('R');
   const auto value = command.value(waits_for_cooling ? 'R' : 'S');
   if (!value) return Progress::done;
-  const units::Millicelsius target = temperature_of(*value);
-  if (is_too_hot(loop, target)) return refuse_heat(command, loop);
-  heat_.set_target(heater, target);
+  if (take_target(command, heater, *value) == Progress::again) return Progress::again;
+  if (command.refused) return Progress::done;
   const auto temperature = loop.temperature();
   const bool must_cool = temperature && loop.target() < *temperature;
   if (must_cool && !waits_for_cooling) return Progress::done;
   next_report_ = command.now.milliseconds + report_period;
   command.phase = ActiveCommand::Phase::heating;
   return Progress::done;
+}
+
+// C counts before the others, as in Marlin.
+Progress HeatCommands::set_units(ActiveCommand& command) {
+  const gcode::Command& units = command.command;
+  if (units.has_any(gcode::Command::set_of("CFK"))) other_units_ = !units.has('C');
+  return other_units_ ? refuse_units(command) : Progress::done;
 }
 
 Progress HeatCommands::set_fan(ActiveCommand& command) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for heaters and fan: M104 M106 M107 M109 M140 M190, and T, which has one hotend to
-// choose from.
+// The commands for heaters and fan: M104 M106 M107 M109 M140 M149 M190, and T, which has one
+// hotend to choose from.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -15,17 +15,22 @@ class HeatCommands {
 
   Progress set_temperature(ActiveCommand& command, Heater heater);
   Progress set_and_wait(ActiveCommand& command, Heater heater);
+  // M149: only °C. Behind F or K no number is taken for a temperature until C, but 0.
+  Progress set_units(ActiveCommand& command);
   Progress set_fan(ActiveCommand& command);
   Progress stop_fan(ActiveCommand& command);
   Progress select_tool(ActiveCommand& command);
 
  private:
+  // Sets it, or refuses it.
+  Progress take_target(ActiveCommand& command, Heater heater, std::int64_t millionths);
   // S waits only for heating, R for cooling too.
   Progress begin_to_wait(ActiveCommand& command, Heater heater);
 
   HeatTask& heat_;
   drivers::Fan& fan_;
   units::Milliseconds next_report_{};  // while a heater is waited for
+  bool other_units_{};  // of M149 F or K
 };
 
 }  // namespace application

@@ -150,6 +150,20 @@ TEST(gcode_table, says_of_a_row_whether_it_is_executed_between_m28_and_m29) {
   }
 }
 
+TEST(gcode_table, says_of_a_row_whether_it_is_executed_in_a_refused_dry_run) {
+  for (const GcodeRow& row : application::gcode_table) {
+    if (row.conduct.on_reception || row.code == 111) continue;  // the one that is refused
+    Printer printer;
+    printer.run(1);
+    printer.talk("-> M111 S8\n<* No dry run\n<- ok");
+    printer.send(name_of(row));
+    const auto answer = printer.reply();
+    ASSERT_TRUE(answer.has_value()) << name_of(row);
+    EXPECT_NE(answer->contains("until M111 S0"), row.conduct.executed_in_dry_run())
+        << name_of(row) << ": " << *answer;
+  }
+}
+
 TEST(gcode_table, refuses_letters_that_a_row_does_not_have_where_it_says_so) {
   for (const GcodeRow& row : application::gcode_table) {
     if (row.conduct.on_reception) continue;

@@ -56,6 +56,40 @@ TEST(heat_commands, m108_ends_the_wait) {
   EXPECT_LT(printer.chip.heaters[1].celsius, 60);
 }
 
+// 205 in Fahrenheit are 96 °C: the number may not be taken for another temperature.
+TEST(heat_commands, takes_no_temperature_for_celsius_in_other_units) {
+  for (const std::string unit : {"F", "K"}) {
+    Printer printer;
+    printer.run(0.3);
+    printer.talk("-> M140 S50\n<- ok\n-> M149 " + unit + "\n<* \"M149 " + unit + "\"\n<- ok");
+    for (const char* line : {"M104 S205", "M109 S205", "M109 R205", "M140 S140", "M190 S140",
+                             "M190 R140", "M104 S0.5"}) {
+      printer.send(line);
+      EXPECT_EQ(printer.reply(),
+                "echo:Temperatures only in degrees Celsius, none is set until M149 C, "
+                "not executed: \"" +
+                    std::string(line) + "\"");
+      EXPECT_EQ(printer.reply(), "ok");
+    }
+    EXPECT_EQ(printer.counters.commands_refused, 8u);
+    printer.talk("-> M149\n<* until M149 C\n<- ok\n-> M105\n<*  /50.00 ");
+    EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+    printer.talk("-> M149 C\n<- ok\n-> M149\n<- ok\n-> M104 S205\n<- ok\n-> M105\n<* /205.00 ");
+  }
+}
+
+TEST(heat_commands, switches_off_in_any_units) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk("-> M104 S200\n<- ok\n-> M140 S50\n<- ok\n-> M149 F\n<* Celsius\n<- ok");
+  printer.run(0.3);
+  EXPECT_NE(printer.chip.heater_duty(0), 0u);
+  printer.talk("-> M104 S0\n<- ok\n-> M190 S0\n<- ok");
+  printer.run(0.3);
+  EXPECT_EQ(printer.chip.heater_duty(0), 0u);
+  EXPECT_EQ(printer.chip.heater_duty(1), 0u);
+}
+
 TEST(heat_commands, the_supply_is_closed_before_heat_is_asked_for_and_its_loss_is_a_fault) {
   Printer printer;
   printer.run(0.5);

@@ -30,6 +30,7 @@ struct Entry {
   bool on_reception{};
   bool answered_ahead{};
   bool while_storing{};
+  bool in_dry_run{};
 };
 
 constexpr auto entries = [] {
@@ -45,7 +46,8 @@ constexpr auto entries = [] {
                                         .refuses_others = row.conduct.refuses_others,
                                         .on_reception = row.conduct.on_reception,
                                         .answered_ahead = row.conduct.answered_ahead,
-                                        .while_storing = row.conduct.while_storing};
+                                        .while_storing = row.conduct.while_storing,
+                                        .in_dry_run = row.conduct.while_dry_run};
                          });
   return list;
 }();
@@ -135,9 +137,11 @@ std::string page() {
       "*On reception*: at once, ahead of the\n  lines that wait. *Ahead*: the same while the user "
       "is waited for, M105 of a person also in the midst of a job.\n"
       "- From M28 to M29 nothing is executed but {}, and what acts on reception.\n"
+      "- Behind a refused M37 or M111 the same are executed, and {}.\n"
       "- M115 reports {}\n  (`ADVANCED_OK` as the machine description says).\n",
       names_where([](const Entry& entry) { return entry.refuses_others; }),
-      names_where([](const Entry& entry) { return entry.while_storing; }), capabilities());
+      names_where([](const Entry& entry) { return entry.while_storing; }),
+      names_where([](const Entry& entry) { return entry.in_dry_run; }), capabilities());
   return text;
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refusals of jobs that are only to be tried out.
+#include "application/dry_run_commands.hpp"
+
+namespace application {
+
+// P has a file of the card simulated, which ends by itself; without S and P it is a question for
+// the time that the last simulation took.
+Progress DryRunCommands::simulate(ActiveCommand& command) {
+  const auto mode = command.integer('S');
+  if (mode) simulation_ = *mode != 0;
+  if (simulation_) return refuse_line(command);
+  const bool ends = mode && !command.command.has('P');
+  return ends ? Progress::done : command.refuse("No simulation");
+}
+
+// The other bits choose messages that are not there; nothing depends on them.
+Progress DryRunCommands::set_debug_bits(ActiveCommand& command) {
+  constexpr std::int64_t dry_run_bit = 8;
+  if (const auto bits = command.integer('S')) dry_run_ = (*bits & dry_run_bit) != 0;
+  return dry_run_ ? refuse_line(command) : Progress::done;
+}
+
+Progress DryRunCommands::refuse_line(ActiveCommand& command) const {
+  return command.refuse(dry_run_ ? "No dry run, nothing is executed until M111 S0"
+                                 : "No simulation, nothing is executed until M37 S0");
+}
+
+}  // namespace application

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands that have other firmwares try a job out: M37 (RepRapFirmware's simulation) and M111
+// with the bit of Marlin's dry run. There is neither here.
+#pragma once
+
+#include "application/active_command.hpp"
+
+namespace application {
+
+class DryRunCommands {
+ public:
+  Progress simulate(ActiveCommand& command);
+  Progress set_debug_bits(ActiveCommand& command);
+
+  // What a host sends to have it tried out must not be carried out.
+  bool asked_for() const { return simulation_ || dry_run_; }
+  // Says what ends it.
+  Progress refuse_line(ActiveCommand& command) const;
+
+ private:
+  // Each has its own end.
+  bool simulation_{};
+  bool dry_run_{};
+};
+
+}  // namespace application
