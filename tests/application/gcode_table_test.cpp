@@ -152,7 +152,9 @@ TEST(gcode_table, says_of_a_row_whether_it_is_executed_between_m28_and_m29) {
 
 TEST(gcode_table, says_of_a_row_whether_it_is_executed_in_a_refused_dry_run) {
   for (const GcodeRow& row : application::gcode_table) {
-    if (row.conduct.on_reception || row.code == 111) continue;  // the one that is refused
+    if (row.conduct.on_reception || row.code == 111) {
+      continue;  // the one that is refused
+    }
     Printer printer;
     printer.run(1);
     printer.talk("-> M111 S8\n<* No dry run\n<- ok");

@@ -122,7 +122,9 @@ TEST_F(StepGeneratorOverrideTest, makes_the_same_pulses_in_the_same_order_at_any
     const double clocks = static_cast<double>(edges.back().clock - edges.front().clock);
     const double expected = static_cast<double>(plain_clocks) * 100 / percent;
     EXPECT_NEAR(clocks, expected, 0.0005 * expected + 40) << percent << " %";
-    if (percent == 100) EXPECT_EQ(edges.back().clock - edges.front().clock, plain_clocks);
+    if (percent == 100) {
+      EXPECT_EQ(edges.back().clock - edges.front().clock, plain_clocks);
+    }
   }
 }
 

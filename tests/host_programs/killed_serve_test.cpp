@@ -59,7 +59,9 @@ void expect_whole_rows(const std::string& text) {
         << row;
     ASSERT_LE(before, cycle) << row;
     before = cycle;
-    if (position.contains(axis)) ASSERT_EQ(position[axis] + direction, place) << row;
+    if (position.contains(axis)) {
+      ASSERT_EQ(position[axis] + direction, place) << row;
+    }
     position[axis] = place;
   }
 }

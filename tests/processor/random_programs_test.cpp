@@ -26,7 +26,9 @@ void run_all(unsigned seeds, unsigned first_seed, RandomProgramSettings settings
   // The programs must have been worth running.
   EXPECT_GT(sum.instructions, seeds * settings.length / 2);
   EXPECT_GT(sum.traps, seeds);
-  if (settings.interrupts) EXPECT_GT(sum.interrupts, 10 * seeds);
+  if (settings.interrupts) {
+    EXPECT_GT(sum.interrupts, 10 * seeds);
+  }
   testing::Test::RecordProperty("instructions", static_cast<int>(sum.instructions));
   testing::Test::RecordProperty("interrupts", static_cast<int>(sum.interrupts));
 }

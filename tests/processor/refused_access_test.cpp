@@ -71,7 +71,9 @@ TEST(RefusedAccess, has_its_cause_and_address_for_every_width_and_place) {
           if (!trap) continue;
           ASSERT_EQ(*outcomes[1].trap, *trap) << std::hex << address << " width " << bytes;
           // The words that may be written hold 0.
-          if (stores && !outcomes[2].trap) ASSERT_EQ(outcomes[2].value, 0u) << std::hex << address;
+          if (stores && !outcomes[2].trap) {
+            ASSERT_EQ(outcomes[2].value, 0u) << std::hex << address;
+          }
         }
       }
     }

@@ -38,7 +38,9 @@ void expect_clean(const Print& print) {
   EXPECT_EQ(print.report["path"]["points_missed"], 0);
   EXPECT_LE(print.report["path"]["max_deviation_mm"].get<double>(), 1.0 / 80);
   const double target_c = print.report["hotend"]["target_c"].get<double>();
-  if (target_c > 0) EXPECT_LT(print.report["hotend"]["max_c"].get<double>(), target_c + 5.0);
+  if (target_c > 0) {
+    EXPECT_LT(print.report["hotend"]["max_c"].get<double>(), target_c + 5.0);
+  }
 }
 
 // The judge that shares nothing with firmware and simulation.

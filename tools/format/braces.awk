@@ -16,6 +16,8 @@ function joined(at,   indent, head, body) {
   head = substr(line[at], 1, length(line[at]) - 2)
   body = line[at + 1]
   sub(/^ */, "", body)
+  # googletest's macros hold an else of their own.
+  if (head ~ /^ *if / && body ~ /^(EXPECT|ASSERT)_/) return ""
   if (body ~ /^(if|for|while|do|switch|case|default) *[^a-z_]/ || !balanced(head) || !balanced(body)) return ""
   return length(head) + 1 + length(body) <= columns ? head " " body : ""
 }
