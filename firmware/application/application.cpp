@@ -237,8 +237,8 @@ void Application::halt(std::string_view fault) {
 }
 
 // Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
-// answered with the fault again, at most once a second, so that a host that connects now learns
-// why.
+// answered with the fault again, at most once a second, so that a host that connects now
+// learns why.
 void Application::serve_halted(Now now) {
   std::array<char, most_bytes> bytes;
   const std::size_t count = hardware_.uart.read(bytes).count;

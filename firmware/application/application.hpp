@@ -28,8 +28,8 @@ class Application {
   [[nodiscard]] bool start(std::uint32_t baud);
 
   // One pass over all tasks, with at most one command; never waits. True if there is more to do at
-  // once; otherwise the next pass is wanted at the next interrupt (timer, serial line, stop of
-  // motion).
+  // once; otherwise the next pass is wanted at the next interrupt (timer, serial line, stop
+  // of motion).
   bool update();
 
   bool halted() const { return halted_; }

@@ -109,8 +109,8 @@ void MotionTask::update(Now now) {
   if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
 }
 
-// Every stop ends in the same way: what was planned is void, and the planner learns where the axes
-// are.
+// Every stop ends in the same way: what was planned is void, and the planner learns where the
+// axes are.
 void MotionTask::settle_stop() {
   const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (!stop.stopped) {

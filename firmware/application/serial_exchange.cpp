@@ -40,8 +40,8 @@ void Application::receive(Now now, std::size_t most) {
 }
 
 // Between lines, and behind the last, a stop is obeyed and a question answered whose turn it is:
-// the planner, full, has many for a start from rest. True if something has come that may have to be
-// executed.
+// the planner, full, has many for a start from rest. True if something has come that may have to
+// be executed.
 bool Application::refill() {
   bool come = false;
   bool more = true;

@@ -21,8 +21,8 @@ void wake_by_line_and_timer(bool enabled) {
 
 }  // namespace
 
-// baud * 2^32 / clock_hz, digit by digit: a division of 64 bits would be half as large as the
-// loader.
+// baud * 2^32 / clock_hz, digit by digit: a division of 64 bits would be half as large as
+// the loader.
 void Line::configure(std::uint32_t baud, std::uint32_t clock_hz) {
   std::uint32_t increment = 0, rest = baud;
   for (int digit = 0; digit < 32; ++digit) {

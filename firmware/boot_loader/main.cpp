@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boot loader: after a reset it passes on unless a host knocks; asked for, it waits for a
-// program.
+// The boot loader: after a reset it passes on unless a host knocks; asked for, it waits for
+// a program.
 #include <array>
 #include <string_view>
 

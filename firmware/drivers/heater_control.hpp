@@ -67,8 +67,8 @@ class HeaterControl {
   // fed is the second.
   void feed(FeedKey key);
 
-  // Gives the heaters power; refused unless all duties are 0, the watchdog is fed and nothing has
-  // tripped.
+  // Gives the heaters power; refused unless all duties are 0, the watchdog is fed and nothing
+  // has tripped.
   void close_supply();
   void open_supply();
   SupplyStatus supply() const;
@@ -76,8 +76,8 @@ class HeaterControl {
   // Of 65535. Feed the watchdog first: a duty that is not allowed trips the channel.
   void set_duty(std::size_t channel, std::uint16_t duty);
   HeaterStatus status(std::size_t channel) const;
-  // Sets the duty to 0 and forgets what has tripped; what still holds trips again with the next
-  // duty.
+  // Sets the duty to 0 and forgets what has tripped; what still holds trips again with the
+  // next duty.
   void clear_trips(std::size_t channel);
 
  private:

@@ -13,8 +13,8 @@ constexpr units::Milliseconds session_memory{10'000};
 // So often is a host that waits for a lost reply woken; then it is taken to be gone or content.
 constexpr std::uint8_t rescues = 6;
 
-// Commands that hosts send between numbered lines and that only ask: safe even if they are
-// remnants.
+// Commands that hosts send between numbered lines and that only ask: safe even if they
+// are remnants.
 bool only_asks(std::string_view text) {
   switch (take_m_code(text)) {
     case 27:

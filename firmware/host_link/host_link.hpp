@@ -72,8 +72,8 @@ class HostLink {
   // if there is no room yet: nothing is sent then.
   bool say(std::string_view line);
 
-  // To be called often (every few milliseconds): time-outs, busy messages, replies that had no
-  // room.
+  // To be called often (every few milliseconds): time-outs, busy messages, replies that had
+  // no room.
   void update(units::Milliseconds now, Activity activity);
 
   // A command that must not wait for the queue, once for each reception. Its line is queued as well

@@ -25,8 +25,8 @@ namespace motion {
 // A straight move to `target`, in absolute machine coordinates.
 struct LineMove {
   units::PerAxis<units::Position> target{};
-  // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do is
-  // slower.
+  // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do
+  // is slower.
   units::MicrometersPerSecond feedrate{};
   std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion
 };
@@ -34,8 +34,8 @@ struct LineMove {
 class Planner {
  public:
   static constexpr std::size_t capacity = 32;
-  // Motion from rest waits until this much of it is planned, or for at most this long, or for
-  // flush().
+  // Motion from rest waits until this much of it is planned, or for at most this long, or
+  // for flush().
   static constexpr units::Microseconds start_delay{100'000};
   // Segments are handed over only while less than this is still to be executed, and less than what
   // is still in the ring, but for StepTiming::longest_pass: the rest stays plannable.
@@ -70,8 +70,8 @@ class Planner {
 
   // The last target: relative moves go on from here.
   const units::PerAxis<units::Position>& position() const { return target_; }
-  // The same in steps, rounded; what the step generator's counters show when all is done (modulo
-  // 2^32).
+  // The same in steps, rounded; what the step generator's counters show when all is done
+  // (modulo 2^32).
   const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
 
   // Declares where the axes are; only while empty and at rest.

@@ -23,8 +23,8 @@ struct Profile {
   units::Microseconds time{};
 };
 
-// The phases of a line from its planned entry to `exit`, which must be reachable: |exit - entry| <=
-// work.
+// The phases of a line from its planned entry to `exit`, which must be reachable: |exit - entry|
+// <= work.
 //
 // The ticks of the phases sum up to line.ticks. Phases begin and end with energies that differ by
 // no more than the line's work over their ticks, so the acceleration is never exceeded; the rate

@@ -7,8 +7,8 @@
 
 namespace platform {
 
-// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a host
-// test.
+// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a
+// host test.
 std::uint32_t bus_read(std::uint32_t address);
 void bus_write(std::uint32_t address, std::uint32_t value);
 

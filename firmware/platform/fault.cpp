@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what is
-// broken.
+// Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what
+// is broken.
 #include "platform/fault.hpp"
 
 #include "platform/bus.hpp"

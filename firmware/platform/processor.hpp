@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tasks ask of the processor itself: sleep until something happens, clocks, the stack's
-// guard.
+// What the tasks ask of the processor itself: sleep until something happens, clocks, the
+// stack's guard.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ void sleep();
 std::uint32_t clocks();
 std::uint32_t instructions();
 
-// False once the lowest word of the stack has been written: the stack has met the variables below
-// it.
+// False once the lowest word of the stack has been written: the stack has met the variables
+// below it.
 bool stack_is_intact();
 
 }  // namespace platform

@@ -35,8 +35,8 @@ class Probe {
     return units::Millicelsius(answer_ / answer_scale);
   }
   // With each window of the comparison, its mean in thousandths of a degree, and in mK/s all the
-  // heat that the sensor should feel and what the filament takes away: true if the sensor has not
-  // answered.
+  // heat that the sensor should feel and what the filament takes away: true if the sensor has
+  // not answered.
   bool is_unanswered(std::int32_t celsius, std::int32_t heating, std::int32_t melted,
                      std::int32_t milliseconds);
   // The fan has changed: what it takes is not known well enough.

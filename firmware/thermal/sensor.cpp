@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thermistor on a converter channel: from its newest conversion to a temperature or a named
-// fault.
+// A thermistor on a converter channel: from its newest conversion to a temperature or a
+// named fault.
 #include "thermal/sensor.hpp"
 
 namespace thermal {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the Verilated chip keeps what counts: the only file that knows the names of these
-// registers.
+// Where the Verilated chip keeps what counts: the only file that knows the names of
+// these registers.
 #pragma once
 
 #include "sim/counting/counts.hpp"

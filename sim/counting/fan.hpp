@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fan's slots and its pulse width, as rtl/thermal/fan.vhd and rtl/common/pulse_width.vhd count
-// them.
+// The fan's slots and its pulse width, as rtl/thermal/fan.vhd and rtl/common/pulse_width.vhd
+// count them.
 #pragma once
 
 #include <cstdint>

@@ -95,8 +95,8 @@ class ProcessorModel {
   void take_back(Clock clock);
   Clock run_with_these_lines(Clock limit);
   void apply_change();
-  // As far as no interrupt is taken. `single`: one instruction. Returns false where it cannot go on
-  // now.
+  // As far as no interrupt is taken. `single`: one instruction. Returns false where it cannot go
+  // on now.
   template <bool single>
   bool execute(Clock limit);
   bool sleep(Clock limit);

@@ -34,8 +34,8 @@ constexpr Clock longest_lead = 400;
 class JoinedModel : public ChipModel {
  public:
   JoinedModel(std::uint32_t clock_hz, Edges edges);
-  // A model takes its leave from the context of the thread, which of several chips may be
-  // another's.
+  // A model takes its leave from the context of the thread, which of several chips may
+  // be another's.
   ~JoinedModel() override { Verilated::threadContextp(context_.get()); }
 
   void permit_software_stepping() override { model_->software_stepping = 1; }

@@ -14,10 +14,10 @@
 
 namespace sim {
 
-// Of all clocks, the free-running one never rests; each other one has an output that says that its next edge
-// changes nothing. After an input has changed all have an edge. While all of these rest, what
-// counts on it is carried over many clocks at once. `Model` is the chip; a template, so that
-// what another version of Verilator keeps elsewhere is simply not used.
+// Of all clocks, the free-running one never rests; each other one has an output that says that its
+// next edge changes nothing. After an input has changed all have an edge. While all of these rest,
+// what counts on the free-running one is carried over many clocks at once. `Model` is the chip; a
+// template, so that what another version of Verilator keeps elsewhere is simply not used.
 template <class Model>
 class ModelClocks {
  public:
@@ -55,8 +55,8 @@ class ModelClocks {
     return 0;
   }
 
-  // One clock. Says whether another clock than the free-running one had an edge. `for_processor`: the processor's
-  // clock has one in any case, for an input that only this clock takes over.
+  // One clock. Says whether another clock than the free-running one had an edge. `for_processor`:
+  // the processor's clock has one in any case, for an input that only this clock takes over.
   bool clock(bool input_has_changed, bool for_processor = false) {
     const bool all = input_has_changed || edges_ == Edges::all;
     const unsigned rising = free_running |
@@ -65,8 +65,8 @@ class ModelClocks {
                             (all || !model_.at_rest_axes ? axes : 0) |
                             (all || !model_.at_rest_peripherals ? peripherals : 0);
     if constexpr (has_triggers) {
-      // Without a new input there is nothing to do between the edges, and which triggers fire is
-      // known.
+      // Without a new input there is nothing to do between the edges, and which triggers fire
+      // is known.
       if (direct_ && !all) {
         model_.rootp->__VnbaTriggered = triggers_[rising];
         Functions::edges(model_.rootp);

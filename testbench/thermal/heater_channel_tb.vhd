@@ -208,7 +208,8 @@ begin
       reading.updated <= '0';
       from_software.duty(own).density <= to_unsigned(65535, 16);
       clocks(3);
-      does_not_heat_without : assert gate = '0' and status.permitted = '0' and status.limits_missing_trip = '1'
+      does_not_heat_without : assert
+        gate = '0' and status.permitted = '0' and status.limits_missing_trip = '1'
         report limit_t'image(limit) severity failure;
       from_software.duty(own).density <= (others => '0');
     end loop;

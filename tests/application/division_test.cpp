@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The image's 64-bit division against the host's, over random numbers of every length and all
-// edges.
+// The image's 64-bit division against the host's, over random numbers of every length and
+// all edges.
 #include "platform/division.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the host and its user may do ahead of the lines that wait, and what happens when they are
-// gone.
+// What the host and its user may do ahead of the lines that wait, and what happens when they
+// are gone.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ends the processor's sleep: the firmware's loop as on the chip, with bytes that come one by
-// one.
+// What ends the processor's sleep: the firmware's loop as on the chip, with bytes that come one
+// by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ class Loop {
   // Beyond the greeting and the first looks at everything.
   Loop() { live({}, 0.2); }
 
-  // `bytes` come at this distance from now on, for so long; ends early with the first reply where
-  // asked.
+  // `bytes` come at this distance from now on, for so long; ends early with the first reply
+  // where asked.
   void live(std::string_view bytes, double seconds, std::uint32_t byte_clocks = byte_clocks_250k,
             bool to_reply = false) {
     passes = 0;

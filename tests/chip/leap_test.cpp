@@ -81,8 +81,8 @@ class Sleeper {
     return std::tuple(model_.step, model_.direction, model_.motor_enable, model_.transmit,
                       model_.fan_gate, model_.heater_gate, model_.heater_supply, model_.fault,
                       model_.sensor_drive_enable, model_.sensor_drive_level, model_.sleeping,
-                      model_.processor_at_rest, model_.bus_at_rest, model_.axes_at_rest,
-                      model_.peripherals_at_rest);
+                      model_.at_rest_processor, model_.at_rest_registers, model_.at_rest_axes,
+                      model_.at_rest_peripherals);
   }
 
  private:

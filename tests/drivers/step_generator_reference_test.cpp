@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Verilated step generator against the reference model: the same pins in every clock of random
-// runs.
+// The Verilated step generator against the reference model: the same pins in every clock of
+// random runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

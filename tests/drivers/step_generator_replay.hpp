@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays stimuli to the Verilated step generator, each in its clock, and notes the edges of its
-// pins.
+// Plays stimuli to the Verilated step generator, each in its clock, and notes the edges of
+// its pins.
 #pragma once
 
 #include <Vstep_generator.h>

@@ -175,8 +175,8 @@ TEST_F(StepGeneratorSettingsTest, ends_a_segment_whatever_its_jerk) {
     Segment segment = line({2000, 0, 0, 0}, rate(0.01));
     segment.jerk = jerk;
     append(segment);
-    // It is at the highest rate after 2^21 clocks at most, and then makes a step every second
-    // clock.
+    // It is at the highest rate after 2^21 clocks at most, and then makes a step every
+    // second clock.
     chip_.clock(85000);
     EXPECT_FALSE(generator_.moving()) << jerk;
     generator_.stop();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The converter's driver against the converter, with simulated capacitors and thermistors on its
-// pins.
+// The converter's driver against the converter, with simulated capacitors and thermistors on
+// its pins.
 #include "drivers/temperature_converter.hpp"
 
 #include <gtest/gtest.h>

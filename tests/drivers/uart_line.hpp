@@ -19,8 +19,7 @@ namespace tests {
 using registers::uart::receive_depth;
 using registers::uart::transmit_depth;
 
-// Of `baud` on a chip that is clocked with `clock_hz`; the host's speed is off by
-// `deviation`.
+// Of `baud` on a chip that is clocked with `clock_hz`; the host's speed is off by `deviation`.
 class UartLine {
  public:
   UartLine(std::uint32_t baud, std::uint32_t clock_hz, double deviation = 0)

@@ -26,8 +26,7 @@ struct QemuState {
   std::array<std::uint32_t, 32> registers{};
 };
 
-// RV32IMC with machine mode only, its memory where the chip's is, without the chip's
-// peripherals.
+// RV32IMC with machine mode only, its memory where the chip's is, without the chip's peripherals.
 class QemuMachine {
  public:
   // Starts it with the image at the begin of the memory, for RV32IMC with or without Zbb. Throws

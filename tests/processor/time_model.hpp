@@ -26,8 +26,7 @@ class TimeModel {
     bool interrupt = false;
   };
   // When the next instruction of `model` retires or traps, or that it is interrupted, and when;
-  // nothing if it sleeps beyond the last clock noted, or before the first event has been
-  // noted.
+  // nothing if it sleeps beyond the last clock noted, or before the first event has been noted.
   std::optional<Prediction> next(const InstructionSetModel& model) const;
 
   // An event of the chip, and the model before it.

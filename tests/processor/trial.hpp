@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes instructions one after the other on the chip, and records whether and how each
-// trapped.
+// Executes instructions one after the other on the chip, and records whether and how each trapped.
 #pragma once
 
 #include <cstdint>

@@ -31,8 +31,8 @@ struct TickOf {
   std::uint32_t direction{};
 };
 
-// Lines in one to three parts, of all shapes; speeds between one tick in 300 and one in 30 000
-// clocks.
+// Lines in one to three parts, of all shapes; speeds between one tick in 300 and one in 30
+// 000 clocks.
 std::vector<Segment> random_segments(std::uint32_t seed, std::size_t lines) {
   std::mt19937 random(seed);
   const auto below = [&](std::uint32_t count) {

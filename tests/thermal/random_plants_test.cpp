@@ -89,8 +89,8 @@ TEST(random_hotends, find_a_heater_that_sticks) {
   EXPECT_LT(results.highest_above, 20);
 }
 
-// A drift that begins with the heat may pass for a weak heater in much wind:
-// firmware/thermal/faults.md.
+// A drift that begins with the heat may pass for a weak heater in much
+// wind: firmware/thermal/faults.md.
 TEST(random_hotends, find_a_bead_that_drifts) {
   const Results results = break_all(tests::hotend_kind(), HeatFault::drifting, hotend_seconds,
                                     plants_broken, "hotend, bead drifting", learnt);

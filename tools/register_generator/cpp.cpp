@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the C++ header of a peripheral's registers: one struct per register with encode and
-// decode.
+// Writes the C++ header of a peripheral's registers: one struct per register with encode
+// and decode.
 #include <fmt/format.h>
 
 #include <cctype>

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writes the file, or with `check` only compares. Returns false if it is stale (or could not be
-// written).
+// Writes the file, or with `check` only compares. Returns false if it is stale (or could not
+// be written).
 bool settle(const fs::path& file, const std::string& text, bool check) {
   if (fs::exists(file) && files::text_of(file) == text) return true;
   if (check) {
