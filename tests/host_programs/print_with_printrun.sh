@@ -38,6 +38,7 @@ for client in printcore pronsole; do
   same_pulses "$client"
 done
 
+speed=real
 # printcore itself calls a resend an error, so its status does not count here.
 serve_and_print noisy print_with_printcore --faults 0.003 --ascii-up \
   --stall-every 900 --disconnect-every 500 --seed 3

@@ -7,6 +7,8 @@
 server=
 cable=
 port=
+# Of the served chip. A pause of the cable is a pause in real time, to a chip at `max` it is many times longer.
+speed=max
 job=$folder/job.gcode
 
 fail() {
@@ -79,7 +81,7 @@ begin_to_serve() {
   local name=$1
   port=$folder/$name.port
   shift
-  "$stepfabric" serve --speed max --pty "$port" --report "$name.report" \
+  "$stepfabric" serve --speed "$speed" --pty "$port" --report "$name.report" \
     --edges "$name.edges" --accept-log "$name.accept" > "$name.log" 2>&1 &
   server=$!
   wait_for_link "$port"
