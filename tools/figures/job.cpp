@@ -64,7 +64,7 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
     const Group& group = group_named(project, name);
     fmt::print(stderr, "stepfabric: {}: {}, some {} min\n", name, group.command_text(),
                group.minutes);
-    build(group.build);
+    if (!group.build.empty()) build(group.build);
     const Record record = measure(group, {project_folder, build_folder, look});
     // What has been written meanwhile stays.
     Store store = read_store(store_file(project_folder));
