@@ -34,7 +34,7 @@ constexpr Clock longest_lead = 400;
 class JoinedModel : public ChipModel {
  public:
   JoinedModel(std::uint32_t clock_hz, Edges edges);
-  // A model takes its leave from the context of the thread, which of several chips may
+  // A model is removed from the context of the thread, which of several chips may
   // be another's.
   ~JoinedModel() override { Verilated::threadContextp(context_.get()); }
 

@@ -67,7 +67,7 @@ NetlistModel::NetlistModel(std::uint32_t clock_hz, Edges edges)
 }
 
 NetlistModel::~NetlistModel() {
-  // A model takes its leave from the context of the thread, which of several chips may
+  // A model is removed from the context of the thread, which of several chips may
   // be another's.
   Verilated::threadContextp(context_.get());
 }
