@@ -49,14 +49,21 @@ std::optional<std::uint32_t> take_number(std::string_view& text) {
   return static_cast<std::uint32_t>(number);
 }
 
-bool sets_numbering(std::string_view text) {
-  return text.starts_with("M110") || text.starts_with("m110") || text.starts_with("M 110") ||
-         text.starts_with("m 110");
+// Of an M code, however it is written ("m 0110"); otherwise -1.
+int m_code(std::string_view text) {
+  if (!text.starts_with('M') && !text.starts_with('m')) return -1;
+  text = trimmed(text.substr(1));
+  int code = -1;
+  std::from_chars(text.data(), text.data() + text.size(), code);
+  return code;
 }
+
+bool sets_numbering(std::string_view text) { return m_code(text) == 110; }
 
 // It may be answered before the lines that wait, and is not delivered then.
 bool only_asks(std::string_view text) {
-  return text.starts_with("M105") || text.starts_with("M114") || text.starts_with("M115");
+  const int code = m_code(text);
+  return code == 105 || code == 114 || code == 115;
 }
 
 }  // namespace
