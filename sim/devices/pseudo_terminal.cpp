@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making the terminal pair, and moving bytes between it and the simulated line.
+// Making the terminal pair and its symlink, and what the chip says.
 #include "sim/devices/pseudo_terminal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -23,17 +22,9 @@ namespace {
 
 // Looking for bytes from the host costs a system call, and a byte at 250 kbaud takes 40 us.
 constexpr double poll_interval_seconds = 0.0005;
-// Bytes that wait for the wire; the kernel holds back the rest, as a USB adapter's buffer would.
-constexpr std::size_t line_buffer_bytes = 64;
 // What the kernel does not take because the host does not read is kept up to this
 // size, then dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
-// As Linux's closing_wait.
-constexpr double closing_seconds = 30;
-// After a host the line is low for twenty characters at 9600 baud, and then rests for much longer
-// than the firmware needs to know that from noise.
-constexpr double break_seconds = 0.02;
-constexpr double rest_seconds = 0.1;
 
 // Which symlink of this user it is: file system, inode, time of its making, target. Empty where
 // there is none, or another user's.
@@ -86,6 +77,7 @@ void PseudoTerminal::make_slave() {
   if (slave < 0) fail("cannot open the pseudo-terminal");
   close(slave);
   set_raw(master_, chip_baud_);
+  watch_.emplace(slave_path_);
 }
 
 // Nothing but what a process of this user made here and could not remove gives way. The lock's note
@@ -115,101 +107,6 @@ void PseudoTerminal::release() {
     std::filesystem::remove(link_, ignored);
   }
   if (master_ >= 0) close(master_);
-}
-
-void PseudoTerminal::wake(sim::Clock now) {
-  next_wake_ = now + poll_interval_;
-  const short events = look();
-  if ((events & POLLHUP) == 0) {
-    if (leaving_) host_left(now);
-    host_came(now);
-    flush();
-    take_from_host(now);
-    return;
-  }
-  // It may have come and gone since the last look.
-  if ((events & POLLIN) != 0) host_came(now);
-  if (!connected_) return;
-  if (!leaving_) keep_what_is_left(now);
-  send_what_is_left(now);
-}
-
-// POLLIN: something to read; POLLHUP: the port is not open.
-short PseudoTerminal::look() const {
-  pollfd event{master_, POLLIN, 0};
-  return poll(&event, 1, 0) > 0 ? event.revents : short{0};
-}
-
-void PseudoTerminal::take_from_host(sim::Clock now) {
-  follow_speed(now);
-  if (held_back_ || now < rest_until_) return;
-  throttled_ = line_.waiting_bytes() >= line_buffer_bytes;
-  if (throttled_) return;
-  std::array<char, line_buffer_bytes> buffer;
-  const ssize_t count = read(master_, buffer.data(), buffer.size());
-  if (count > 0) {
-    throttled_ = static_cast<std::size_t>(count) == buffer.size();
-    line_.send(now, std::string_view(buffer.data(), static_cast<std::size_t>(count)));
-  }
-}
-
-// Kept apart from what the next host writes.
-void PseudoTerminal::keep_what_is_left(sim::Clock now) {
-  follow_speed(now);
-  leaving_ = true;
-  send_left_until_ = now + rate_.clocks(closing_seconds);
-  std::array<char, 4096> buffer;
-  for (ssize_t count = 1; count > 0;) {
-    count = read(master_, buffer.data(), buffer.size());
-    if (count > 0) left_.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-}
-
-void PseudoTerminal::send_what_is_left(sim::Clock now) {
-  if (now >= send_left_until_) return host_left(now);
-  if (held_back_ || now < rest_until_ || line_.waiting_bytes() >= line_buffer_bytes) return;
-  line_.send(now, std::string_view(left_).substr(0, line_buffer_bytes));
-  left_.erase(0, line_buffer_bytes);
-  if (line_.quiet()) host_left(now);
-}
-
-void PseudoTerminal::host_came(sim::Clock now) {
-  if (connected_) return;
-  connected_ = true;
-  if (on_open) on_open(now);
-}
-
-// Perhaps the next one is there already, with a speed of its own.
-void PseudoTerminal::host_left(sim::Clock now) {
-  connected_ = leaving_ = throttled_ = false;
-  left_.clear();
-  to_host_.clear();
-  // The next host finds neither this one's settings nor what was said to it.
-  if ((look() & POLLHUP) != 0) set_raw(master_, chip_baud_);
-  const int slave = open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (slave >= 0) {
-    tcflush(slave, TCIFLUSH);
-    close(slave);
-  }
-  follow_speed(now);
-  line_.hang_up(now, rate_.clocks(break_seconds));
-  rest_until_ = now + rate_.clocks(break_seconds + rest_seconds);
-  if (on_close) on_close(now);
-}
-
-void PseudoTerminal::follow_speed(sim::Clock now) {
-  const std::uint32_t chosen = baud_of(master_);
-  if (chosen == 0 || chosen == host_baud_) return;
-  host_baud_ = chosen;
-  line_.set_baud(now, chosen);
-  // What was held back was written at the speed before.
-  if (throttled_) forget_unread();
-}
-
-void PseudoTerminal::forget_unread() const {
-  std::array<char, 4096> buffer;
-  while (read(master_, buffer.data(), buffer.size()) > 0) {
-  }
 }
 
 void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {

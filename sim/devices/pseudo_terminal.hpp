@@ -4,10 +4,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/devices/path_lock.hpp"
 #include "sim/devices/serial_line.hpp"
+#include "sim/devices/terminal_watch.hpp"
 
 namespace devices {
 
@@ -15,8 +18,10 @@ namespace devices {
 // speed and nothing old in it; what is said while no host is there is lost; the wire runs at the
 // speed that the host chooses, right or wrong. What a host has written goes out after it has closed
 // the port, for 30 s at most as in Linux, unless the next one opens it before. Then the line is low
-// for some time, so that the chip can give up a line that is not finished. A host that closes and
-// one that opens within half a millisecond are one, since nothing says where its bytes begin.
+// for some time, so that the chip can give up a line that is not finished. A host that opens right
+// behind another one is known by what the kernel notes of both; only where both have written
+// between two looks, half a millisecond apart, nothing says whose a byte is: a line that was begun
+// before is then dropped, whole ones are taken as if one host had written them.
 class PseudoTerminal : public sim::Device, public ByteListener {
  public:
   // The wire runs at `baud` until a host chooses otherwise. Throws std::system_error where no
@@ -51,12 +56,16 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void release();
   short look() const;
   void take_from_host(sim::Clock now);
+  std::string read_from_host();
+  std::string read_all() const;
+  void send(sim::Clock now, std::string_view bytes);
+  void change_hosts(sim::Clock now, TerminalWatch::Change change, std::string came);
   void keep_what_is_left(sim::Clock now);
   void send_what_is_left(sim::Clock now);
   void host_came(sim::Clock now);
   void host_left(sim::Clock now);
   void follow_speed(sim::Clock now);
-  void forget_unread() const;
+  void forget_unread();
   void flush();
 
   std::filesystem::path link_;
@@ -69,9 +78,14 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   std::uint32_t host_baud_;
   int master_ = -1;
   std::string slave_path_;
+  std::optional<TerminalWatch> watch_;
   bool connected_ = false;
   bool held_back_ = false;
   bool throttled_ = false;  // the host may have written more than was taken
+  bool unread_ = false;  // something lay in the kernel at the last look
+  bool in_line_ = false;  // the chip has the begin of a line
+  bool skips_line_ = false;  // up to its end: it may be a rest of the host before
+  std::string early_;  // of the host, read before its turn
   bool leaving_ = false;  // the host has closed the port, and not all that it has written is sent
   std::string left_;  // that
   sim::Clock send_left_until_ = 0;
