@@ -21,6 +21,12 @@ Progress DryRunCommands::set_debug_bits(ActiveCommand& command) {
   return dry_run_ ? refuse_line(command) : Progress::done;
 }
 
+// In Marlin's words. The bits of messages are not kept.
+Progress DryRunCommands::report_debug_bits(ActiveCommand& command) {
+  return command.say(dry_run_ ? "echo:DEBUG:DRYRUN, nothing is executed until M111 S0"
+                              : "echo:DEBUG:off");
+}
+
 Progress DryRunCommands::refuse_line(ActiveCommand& command) const {
   return command.refuse(dry_run_ ? "No dry run, nothing is executed until M111 S0"
                                  : "No simulation, nothing is executed until M37 S0");

@@ -11,6 +11,7 @@ class DryRunCommands {
  public:
   Progress simulate(ActiveCommand& command);
   Progress set_debug_bits(ActiveCommand& command);
+  Progress report_debug_bits(ActiveCommand& command);
 
   // What a host sends to have it tried out must not be carried out.
   bool asked_for() const { return simulation_ || dry_run_; }

@@ -36,10 +36,11 @@ Progress refuse_heat(ActiveCommand& command, const thermal::HeaterLoop& loop) {
   return command.refuse(reason.decimal(loop.highest_target().count(), 3, 2).view());
 }
 
+constexpr std::string_view no_other_units =
+    "Temperatures only in degrees Celsius, none is set until M149 C";
+
 // A number in Fahrenheit or Kelvin would be a much hotter one in °C.
-Progress refuse_units(ActiveCommand& command) {
-  return command.refuse("Temperatures only in degrees Celsius, none is set until M149 C");
-}
+Progress refuse_units(ActiveCommand& command) { return command.refuse(no_other_units); }
 
 // There is one fan, number 0.
 bool is_for_another_fan(const ActiveCommand& command) {
@@ -96,9 +97,15 @@ Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
 
 // C counts before the others, as in Marlin.
 Progress HeatCommands::set_units(ActiveCommand& command) {
-  const gcode::Command& units = command.command;
-  if (units.has_any(gcode::Command::set_of("CFK"))) other_units_ = !units.has('C');
+  other_units_ = !command.command.has('C');
   return other_units_ ? refuse_units(command) : Progress::done;
+}
+
+// As Marlin does.
+Progress HeatCommands::report_units(ActiveCommand& command) {
+  host_link::TextLine line;
+  if (other_units_) return command.say(line.text("echo:").text(no_other_units));
+  return command.say("echo: M149 C ; Units in Celsius");
 }
 
 Progress HeatCommands::set_fan(ActiveCommand& command) {

@@ -17,6 +17,7 @@ class HeatCommands {
   Progress set_and_wait(ActiveCommand& command, Heater heater);
   // M149: only °C. Behind F or K no number is taken for a temperature until C, but 0.
   Progress set_units(ActiveCommand& command);
+  Progress report_units(ActiveCommand& command);
   Progress set_fan(ActiveCommand& command);
   Progress stop_fan(ActiveCommand& command);
   Progress select_tool(ActiveCommand& command);

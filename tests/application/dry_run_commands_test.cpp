@@ -23,7 +23,7 @@ TEST(dry_run_commands, executes_nothing_behind_the_bit_of_the_dry_run) {
     <- echo:No dry run, nothing is executed until M111 S0, not executed: "M9999"
     <- ok
     -> M111
-    <- echo:No dry run, nothing is executed until M111 S0, not executed: "M111"
+    <- echo:DEBUG:DRYRUN, nothing is executed until M111 S0
     <- ok
     -> M105
     <* ok T:
@@ -32,7 +32,7 @@ TEST(dry_run_commands, executes_nothing_behind_the_bit_of_the_dry_run) {
   )");
   EXPECT_EQ(printer.chip.motors, 0u);
   EXPECT_EQ(printer.chip.heater_duty(0), 0u);
-  EXPECT_EQ(printer.counters.commands_refused, 5u);
+  EXPECT_EQ(printer.counters.commands_refused, 4u);
   // Any S without the bit.
   printer.talk(R"(
     -> M111 S6
@@ -62,6 +62,7 @@ TEST(dry_run_commands, takes_the_bits_of_messages) {
   Printer printer;
   printer.talk(R"(
     -> M111
+    <- echo:DEBUG:off
     <- ok
     -> M111 S7
     <- ok
