@@ -215,7 +215,7 @@ TEST(loading, where_there_is_no_loader_that_is_said) {
 
 TEST(loading, plain_bytes_begin_where_the_memory_does) {
   const auto file = std::filesystem::temp_directory_path() / "stepfabric_loading_test.bin";
-  std::ofstream(file, std::ios::binary) << "abcdef";
+  std::ofstream(file, std::ios::binary) << std::string("abc\0ef", 6);
   const Program program = loading::read_program(file);
   EXPECT_EQ(program.address, address);
   EXPECT_EQ(program.entry, address);
@@ -226,6 +226,31 @@ TEST(loading, plain_bytes_begin_where_the_memory_does) {
   EXPECT_THROW(loading::read_program(file), std::runtime_error);
   std::filesystem::remove(file);
   EXPECT_THROW(loading::read_program(file), std::runtime_error);
+}
+
+std::string refusal_of(std::string_view contents) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(contents.data());
+  try {
+    loading::parse_program({bytes, contents.size()}, "part.gcode");
+  } catch (const std::runtime_error& refusal) {
+    return refusal.what();
+  }
+  return {};
+}
+
+// With the line ends and the encodings that slicers write.
+TEST(loading, g_code_is_refused_and_print_is_named) {
+  for (const char* text :
+       {"G28\nG1 X5\n", "; caf\xc3\xa9\r\n\tG28\r\n", "; caf\xe9\nG28\n", "M117 \\o/"}) {
+    EXPECT_NE(refusal_of(text).find("part.gcode is text, no program"), std::string::npos) << text;
+    EXPECT_NE(refusal_of(text).find("`stepfabric print`"), std::string::npos) << text;
+  }
+  EXPECT_EQ(refusal_of({"o\0\0\0", 4}), "");
+}
+
+TEST(loading, what_cannot_be_read_to_its_end_is_refused) {
+  EXPECT_THROW(loading::read_program("/dev/zero"), std::runtime_error);
+  EXPECT_THROW(loading::read_program(std::filesystem::temp_directory_path()), std::runtime_error);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "sim/simulation/elf_image.hpp"
@@ -38,13 +38,34 @@ Program joined(const sim::ElfImage& image) {
   return program;
 }
 
+// Of an ELF file most is for the debugger. A file may be endless, as a device.
+constexpr std::size_t most_file_bytes = std::size_t{64} << 20;
+
+// Instructions have zeros and control characters among them, G-code and other texts have none,
+// whatever the encoding of their comments.
+bool is_text(std::span<const std::uint8_t> contents) {
+  return std::ranges::none_of(contents, [](std::uint8_t byte) {
+    return (byte < ' ' && (byte < '\t' || byte > '\r')) || byte == 0x7F;
+  });
+}
+
 }  // namespace
 
 Program read_program(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file),
-                                        std::istreambuf_iterator<char>()};
+  std::vector<std::uint8_t> bytes;
+  std::array<char, 65'536> buffer;
+  while (file && bytes.size() <= most_file_bytes) {
+    file.read(buffer.data(), buffer.size());
+    bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + file.gcount());
+  }
+  if (!file.eof() && bytes.size() <= most_file_bytes) {
+    throw std::runtime_error("cannot read " + path.string());
+  }
+  if (bytes.size() > most_file_bytes) {
+    throw std::runtime_error(fmt::format("{} has more than {} bytes: no program for the chip",
+                                         path.string(), most_file_bytes));
+  }
   return parse_program(bytes, path.string());
 }
 
@@ -56,6 +77,12 @@ Program parse_program(std::span<const std::uint8_t> contents, const std::string&
   if (contents.empty() || contents.size() > loader_address - memory_address) {
     throw std::runtime_error(fmt::format("{} has {} bytes; a program has 1 to {}", name,
                                          contents.size(), loader_address - memory_address));
+  }
+  if (is_text(contents)) {
+    throw std::runtime_error(
+        name +
+        " is text, no program: `load` takes an ELF file or the plain contents of the memory. "
+        "G-code is printed with `stepfabric print`, or by a host program at the port");
   }
   return {.address = memory_address,
           .bytes = {contents.begin(), contents.end()},

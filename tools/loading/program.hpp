@@ -22,7 +22,7 @@ struct Program {
 
 // An ELF file for the chip, or otherwise the plain contents of the memory from its begin on, which
 // are also the entry. The boot loader's part of a firmware is left out. Throws std::runtime_error
-// where a file is neither, or lies outside the memory.
+// where a file is neither, or a text, or lies outside the memory.
 Program read_program(const std::filesystem::path& file);
 // The same of the contents of a file; `name` is for the message.
 Program parse_program(std::span<const std::uint8_t> contents, const std::string& name);
