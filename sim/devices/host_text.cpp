@@ -37,10 +37,14 @@ std::string numbered_line(std::size_t number, std::string_view command) {
 }
 
 bool is_command(std::string_view text, std::string_view name) {
-  const std::string start = lower_case(text.substr(0, name.size()));
-  const char next = text.size() > name.size() ? text[name.size()] : ' ';
-  return start == lower_case(name) && std::isdigit(static_cast<unsigned char>(next)) == 0 &&
-         next != '.';
+  if (lower_case(text.substr(0, 1)) != lower_case(name.substr(0, 1))) return false;
+  const std::size_t digits = text.find_first_not_of(" \t", 1);
+  if (digits == std::string_view::npos) return false;
+  unsigned code = 0, wanted = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data() + digits, end, code);
+  std::from_chars(name.data() + 1, name.data() + name.size(), wanted);
+  return read.ec == std::errc{} && code == wanted && (read.ptr == end || *read.ptr != '.');
 }
 
 bool waits_for_a_time(std::string_view text) {

@@ -18,7 +18,7 @@ std::optional<std::size_t> first_number(std::string_view text);
 // The line with its number, its checksum and its end.
 std::string numbered_line(std::size_t number, std::string_view command);
 
-// Whether a line is this command; `name` is in capital letters, with its number.
+// Whether a line is this command, also as "m 0110"; `name` is "M110".
 bool is_command(std::string_view text, std::string_view name);
 // M0 S5, M1 P500: until then, or until the user's answer. A message may follow the numbers.
 bool waits_for_a_time(std::string_view text);

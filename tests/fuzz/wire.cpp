@@ -30,8 +30,7 @@ class Print : public devices::HostListener {
       : noise_(noise), host_(commands, line_, rate) {
     host_.add_listener(*this);
     for (const auto& command : commands) {
-      const auto code = report_code(command.text);
-      if (code != 110) wanted_.push_back(command.text);
+      if (!sets_numbering(command.text)) wanted_.push_back(command.text);
     }
     say("start\n");
   }
@@ -43,12 +42,13 @@ class Print : public devices::HostListener {
   }
 
  private:
-  // Of an M code, -1 otherwise; as the host's rule for M110 has it.
-  static int report_code(std::string_view text) {
-    const bool is_m110 =
-        text.size() >= 4 && (text[0] == 'M' || text[0] == 'm') && text.substr(1, 3) == "110" &&
-        (text.size() == 4 || !((text[4] >= '0' && text[4] <= '9') || text[4] == '.'));
-    return is_m110 ? 110 : -1;
+  // M110, however it is written ("m 0110"): the firmware would count on from there.
+  static bool sets_numbering(std::string_view text) {
+    if (!text.starts_with('M') && !text.starts_with('m')) return false;
+    text.remove_prefix(std::min(text.find_first_not_of(" \t", 1), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of('0'), text.size()));
+    return text.starts_with("110") &&
+           (text.size() == 3 || !((text[3] >= '0' && text[3] <= '9') || text[3] == '.'));
   }
 
   void say(std::string_view reply) {

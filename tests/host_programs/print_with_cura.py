@@ -110,8 +110,11 @@ def main():
             device._printGCode(file.read())
         ended = wait_for(lambda: not device._is_printing, arguments.patience)
         device.sendCommand("M400")
-        device.sendCommand("M118 all moves are made")
-        made = wait_for(lambda: b"all moves are made\n" in heard.lines, 300)
+        # Without a number: a bad line may damage it or what it says.
+        end = time.monotonic() + 300
+        while not made and time.monotonic() < end:
+            device.sendCommand("M118 all moves are made")
+            made = wait_for(lambda: b"all moves are made\n" in heard.lines, 10)
     name = device.getFirmwareName()
     device.close()
     with open(arguments.summary, "w", encoding="ascii") as file:

@@ -18,6 +18,12 @@ TEST_F(FileHostTest, numbers_lines_adds_checksums_and_ends_with_m400) {
   EXPECT_EQ(host->counts().resends, 0U);
 }
 
+// The numbers are the host's, and the file's would have it begin again.
+TEST_F(FileHostTest, leaves_the_file_s_m110_out_however_it_is_written) {
+  print("M110 N7\nM 110 N7\nm0110 N7\nM110N7\nM1100\nG28\n");
+  EXPECT_THAT(sent, ElementsAre("N0 M110 N0*125", "N1 M1100*18", "N2 G28*17", "N3 M400*36"));
+}
+
 TEST_F(FileHostTest, begins_without_start_after_a_second) {
   print("G28\n", {}, 0.9, false);
   EXPECT_TRUE(sent.empty());
