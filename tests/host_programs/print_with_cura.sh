@@ -11,7 +11,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 . "$here/served_print.sh"
 
 # The tool root shows the host's Cura and Python packages under /run.
-[ ! -d /run/host_python/serial ] || export PYTHONPATH=/run/host_python${PYTHONPATH:+:$PYTHONPATH}
+[ ! -d /run/host_python/serial ] || export PYTHONPATH=${PYTHONPATH:+$PYTHONPATH:}/run/host_python
 plugin=
 for place in "${STEPFABRIC_CURA:-}" /run/host_cura/plugins/USBPrinting /usr/lib/cura/plugins/USBPrinting; do
   [ -n "$plugin" ] || [ ! -f "$place/USBPrinterOutputDevice.py" ] || plugin=$place
