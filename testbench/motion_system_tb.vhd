@@ -10,6 +10,7 @@ use work.bus_master_pkg.all;
 use work.bus_pkg.all;
 use work.clocks_pkg.all;
 use work.end_stops_registers_pkg.all;
+use work.step_generator_bench_pkg.all;
 use work.step_generator_registers_pkg.all;
 use work.step_pins_registers_pkg.all;
 
@@ -22,10 +23,8 @@ architecture bench of motion_system_tb is
   constant switches : natural := 1;
   constant pins : natural := 2;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal resets : resets_t := (others => '1');
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal requests : bus_request_array_t(0 to 2);
   signal responses : bus_response_array_t(0 to 2);
   signal software_stepping, emergency_stop, motion_start : std_ulogic := '0';
@@ -33,15 +32,18 @@ architecture bench of motion_system_tb is
   signal step, direction, motor_enable : std_ulogic_vector(1 downto 0);
   signal queue_interrupt, stop_interrupt, axes_at_rest, end_stops_at_rest : std_ulogic;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 10 ns;
+  make_clock(master.clk, 20 ns);
 
   fabric : entity work.bus_interconnect
     generic map (base_addresses => (step_generator_address, end_stops_address, step_pins_address))
     port map (
-      clk => clk, reset => resets.processor, request => request, response => response,
-      slave_requests => requests, slave_responses => responses);
+      clk => clk, reset => resets.processor, request => to_request(master.request),
+      to_wires(response) => master.response, slave_requests => requests,
+      slave_responses => responses);
 
   motion : entity work.motion_system
     generic map (axes => 2, queue_depth => 4)
@@ -58,37 +60,20 @@ begin
 
   test : process
 
-    procedure write(address : unsigned(31 downto 0); data : natural) is
+    -- One line of 1000 ticks, with a step of axis 0 in each.
+    procedure append(flags : natural) is
     begin
-      bus_write(clk, request, response, address, data);
-    end procedure;
-
-    -- One line of 1000 ticks, a tick in 16 clocks, with steps of axis 0 in negative direction.
-    procedure append(flags : step_generator_segment_flags_t; steps : natural) is
-    begin
-      bus_write(clk, request, response, step_generator_segment_flags_address, to_word(flags));
-      write(step_generator_segment_line_ticks_address, 1000);
-      write(step_generator_segment_ticks_address, 1000);
-      write(step_generator_segment_rate_low_address, 0);
-      write(step_generator_segment_rate_high_address, 2 ** 28);
-      write(step_generator_segment_acceleration_low_address, 0);
-      write(step_generator_segment_acceleration_high_address, 0);
-      write(step_generator_segment_jerk_low_address, 0);
-      write(step_generator_segment_jerk_high_address, 0);
-      write(step_generator_segment_steps_address, steps);
-      write(step_generator_segment_steps_address + 4, 0);
-      write(step_generator_segment_commit_address, 0);
+      append_segment(master, 1000, 0, 1000, flags);
     end procedure;
 
     procedure expect_status(idle, stopped : std_ulogic; what : string) is
       variable word : word_t;
     begin
-      bus_read(clk, request, response, step_generator_status_address, word);
+      read(master, step_generator_status_address, word);
       is_idle : assert word(step_generator_status_idle_bit) = idle report what severity failure;
       is_stopped : assert word(step_generator_status_stopped_bit) = stopped report what severity failure;
     end procedure;
 
-    variable flags : step_generator_segment_flags_t := to_step_generator_segment_flags(x"00000000");
     variable word : word_t;
 
   begin
@@ -98,16 +83,13 @@ begin
     rests : assert axes_at_rest = '1' and end_stops_at_rest = '1' severity failure;
 
     -- Motors, and a start in common.
-    write(step_generator_motor_enable_address, 3);
+    write(master, step_generator_motor_enable_address, 3);
     wait_clocks(clk, 2);
     enables_motors : assert motor_enable = "11" severity failure;
-    write(step_generator_control_address, 1);
-    flags.ends_motion := '1';
-    flags.waits_for_start := '1';
-    flags.backward := x"01";
-    append(flags, 1000);
+    write(master, step_generator_control_address, 1);
+    append(ends_motion + waits + one_backward);
     wait_clocks(clk, 200);
-    waits : assert step = "00" severity failure;
+    waits_for_the_start : assert step = "00" severity failure;
     motion_start <= '1';
     wait_clocks(clk, 1);
     is_awake_for_an_input : assert axes_at_rest = '0' severity failure;
@@ -123,16 +105,14 @@ begin
     emergency_stop <= '0';
     wait_clocks(clk, 200);
     makes_no_step : assert step = "00" severity failure;
-    write(step_generator_command_address, 2 ** step_generator_command_acknowledge_stop_bit);
-    write(step_generator_motor_enable_address, 3);
+    write(master, step_generator_command_address, acknowledge_command);
+    write(master, step_generator_motor_enable_address, 3);
     expect_status('1', '0', "acknowledged");
 
     -- End stop 5 ends a segment with its bit in the mask, and is in the register.
-    write(end_stops_filter_address, 0);
-    write(end_stops_enable_address, 16#20#);
-    flags.waits_for_start := '0';
-    flags.stop_mask := x"20";
-    append(flags, 1000);
+    write(master, end_stops_filter_address, 0);
+    write(master, end_stops_enable_address, 16#20#);
+    append(ends_motion + one_backward + 2 ** 5 * one_of_mask);
     wait_clocks(clk, 100);
     expect_status('0', '0', "moves");
     end_stop <= x"DF";
@@ -140,35 +120,35 @@ begin
     expect_status('0', '0', "other end stops");
     end_stop <= x"20";
     wait_clocks(clk, 20);
-    bus_read(clk, request, response, end_stops_status_address, word);
+    read(master, end_stops_status_address, word);
     shows_the_switch : assert word(5) = '1' severity failure;
     wait_clocks(clk, 200);
     expect_status('1', '1', "the end stop of the mask");
     end_stop <= x"00";
-    write(step_generator_command_address, 2 ** step_generator_command_acknowledge_stop_bit);
+    write(master, step_generator_command_address, acknowledge_command);
 
     -- Interrupts: of a queue with room, of a stop.
-    write(step_generator_control_address, 7);
+    write(master, step_generator_control_address, 7);
     wait_clocks(clk, 3);
     asks_for_segments : assert queue_interrupt = '1' and stop_interrupt = '0' severity failure;
-    write(step_generator_command_address, 2 ** step_generator_command_stop_bit);
+    write(master, step_generator_command_address, stop_command);
     wait_clocks(clk, 4);
     reports_a_stop : assert stop_interrupt = '1' severity failure;
-    write(step_generator_command_address, 2 ** step_generator_command_acknowledge_stop_bit);
+    write(master, step_generator_command_address, acknowledge_command);
 
     -- Software's pins.
-    write(step_pins_control_address, 1);
-    write(step_pins_step_address, 2);
+    write(master, step_pins_control_address, 1);
+    write(master, step_pins_step_address, 2);
     wait_clocks(clk, 4);
     are_the_generators_without_the_strap : assert step = "00" severity failure;
     software_stepping <= '1';
     wait_clocks(clk, 4);
     -- The emergency stop holds for them too.
-    write(step_pins_stop_address, 1);
-    write(step_pins_step_address, 0);
-    write(step_pins_control_address, 1);
-    write(step_pins_step_address, 2);
-    write(step_pins_direction_address, 1);
+    write(master, step_pins_stop_address, 1);
+    write(master, step_pins_step_address, 0);
+    write(master, step_pins_control_address, 1);
+    write(master, step_pins_step_address, 2);
+    write(master, step_pins_direction_address, 1);
     wait_clocks(clk, 4);
     are_softwares_with_the_strap : assert step = "10" and direction = "01" severity failure;
     std.env.finish;

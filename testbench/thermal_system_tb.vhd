@@ -10,6 +10,7 @@ use work.bus_master_pkg.all;
 use work.bus_pkg.all;
 use work.clocks_pkg.all;
 use work.fan_registers_pkg.all;
+use work.heater_control_bench_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.temperature_converter_registers_pkg.all;
 
@@ -18,7 +19,6 @@ end entity;
 
 architecture bench of thermal_system_tb is
 
-  constant clock_frequency_hz : positive := 4_000_000;
   -- Clocks until the capacitor of each channel is charged.
   constant charge_clocks : positive := 400;
 
@@ -26,10 +26,8 @@ architecture bench of thermal_system_tb is
   constant heaters : natural := 1;
   constant fan : natural := 2;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal resets : resets_t := (others => '1');
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal requests : bus_request_array_t(0 to 2);
   signal responses : bus_response_array_t(0 to 2);
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
@@ -37,15 +35,18 @@ architecture bench of thermal_system_tb is
   signal supply, interrupt, fan_gate, at_rest : std_ulogic;
   signal veto, emergency_stop : std_ulogic := '0';
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 125 ns;
+  make_clock(master.clk, 250 ns);
 
   fabric : entity work.bus_interconnect
     generic map (base_addresses => (temperature_converter_address, heater_control_address, fan_address))
     port map (
-      clk => clk, reset => resets.processor, request => request, response => response,
-      slave_requests => requests, slave_responses => responses);
+      clk => clk, reset => resets.processor, request => to_request(master.request),
+      to_wires(response) => master.response, slave_requests => requests,
+      slave_responses => responses);
 
   thermal : entity work.thermal_system
     generic map (heaters => 2)
@@ -79,32 +80,13 @@ begin
 
   test : process
 
-    procedure write(address : unsigned(31 downto 0); data : natural) is
-    begin
-      bus_write(clk, request, response, address, data);
-    end procedure;
-
     -- Of one channel; the second cannot heat.
     procedure set_limits is
     begin
-      write(heater_control_minimum_count_address, 300);
-      write(heater_control_maximum_count_address, 2000);
-      write(heater_control_hot_count_address, 1000);
-      write(heater_control_settle_address, 100);
-    end procedure;
-
-    procedure feed is
-    begin
-      write(heater_control_feed_address, heater_control_feed_key_first);
-      write(heater_control_feed_address, heater_control_feed_key_second);
-    end procedure;
-
-    procedure close_supply is
-      variable supply_command : heater_control_supply_t;
-    begin
-      supply_command := (key => to_unsigned(heater_control_supply_key_close, 16), others => '0');
-      bus_write(clk, request, response, heater_control_supply_address, to_word(supply_command));
-      wait_clocks(clk, 4);
+      write(master, heater_control_minimum_count_address, 300);
+      write(master, heater_control_maximum_count_address, 2000);
+      write(master, heater_control_hot_count_address, 1000);
+      write(master, heater_control_settle_address, 100);
     end procedure;
 
     variable word : word_t;
@@ -113,25 +95,25 @@ begin
     wait_clocks(clk, 4);
     resets <= (others => '0');
     -- References off, a charge for each conversion, enabled.
-    write(temperature_converter_discharge_address, 50);
-    write(temperature_converter_timeout_address, 5000);
-    write(temperature_converter_pause_address, 10);
-    write(temperature_converter_control_address, 1);
+    write(master, temperature_converter_discharge_address, 50);
+    write(master, temperature_converter_timeout_address, 5000);
+    write(master, temperature_converter_pause_address, 10);
+    write(master, temperature_converter_control_address, 1);
     wait_clocks(clk, 3000);
     set_limits;
     wait_clocks(clk, 3000);
-    feed;
-    close_supply;
+    feed_watchdog(master);
+    switch_supply(master, heater_control_supply_key_close);
     closes : assert supply = '1' severity failure;
-    write(heater_control_duty_address, 65535);
+    write(master, heater_control_duty_address, 65535);
     wait_clocks(clk, 20_000);
     heats_its_own_heater : assert gates = "01" severity failure;
 
     -- The scale of the counts stays.
-    write(temperature_converter_discharge_address, 60);
-    bus_read(clk, request, response, temperature_converter_discharge_address, word);
+    write(master, temperature_converter_discharge_address, 60);
+    read(master, temperature_converter_discharge_address, word);
     keeps_the_scale : assert unsigned(word) = 50 severity failure;
-    bus_read(clk, request, response, temperature_converter_settings_lock_address, word);
+    read(master, temperature_converter_settings_lock_address, word);
     refuses_another : assert word(temperature_converter_settings_lock_refused_bit) = '1' severity failure;
 
     emergency_stop <= '1';
@@ -140,20 +122,18 @@ begin
     wait_clocks(clk, 2);
     interrupts : assert interrupt = '1' severity failure;
     emergency_stop <= '0';
-    write(heater_control_duty_address, 0);
+    write(master, heater_control_duty_address, 0);
     wait_clocks(clk, 4);
-    bus_write(clk, request, response, heater_control_clear_address, to_word(heater_control_clear_t'(
-      key => to_unsigned(heater_control_clear_key_clear_trips, 16), channels => x"3")));
-    wait_clocks(clk, 4);
-    close_supply;
+    clear_trips(master);
+    switch_supply(master, heater_control_supply_key_close);
     closes_again : assert supply = '1' severity failure;
     veto <= '1';
     wait_clocks(clk, 4);
     is_vetoed : assert supply = '0' severity failure;
 
     blows_not : assert fan_gate = '0' severity failure;
-    write(fan_period_address, 10);
-    write(fan_duty_address, 255);
+    write(master, fan_period_address, 10);
+    write(master, fan_duty_address, 255);
     wait until fan_gate = '1' for 10 ms;
     blows : assert fan_gate = '1' severity failure;
     std.env.finish;

@@ -26,10 +26,8 @@ architecture simulation of bus_interconnect_tb is
     return std_ulogic_vector(to_unsigned(slave, 16)) & std_ulogic_vector(address(15 downto 0));
   end function;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal slave_requests : bus_request_array_t(base_addresses'range);
   signal slave_responses : bus_response_array_t(base_addresses'range) :=
     (others => bus_response_idle);
@@ -38,15 +36,18 @@ architecture simulation of bus_interconnect_tb is
   type counts_t is array (base_addresses'range) of natural;
   signal accesses : counts_t := (others => 0);
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   interconnect : entity work.bus_interconnect
     generic map (base_addresses => base_addresses, answer_limit_cycles => limit)
     port map (
-      clk => clk, reset => reset, request => request, response => response,
-      slave_requests => slave_requests, slave_responses => slave_responses);
+      clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, slave_requests => slave_requests,
+      slave_responses => slave_responses);
 
   -- Answers a write at offset 4 with an error, all else with its number and the address's low half.
   each_slave : for slave in base_addresses'range generate
@@ -82,7 +83,7 @@ begin
     procedure access_at (address : unsigned(31 downto 0); write : std_ulogic := '0') is
     begin
       before := accesses;
-      bus_access(clk, request, response, address, write, "1111", x"00000000", word, failed,
+      bus_access(master, address, write, "1111", x"00000000", word, failed,
         clocks);
     end procedure;
 

@@ -6,7 +6,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.identity_registers_pkg.all;
 
 entity identity_tb is
@@ -14,22 +13,21 @@ end entity;
 
 architecture simulation of identity_tb is
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
+
+  alias clk is master.clk;
 
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   identity : entity work.identity
     generic map (
       memory_size_bytes => 131_072, axes => 6, queue_depth => 300, sensors => 3, heaters => 4)
     port map (
-      clk => clk,
-      clock_frequency_hz => to_unsigned(12_345_678, 32), reset => reset,
-      request => request, response => response);
+      clk => clk, clock_frequency_hz => to_unsigned(12_345_678, 32), reset => reset,
+      request => to_request(master.request), to_wires(response) => master.response);
 
   check : process
     type words_t is array (natural range <>) of word_t;
@@ -48,16 +46,16 @@ begin
     wait until rising_edge(clk);
     reset <= '0';
     for index in expected'range loop
-      bus_read(clk, request, response, identity_address + 4 * index, word);
+      read(master, identity_address + 4 * index, word);
       reports_what_it_was_built_with : assert word = expected(index)
         report "word " & to_string(index) & " is " & to_hstring(word) severity error;
-      bus_access(clk, request, response, identity_address + 4 * index, '1', "1111", x"FFFFFFFF",
+      bus_access(master, identity_address + 4 * index, '1', "1111", x"FFFFFFFF",
         word, failed, clocks);
       refuses_writes : assert failed and clocks = 2 report "written" severity error;
-      bus_read(clk, request, response, identity_address + 4 * index, word);
+      read(master, identity_address + 4 * index, word);
       keeps_its_values : assert word = expected(index) report to_hstring(word) severity error;
     end loop;
-    bus_access(clk, request, response, identity_address + 4 * expected'length, '0', "1111",
+    bus_access(master, identity_address + 4 * expected'length, '0', "1111",
       x"00000000", word, failed, clocks);
     refuses_unknown_registers : assert failed report "answered" severity error;
     std.env.finish;

@@ -20,10 +20,8 @@ architecture simulation of end_stops_tb is
   constant polarity : unsigned(31 downto 0) := end_stops_polarity_address;
   constant enable : unsigned(31 downto 0) := end_stops_enable_address;
 
-  signal clk : std_ulogic;
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal switches : std_ulogic_vector(7 downto 0) := x"00";
   signal triggered : std_ulogic_vector(7 downto 0);
 
@@ -33,30 +31,32 @@ architecture simulation of end_stops_tb is
   signal rested_triggered : std_ulogic_vector(7 downto 0);
   signal at_rest : std_ulogic;
 
+  alias clk is master.clk;
+
 begin
 
   clocks : entity work.resting_clocks
     generic map (period => 10 ns)
     port map (
-      reset => reset, strobe => request.strobe, at_rest => at_rest, pins => switches, clk => clk,
+      reset => reset, strobe => master.request.strobe, at_rest => at_rest, pins => switches, clk => clk,
       resting_clk => resting_clk, resting_bus_clk => resting_bus_clk, clocks_left_out => open);
 
   end_stops : entity work.end_stops
     port map (
-      clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response,
-      switches => switches, triggered => triggered);
+      clk => clk, bus_clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, switches => switches, triggered => triggered);
 
   rested : entity work.end_stops
     port map (
-      clk => resting_clk, bus_clk => resting_bus_clk,
-      reset => reset, request => request, response => rested_response,
-      switches => switches, triggered => rested_triggered, at_rest => at_rest);
+      clk => resting_clk, bus_clk => resting_bus_clk, reset => reset,
+      request => to_request(master.request), response => rested_response, switches => switches,
+      triggered => rested_triggered, at_rest => at_rest);
 
   compare : process
   begin
     wait until falling_edge(clk);
-    rest_changes_nothing : assert rested_triggered = triggered and rested_response = response
+    rest_changes_nothing : assert rested_triggered = triggered
+      and rested_response = to_response(master.response)
       report "triggered " & to_hstring(rested_triggered) & " after a rest" severity error;
   end process;
 
@@ -64,11 +64,6 @@ begin
     -- Clocks from a pin to the output, besides the filter's: two to synchronise, one to judge.
     constant fixed_delay_clocks : positive := 3;
     variable word : word_t;
-
-    procedure write (address : unsigned(31 downto 0); value : natural) is
-    begin
-      bus_write(clk, request, response, address, value);
-    end procedure;
 
     procedure wait_clocks (count : natural) is
     begin
@@ -81,7 +76,7 @@ begin
     procedure check_status (raw, filtered, expected_triggered : std_ulogic_vector(7 downto 0)) is
     begin
       wait until rising_edge(clk);
-      bus_read(clk, request, response, status, word);
+      read(master, status, word);
       status_reports_each_stage : assert word = to_word(end_stops_status_t'(
         raw => raw, filtered => filtered, triggered => expected_triggered))
         report "status " & to_hstring(word) severity error;
@@ -99,9 +94,9 @@ begin
     switches <= x"00";
     wait_clocks(300);
 
-    write(enable, 16#F7#);
+    write(master, enable, 16#F7#);
     for cycles in 1 to 40 loop
-      write(filter, cycles);
+      write(master, filter, cycles);
       wait_clocks(50);
       switches <= x"5A";
       wait_clocks(fixed_delay_clocks + cycles - 1);
@@ -118,7 +113,7 @@ begin
     end loop;
 
     -- A contact that bounces for a while is seen once, after it has come to rest.
-    write(filter, 30);
+    write(master, filter, 30);
     for bounce in 1 to 29 loop
       switches(0) <= '1';
       wait_clocks(bounce);
@@ -137,7 +132,7 @@ begin
     check_status(x"02", x"02", x"02");
 
     -- Inverted inputs are triggered while low.
-    write(polarity, 16#0C#);
+    write(master, polarity, 16#0C#);
     wait_clocks(2);
     check_status(x"02", x"02", x"06");
     switches <= x"0C";

@@ -9,7 +9,6 @@ library std;
 use std.env.finish;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.step_generator_pkg.all;
 use work.step_generator_registers_pkg.all;
 
@@ -23,10 +22,8 @@ architecture simulation of motion_settings_tb is
   constant pulse_guard : unsigned(31 downto 0) := step_generator_pulse_guard_address;
   constant direction_guard : unsigned(31 downto 0) := step_generator_direction_guard_address;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal from_software : step_generator_from_software_t;
   signal to_software : step_generator_to_software_t;
   signal idle : std_ulogic := '1';
@@ -37,14 +34,17 @@ architecture simulation of motion_settings_tb is
   signal refused : std_ulogic;
   signal refusals : natural := 0;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 10 ns;
+  make_clock(master.clk, 20 ns);
 
   registers : entity work.step_generator_registers
     port map (
-      clk => clk, reset => reset, request => request, response => response,
-      from_software => from_software, to_software => to_software);
+      clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, from_software => from_software,
+      to_software => to_software);
 
   settings : entity work.motion_settings
     generic map (axes => axes)
@@ -77,7 +77,7 @@ begin
       variable before : natural;
     begin
       before := refusals;
-      bus_write(clk, request, response, address, data);
+      write(master, address, data);
       wait until rising_edge(clk);
       wait until rising_edge(clk);
       assert (refusals /= before) = refusal

@@ -7,7 +7,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.step_generator_registers_pkg.all;
 
 package step_generator_bench_pkg is
@@ -45,23 +44,46 @@ package step_generator_bench_pkg is
   constant one_ahead : natural := 2 ** step_generator_segment_flags_ahead_bits'low;
   constant one_behind : natural := 2 ** step_generator_segment_flags_behind_bits'low;
 
+  -- The pins of a generator of two axes.
+  type generator_inputs_t is record
+    end_stops : std_ulogic_vector(7 downto 0);
+    emergency_stop : std_ulogic;
+    start : std_ulogic;
+  end record;
+
+  type generator_outputs_t is record
+    step : std_ulogic_vector(1 downto 0);
+    direction : std_ulogic_vector(1 downto 0);
+    enable : std_ulogic_vector(1 downto 0);
+    moving : std_ulogic;
+    idle : std_ulogic;
+    queue_interrupt : std_ulogic;
+    stop_interrupt : std_ulogic;
+  end record;
+
+  constant generator_inputs_none : generator_inputs_t := (end_stops => x"00", others => '0');
+
   function pulse_guard(high, low : natural) return natural;
   function direction_guard(setup, hold : natural) return natural;
 
   -- All words of a segment of two axes but the commit, at a constant rate: `rate_high` in 2^-32 ticks
   -- per clock, 16 clocks a tick where it is not given.
   procedure write_segment (
-    signal clk : in std_ulogic;
-    signal request : out bus_request_t;
-    signal response : in bus_response_t;
-    x, y, ticks, flags : in natural;
+    signal master : inout bus_master_t;
+    x, y, ticks : in natural;
+    flags : in natural := ends_motion;
+    rate_high : in natural := 2 ** 28);
+
+  -- The same with its commit.
+  procedure append_segment (
+    signal master : inout bus_master_t;
+    x, y, ticks : in natural;
+    flags : in natural := ends_motion;
     rate_high : in natural := 2 ** 28);
 
   -- It is the only error since they were cleared; clears it.
   procedure expect_error (
-    signal clk : in std_ulogic;
-    signal request : out bus_request_t;
-    signal response : in bus_response_t;
+    signal master : inout bus_master_t;
     bit_number : in natural);
 
   procedure wait_until_idle (signal clk, idle : in std_ulogic);
@@ -83,40 +105,41 @@ package body step_generator_bench_pkg is
   end function;
 
   procedure write_segment (
-    signal clk : in std_ulogic;
-    signal request : out bus_request_t;
-    signal response : in bus_response_t;
-    x, y, ticks, flags : in natural;
+    signal master : inout bus_master_t;
+    x, y, ticks : in natural;
+    flags : in natural := ends_motion;
     rate_high : in natural := 2 ** 28) is
-
-    procedure write (address : unsigned(31 downto 0); data : natural) is
-    begin
-      bus_write(clk, request, response, address, data);
-    end procedure;
   begin
-    write(step_generator_segment_flags_address, flags);
-    write(step_generator_segment_line_ticks_address, ticks);
-    write(step_generator_segment_steps_address, x);
-    write(step_generator_segment_steps_address + 4, y);
-    write(step_generator_segment_ticks_address, ticks);
-    write(step_generator_segment_rate_low_address, 0);
-    write(step_generator_segment_acceleration_low_address, 0);
-    write(step_generator_segment_acceleration_high_address, 0);
-    write(step_generator_segment_jerk_low_address, 0);
-    write(step_generator_segment_jerk_high_address, 0);
-    write(step_generator_segment_rate_high_address, rate_high);
+    write(master, step_generator_segment_flags_address, flags);
+    write(master, step_generator_segment_line_ticks_address, ticks);
+    write(master, step_generator_segment_steps_address, x);
+    write(master, step_generator_segment_steps_address + 4, y);
+    write(master, step_generator_segment_ticks_address, ticks);
+    write(master, step_generator_segment_rate_low_address, 0);
+    write(master, step_generator_segment_acceleration_low_address, 0);
+    write(master, step_generator_segment_acceleration_high_address, 0);
+    write(master, step_generator_segment_jerk_low_address, 0);
+    write(master, step_generator_segment_jerk_high_address, 0);
+    write(master, step_generator_segment_rate_high_address, rate_high);
+  end procedure;
+
+  procedure append_segment (
+    signal master : inout bus_master_t;
+    x, y, ticks : in natural;
+    flags : in natural := ends_motion;
+    rate_high : in natural := 2 ** 28) is
+  begin
+    write_segment(master, x, y, ticks, flags, rate_high);
+    write(master, step_generator_segment_commit_address, 0);
   end procedure;
 
   procedure expect_error (
-    signal clk : in std_ulogic;
-    signal request : out bus_request_t;
-    signal response : in bus_response_t;
+    signal master : inout bus_master_t;
     bit_number : in natural) is
   begin
-    bus_expect(clk, request, response, step_generator_errors_address,
-      word_t(to_unsigned(2 ** bit_number, 32)));
-    bus_write(clk, request, response, step_generator_command_address, clear_errors_command);
-    bus_expect(clk, request, response, step_generator_errors_address, x"00000000");
+    expect(master, step_generator_errors_address, 2 ** bit_number);
+    write(master, step_generator_command_address, clear_errors_command);
+    expect(master, step_generator_errors_address, 0);
   end procedure;
 
   procedure wait_until_idle (signal clk, idle : in std_ulogic) is

@@ -9,7 +9,6 @@ library std;
 use std.env.finish;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.step_generator_pkg.all;
 use work.step_generator_bench_pkg.all;
 use work.step_generator_registers_pkg.all;
@@ -22,10 +21,8 @@ architecture simulation of step_generator_tb is
   constant axes : positive := 2;
   constant queue_depth : positive := 8;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal step : std_ulogic_vector(axes - 1 downto 0);
   signal direction : std_ulogic_vector(axes - 1 downto 0);
   signal enable : std_ulogic_vector(axes - 1 downto 0);
@@ -35,18 +32,20 @@ architecture simulation of step_generator_tb is
   signal emergency_stop : std_ulogic := '0';
   signal x_pulses : natural := 0;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 10 ns;
+  make_clock(master.clk, 20 ns);
 
   generator : entity work.step_generator
     generic map (axes => axes, queue_depth => queue_depth)
     port map (
-      clk => clk, always_clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response,
-      end_stops => x"00", emergency_stop => emergency_stop, start => '0', step => step,
-      direction => direction, enable => enable, moving => moving,
-      queue_interrupt => queue_interrupt, stop_interrupt => stop_interrupt);
+      clk => clk, always_clk => clk, bus_clk => clk, reset => reset,
+      request => to_request(master.request), to_wires(response) => master.response, end_stops => x"00",
+      emergency_stop => emergency_stop, start => '0', step => step, direction => direction,
+      enable => enable, moving => moving, queue_interrupt => queue_interrupt,
+      stop_interrupt => stop_interrupt);
 
   count : process
   begin
@@ -55,27 +54,10 @@ begin
   end process;
 
   test : process
-    procedure write(address : unsigned(31 downto 0); data : natural) is
-    begin
-      bus_write(clk, request, response, address, data);
-    end procedure;
-
-    procedure expect(address : unsigned(31 downto 0); data : integer) is
-    begin
-      bus_expect(clk, request, response, address, word_t(to_signed(data, 32)));
-    end procedure;
-
     -- Backward, 256 clocks a tick.
     procedure append(x_steps : natural) is
     begin
-      write_segment(
-        clk, request, response, x_steps, 0, 8, ends_motion + one_backward, rate_high => 2 ** 24);
-      write(step_generator_segment_commit_address, 0);
-    end procedure;
-
-    procedure expect_errors(errors : natural) is
-    begin
-      expect(step_generator_errors_address, errors);
+      append_segment(master, x_steps, 0, 8, ends_motion + one_backward, rate_high => 2 ** 24);
     end procedure;
 
     constant settings : natural := 2 ** step_generator_errors_settings_bit;
@@ -86,45 +68,45 @@ begin
     reset <= '0';
     wait until rising_edge(clk);
 
-    expect(step_generator_build_address,
+    expect(master, step_generator_build_address,
       axes + queue_depth * 2 ** step_generator_build_queue_depth_bits'low);
-    expect(step_generator_status_address, queue_depth * one_free + idle_status);
-    write(step_generator_motor_enable_address, 2);
+    expect(master, step_generator_status_address, queue_depth * one_free + idle_status);
+    write(master, step_generator_motor_enable_address, 2);
     wait until rising_edge(clk);
     assert enable = "10" severity failure;
 
     -- No steps without a driver.
     append(5);
-    expect_errors(2 ** step_generator_errors_disabled_bit);
-    write(step_generator_command_address, clear_errors_command);
-    write(step_generator_motor_enable_address, 3);
+    expect(master, step_generator_errors_address, 2 ** step_generator_errors_disabled_bit);
+    write(master, step_generator_command_address, clear_errors_command);
+    write(master, step_generator_motor_enable_address, 3);
 
     append(5);
-    expect(step_generator_status_address, (queue_depth - 1) * one_free + one_queued);
+    expect(master, step_generator_status_address, (queue_depth - 1) * one_free + one_queued);
     -- What is queued keeps its drivers, and settings stay.
-    write(step_generator_motor_enable_address, 2);
-    expect_errors(settings);
-    write(step_generator_command_address, clear_errors_command);
-    write(step_generator_rate_floor_address, 16#1234#);
-    expect_errors(settings);
-    write(step_generator_command_address, clear_errors_command);
+    write(master, step_generator_motor_enable_address, 2);
+    expect(master, step_generator_errors_address, settings);
+    write(master, step_generator_command_address, clear_errors_command);
+    write(master, step_generator_rate_floor_address, 16#1234#);
+    expect(master, step_generator_errors_address, settings);
+    write(master, step_generator_command_address, clear_errors_command);
     assert enable = "11" severity failure;
     assert moving = '0' severity failure;
-    write(step_generator_control_address, run + both_interrupts);
+    write(master, step_generator_control_address, run + both_interrupts);
     wait until moving = '1' for 1 us;
     assert moving = '1' severity failure;
     wait until moving = '0' for 100 us;
     wait for 3 us;
     assert x_pulses = 5 and direction(0) = '1' severity failure;
-    expect(step_generator_status_address, queue_depth * one_free + idle_status);
-    expect(step_generator_position_address, -5);
-    expect(step_generator_position_address + 4 * axes, 0);
+    expect(master, step_generator_status_address, queue_depth * one_free + idle_status);
+    expect(master, step_generator_position_address, -5);
+    expect(master, step_generator_position_address + 4 * axes, 0);
     assert queue_interrupt = '1' and stop_interrupt = '0' severity failure;
 
     append(9);
-    expect_errors(2 ** step_generator_errors_illegal_bit);
-    write(step_generator_command_address, clear_errors_command);
-    expect_errors(0);
+    expect(master, step_generator_errors_address, 2 ** step_generator_errors_illegal_bit);
+    write(master, step_generator_command_address, clear_errors_command);
+    expect(master, step_generator_errors_address, 0);
 
     emergency_stop <= '1';
     wait until rising_edge(clk);
@@ -133,17 +115,17 @@ begin
     wait until stop_interrupt = '1' for 1 us;
     assert stop_interrupt = '1' severity failure;
     append(5);
-    expect_errors(while_stopped);
-    write(step_generator_motor_enable_address, 3);
-    expect_errors(settings + while_stopped);
-    write(step_generator_command_address, acknowledge_command);
-    expect(step_generator_status_address,
+    expect(master, step_generator_errors_address, while_stopped);
+    write(master, step_generator_motor_enable_address, 3);
+    expect(master, step_generator_errors_address, settings + while_stopped);
+    write(master, step_generator_command_address, acknowledge_command);
+    expect(master, step_generator_status_address,
       queue_depth * one_free + positions_lost_status + idle_status);
     assert enable = "00" severity failure;
-    write(step_generator_motor_enable_address, 3);
+    write(master, step_generator_motor_enable_address, 3);
     assert enable = "11" severity failure;
-    write(step_generator_command_address, positions_known_command);
-    expect(step_generator_status_address, queue_depth * one_free + idle_status);
+    write(master, step_generator_command_address, positions_known_command);
+    expect(master, step_generator_status_address, queue_depth * one_free + idle_status);
     assert x_pulses = 5 severity failure;
 
     finish;

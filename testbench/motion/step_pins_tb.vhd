@@ -6,7 +6,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.random_source_pkg.all;
 use work.step_pins_registers_pkg.all;
 
@@ -23,10 +22,8 @@ architecture simulation of step_pins_tb is
   constant permitted : natural := 2 ** step_pins_status_permitted_bit;
   constant refused : natural := 2 ** step_pins_status_refused_bit;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal emergency_stop, software_stepping : std_ulogic := '0';
   signal generator_idle : std_ulogic := '1';
   signal generated_step, generated_direction : pins_t := (others => '0');
@@ -35,17 +32,20 @@ architecture simulation of step_pins_tb is
   -- The generator has the pins, or they change hands: its edges are not looked at.
   signal software_steps_now : boolean := false;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   pins : entity work.step_pins
     generic map (axes => axes)
     port map (
-      clk => clk, bus_clk => clk, reset => reset, request => request, response => response,
-      software_stepping => software_stepping, emergency_stop => emergency_stop,
-      generated_step => generated_step, generated_direction => generated_direction,
-      generator_idle => generator_idle, step => step, direction => direction, at_rest => at_rest);
+      clk => clk, bus_clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, software_stepping => software_stepping,
+      emergency_stop => emergency_stop, generated_step => generated_step,
+      generated_direction => generated_direction, generator_idle => generator_idle, step => step,
+      direction => direction, at_rest => at_rest);
 
   watch_emergency : process
     variable stopped_before : std_ulogic := '0';
@@ -69,19 +69,14 @@ begin
       return std_ulogic_vector(to_unsigned(random.between(0, 2 ** axes - 1), axes));
     end function;
 
-    procedure write (address : unsigned(31 downto 0); value : natural) is
+    procedure write_pins (address : unsigned(31 downto 0); levels : pins_t) is
     begin
-      bus_write(clk, request, response, address, value);
-    end procedure;
-
-    procedure write (address : unsigned(31 downto 0); levels : pins_t) is
-    begin
-      write(address, to_integer(unsigned(levels)));
+      write(master, address, to_integer(unsigned(levels)));
     end procedure;
 
     procedure expect (address : unsigned(31 downto 0); value : natural; claim : string) is
     begin
-      bus_read(clk, request, response, address, word);
+      read(master, address, word);
       assert unsigned(word) = value report claim & ": " & to_hstring(word) severity error;
     end procedure;
 
@@ -98,22 +93,22 @@ begin
     reset <= '0';
     -- A stray store does not take the pins from the generator: software needs the strap for that.
     wait until rising_edge(clk);
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     expect(step_pins_control_address, 0, "a stray store selects nothing");
-    write(step_pins_step_address, pins_t'(others => '1'));
+    write_pins(step_pins_step_address, pins_t'(others => '1'));
     generated_step <= "01010";
     wait_clocks(2);
     a_stray_store_takes_no_pin : assert step = "01010" severity error;
     wait until rising_edge(clk);
     expect(step_pins_status_address, refused, "the refusal is reported");
-    write(step_pins_status_address, refused);
-    write(step_pins_control_address, 0);
+    write(master, step_pins_status_address, refused);
+    write(master, step_pins_control_address, 0);
     expect(step_pins_status_address, 0, "a store without effect is not refused");
 
     -- Without being asked, software's registers reach no pin, and the generator's pins pass at once.
     wait_clocks(1);
-    write(step_pins_step_address, pins_t'(others => '1'));
-    write(step_pins_direction_address, pins_t'(others => '1'));
+    write_pins(step_pins_step_address, pins_t'(others => '1'));
+    write_pins(step_pins_direction_address, pins_t'(others => '1'));
     for i in 1 to 200 loop
       wait until falling_edge(clk);
       generated_step <= random_pins;
@@ -126,30 +121,30 @@ begin
     -- With the strap they change hands only where nothing moves and no pin would change.
     software_stepping <= '1';
     generated_step <= "00100";
-    write(step_pins_step_address, 0);
-    write(step_pins_control_address, software);
+    write(master, step_pins_step_address, 0);
+    write(master, step_pins_control_address, software);
     expect(step_pins_control_address, 0, "no edge is lost");
     generated_step <= (others => '0');
     generator_idle <= '0';
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     expect(step_pins_control_address, 0, "nothing changes in motion");
     expect(step_pins_status_address, permitted + refused, "the refusals are reported");
-    write(step_pins_status_address, 0);
+    write(master, step_pins_status_address, 0);
     expect(step_pins_status_address, permitted + refused, "zero forgets nothing");
-    write(step_pins_status_address, refused);
+    write(master, step_pins_status_address, refused);
     -- Nor where a pin would rise by it, of software's more than of the generator's.
     generator_idle <= '1';
-    write(step_pins_step_address, 2#00110#);
+    write(master, step_pins_step_address, 2#00110#);
     generated_step <= "00100";
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     expect(step_pins_control_address, 0, "no edge is made");
     generated_step <= (others => '0');
-    write(step_pins_step_address, 0);
+    write(master, step_pins_step_address, 0);
     wait_clocks(1);
     wait until rising_edge(clk);
-    write(step_pins_status_address, refused);
+    write(master, step_pins_status_address, refused);
     generator_idle <= '1';
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     expect(step_pins_status_address, permitted, "it may change at rest");
     expect(step_pins_control_address, software, "software has them");
 
@@ -160,28 +155,28 @@ begin
       wanted := random_pins;
       random_direction := random_pins;
       wait until rising_edge(clk);
-      write(step_pins_direction_address, random_direction);
-      write(step_pins_step_address, wanted);
+      write_pins(step_pins_direction_address, random_direction);
+      write_pins(step_pins_step_address, wanted);
       wait_clocks(1);
       software_steps : assert step = wanted severity error;
       software_turns : assert direction = random_direction severity error;
-      bus_read(clk, request, response, step_pins_step_address, word);
+      read(master, step_pins_step_address, word);
       it_reads_what_it_wrote : assert word(axes - 1 downto 0) = wanted severity error;
     end loop;
 
     -- In an emergency pulses that are out end when software ends them, and none begins.
-    write(step_pins_step_address, 2#01101#);
+    write(master, step_pins_step_address, 2#01101#);
     wait_clocks(3);
     emergency_stop <= '1';
     wait_clocks(20);
     a_pulse_keeps_its_width : assert step = "01101" severity error;
     wait until rising_edge(clk);
-    write(step_pins_step_address, 2#11001#);
+    write(master, step_pins_step_address, 2#11001#);
     wait_clocks(3);
     only_falls : assert step = "01001" severity error;
     wait until rising_edge(clk);
-    write(step_pins_stop_address, stopped);
-    write(step_pins_step_address, 2#11111#);
+    write(master, step_pins_stop_address, stopped);
+    write(master, step_pins_step_address, 2#11111#);
     wait_clocks(3);
     no_acknowledgement_while_it_lasts : assert step = "01001" severity error;
 
@@ -191,24 +186,24 @@ begin
     still_stopped : assert step = "01001" severity error;
     wait until rising_edge(clk);
     expect(step_pins_stop_address, stopped, "reports");
-    write(step_pins_stop_address, 0);
+    write(master, step_pins_stop_address, 0);
     wait_clocks(3);
     zero_acknowledges_nothing : assert step = "01001" severity error;
     wait until rising_edge(clk);
-    write(step_pins_step_address, 0);
-    write(step_pins_stop_address, stopped);
-    write(step_pins_step_address, 2#10110#);
+    write(master, step_pins_step_address, 0);
+    write(master, step_pins_stop_address, stopped);
+    write(master, step_pins_step_address, 2#10110#);
     wait_clocks(3);
     steps_again : assert step = "10110" severity error;
     wait until rising_edge(clk);
     expect(step_pins_stop_address, 0, "reports that it is over");
 
     -- The generator is not stopped here: it has a stop latch of its own.
-    write(step_pins_step_address, 0);
+    write(master, step_pins_step_address, 0);
     generated_step <= (others => '0');
     wait_clocks(3);
     wait until rising_edge(clk);
-    write(step_pins_control_address, 0);
+    write(master, step_pins_control_address, 0);
     emergency_stop <= '1';
     generated_step <= "10101";
     wait_clocks(2);
@@ -216,32 +211,32 @@ begin
     emergency_stop <= '0';
     generated_step <= (others => '0');
     wait until rising_edge(clk);
-    write(step_pins_stop_address, stopped);
+    write(master, step_pins_stop_address, stopped);
 
     -- An emergency in any clock of a write that raises pins.
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     for delay in 0 to 6 loop
-      write(step_pins_step_address, 0);
-      write(step_pins_stop_address, stopped);
+      write(master, step_pins_step_address, 0);
+      write(master, step_pins_stop_address, stopped);
       wait_clocks(4);
       software_steps_now <= true;
       wait_clocks(1);
       emergency_stop <= '1' after delay * 10 ns;
       wait until rising_edge(clk);
-      write(step_pins_step_address, 2#11111#);
+      write(master, step_pins_step_address, 2#11111#);
       wait_clocks(8);
       emergency_stop <= '0';
       software_steps_now <= false;
       wait until rising_edge(clk);
     end loop;
-    write(step_pins_step_address, 0);
-    write(step_pins_stop_address, stopped);
+    write(master, step_pins_step_address, 0);
+    write(master, step_pins_stop_address, stopped);
     wait_clocks(4);
 
     -- Without the strap the pins are the generator's, whatever was chosen with it.
     wait until rising_edge(clk);
-    write(step_pins_step_address, 2#01100#);
-    write(step_pins_direction_address, 2#00011#);
+    write(master, step_pins_step_address, 2#01100#);
+    write(master, step_pins_direction_address, 2#00011#);
     wait_clocks(4);
     is_software_s : assert step = "01100" and direction = "00011" severity error;
     software_stepping <= '0';
@@ -267,7 +262,7 @@ begin
 
     -- A reset gives the pins back, forgets the stop, a refusal, and what software drove.
     wait until rising_edge(clk);
-    write(step_pins_control_address, 0);
+    write(master, step_pins_control_address, 0);
     expect(step_pins_status_address, permitted + refused, "is refused with pins high");
     wait until falling_edge(clk);
     reset <= '1';
@@ -279,13 +274,13 @@ begin
     expect(step_pins_status_address, permitted, "no refusal is left");
     expect(step_pins_stop_address, 0, "no stop is left");
     generated_step <= (others => '0');
-    write(step_pins_control_address, software);
+    write(master, step_pins_control_address, software);
     wait_clocks(1);
     no_pin_is_left : assert step = "00000" and direction = "00000" severity error;
     -- Also in the clocks of the reset itself, as soon as it is seen.
     wait until rising_edge(clk);
-    write(step_pins_step_address, 2#11111#);
-    write(step_pins_direction_address, 2#11111#);
+    write(master, step_pins_step_address, 2#11111#);
+    write(master, step_pins_direction_address, 2#11111#);
     wait_clocks(4);
     reset <= '1';
     wait until rising_edge(clk);

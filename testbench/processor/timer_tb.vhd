@@ -7,7 +7,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.timer_registers_pkg.all;
 
 entity timer_tb is
@@ -20,24 +19,24 @@ architecture simulation of timer_tb is
   constant compare_low : unsigned(31 downto 0) := timer_compare_low_address;
   constant compare_high : unsigned(31 downto 0) := timer_compare_high_address;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal timer_interrupt, alarm : std_ulogic;
 
   -- Clocks since reset, counted by the bench.
   signal clocks : natural := 0;
   signal clocks_at_interrupt : natural := 0;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   timer : entity work.timer
     port map (
-      clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response,
+      clk => clk, bus_clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response,
       timer_interrupt => timer_interrupt, alarm => alarm);
 
   count : process
@@ -72,16 +71,16 @@ begin
     procedure read_time is
     begin
       strobe_clocks := clocks;
-      bus_read(clk, request, response, time_low, word);
+      read(master, time_low, word);
       now_cycles(31 downto 0) := unsigned(word);
-      bus_read(clk, request, response, time_high, word);
+      read(master, time_high, word);
       now_cycles(63 downto 32) := unsigned(word);
     end procedure;
 
     procedure set_deadline (cycles : unsigned(63 downto 0)) is
     begin
-      bus_write(clk, request, response, compare_low, word_t(cycles(31 downto 0)));
-      bus_write(clk, request, response, compare_high, word_t(cycles(63 downto 32)));
+      write(master, compare_low, word_t(cycles(31 downto 0)));
+      write(master, compare_high, word_t(cycles(63 downto 32)));
     end procedure;
     procedure set_deadline (cycles : natural) is
     begin
@@ -110,16 +109,16 @@ begin
     stays_until_a_later_deadline : assert timer_interrupt = '1' report "went away" severity error;
 
     -- Half a write changes nothing; a whole one ends the interrupt at once.
-    bus_write(clk, request, response, compare_low, x"FFFF_FFFF");
+    write(master, compare_low, x"FFFF_FFFF");
     half_a_deadline_has_no_effect : assert timer_interrupt = '1' report "went away" severity error;
-    request <= (strobe => '1', write => '1', address => compare_high, select_bytes => "1111",
+    master.request <= (strobe => '1', write => '1', address => compare_high, select_bytes => "1111",
       data => x"0000_0000");
     wait until rising_edge(clk);
     wait until falling_edge(clk);
-    ends_with_the_acknowledge : assert response.acknowledge = '1' and timer_interrupt = '0'
+    ends_with_the_acknowledge : assert master.response.acknowledge = '1' and timer_interrupt = '0'
       report "still interrupts while acknowledged" severity error;
     wait until rising_edge(clk);
-    request <= bus_request_idle;
+    master.request <= request_wires_idle;
     for i in 1 to 20 loop
       wait until rising_edge(clk);
       is_not_spurious : assert timer_interrupt = '0' report "spurious interrupt" severity error;

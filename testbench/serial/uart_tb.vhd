@@ -6,7 +6,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.serial_line_pkg.all;
 use work.uart_bench_pkg.all;
 use work.uart_registers_pkg.all;
@@ -16,25 +15,13 @@ end entity;
 
 architecture simulation of uart_tb is
 
-  constant clock_period : time := 10 ns;
-  constant clocks_per_bit : real := 4.0;
-  constant bit_time : time := clock_period * clocks_per_bit;
-  constant receive_depth : positive := 16;
-  constant transmit_depth : positive := 8;
-
-  constant baud_rate : unsigned(31 downto 0) := uart_baud_rate_address;
-  constant status : unsigned(31 downto 0) := uart_status_address;
-  constant clear : unsigned(31 downto 0) := uart_clear_address;
-  constant data : unsigned(31 downto 0) := uart_data_address;
   constant overruns : unsigned(31 downto 0) := uart_overruns_address;
   constant framing_errors : unsigned(31 downto 0) := uart_framing_errors_address;
   constant breaks : unsigned(31 downto 0) := uart_breaks_address;
   constant noisy_bytes : unsigned(31 downto 0) := uart_noisy_bytes_address;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal transmit : std_ulogic;
 
   -- The line comes from the bench or, looped back, from the transmitter.
@@ -42,37 +29,30 @@ architecture simulation of uart_tb is
   signal sent : std_ulogic := '1';
   signal receive : std_ulogic;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after clock_period / 2;
+  make_clock(master.clk, clock_period);
   receive <= transmit when looped_back else sent;
 
   uart : entity work.uart
     generic map (receive_depth => receive_depth, transmit_depth => transmit_depth)
     port map (
-      clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response, receive => receive,
-      transmit => transmit, receive_interrupt => open, transmit_interrupt => open);
+      clk => clk, bus_clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, receive => receive, transmit => transmit,
+      receive_interrupt => open, transmit_interrupt => open);
 
   check : process
     variable word : word_t;
     variable seen : uart_status_t;
     variable before : natural;
 
-    procedure write (address : unsigned(31 downto 0); value : word_t) is
-    begin
-      bus_write(clk, request, response, address, value);
-    end procedure;
-    procedure read (address : unsigned(31 downto 0)) is
-    begin
-      bus_read(clk, request, response, address, word);
-    end procedure;
-
     procedure check_status (
       what : string; receive_level, transmit_space : natural;
       transmit_idle, overrun, framing_error, break_condition : std_ulogic) is
     begin
-      read(status);
+      read(master, status, word);
       seen := to_uart_status(word);
       status_is_as_expected : assert seen.receive_level = receive_level
         and seen.transmit_space = transmit_space and seen.transmit_idle = transmit_idle
@@ -83,67 +63,53 @@ begin
 
     procedure check_count (what : string; address : unsigned(31 downto 0); expected : natural) is
     begin
-      read(address);
+      read(master, address, word);
       count_is_as_expected : assert unsigned(word) = expected
         report what & ": " & to_hstring(word) severity error;
-    end procedure;
-
-    procedure check_data (expected : byte_t; after_a_gap : std_ulogic := '0') is
-    begin
-      read(data);
-      gives_the_oldest_byte : assert word = data_word(expected, after_a_gap)
-        report "data " & to_hstring(word) & ", expected " & to_hstring(expected) severity error;
-    end procedure;
-
-    procedure check_no_data is
-    begin
-      read(data);
-      says_that_there_is_no_byte : assert word(uart_data_valid_bit) = '0' report "data " & to_hstring(word)
-        severity error;
     end procedure;
 
     procedure is_off_until_it_has_a_speed is
     begin
       check_status("after reset", 0, transmit_depth, '1', '0', '0', '0');
       send_byte(sent, x"55", bit_time);
-      write(data, x"00000041");
+      write(master, data, x"00000041");
       wait for 20 * bit_time;
       check_status("without a speed", 0, transmit_depth - 1, '0', '0', '0', '0');
       waits_with_sending : assert transmit = '1' report "sends without a speed" severity error;
-      check_no_data;
+      expect_no_byte(master);
     end procedure;
 
     procedure sends_and_receives_through_the_fifos is
     begin
       looped_back <= true;
-      write(baud_rate, word_t(increment_for(clocks_per_bit)));
+      write(master, baud_rate, word_t(increment_for(clocks_per_bit)));
       wait for 12 * bit_time;
-      check_data(x"41");
-      check_no_data;
+      expect_byte(master, x"41");
+      expect_no_byte(master);
       for i in 0 to 5 loop
-        write(data, x"000000" & test_byte(i));
+        write(master, data, x"000000" & test_byte(i));
       end loop;
       wait for 70 * bit_time;
       check_status("after six bytes", 6, transmit_depth, '1', '0', '0', '0');
       for i in 0 to 5 loop
-        check_data(test_byte(i));
+        expect_byte(master, test_byte(i));
       end loop;
-      check_no_data;
+      expect_no_byte(master);
     end procedure;
 
     procedure drops_what_has_no_space is
     begin
       -- One byte goes on the line at once, so one more than the depth fits.
       for i in 0 to transmit_depth + 3 loop
-        write(data, x"000000" & test_byte(i));
+        write(master, data, x"000000" & test_byte(i));
       end loop;
       check_status("full", 0, 0, '0', '0', '0', '0');
       wait for (transmit_depth + 4) * 10 * bit_time;
       check_status("sent", transmit_depth + 1, transmit_depth, '1', '0', '0', '0');
       for i in 0 to transmit_depth loop
-        check_data(test_byte(i));
+        expect_byte(master, test_byte(i));
       end loop;
-      check_no_data;
+      expect_no_byte(master);
     end procedure;
 
     procedure counts_and_flags_overruns is
@@ -156,15 +122,15 @@ begin
       check_status("overrun", receive_depth, transmit_depth, '1', '1', '0', '0');
       check_count("overruns", overruns, 3);
       -- Clearing another flag leaves it.
-      write(clear, clear_word(framing_error => '1', break_condition => '1'));
+      write(master, clear, clear_word(framing_error => '1', break_condition => '1'));
       check_status("not cleared", receive_depth, transmit_depth, '1', '1', '0', '0');
-      write(clear, clear_word(overrun => '1'));
+      write(master, clear, clear_word(overrun => '1'));
       check_status("cleared", receive_depth, transmit_depth, '1', '0', '0', '0');
       check_count("overruns", overruns, 3);
       for i in 0 to receive_depth - 1 loop
-        check_data(test_byte(i));
+        expect_byte(master, test_byte(i));
       end loop;
-      check_no_data;
+      expect_no_byte(master);
     end procedure;
 
     procedure counts_and_flags_line_errors is
@@ -178,9 +144,9 @@ begin
       sent <= '1';
       wait for 2 * bit_time;
       check_status("break", 0, transmit_depth, '1', '0', '1', '1');
-      write(clear, clear_word(framing_error => '1'));
+      write(master, clear, clear_word(framing_error => '1'));
       check_status("one cleared", 0, transmit_depth, '1', '0', '0', '1');
-      write(clear, clear_word(break_condition => '1'));
+      write(master, clear, clear_word(break_condition => '1'));
       check_status("both cleared", 0, transmit_depth, '1', '0', '0', '0');
       check_count("framing errors", framing_errors, 1);
       check_count("breaks", breaks, 1);
@@ -188,8 +154,8 @@ begin
       send_byte(sent, x"42", bit_time);
       send_byte(sent, x"43", bit_time);
       wait for 2 * bit_time;
-      check_data(x"42", after_a_gap => '1');
-      check_data(x"43");
+      expect_byte(master, x"42", after_a_gap => '1');
+      expect_byte(master, x"43");
     end procedure;
 
     procedure marks_the_byte_behind_an_overrun is
@@ -198,28 +164,28 @@ begin
         send_byte(sent, test_byte(i), bit_time);
       end loop;
       wait for 5 * clock_period;
-      check_data(test_byte(0));
+      expect_byte(master, test_byte(0));
       send_byte(sent, x"44", bit_time);
       wait for 5 * clock_period;
       for i in 1 to receive_depth - 1 loop
-        check_data(test_byte(i));
+        expect_byte(master, test_byte(i));
       end loop;
-      check_data(x"44", after_a_gap => '1');
-      check_no_data;
-      write(clear, clear_word(overrun => '1'));
+      expect_byte(master, x"44", after_a_gap => '1');
+      expect_no_byte(master);
+      write(master, clear, clear_word(overrun => '1'));
     end procedure;
 
     procedure flags_and_counts_noisy_bytes is
       constant long_bit_time : time := 16 * clock_period;
     begin
-      write(clear, clear_word(noise => '1'));
-      write(baud_rate, word_t(increment_for(16.0)));
+      write(master, clear, clear_word(noise => '1'));
+      write(master, baud_rate, word_t(increment_for(16.0)));
       wait for 5 * clock_period;
-      read(noisy_bytes);
+      read(master, noisy_bytes, word);
       before := to_integer(unsigned(word));
       send_byte(sent, x"A5", long_bit_time);
       wait for long_bit_time;
-      read(status);
+      read(master, status, word);
       a_clean_byte_is_not_noisy : assert word(uart_status_noise_bit) = '0' severity error;
       -- The line falls for a clock in the middle of the first bit.
       sent <= '0';
@@ -234,15 +200,15 @@ begin
       end loop;
       sent <= '1';
       wait for 2 * long_bit_time;
-      read(status);
+      read(master, status, word);
       noise_is_flagged : assert word(uart_status_noise_bit) = '1' severity error;
       check_count("noisy bytes", noisy_bytes, before + 1);
-      check_data(x"A5");
-      check_data(x"FE");
-      write(clear, clear_word(noise => '1'));
-      read(status);
+      expect_byte(master, x"A5");
+      expect_byte(master, x"FE");
+      write(master, clear, clear_word(noise => '1'));
+      read(master, status, word);
       noise_is_cleared : assert word(uart_status_noise_bit) = '0' severity error;
-      write(baud_rate, word_t(increment_for(clocks_per_bit)));
+      write(master, baud_rate, word_t(increment_for(clocks_per_bit)));
     end procedure;
 
     -- Software polls in every phase to the arrival of bytes.
@@ -252,12 +218,12 @@ begin
       looped_back <= true;
       for delay in 0 to 11 loop
         for i in 0 to 3 loop
-          write(data, x"000000" & test_byte(i));
+          write(master, data, x"000000" & test_byte(i));
         end loop;
         wait for delay * clock_period;
         received := 0;
         for poll in 1 to 200 loop
-          read(data);
+          read(master, data, word);
           if word(uart_data_valid_bit) then
             gets_each_byte : assert word(uart_data_byte_bits) = test_byte(received)
               report "poll got " & to_hstring(word) severity error;

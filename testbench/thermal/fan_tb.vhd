@@ -6,7 +6,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.fan_registers_pkg.all;
 
 entity fan_tb is
@@ -18,23 +17,23 @@ architecture simulation of fan_tb is
   constant duty : unsigned(31 downto 0) := fan_duty_address;
   constant period : unsigned(31 downto 0) := fan_period_address;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal level : std_ulogic;
 
   signal clocks_on : natural := 0;
   signal switched_on : natural := 0;
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   fan : entity work.fan
     port map (
-      clk => clk, bus_clk => clk,
-      reset => reset, request => request, response => response, level => level);
+      clk => clk, bus_clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, level => level);
 
   watch : process
     variable before : std_ulogic := '0';
@@ -65,8 +64,8 @@ begin
       variable switched_on_before : natural;
       variable expected_switching : natural := 3;
     begin
-      bus_write(clk, request, response, period, slot_cycles);
-      bus_write(clk, request, response, duty, on_slots);
+      write(master, period, slot_cycles);
+      write(master, duty, on_slots);
       -- Until the period under way has ended, whatever its slots were.
       wait_clocks(2 * slots * slot_clocks + 100);
       clocks_on_before := clocks_on;
@@ -97,7 +96,7 @@ begin
     is_on_for_its_duty(100, 0);
     is_on_for_its_duty(1, 300);
 
-    bus_read(clk, request, response, duty, word);
+    read(master, duty, word);
     duty_reads_back : assert unsigned(word) = 1 report to_hstring(word) severity error;
     is_on_for_its_duty(slots, 1);
     reset <= '1';
@@ -106,13 +105,13 @@ begin
     reset <= '0';
 
     -- A reset ends the slot under way, however long it is.
-    bus_write(clk, request, response, period, 2 ** (fan_period_slot_cycles_bits'high + 1) - 1);
+    write(master, period, 2 ** (fan_period_slot_cycles_bits'high + 1) - 1);
     wait_clocks(2 * slots);
     reset <= '1';
     wait_clocks(1);
     reset <= '0';
-    bus_write(clk, request, response, period, 1);
-    bus_write(clk, request, response, duty, slots);
+    write(master, period, 1);
+    write(master, duty, slots);
     wait_clocks(2 * slots + 100);
     runs_soon_after_a_reset : assert level = '1' report "still off" severity error;
     std.env.finish;

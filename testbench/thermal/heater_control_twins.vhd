@@ -7,6 +7,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_pkg.all;
+use work.heater_control_bench_pkg.all;
 use work.thermal_pkg.all;
 
 entity heater_control_twins is
@@ -16,28 +17,26 @@ entity heater_control_twins is
     request : in bus_request_t;
     response : out bus_response_t;
     readings : in sensor_reading_array_t(0 to 1);
-    emergency_stop, veto : in std_ulogic;
-    gates : out std_ulogic_vector(1 downto 0);
-    supply, interrupt, at_rest : out std_ulogic;
+    inputs : in heater_inputs_t;
+    outputs : out heater_outputs_t;
+    at_rest : out std_ulogic;
     clocks_left_out : out natural
   );
 end entity;
 
 architecture simulation of heater_control_twins is
 
-  constant clock_frequency_hz : unsigned(31 downto 0) := to_unsigned(4_000_000, 32);
-  constant more_charges : unsigned(7 downto 0) := to_unsigned(15, 8);
+  constant frequency : unsigned(31 downto 0) := to_unsigned(clock_frequency_hz, 32);
+  constant more_charges : unsigned(7 downto 0) := to_unsigned(charges - 1, 8);
 
   signal resting_clk, resting_bus_clk : std_ulogic;
   signal pins : std_ulogic_vector(1 downto 0);
-  signal limits_locked : std_ulogic;
-  signal rested_gates : std_ulogic_vector(1 downto 0);
-  signal rested_supply, rested_interrupt, rested_limits_locked : std_ulogic;
+  signal rested : heater_outputs_t;
   signal rested_response : bus_response_t;
 
 begin
 
-  pins <= emergency_stop & veto;
+  pins <= inputs.emergency_stop & inputs.veto;
 
   clocks : entity work.resting_clocks
     generic map (period => 250 ns)
@@ -48,26 +47,25 @@ begin
 
   control : entity work.heater_control
     port map (
-      clk => clk, always_clk => clk, bus_clk => clk, clock_frequency_hz => clock_frequency_hz,
+      clk => clk, always_clk => clk, bus_clk => clk, clock_frequency_hz => frequency,
       reset => reset, request => request, response => response, readings => readings,
-      more_charges => more_charges, limits_locked => limits_locked,
-      emergency_stop => emergency_stop, veto => veto, gates => gates, supply => supply,
-      interrupt => interrupt, at_rest => open);
+      more_charges => more_charges, limits_locked => outputs.limits_locked,
+      emergency_stop => inputs.emergency_stop, veto => inputs.veto, gates => outputs.gates,
+      supply => outputs.supply, interrupt => outputs.interrupt, at_rest => open);
 
   resting_control : entity work.heater_control
     port map (
       clk => resting_clk, always_clk => clk, bus_clk => resting_bus_clk,
-      clock_frequency_hz => clock_frequency_hz, reset => reset, request => request,
+      clock_frequency_hz => frequency, reset => reset, request => request,
       response => rested_response, readings => readings, more_charges => more_charges,
-      limits_locked => rested_limits_locked, emergency_stop => emergency_stop, veto => veto,
-      gates => rested_gates, supply => rested_supply, interrupt => rested_interrupt,
-      at_rest => at_rest);
+      limits_locked => rested.limits_locked, emergency_stop => inputs.emergency_stop,
+      veto => inputs.veto, gates => rested.gates, supply => rested.supply,
+      interrupt => rested.interrupt, at_rest => at_rest);
 
   compare : process
   begin
     wait until falling_edge(clk);
-    assert rested_gates = gates and rested_supply = supply and rested_interrupt = interrupt
-      and rested_limits_locked = limits_locked and rested_response = response
+    assert rested = outputs and rested_response = response
       report "a rest has changed something" severity failure;
   end process;
 

@@ -6,7 +6,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
 use work.temperature_converter_registers_pkg.all;
 use work.thermal_pkg.all;
 
@@ -25,10 +24,8 @@ architecture simulation of temperature_converter_tb is
   constant settings_lock : unsigned(31 downto 0) := temperature_converter_settings_lock_address;
   constant high_references : unsigned(31 downto 0) := temperature_converter_reference_high_address;
 
-  signal clk : std_ulogic := '0';
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
   signal discharging, sense : std_ulogic_vector(1 downto 0);
   signal readings : sensor_reading_array_t(0 to 1);
@@ -41,18 +38,19 @@ architecture simulation of temperature_converter_tb is
   type naturals_t is array (0 to 1) of natural;
   signal conversions : naturals_t := (0, 0);
 
+  alias clk is master.clk;
+
 begin
 
-  clk <= not clk after 5 ns;
+  make_clock(master.clk, 10 ns);
 
   converter : entity work.temperature_converter
     port map (
       clk => clk, always_clk => clk, bus_clk => clk,
-      clock_frequency_hz => to_unsigned(100_000_000, 32),
-      reset => reset, request => request, response => response,
-      more_charges => more_charges, limits_locked => limits_locked,
-      drive_enable => drive_enable, drive_level => drive_level, discharging => discharging,
-      sense => sense, readings => readings);
+      clock_frequency_hz => to_unsigned(100_000_000, 32), reset => reset,
+      request => to_request(master.request), to_wires(response) => master.response,
+      more_charges => more_charges, limits_locked => limits_locked, drive_enable => drive_enable,
+      drive_level => drive_level, discharging => discharging, sense => sense, readings => readings);
 
   -- A capacitor ten times smaller than on a board, to be quick.
   hotend : entity work.sensor_circuit
@@ -90,14 +88,9 @@ begin
         more_charges => to_unsigned(charges - 1, 8)));
     end function;
 
-    procedure read (address : unsigned(31 downto 0); channel : natural := 0) is
-    begin
-      bus_read(clk, request, response, address + 4 * channel, word);
-    end procedure;
-
     procedure read_state (channel : natural; expected : natural) is
     begin
-      read(status, channel);
+      read(master, status + 4 * channel, word);
       has_its_state : assert unsigned(word(temperature_converter_status_state_bits)) = expected
         report "channel " & to_string(channel) & ": state " & to_hstring(word) severity error;
     end procedure;
@@ -110,7 +103,7 @@ begin
     procedure write_control (
       charges : positive; enable : std_ulogic := '1'; dither_cycles : natural := 1) is
     begin
-      bus_write(clk, request, response, control, control_word(charges, enable, dither_cycles));
+      write(master, control, control_word(charges, enable, dither_cycles));
     end procedure;
 
     procedure wait_clocks (count : natural) is
@@ -124,13 +117,13 @@ begin
     reset <= '0';
     wait_clocks(10);
     read_state(0, temperature_converter_status_state_never);
-    read(age);
+    read(master, age, word);
     is_old_before_the_first : assert unsigned(word) = 2 ** tick_count_bits - 1
       report to_hstring(word) severity error;
 
-    bus_write(clk, request, response, discharge, 200);
-    bus_write(clk, request, response, timeout, 5_000);
-    bus_write(clk, request, response, pause, 0);
+    write(master, discharge, 200);
+    write(master, timeout, 5_000);
+    write(master, pause, 0);
     write_control(charges => 4);
     wait_clocks(40_000);
     for channel in 0 to 1 loop
@@ -138,18 +131,18 @@ begin
       counts_conversions : assert unsigned(word(temperature_converter_status_conversions_bits))
         = conversions(channel) mod 256
         report to_hstring(word) severity error;
-      read(age, channel);
+      read(master, age + 4 * channel, word);
       is_fresh : assert unsigned(word) < 10 report to_hstring(word) severity error;
     end loop;
 
     -- About 19 clocks per charge, and 189 through 10 kOhm.
     wait until rising_edge(clk) and readings(0).updated = '1';
-    read(thermistors);
+    read(master, thermistors, word);
     software_reads_what_the_heaters_get : assert unsigned(word) = readings(0).count
       and readings(0).valid = '1' report to_hstring(word) severity error;
     counts_the_thermistor : assert unsigned(word) > 4 * 17 and unsigned(word) < 4 * 23
       report to_string(to_integer(unsigned(word))) severity error;
-    read(high_references);
+    read(master, high_references, word);
     counts_the_reference : assert unsigned(word) > 4 * 180 and unsigned(word) < 4 * 195
       report to_string(to_integer(unsigned(word))) severity error;
 
@@ -187,17 +180,17 @@ begin
     wait_clocks(3);
     is_void_at_a_change : assert readings(0).valid = '0' report "valid" severity error;
     read_state(0, temperature_converter_status_state_never);
-    read(age);
+    read(master, age, word);
     has_no_age_then : assert unsigned(word) = 2 ** tick_count_bits - 1 report to_hstring(word) severity error;
     says_its_charges : assert more_charges = 7 report to_string(to_integer(more_charges)) severity error;
     wait_clocks(40_000);
     read_state(0, temperature_converter_status_state_ok);
 
     -- A charge may take an eighth of a second at most.
-    bus_write(clk, request, response, timeout, 16#FF_FFFF#);
-    read(timeout);
+    write(master, timeout, 16#FF_FFFF#);
+    read(master, timeout, word);
     has_a_built_in_maximum : assert unsigned(word) = 12_500_000 report to_hstring(word) severity error;
-    bus_write(clk, request, response, timeout, 5_000);
+    write(master, timeout, 5_000);
     wait_clocks(40_000);
 
     -- Locked settings stay, whatever is written, and through the converter's own reset.
@@ -208,19 +201,18 @@ begin
     is_void_at_the_lock : assert readings(0).valid = '0' report "valid" severity error;
     wait_clocks(40_000);
     read_state(0, temperature_converter_status_state_ok);
-    read(settings_lock);
+    read(master, settings_lock, word);
     says_locked : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
     write_control(charges => 8);
-    read(settings_lock);
+    read(master, settings_lock, word);
     takes_the_same_once_more : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
     for index in 0 to 4 loop
-      bus_write(clk, request, response, control + 4 * index,
+      write(master, control + 4 * index,
         control_word(charges => 256, dither_cycles => 2));
-      read(settings_lock);
+      read(master, settings_lock, word);
       names_what_it_refuses : assert word = lock_word(refused => '1') report to_hstring(word) severity error;
-      bus_write(
-        clk, request, response, settings_lock, 2 ** temperature_converter_settings_lock_refused_bit);
-      read(settings_lock);
+      write(master, settings_lock, 2 ** temperature_converter_settings_lock_refused_bit);
+      read(master, settings_lock, word);
       forgets_when_asked : assert word = lock_word(refused => '0') report to_hstring(word) severity error;
     end loop;
     goes_on_through_it : assert readings(0).valid = '1' report "not valid" severity error;
@@ -232,15 +224,15 @@ begin
       read_state(channel, temperature_converter_status_state_never);
       counts_from_0_again : assert unsigned(word) = 0 report to_hstring(word) severity error;
     end loop;
-    read(control);
+    read(master, control, word);
     keeps_all_but_enable : assert word = control_word(charges => 8, enable => '0')
       report to_hstring(word) severity error;
-    read(discharge);
+    read(master, discharge, word);
     keeps_the_discharge : assert unsigned(word) = 200 report to_hstring(word) severity error;
-    read(timeout);
+    read(master, timeout, word);
     keeps_the_time_out : assert unsigned(word) = 5_000 report to_hstring(word) severity error;
     write_control(charges => 8);
-    read(control);
+    read(master, control, word);
     enable_is_free : assert word = control_word(charges => 8) report to_hstring(word) severity error;
     wait_clocks(40_000);
     read_state(0, temperature_converter_status_state_ok);
@@ -249,7 +241,7 @@ begin
     wait until rising_edge(clk) and readings(0).updated = '1';
     write_control(charges => 8, enable => '0');
     wait_clocks(50 * tick_cycles);
-    read(age);
+    read(master, age, word);
     ages_in_ticks : assert unsigned(word) = 50 report to_hstring(word) severity error;
     lets_go : assert drive_enable = "000000" report "drives while disabled" severity error;
     std.env.finish;
