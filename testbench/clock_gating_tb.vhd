@@ -4,6 +4,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 
+use work.clocked_bench_pkg.all;
 use work.clocks_pkg.all;
 
 entity clock_gating_tb is
@@ -42,14 +43,6 @@ begin
     constant none : resets_t := (others => '0');
     constant all_of_them : resets_t := (others => '1');
 
-    procedure clocks(number : positive) is
-    begin
-      for i in 1 to number loop
-        wait until rising_edge(clk);
-      end loop;
-      wait for 1 ns;
-    end procedure;
-
     procedure expect(processor, registers, axes, peripherals : std_ulogic; what : string) is
     begin
       wait for 1 ns;
@@ -62,13 +55,13 @@ begin
     processor_rests <= '1';
     axes_rest <= '1';
     peripherals_rest <= '1';
-    clocks(1);
+    wait_clocks(clk, 1);
     the_pin_resets_all : assert resets = all_of_them severity failure;
     expect('0', '0', '1', '1', "reset");
     reset <= '0';
-    clocks(1);
+    wait_clocks(clk, 1);
     ends_for_all : assert resets = none severity failure;
-    clocks(10);
+    wait_clocks(clk, 10);
     expect('1', '1', '1', '1', "nothing to do");
 
     timer_alarm <= '1';
@@ -85,22 +78,22 @@ begin
     peripherals_rest <= '1';
     bus_strobe <= '1';
     expect('1', '0', '1', '1', "an access");
-    clocks(1);
+    wait_clocks(clk, 1);
     bus_strobe <= '0';
     for i in 1 to 6 loop
       expect('1', '0', '1', '1', "what an access sets off");
-      clocks(1);
+      wait_clocks(clk, 1);
     end loop;
-    clocks(3);
+    wait_clocks(clk, 3);
     expect('1', '1', '1', '1', "the access is over");
 
     chip_reset <= '1';
     expect('1', '1', '0', '0', "the debugger resets");
-    clocks(1);
+    wait_clocks(clk, 1);
     the_debugger_resets_all : assert resets = all_of_them and debug_resets = all_of_them severity failure;
     expect('0', '0', '0', '0', "in reset");
     chip_reset <= '0';
-    clocks(10);
+    wait_clocks(clk, 10);
     expect('1', '1', '1', '1', "at rest again");
     std.env.finish;
   end process;

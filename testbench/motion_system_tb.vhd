@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
 use work.bus_pkg.all;
+use work.clocked_bench_pkg.all;
 use work.clocks_pkg.all;
 use work.end_stops_registers_pkg.all;
 use work.step_generator_bench_pkg.all;

@@ -76,9 +76,6 @@ package bus_master_pkg is
   procedure expect (
     signal master : inout bus_master_t; address : in unsigned(31 downto 0); data : in integer);
 
-  -- Then a moment more, so that what follows the last edge has settled.
-  procedure wait_clocks (signal clk : in std_ulogic; count : in natural);
-
 end package;
 
 package body bus_master_pkg is
@@ -188,14 +185,6 @@ package body bus_master_pkg is
     signal master : inout bus_master_t; address : in unsigned(31 downto 0); data : in integer) is
   begin
     expect(master, address, word_t(to_signed(data, 32)));
-  end procedure;
-
-  procedure wait_clocks (signal clk : in std_ulogic; count : in natural) is
-  begin
-    for i in 1 to count loop
-      wait until rising_edge(clk);
-    end loop;
-    wait for 1 ns;
   end procedure;
 
 end package body;

@@ -9,6 +9,9 @@ package clocked_bench_pkg is
   -- Past the next edge, and until what it has changed is to be seen.
   procedure wait_for_clock (signal clk : in std_ulogic);
 
+  -- The same after so many.
+  procedure wait_clocks (signal clk : in std_ulogic; count : in natural);
+
   -- So many pulses of a clock, each with a clock after it.
   procedure give_ticks (signal clk : in std_ulogic; signal tick : out std_ulogic; count : in natural);
 
@@ -19,6 +22,14 @@ package body clocked_bench_pkg is
   procedure wait_for_clock (signal clk : in std_ulogic) is
   begin
     wait until rising_edge(clk);
+    wait for 1 ns;
+  end procedure;
+
+  procedure wait_clocks (signal clk : in std_ulogic; count : in natural) is
+  begin
+    for i in 1 to count loop
+      wait until rising_edge(clk);
+    end loop;
     wait for 1 ns;
   end procedure;
 

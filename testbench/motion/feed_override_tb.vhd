@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.random_source_pkg.all;
 use work.step_generator_pkg.all;
 
@@ -59,14 +60,6 @@ begin
   test : process
     variable random : random_source_t;
 
-    procedure clocks(number : natural) is
-    begin
-      for i in 1 to number loop
-        wait until rising_edge(clk);
-      end loop;
-      wait for 1 ns;
-    end procedure;
-
     -- The base lags by less than `most` base clocks, and never leads by more than the clock in hand.
     procedure expect_lag_below(most : positive) is
       variable lag : integer;
@@ -82,7 +75,7 @@ begin
       target <= to_unsigned(value, 18);
       longest_leap <= to_unsigned(0, 2);
       clear <= true;
-      clocks(3);
+      wait_clocks(clk, 3);
       longest_leap <= to_unsigned(2, 2);
       assert scale = (to_unsigned(value, 18) & x"0000") report "not at once at rest" severity failure;
       clear <= false;
@@ -97,10 +90,10 @@ begin
       rest_at(from);
       slope <= x"00001000";
       moving <= '1';
-      clocks(10);
+      wait_clocks(clk, 10);
       begun := scale;
       target <= to_unsigned(towards, 18);
-      clocks(1000);
+      wait_clocks(clk, 1000);
       change := to_integer(signed(scale(33 downto 2)) - signed(begun(33 downto 2))) * 4;
       assert abs change = 1000 * per_clock
         report "from " & to_string(from) & ": " & to_string(change) severity failure;
@@ -110,27 +103,27 @@ begin
     variable done_before : natural;
   begin
     random.seed(3, 4);
-    clocks(2);
+    wait_clocks(clk, 2);
     reset <= '0';
-    clocks(1);
+    wait_clocks(clk, 1);
 
     -- A scale of 1 is an advance in every clock, from the first on.
     rest_at(65536);
     moving <= '1';
     for i in 1 to 100 loop
       assert advance = '1' and leap = 0 severity failure;
-      clocks(1);
+      wait_clocks(clk, 1);
     end loop;
     assert done = 100 severity failure;
     assert working = '0' report "works at a scale of 1" severity failure;
     moving <= '0';
-    clocks(3);
+    wait_clocks(clk, 3);
     assert working = '0' report "works at rest" severity failure;
     target <= to_unsigned(40000, 18);
-    clocks(3);
+    wait_clocks(clk, 3);
     assert working = '0' report "works at rest" severity failure;
     moving <= '1';
-    clocks(3);
+    wait_clocks(clk, 3);
     assert working = '1' severity failure;
 
     -- Any constant scale, with and without stalls: 1000 clocks of it are owed and done.
@@ -138,7 +131,7 @@ begin
       rest_at(random.between(0, 2 ** 18 - 1));
       moving <= '1';
       for i in 1 to 1000 loop
-        clocks(1);
+        wait_clocks(clk, 1);
         stalled <= '1' when run mod 2 = 0 and random.between(0, 3) = 0 else '0';
         expect_lag_below(4);
       end loop;
@@ -148,62 +141,62 @@ begin
     -- 2.5 is done as leaps of 2 and 4, or of 2 only where no longer ones are possible: then it is 2.
     rest_at(163840);
     moving <= '1';
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert abs (done - 2500) <= 4 report to_string(done) severity failure;
     longest_leap <= to_unsigned(1, 2);
-    clocks(2);
+    wait_clocks(clk, 2);
     done_before := done;
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert done - done_before = 2000 severity failure;
     longest_leap <= to_unsigned(0, 2);
-    clocks(2);
+    wait_clocks(clk, 2);
     done_before := done;
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert done - done_before = 1000 severity failure;
     -- What was not possible is not caught up, but for three.
     longest_leap <= to_unsigned(2, 2);
-    clocks(2);
+    wait_clocks(clk, 2);
     done_before := done;
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert abs (done - done_before - 2500) <= 5 severity failure;
 
     -- The ramp: from 1 to 0 in 1000 clocks are 500 base clocks, then nothing, and back.
     rest_at(65536);
     slope <= to_unsigned(4294968, 32);
     moving <= '1';
-    clocks(10);
+    wait_clocks(clk, 10);
     target <= to_unsigned(0, 18);
-    clocks(990);
+    wait_clocks(clk, 990);
     assert standing = '0' and scale /= 0 severity failure;
-    clocks(20);
+    wait_clocks(clk, 20);
     assert standing = '1' and scale = 0 severity failure;
     assert abs (done - 510) <= 1 report to_string(done) severity failure;
     done_before := done;
-    clocks(5000);
+    wait_clocks(clk, 5000);
     assert done = done_before and standing = '1' severity failure;
     target <= to_unsigned(3 * 65536, 18);
-    clocks(2990);
+    wait_clocks(clk, 2990);
     assert scale < 3 * scale_of_one severity failure;
-    clocks(20);
+    wait_clocks(clk, 20);
     assert scale = (to_unsigned(3 * 65536, 18) & x"0000") severity failure;
     expect_lag_below(4);
 
     -- A slope of 0 keeps the scale; the brake has its own, and its target is 0.
     slope <= (others => '0');
     target <= to_unsigned(65536, 18);
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert scale = (to_unsigned(3 * 65536, 18) & x"0000") severity failure;
     brake_slope <= x"80000000";
     braking <= '1';
-    clocks(5);
+    wait_clocks(clk, 5);
     assert scale /= 0 severity failure;
-    clocks(3);
+    wait_clocks(clk, 3);
     assert scale = 0 severity failure;
-    clocks(3);
+    wait_clocks(clk, 3);
     assert standing = '1' severity failure;
     moving <= '0';
     braking <= '0';
-    clocks(2);
+    wait_clocks(clk, 2);
     assert scale = scale_of_one severity failure;
 
     -- Where the base accelerates while the scale rises, or decelerates while it falls, what both do adds up:
@@ -227,20 +220,20 @@ begin
     -- A hold that waits begins with the end of the ramp, and the brake waits for nothing.
     rest_at(65536);
     moving <= '1';
-    clocks(5);
+    wait_clocks(clk, 5);
     target <= to_unsigned(0, 18);
-    clocks(1000);
+    wait_clocks(clk, 1000);
     assert scale = scale_of_one severity failure;
     decelerating <= '0';
-    clocks(11);
+    wait_clocks(clk, 11);
     assert scale = scale_of_one - 10 * 4096 or scale = scale_of_one - 11 * 4096 severity failure;
     decelerating <= '1';
-    clocks(3);
+    wait_clocks(clk, 3);
     done_before := to_integer(scale(31 downto 12));
-    clocks(100);
+    wait_clocks(clk, 100);
     assert to_integer(scale(31 downto 12)) = done_before severity failure;
     braking <= '1';
-    clocks(5);
+    wait_clocks(clk, 5);
     assert scale = 0 severity failure;
     braking <= '0';
     decelerating <= '0';
@@ -249,39 +242,39 @@ begin
     slope <= x"FFFFFFFF";
     moving <= '1';
     target <= to_unsigned(65537, 18);
-    clocks(2);
+    wait_clocks(clk, 2);
     assert scale = (to_unsigned(65537, 18) & x"0000") severity failure;
     target <= to_unsigned(65530, 18);
-    clocks(2);
+    wait_clocks(clk, 2);
     assert scale = (to_unsigned(65530, 18) & x"0000") severity failure;
 
     -- A reset in motion: the scale is 1, nothing is owed, no leap is left.
     for from in 0 to 3 loop
       rest_at(3 * 65536 - from * 60000);
       moving <= '1';
-      clocks(20 + from);
+      wait_clocks(clk, 20 + from);
       reset <= '1';
       target <= to_unsigned(65536, 18);
-      clocks(1);
+      wait_clocks(clk, 1);
       assert scale = scale_of_one and advance = '0' and leap = 0 and standing = '0' severity failure;
       reset <= '0';
       clear <= true;
-      clocks(1);
+      wait_clocks(clk, 1);
       clear <= false;
       longest_leap <= "10";
       done_before := done;
       for i in 1 to 20 loop
-        clocks(1);
+        wait_clocks(clk, 1);
         assert advance = '1' and leap = 0 and working = '0'
           report "owed from before a reset" severity failure;
       end loop;
     end loop;
     rest_at(0);
     moving <= '1';
-    clocks(5);
+    wait_clocks(clk, 5);
     assert standing = '1' severity failure;
     reset <= '1';
-    clocks(1);
+    wait_clocks(clk, 1);
     assert standing = '0' and scale = scale_of_one severity failure;
 
     finish;

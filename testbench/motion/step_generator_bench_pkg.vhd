@@ -7,6 +7,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
+use work.clocked_bench_pkg.all;
 use work.step_generator_registers_pkg.all;
 
 package step_generator_bench_pkg is

@@ -6,20 +6,14 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
+use work.clocked_bench_pkg.all;
+use work.instruction_words_pkg.all;
 use work.processor_pkg.all;
 
 entity decode_stage_tb is
 end entity;
 
 architecture simulation of decode_stage_tb is
-
-  constant addi_x1_5 : word_t := x"00500093";
-  constant add_x2_x1_x1 : word_t := x"00108133";
-  constant lw_x1 : word_t := x"00002083";
-  constant jal_16 : word_t := x"010000ef";
-  -- c.addi x8, 1, with half a word of something else behind it.
-  constant c_addi_x8 : word_t := x"ffff0405";
-  constant illegal : word_t := x"00000000";
 
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
@@ -67,12 +61,6 @@ begin
 
   test : process
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure fetch(instruction : word_t; is_word : std_ulogic := '1') is
     begin
       fetched.valid <= '1';
@@ -86,24 +74,24 @@ begin
       cause <= '1';
       fetch(addi_x1_5);
       is_not_issued : assert issue = '0' and issue_executable = '0' report what severity failure;
-      clock;
+      wait_for_clock(clk);
       cause <= '0';
       is_not_in_execute : assert executing.valid = '0' and executing.executable = '0'
         report what severity failure;
     end procedure;
 
   begin
-    clock;
+    wait_for_clock(clk);
     starts_at_the_reset_vector : assert redirect_condition = redirect_always and
       alternate_address = x"80000000" and executing.valid = '0' severity failure;
     reset <= '0';
-    clock;
+    wait_for_clock(clk);
     a_bubble_is_not_executed : assert executing.valid = '0' and redirect_condition = redirect_never
       severity failure;
 
     fetch(addi_x1_5);
     is_issued : assert issue = '1' and issue_executable = '1' severity failure;
-    clock;
+    wait_for_clock(clk);
     is_in_execute : assert executing.valid = '1' and executing.executable = '1' and legal = '1' and
       control.destination = "00001" and control.writes = '1' and executing_immediate = x"00000005" and
       executing_instruction = addi_x1_5 and executing_address = x"80000100" severity failure;
@@ -111,22 +99,22 @@ begin
     -- Both operands are the result in execute.
     fetch(add_x2_x1_x1);
     forwarded_result <= x"12345678";
-    clock;
+    wait_for_clock(clk);
     forwards_from_execute : assert first_operand = x"12345678" and second_operand = x"12345678" and
       hazard = '0' severity failure;
 
     -- A late result is a hazard until write-back has it.
     fetch(lw_x1);
-    clock;
+    wait_for_clock(clk);
     fetch(add_x2_x1_x1);
-    clock;
+    wait_for_clock(clk);
     sees_the_hazard : assert hazard = '1' severity failure;
     advance <= '0';
     forward_late_result <= '1';
     writing.writes <= '1';
     writing.destination <= "00001";
     written_value <= x"0badcafe";
-    clock;
+    wait_for_clock(clk);
     advance <= '1';
     forward_late_result <= '0';
     writing.writes <= '0';
@@ -134,34 +122,34 @@ begin
       second_operand = x"0badcafe" severity failure;
     -- The register has it now.
     fetch(addi_x1_5);
-    clock;
+    wait_for_clock(clk);
     fetch(lw_x1);
-    clock;
+    wait_for_clock(clk);
     fetch(c_addi_x8, '0');
-    clock;
+    wait_for_clock(clk);
     clears_what_follows : assert executing_instruction = x"00000405" and control.destination = "01000"
       severity failure;
 
     fetch(jal_16);
     predicts_a_jump : assert prediction.taken = '1' and prediction.target = x"80000110" and
       prediction.next_address = x"80000110" severity failure;
-    clock;
+    wait_for_clock(clk);
     links : assert result_is_address = '1' and alternate_address = x"80000104" severity failure;
 
     -- While the pipeline stalls the instruction stays in execute.
     advance <= '0';
     fetch(addi_x1_5);
-    clock;
+    wait_for_clock(clk);
     stays : assert executing_instruction = jal_16 severity failure;
     -- An interrupt flushes it even then, as does a bus error.
     take_interrupt <= '1';
-    clock;
+    wait_for_clock(clk);
     take_interrupt <= '0';
     an_interrupt_flushes : assert executing.valid = '0' severity failure;
     advance <= '1';
-    clock;
+    wait_for_clock(clk);
     bus_error <= '1';
-    clock;
+    wait_for_clock(clk);
     bus_error <= '0';
     a_bus_error_flushes : assert executing.valid = '0' severity failure;
 
@@ -169,19 +157,19 @@ begin
     expect_discarded(trap_enable, "trap");
     expect_discarded(return_from_trap, "mret");
     flush <= '1';
-    clock;
+    wait_for_clock(clk);
     flush <= '0';
     a_flush_redirects : assert redirect_condition = redirect_always and alternate_address = x"00000000" and
       control.jump_register = '0' severity failure;
 
     fetch(illegal, '0');
-    clock;
+    wait_for_clock(clk);
     an_illegal_one_is_not_executable : assert executing.valid = '1' and executing.executable = '0' and
       legal = '0' severity failure;
     fetched.fault <= '1';
     fetched.crosses_memory_end <= '1';
     fetch(addi_x1_5);
-    clock;
+    wait_for_clock(clk);
     nor_is_a_faulty_one : assert executing.executable = '0' and executing.fetch_fault = '1' and
       executing.crosses_memory_end = '1' severity failure;
 
@@ -191,7 +179,7 @@ begin
     fetch(jal_16);
     nothing_is_fetched : assert issue = '0' and prediction.taken = '0' severity failure;
     debug_request.inject <= '1';
-    clock;
+    wait_for_clock(clk);
     is_injected : assert executing.executable = '1' and executing_instruction = add_x2_x1_x1 severity failure;
     std.env.finish;
   end process;

@@ -7,6 +7,8 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_pkg.all;
+use work.clocked_bench_pkg.all;
+use work.instruction_words_pkg.all;
 use work.memory_pkg.all;
 use work.processor_pkg.all;
 
@@ -15,23 +17,11 @@ end entity;
 
 architecture simulation of execute_stage_tb is
 
-  -- All of x1 and x2.
-  constant add : word_t := x"002081b3";
-  constant mul : word_t := x"022081b3";
-  constant divu : word_t := x"0220d1b3";
-  constant jal : word_t := x"010001ef";
-  constant jalr_8 : word_t := x"008081e7";
-  constant csrr : word_t := x"340021f3";
-  constant beq : word_t := x"00208463";
-  constant lw_4 : word_t := x"0040a183";
-  constant sb_1 : word_t := x"002080a3";
-
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal instruction : word_t := add;
+  signal control : control_t;
   signal immediate : word_t;
-  signal decoded, control : control_t;
-  signal executing_immediate : word_t;
   signal start, result_is_address, flush, entering_handler, leaving_handler : std_ulogic := '0';
   signal redirect_condition : redirect_condition_t := redirect_never;
   signal alternate_address, trap_target, return_target : unsigned(31 downto 0) := (others => '0');
@@ -49,25 +39,16 @@ begin
 
   clk <= not clk after 10 ns;
 
-  decoder : entity work.instruction_decoder
-    generic map (has_zbb => false)
+  issue : entity work.issued_instruction
     port map (
-      instruction => instruction, is_word => '1', decoded => decoded, immediate => immediate,
-      first => open, second => open);
-
-  -- The register between decode and execute.
-  issue : process
-  begin
-    wait until rising_edge(clk);
-    control <= decoded;
-    executing_immediate <= immediate;
-  end process;
+      clk => clk, instruction => instruction, control => control,
+      immediate => immediate);
 
   stage : entity work.execute_stage
     port map (
       clk => clk, reset => reset, start => start, redirect_condition => redirect_condition,
       control => control, result_is_address => result_is_address, executing_instruction => instruction,
-      executing_immediate => executing_immediate, alternate_address => alternate_address,
+      executing_immediate => immediate, alternate_address => alternate_address,
       first_operand => first_operand, second_operand => second_operand, flush => flush,
       entering_handler => entering_handler, leaving_handler => leaving_handler,
       trap_target => trap_target, return_target => return_target, redirect => redirect,
@@ -79,17 +60,11 @@ begin
 
   test : process
 
-    procedure clock is
-    begin
-      wait until rising_edge(clk);
-      wait for 1 ns;
-    end procedure;
-
     procedure execute(word, first, second : word_t) is
     begin
       start <= '0';
       instruction <= word;
-      clock;
+      wait_for_clock(clk);
       first_operand <= first;
       second_operand <= second;
       start <= '1';
@@ -99,12 +74,12 @@ begin
   begin
     execute(add, x"00000000", x"00000000");
     reset <= '0';
-    clock;
+    wait_for_clock(clk);
 
     execute(add, x"00000007", x"00000005");
     adds : assert result = x"0000000c" and forwarded_result = x"0000000c" severity failure;
     execute(mul, x"00000007", x"00000005");
-    clock;
+    wait_for_clock(clk);
     multiplies : assert product = x"00000023" severity failure;
 
     execute(divu, x"00000023", x"00000005");
@@ -112,16 +87,16 @@ begin
     wait until divider_done = '1' for 1 us;
     wait for 1 ns;
     divides : assert divider_done = '1' and result = x"00000007" severity failure;
-    clock;
+    wait_for_clock(clk);
 
     alternate_address <= x"80000004";
     result_is_address <= '1';
-    execute(jal, x"11111111", x"11111111");
+    execute(jal_x3_16, x"11111111", x"11111111");
     links : assert result = x"80000004" and forwarded_result = x"80000004" severity failure;
     result_is_address <= '0';
 
     csr_data <= x"c5c5c5c5";
-    execute(csrr, x"11111111", x"11111111");
+    execute(csrr_mscratch, x"11111111", x"11111111");
     reads_a_csr : assert result = x"c5c5c5c5" severity failure;
 
     -- Redirects.
@@ -136,12 +111,12 @@ begin
     jumps : assert redirect.enable = '1' and redirect.target = x"80000108" severity failure;
     start <= '0';
     flush <= '1';
-    clock;
+    wait_for_clock(clk);
     flush <= '0';
     is_flushed : assert flushed = '1' severity failure;
     alternate_address <= x"00000000";
     instruction <= add;
-    clock;
+    wait_for_clock(clk);
     entering_handler <= '1';
     trap_target <= x"80000040";
     return_target <= x"80000080";
@@ -169,20 +144,20 @@ begin
     -- The bus.
     execute(lw_4, x"f0000010", x"00000000");
     is_not_in_memory : assert data_in_memory = '0' severity failure;
-    clock;
+    wait_for_clock(clk);
     start <= '0';
     asks_the_bus : assert bus_active = '1' and bus_request.strobe = '1' and bus_request.write = '0' and
       bus_request.address = x"f0000014" severity failure;
-    clock;
+    wait_for_clock(clk);
     bus_response <= (acknowledge => '1', error => '0', data => x"0badcafe");
     wait for 1 ns;
     is_done : assert bus_done = '1' and bus_error = '0' and result = x"0badcafe" severity failure;
-    clock;
+    wait_for_clock(clk);
     bus_response <= bus_response_idle;
     wait for 1 ns;
     is_over : assert bus_active = '0' severity failure;
     execute(sb_1, x"f0000010", x"000000a5");
-    clock;
+    wait_for_clock(clk);
     start <= '0';
     bus_response.error <= '1';
     wait for 1 ns;

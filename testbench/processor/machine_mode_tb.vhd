@@ -5,6 +5,8 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
+use work.clocked_bench_pkg.all;
+use work.instruction_words_pkg.all;
 use work.processor_pkg.all;
 
 entity machine_mode_tb is
@@ -12,23 +14,12 @@ end entity;
 
 architecture simulation of machine_mode_tb is
 
-  constant nop : word_t := x"00000013";
-  constant csrw_mtvec : word_t := x"30509073";
-  constant csrw_mscratch : word_t := x"34009073";
-  constant csrr_mscratch : word_t := x"340021f3";
-  constant csrw_mie : word_t := x"30409073";
-  constant csrwi_mstatus_8 : word_t := x"30045073";
-  constant csrw_mhartid : word_t := x"f1409073";
-  constant ecall : word_t := x"00000073";
-  constant ebreak : word_t := x"00100073";
-  constant mret : word_t := x"30200073";
-
   signal clk : std_ulogic := '0';
   signal reset : std_ulogic := '1';
   signal timer_interrupt : std_ulogic := '0';
   signal debug_request : debug_request_t := debug_request_idle;
   signal instruction : word_t := nop;
-  signal decoded, control : control_t;
+  signal control : control_t;
   signal executing : executing_t := (others => '0');
   signal legal : std_ulogic := '1';
   signal executing_address : unsigned(31 downto 0) := x"80000100";
@@ -47,18 +38,10 @@ begin
 
   clk <= not clk after 10 ns;
 
-  decoder : entity work.instruction_decoder
-    generic map (has_zbb => false)
+  issue : entity work.issued_instruction
     port map (
-      instruction => instruction, is_word => '1', decoded => decoded, immediate => open,
-      first => open, second => open);
-
-  -- The register between decode and execute.
-  issue : process
-  begin
-    wait until rising_edge(clk);
-    control <= decoded;
-  end process;
+      clk => clk, instruction => instruction, control => control,
+      immediate => open);
 
   machine : entity work.machine_mode
     port map (
@@ -80,19 +63,11 @@ begin
 
   test : process
 
-    procedure clocks(number : positive := 1) is
-    begin
-      for i in 1 to number loop
-        wait until rising_edge(clk);
-      end loop;
-      wait for 1 ns;
-    end procedure;
-
     -- To be ended by `finish`.
     procedure execute(word : word_t; operand : word_t := x"00000000") is
     begin
       instruction <= word;
-      clocks;
+      wait_for_clock(clk);
       first_operand <= operand;
       executing.valid <= '1';
       executing.executable <= '1';
@@ -101,21 +76,21 @@ begin
 
     procedure finish is
     begin
-      clocks;
+      wait_for_clock(clk);
       executing.valid <= '0';
       executing.executable <= '0';
       wait for 1 ns;
     end procedure;
 
   begin
-    clocks(2);
+    wait_clocks(clk, 2);
     reset <= '0';
     execute(csrw_mtvec, x"80000040");
     is_no_trap : assert trap.enable = '0' and flush = '0' severity failure;
     finish;
     execute(csrw_mscratch, x"c0ffee00");
     finish;
-    clocks(3);
+    wait_clocks(clk, 3);
     execute(csrr_mscratch);
     reads_what_was_written : assert csr_data = x"c0ffee00" severity failure;
     finish;
@@ -125,7 +100,7 @@ begin
     is_illegal : assert trap.enable = '1' and trap.cause = cause_illegal_instruction and
       trap.value = csrw_mhartid severity failure;
     finish;
-    clocks(3);
+    wait_clocks(clk, 3);
 
     -- An exception, and back.
     execute(ecall);
@@ -134,32 +109,32 @@ begin
     finish;
     enters_the_handler : assert entering_handler = '1' and taken_trap.enable = '1' and
       trap_target = x"80000040" severity failure;
-    clocks(3);
+    wait_clocks(clk, 3);
     execute(mret);
     leaves : assert return_from_trap = '1' and flush = '1' severity failure;
     finish;
     returns : assert returning = '1' and return_target = x"80000100" severity failure;
-    clocks(3);
+    wait_clocks(clk, 3);
 
     -- An interrupt: enabled in mie it wakes, enabled in mstatus too it is taken.
     execute(csrw_mie, x"00000080");
     finish;
     timer_interrupt <= '1';
-    clocks(3);
+    wait_clocks(clk, 3);
     wakes_only : assert interrupt_requested = '1' and wake_request = '1' and interrupt_pending = '0'
       severity failure;
     execute(csrwi_mstatus_8);
     finish;
-    clocks(3);
+    wait_clocks(clk, 3);
     is_pending : assert interrupt_pending = '1' and interrupt_cause = "00111" severity failure;
     take_interrupt <= '1';
     wait for 1 ns;
     is_taken_before_the_next : assert trap.enable = '1' and trap.interrupt = '1' and
       trap.address = x"80000200" severity failure;
-    clocks;
+    wait_for_clock(clk);
     take_interrupt <= '0';
     timer_interrupt <= '0';
-    clocks(3);
+    wait_clocks(clk, 3);
 
     -- Debug mode: by ebreak where it is asked for, with no trap; and back.
     debug_request.halt_at_breakpoint <= '1';
@@ -177,7 +152,7 @@ begin
     debug_request.resume_address <= x"80000300";
     wait for 1 ns;
     flushes_to_resume : assert flush = '1' severity failure;
-    clocks;
+    wait_for_clock(clk);
     debug_request.halted <= '0';
     debug_request.resume <= '0';
     wait for 1 ns;

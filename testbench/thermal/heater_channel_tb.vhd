@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.clocked_bench_pkg.all;
 use work.heater_control_registers_pkg.all;
 use work.thermal_pkg.all;
 
@@ -50,14 +51,6 @@ begin
 
   test : process
 
-    procedure clocks(number : positive) is
-    begin
-      for i in 1 to number loop
-        wait until rising_edge(clk);
-      end loop;
-      wait for 1 ns;
-    end procedure;
-
     -- The register file gives the word of the bus to all registers.
     procedure put(value : natural) is
     begin
@@ -95,7 +88,7 @@ begin
           put(10);
           from_software.settle_written(channel) <= '1';
       end case;
-      clocks(1);
+      wait_clocks(clk, 1);
       write_nothing;
     end procedure;
 
@@ -104,15 +97,15 @@ begin
       for limit in limit_t loop
         set_limit(channel, limit);
       end loop;
-      clocks(1);
+      wait_clocks(clk, 1);
     end procedure;
 
     procedure start_over is
     begin
       reset <= '1';
-      clocks(2);
+      wait_clocks(clk, 2);
       reset <= '0';
-      clocks(2);
+      wait_clocks(clk, 2);
     end procedure;
 
     impure function locked return std_ulogic_vector is
@@ -134,18 +127,18 @@ begin
     procedure convert(count : natural) is
     begin
       reading <= (updated => '1', valid => '1', count => to_unsigned(count, 32));
-      clocks(1);
+      wait_clocks(clk, 1);
       reading.updated <= '0';
-      clocks(3);
+      wait_clocks(clk, 3);
     end procedure;
 
     procedure pass(ticks : positive) is
     begin
       for i in 1 to ticks loop
         tick <= '1';
-        clocks(1);
+        wait_clocks(clk, 1);
         tick <= '0';
-        clocks(1);
+        wait_clocks(clk, 1);
       end loop;
     end procedure;
 
@@ -154,15 +147,15 @@ begin
       from_software.clear.channels <= (others => '0');
       from_software.clear.channels(channel) <= '1';
       clear <= '1';
-      clocks(1);
+      wait_clocks(clk, 1);
       clear <= '0';
-      clocks(2);
+      wait_clocks(clk, 2);
     end procedure;
 
     procedure ask(channel : natural; density : natural) is
     begin
       from_software.duty(channel).density <= to_unsigned(density, 16);
-      clocks(3);
+      wait_clocks(clk, 3);
     end procedure;
 
     procedure expect_gate(level : std_ulogic; what : string) is
@@ -177,9 +170,9 @@ begin
       from_software.duty(channel).density <= (others => '0');
     end loop;
     from_software.clear.channels <= (others => '0');
-    clocks(3);
+    wait_clocks(clk, 3);
     reset <= '0';
-    clocks(2);
+    wait_clocks(clk, 2);
 
     for channel in 0 to 3 loop
       if channel /= own then
@@ -192,7 +185,7 @@ begin
     for limit in limit_t loop
       start_over;
       set_limit(own, limit);
-      clocks(1);
+      wait_clocks(clk, 1);
       one_limit_locks : assert any_locked = '1'
         and locked = std_ulogic_vector(shift_right(to_unsigned(8, 4), limit_t'pos(limit)))
         report limit_t'image(limit) & " locks " & to_string(locked) severity failure;
@@ -202,12 +195,12 @@ begin
           set_limit(own, other);
         end if;
       end loop;
-      clocks(1);
+      wait_clocks(clk, 1);
       reading <= (updated => '1', valid => '1', count => to_unsigned(50_000, 32));
-      clocks(1);
+      wait_clocks(clk, 1);
       reading.updated <= '0';
       from_software.duty(own).density <= to_unsigned(65535, 16);
-      clocks(3);
+      wait_clocks(clk, 3);
       does_not_heat_without : assert
         gate = '0' and status.permitted = '0' and status.limits_missing_trip = '1'
         report limit_t'image(limit) severity failure;
@@ -250,9 +243,9 @@ begin
     clear_trips(own);
     ask(own, 65535);
     reading <= (updated => '1', valid => '0', count => to_unsigned(50_000, 32));
-    clocks(1);
+    wait_clocks(clk, 1);
     reading.updated <= '0';
-    clocks(3);
+    wait_clocks(clk, 3);
     expect_trips("00000000", "one invalid conversion");
     pass(60);
     expect_trips("01000000", "invalid");
@@ -274,7 +267,7 @@ begin
     clear_trips(own);
 
     emergency_stop <= '1';
-    clocks(2);
+    wait_clocks(clk, 2);
     emergency_stop <= '0';
     expect_trips("00000010", "emergency stop");
     clear_trips(own);
@@ -282,7 +275,7 @@ begin
     ask(own, 1);
     expect_trips("10000000", "watchdog");
     reset <= '1';
-    clocks(2);
+    wait_clocks(clk, 2);
     reset_forgets : assert any_locked = '0' and status.tripped = '0' severity failure;
     finish;
   end process;

@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 use work.bus_master_pkg.all;
+use work.clocked_bench_pkg.all;
 use work.heater_control_registers_pkg.all;
 
 package heater_control_bench_pkg is
