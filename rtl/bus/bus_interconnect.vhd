@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Leads every access of the one master to the slave in whose 4 KiB window it lies; none stays
--- unanswered.
+-- Leads every access of the one master to the slave in whose 4 KiB window it lies; none stays unanswered.
 
 library ieee;
 use ieee.std_logic_1164.all;

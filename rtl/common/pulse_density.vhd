@@ -13,8 +13,7 @@ entity pulse_density is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- The output is settled again in clocks with '1' only: one pulse slot lasts from one to the
-    -- next.
+    -- The output is settled again in clocks with '1' only: one pulse slot lasts from one to the next.
     advance : in std_ulogic;
     -- Ones per 2**width - 1 slots: 0 is never on, all ones is always on.
     density : in unsigned(width - 1 downto 0);
@@ -24,8 +23,7 @@ end entity;
 
 architecture rtl of pulse_density is
 
-  -- The slots of one round; the error stays below it, so that the count of ones in a round is
-  -- exact.
+  -- The slots of one round; the error stays below it, so that the count of ones in a round is exact.
   constant full : unsigned(width downto 0) := '0' & (width - 1 downto 0 => '1');
 
   signal error : unsigned(width downto 0) := (others => '0');

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Pulse-width modulator: on for the first part of every period, without a glitch when that part
--- changes.
+-- Pulse-width modulator: on for the first part of every period, without a glitch when that part changes.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -8,8 +8,7 @@ entity synchronizer is
   generic (
     -- Independent bits; they are not kept together, so a multi-bit number must not pass here.
     width : positive := 1;
-    -- Flip-flops in a row: the delay in clocks, and the time that a metastable first one has to
-    -- settle.
+    -- Flip-flops in a row: the delay in clocks, and the time that a metastable first one has to settle.
     stages : positive := 2;
     -- Level of every bit until real samples have come through.
     idle_level : std_ulogic := '0'

@@ -17,8 +17,8 @@ package debug_pkg is
     data : word_t;
   end record;
 
-  -- A debugger's access to a CSR outside the processor: written in the clock of `write`; read data is
-  -- combinational.
+  -- A debugger's access to a CSR outside the processor: written in the clock of `write`;
+  -- read data is combinational.
   type debug_csr_request_t is record
     write : std_ulogic;
     address : std_ulogic_vector(11 downto 0);

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- End stop inputs: from bouncing, asynchronous switches of either polarity to clean active-high
--- levels.
+-- End stop inputs: from bouncing, asynchronous switches of either polarity to clean active-high levels.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -30,8 +30,8 @@ entity motor_switch is
     enabled : out std_ulogic_vector(axes - 1 downto 0) := (others => '0');
     -- The drivers' pins.
     pins : out std_ulogic_vector(axes - 1 downto 0);
-    -- The motors had no current since software last said that it knows: they need not be where they are
-    -- counted.
+    -- The motors had no current since software last said that it knows:
+    -- they need not be where they are counted.
     positions_lost : out std_ulogic := '0';
     -- In the clock of the write.
     refused : out std_ulogic;

@@ -10,8 +10,8 @@ use work.step_generator_pkg.all;
 
 entity stop_latch is
   port (
-    -- Edges may be left out while neither `hit`, `stop_begins` nor `watching` is high and nothing is
-    -- acknowledged.
+    -- Edges may be left out while neither `hit`,
+    -- `stop_begins` nor `watching` is high and nothing is acknowledged.
     clk : in std_ulogic;
     reset : in std_ulogic;
 

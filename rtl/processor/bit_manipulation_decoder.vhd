@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Decodes Zbb: whether a word is one of its instructions, and whether bit_manipulation or the ALU executes
--- it.
+-- Decodes Zbb: whether a word is one of its instructions,
+-- and whether bit_manipulation or the ALU executes it.
 
 library ieee;
 use ieee.std_logic_1164.all;

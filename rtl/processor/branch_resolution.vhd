@@ -31,8 +31,8 @@ entity branch_resolution is
     to_return : in std_ulogic;
     handler_address : in unsigned(31 downto 0);
     return_address : in unsigned(31 downto 0);
-    -- Redirect fetch to `target`, of which bit 0 is ignored; `target_plus_2` selects the next pair's other
-    -- word.
+    -- Redirect fetch to `target`, of which bit 0 is ignored;
+    -- `target_plus_2` selects the next pair's other word.
     redirect : out std_ulogic;
     target : out unsigned(31 downto 0);
     target_plus_2 : out unsigned(31 downto 2);

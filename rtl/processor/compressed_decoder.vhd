@@ -110,8 +110,8 @@ begin
   sp_amount <= (11 downto 9 => sign) & instruction(4 downto 3) & instruction(5) & instruction(2) &
                instruction(6) & "0000";
   small_immediate <= (11 downto 5 => sign) & instruction(6 downto 2);
-  -- funct3 0, 2, 4: 6-bit immediate; 3: c.addi16sp or c.lui. branch_predictor generates those of jumps and
-  -- branches.
+  -- funct3 0, 2, 4: 6-bit immediate; 3: c.addi16sp or c.lui.
+  -- branch_predictor generates those of jumps and branches.
   from_quadrant_1 <= sp_amount when instruction(13) and upper_is_sp else
                      x"000" when instruction(13) else
                      small_immediate;

@@ -57,8 +57,7 @@ architecture rtl of data_access is
 begin
 
   -- Critical path: address decoding without waiting for the upper bits of the sum. If the lowest of them
-  -- matches the memory's, each further one matches if its carry in is what a matching bit below it
-  -- generates.
+  -- matches the memory's, each further one matches if its carry in is what a matching bit below it generates.
   bit_matches <=
     (base(bit_matches'range) xor offset(bit_matches'range) xor memory_number(bit_matches'range)) xnor
     ((base(lower_bits) and offset(lower_bits)) or

@@ -136,8 +136,8 @@ begin
       executing.executable <= '0';
       redirect_condition <= redirect_never;
     end if;
-    -- The clock after a flush redirects to the trap vector or return address, after reset to the reset
-    -- vector.
+    -- The clock after a flush redirects to the trap vector or return address,
+    -- after reset to the reset vector.
     if reset or flush then
       redirect_condition <= redirect_always;
       control.jump_register <= '0';

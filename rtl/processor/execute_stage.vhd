@@ -163,8 +163,8 @@ begin
       done => bus_done,
       error => bus_error);
 
-  -- Result forwarded to the next instruction; the ALU's settles last. Late results are forwarded from
-  -- write-back.
+  -- Result forwarded to the next instruction; the ALU's settles last.
+  -- Late results are forwarded from write-back.
   early_result <= divider_result when control.divide else std_ulogic_vector(alternate_address);
   forwarded_result <= early_result when control.divide or result_is_address else alu_result;
   late_result <= bus_response.data when bus_active else csr_data;

@@ -128,8 +128,8 @@ begin
       bus_store => bus_store,
       trap => trap);
 
-  -- No trap is taken on entry to debug mode and within it: an exception of an injected instruction is only
-  -- reported.
+  -- No trap is taken on entry to debug mode and within it:
+  -- an exception of an injected instruction is only reported.
   enter_debug <= take_halt or
                  (trap.enable and not take_interrupt and not bus_active and
                   debug_request.halt_at_breakpoint and

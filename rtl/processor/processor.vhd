@@ -164,8 +164,8 @@ begin
                      not (executing.valid and control.wait_for_interrupt) and
                      not debug_request.halted and not debug_request.step);
   start <= executable and not stalled and not take_interrupt;
-  -- Stall of the whole pipeline. An interrupted instruction is flushed from execute even while `advance` is
-  -- low.
+  -- Stall of the whole pipeline. An interrupted instruction is flushed from execute even
+  -- while `advance` is low.
   advance <= not (bus_active or
                   (executable and
                    (hazard or (control.divide and not divider_done) or

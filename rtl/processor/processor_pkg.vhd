@@ -214,13 +214,13 @@ package processor_pkg is
     instruction => (others => '0'), resume => '0', resume_address => (others => '0'));
 
   type debug_response_t is record
-    -- Debug mode begins in the next clock, on request or by ebreak. The instruction at `address` has not been
-    -- executed.
+    -- Debug mode begins in the next clock, on request or by ebreak.
+    -- The instruction at `address` has not been executed.
     enter : std_ulogic;
     at_breakpoint : std_ulogic;
     address : unsigned(31 downto 0);
-    -- The pipeline advances at the end of this clock: the instruction at `next_address` is issued, or a
-    -- bubble.
+    -- The pipeline advances at the end of this clock: the instruction at `next_address` is issued,
+    -- or a bubble.
     advance : std_ulogic;
     issue : std_ulogic;
     next_address : unsigned(31 downto 0);

@@ -31,8 +31,8 @@ architecture rtl of timer is
   signal now_cycles : unsigned(63 downto 0) := (others => '0');
   signal next_cycles : unsigned(63 downto 0);
   -- The value that software reads: equal to `now_cycles` in every clock that follows an edge of `bus_clk`.
-  -- Logic clocked by `bus_clk` has no input that changes in every clock: a simulation would evaluate all of
-  -- it.
+  -- Logic clocked by `bus_clk` has no input that changes in every clock:
+  -- a simulation would evaluate all of it.
   signal seen_cycles : unsigned(63 downto 0) := (others => '0');
   signal due : std_ulogic;
   -- High half of `seen_cycles` in the previous clock, in which the read value was sampled.

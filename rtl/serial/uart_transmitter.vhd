@@ -10,8 +10,7 @@ entity uart_transmitter is
     clk : in std_ulogic;
     -- Ends a frame that is under way. To be held while `increment` is 0.
     reset : in std_ulogic;
-    -- Bits per clock in 2**-32, at most 2**30. Every edge comes less than a clock after its exact
-    -- time.
+    -- Bits per clock in 2**-32, at most 2**30. Every edge comes less than a clock after its exact time.
     increment : in unsigned(31 downto 0);
     -- The next byte to send, if `valid`. `taken` is '1' in the clock after it was taken; the
     -- following byte must be there two clocks later.

@@ -11,8 +11,8 @@ use work.thermal_pkg.all;
 entity converter_settings is
   port (
     clk : in std_ulogic;
-    -- Of no effect on the settings while they are locked, so that a reset of the converter alone unlocks
-    -- nothing.
+    -- Of no effect on the settings while they are locked,
+    -- so that a reset of the converter alone unlocks nothing.
     reset : in std_ulogic;
     -- Of `clk`; constant.
     clock_frequency_hz : in unsigned(31 downto 0);

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The relay that gives all heaters their power: software closes it, any danger opens it until it does so
--- again.
+-- The relay that gives all heaters their power: software closes it,
+-- any danger opens it until it does so again.
 
 library ieee;
 use ieee.std_logic_1164.all;

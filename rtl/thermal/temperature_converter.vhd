@@ -16,8 +16,8 @@ entity temperature_converter is
     channels : positive range 1 to 4 := 2
   );
   port (
-    -- Edges may be left out while `at_rest` is high, but for those after a change of `sense` or
-    -- `limits_locked`.
+    -- Edges may be left out while `at_rest` is high,
+    -- but for those after a change of `sense` or `limits_locked`.
     clk : in std_ulogic;
     -- The same clock, never left out.
     always_clk : in std_ulogic;

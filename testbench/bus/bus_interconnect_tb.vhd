@@ -17,8 +17,7 @@ architecture simulation of bus_interconnect_tb is
   constant base_addresses : bus_address_array_t := (
     0 => x"F0000000", 1 => x"F0001000", 2 => x"F0007000", 3 => x"F0010000", 4 => x"80000000");
   constant limit : positive := 16;
-  -- Slave n answers n clocks after its strobe, except the last, which answers as `hanging_delay`
-  -- says.
+  -- Slave n answers n clocks after its strobe, except the last, which answers as `hanging_delay` says.
   constant hanging_slave : natural := 4;
 
   function answer_of (slave : natural; address : unsigned(31 downto 0)) return word_t is

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The pulse-width modulator is on for its duty at the start of every period, and changes without a
--- glitch.
+-- The pulse-width modulator is on for its duty at the start of every period, and changes without a glitch.
 
 library ieee;
 use ieee.std_logic_1164.all;

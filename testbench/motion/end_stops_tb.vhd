@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- End stops of either polarity trigger after their filter time, bounce unseen, and only where
--- enabled.
+-- End stops of either polarity trigger after their filter time, bounce unseen, and only where enabled.
 
 library ieee;
 use ieee.std_logic_1164.all;

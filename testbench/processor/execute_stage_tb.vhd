@@ -108,7 +108,8 @@ begin
     goes_on_where_unequal : assert redirect.enable = '0' severity failure;
     redirect_condition <= redirect_always;
     execute(jalr_8, x"80000100", x"00000000");
-    jumps : assert redirect.enable = '1' and redirect.target = x"80000108" severity failure;
+    jumps : assert redirect.enable = '1' and redirect.target = x"80000108" and
+      redirect.target_plus_2 = 30x"20000042" severity failure;
     start <= '0';
     flush <= '1';
     wait_for_clock(clk);

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The timer counts every clock, is read without tearing, and interrupts exactly from its deadline
--- on.
+-- The timer counts every clock, is read without tearing, and interrupts exactly from its deadline on.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -97,8 +97,7 @@ begin
           & " breaks" severity error;
     end procedure;
 
-    -- Bytes without a gap from a sender whose bits are `deviation` longer, at several phases to
-    -- clk.
+    -- Bytes without a gap from a sender whose bits are `deviation` longer, at several phases to clk.
     procedure receives_a_stream (clocks_per_bit, deviation : real) is
       -- Where bits are long, a part of a clock and what adds up over frames are of little matter.
       constant count : positive := 6 + integer(100.0 / clocks_per_bit);

@@ -1,6 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The transmitter's every edge comes at its exact time, to less than one clock, also over many
--- bytes.
+-- The transmitter's every edge comes at its exact time, to less than one clock, also over many bytes.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Software alone closes the supply, and only at rest and without danger; every danger opens it and is
--- remembered.
+-- Software alone closes the supply, and only at rest and without danger;
+-- every danger opens it and is remembered.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -102,8 +102,8 @@ begin
     wish_open;
     expect("software opens it: no cause", '0', "0000");
 
-    -- Each set of causes: opens at once, is remembered when it has gone, keeps the supply open while it
-    -- lasts.
+    -- Each set of causes: opens at once, is remembered when it has gone,
+    -- keeps the supply open while it lasts.
     for bits in 1 to 15 loop
       for i in cause'range loop
         cause(i) := '1' when bits / 2 ** i mod 2 = 1 else '0';

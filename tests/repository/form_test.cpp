@@ -44,8 +44,8 @@ TEST(repository, no_source_file_is_longer_than_300_lines) {
 }
 
 TEST(repository, no_comment_ends_with_a_line_of_one_word) {
-  const std::regex comment(R"(^ *// .*)"), one_word(R"(^ *// [^ ]+$)");
-  for (const fs::path& file : files({".cpp", ".hpp"})) {
+  const std::regex comment(R"(^ *(//|--) .*)"), one_word(R"(^ *(//|--) [^ ]+$)");
+  for (const fs::path& file : files({".cpp", ".hpp", ".vhd", ".psl"})) {
     if (is_generated(file)) continue;
     const auto lines = lines_of(file);
     for (std::size_t i = 1; i + 1 < lines.size(); ++i) {

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Specification of loads and stores of bytes, half words and words for the proofs. Independent of
--- `data_access`.
+-- Specification of loads and stores of bytes, half words and words for the proofs.
+-- Independent of `data_access`.
 
 library ieee;
 use ieee.std_logic_1164.all;
