@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of times of rtl/processor/README.md, as what the model adds to an instruction's one
+// The table of times of rtl/processor/timing.md, as what the model adds to an instruction's one
 // clock. A test compares the two.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interrupts requested in every clock of every instruction, and all that goes on around them, come
-// in the clocks that the table in rtl/processor/README.md says.
+// in the clocks that the table in rtl/processor/timing.md says.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -10,7 +10,7 @@
 namespace processor {
 
 struct TimedInstruction {
-  // Of rtl/processor/README.md; for an access, that of the memory or of a peripheral.
+  // Of rtl/processor/timing.md; for an access, that of the memory or of a peripheral.
   const char* row = "arithmetic and logic";
   // Registers that it reads, 0 for none.
   unsigned first = 0;

@@ -10,7 +10,7 @@
 namespace processor {
 
 TimingTable::TimingTable() {
-  std::ifstream file(PROJECT_DIRECTORY "/rtl/processor/README.md");
+  std::ifstream file(PROJECT_DIRECTORY "/rtl/processor/timing.md");
   const std::regex row(R"(\| ([^|]+) \| (\d+) \|.*)");
   std::string line;
   std::smatch match;

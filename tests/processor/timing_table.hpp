@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of times in rtl/processor/README.md.
+// The table of times in rtl/processor/timing.md.
 #pragma once
 
 #include <map>

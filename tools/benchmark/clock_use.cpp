@@ -92,7 +92,7 @@ bool ClockUse::reads(std::uint32_t word, const std::optional<Executed>& writer) 
 }
 
 // What is more than one clock, to the first cause that there is; a division comes last, and has its
-// own (rtl/processor/README.md).
+// own (rtl/processor/timing.md).
 void ClockUse::divide_clocks(std::uint32_t word, std::uint32_t address, std::uint64_t clock) {
   if (!last_) {
     clocks_ = 1;
