@@ -216,6 +216,10 @@ List read_list(const std::filesystem::path& folder) {
     read(file, "mutation", mutation_of, list.mutations);
   }
   for (const Mutation& mutation : list.mutations) {
+    if (std::ranges::find(list.proofs, mutation.name, &Proof::name) != list.proofs.end()) {
+      throw std::runtime_error(
+          fmt::format("{}: {} is the name of a proof", mutation.list.string(), mutation.name));
+    }
     const auto is_its_proof = [&mutation](const Proof& proof) {
       const bool has_properties =
           proof.method == Method::induction || proof.method == Method::bounded;

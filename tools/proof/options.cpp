@@ -5,12 +5,14 @@
 namespace proof {
 
 void add_options(CLI::App& job, Options& options) {
-  job.add_option("names", options.names, "proofs or mutations to try; all where none is given")
+  job.add_option("names", options.names,
+                 "proofs or mutations to try; without any, all that have no valid record")
       ->type_name("NAME...");
   job.add_flag(
       "--quick", options.quick,
       "only the proofs that take seconds, and no mutations; of --mutants only the bench of the "
       "file itself,\nthose that take less than 5 s, and the comparison of netlists");
+  job.add_flag("--all", options.all, "try also what has a valid record");
   auto* only = job.add_flag_callback(
       "--mutations", [&options] { options.proofs = false; },
       "only the mutations: faults put into a copy of the sources, each of which must be found");
@@ -23,18 +25,20 @@ void add_options(CLI::App& job, Options& options) {
                    "benches, proofs\n"
                    "and comparison of netlists; what was found is kept in <build>/mutants");
   mutants->excludes(only);
-  job.add_option("--sample", options.campaign.sample, "so many of the mutants, chosen by the seed")
-      ->needs(mutants)
+  job.add_option("--sample", options.sample,
+                 "try also about so many of those with a valid record, a part chosen by the seed;\n"
+                 "of --mutants: so many of them, chosen by the seed")
       ->check(CLI::PositiveNumber);
-  job.add_option("--seed", options.campaign.seed,
-                 "of the sample; without it, one made of the files' contents")
-      ->needs(mutants);
+  job.add_option("--seed", options.seed,
+                 "of the sample; without it, the number of the day: all are tried in as many\n"
+                 "days as there are parts; of --mutants, one made of the files' contents");
   job.add_flag("--recorded", options.campaign.recorded,
                "without those of which testbench/proofs/mutants says that they were not tried")
       ->needs(mutants);
-  job.add_flag("--record", options.campaign.record,
-               "write the fate of every mutant into testbench/proofs/mutants")
-      ->needs(mutants);
+  job.add_flag("--record", options.record,
+               "write what holds and is caught into testbench/proofs/recorded.tsv; of --mutants, "
+               "the fate\n"
+               "of every one into testbench/proofs/mutants");
   job.add_option("--json", options.json, "write the outcome")->type_name("FILE.json");
   job.add_option("--jobs", options.jobs, "how many at once; 0: one for each processor core")
       ->capture_default_str();
@@ -48,6 +52,8 @@ void add_options(CLI::App& job, Options& options) {
       "bounded\n"
       "one for its number of clocks after the start. Where one fails, a trace (VCD) is left in\n"
       "<build>/proofs/NAME.\n"
+      "A record is valid as long as the tools' versions and all sources, settings and programs\n"
+      "that the trial depends on are the same; comments in VHDL do not matter.\n"
       "Of --mutants, 97 % of those that are not equivalent must be killed, and each survivor be "
       "listed\n"
       "in testbench/proofs/mutants.\n"

@@ -58,6 +58,7 @@ Json json_of(const Trial& trial) {
     json["properties"] = trial.outcome.asserted;
     json["assumptions"] = trial.outcome.assumed;
   }
+  json["tried"] = trial.is_tried;
   json["failed"] = trial.outcome.failed;
   json["explanation"] = trial.outcome.explanation;
   json["seconds"] = trial.outcome.seconds;
@@ -65,6 +66,15 @@ Json json_of(const Trial& trial) {
 }
 
 }  // namespace
+
+void print_choice(const std::vector<Trial>& trials, std::optional<std::uint64_t> seed) {
+  const auto recorded = std::ranges::count_if(trials, &Trial::is_recorded);
+  const auto again = std::ranges::count_if(
+      trials, [](const Trial& trial) { return trial.is_recorded && trial.is_tried; });
+  fmt::print("{} of {} have a valid record; {} of these are tried again{}\n", recorded,
+             trials.size(), again, seed ? fmt::format(", seed {}", *seed) : "");
+  std::fflush(stdout);
+}
 
 void print_line(const Trial& trial) {
   const bool good = trial.outcome.verdict == Verdict::holds;
@@ -80,6 +90,7 @@ void print_line(const Trial& trial) {
                trial.outcome.seconds);
   }
   if (!good) fmt::print("  {}\n", trial.outcome.explanation);
+  if (!good && trial.is_recorded) fmt::print("  its record says otherwise\n");
   std::fflush(stdout);
 }
 
@@ -90,8 +101,10 @@ void print_summary(const std::vector<Trial>& trials, double seconds) {
              (!good || trial.outcome.verdict == Verdict::holds);
     });
   };
-  fmt::print("{} of {} proofs hold, {} of {} mutations are caught, {:.1f} s\n", count(false, true),
-             count(false, false), count(true, true), count(true, false), seconds);
+  fmt::print("{} of {} proofs hold, {} of {} mutations are caught, {} of all by record, {:.1f} s\n",
+             count(false, true), count(false, false), count(true, true), count(true, false),
+             std::ranges::count_if(trials, [](const Trial& trial) { return !trial.is_tried; }),
+             seconds);
 }
 
 void write_json(const std::filesystem::path& file, const std::vector<Trial>& trials,

@@ -61,6 +61,10 @@ std::set<std::string> SourceTree::closure_of(const std::string& unit) const {
   return closure;
 }
 
+void SourceTree::replace(const std::string& unit, const fs::path& path, const std::string& text) {
+  files_[unit] = {path, text, names_needed(text)};
+}
+
 std::vector<std::string> SourceTree::units() const {
   std::vector<std::string> names;
   for (const auto& [name, file] : files_) names.push_back(name);

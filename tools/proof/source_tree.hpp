@@ -25,6 +25,9 @@ class SourceTree {
   std::set<std::string> closure_of(const std::string& unit) const;
   std::vector<std::string> units() const;
 
+  // Another file or another text takes the place of the unit's.
+  void replace(const std::string& unit, const std::filesystem::path& path, const std::string& text);
+
  private:
   struct File {
     std::filesystem::path path;

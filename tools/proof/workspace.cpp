@@ -37,26 +37,28 @@ void run_tool(const std::vector<std::string>& arguments, const fs::path& folder,
   }
 }
 
-void add_sources(const fs::path& folder, std::vector<std::string>& files) {
-  const std::size_t first = files.size();
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ".vhd") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
-}
-
-void put_in_place(const fs::path& stand_in, std::vector<std::string>& files) {
-  const auto is_replaced = [&stand_in](const std::string& file) {
-    return fs::path(file).stem() == stand_in.stem();
-  };
-  if (std::ranges::count_if(files, is_replaced) != 1 || !fs::exists(stand_in)) {
-    throw std::runtime_error(
-        fmt::format("{} stands in for no source, or is not there", stand_in.string()));
-  }
-  *std::ranges::find_if(files, is_replaced) = stand_in.string();
-}
-
 }  // namespace
+
+Folders copied(const fs::path& project, const fs::path& work) {
+  const Folders folders{fs::absolute(work) / "project", fs::absolute(work)};
+  fs::remove_all(work);
+  for (const char* folder : {"rtl", "testbench", "tools"}) {
+    fs::create_directories(folders.project / folder);
+    fs::copy(project / folder, folders.project / folder, fs::copy_options::recursive);
+  }
+  return folders;
+}
+
+void put_in_place(const fs::path& lists, const std::vector<fs::path>& stand_ins, SourceTree& tree) {
+  for (const fs::path& stand_in : stand_ins) {
+    const fs::path file = lists / stand_in;
+    if (!tree.has(stand_in.stem().string()) || !fs::exists(file)) {
+      throw std::runtime_error(
+          fmt::format("{} stands in for no source, or is not there", file.string()));
+    }
+    tree.replace(stand_in.stem().string(), file, text_of(file));
+  }
+}
 
 void write_mutated(const Folders& folders, const Mutation& mutation, const fs::path& copy) {
   write(copy, mutated(text_of(folders.project / mutation.file), mutation));
@@ -91,10 +93,13 @@ fs::path analyse(const Folders& folders, const fs::path& sources,
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     run_tool(arguments, folder, folder / log);
   };
+  SourceTree tree({sources, folders.project / "testbench"});
+  put_in_place(folders.list(), stand_ins, tree);
+  if (!tree.has(unit)) throw std::runtime_error(fmt::format("there is no file {}.vhd", unit));
   std::vector<std::string> files;
-  add_sources(sources, files);
-  for (const fs::path& stand_in : stand_ins) put_in_place(folders.list() / stand_in, files);
-  add_sources(folders.project / "testbench", files);
+  for (const std::string& name : tree.closure_of(unit)) {
+    files.push_back(tree.file_of(name).string());
+  }
   ghdl("import", files, "import.log");
   ghdl("make", {unit}, "make.log");
   return library;

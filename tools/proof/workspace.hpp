@@ -6,6 +6,7 @@
 
 #include "tools/proof/formal_netlist.hpp"
 #include "tools/proof/list.hpp"
+#include "tools/proof/source_tree.hpp"
 
 namespace proof {
 
@@ -15,6 +16,10 @@ struct Folders {
 
   std::filesystem::path list() const { return project / "testbench" / "proofs"; }
 };
+
+// Empties `work` and copies all that trials read of the project into it: what is changed while they
+// go on must not be taken for what it was.
+Folders copied(const std::filesystem::path& project, const std::filesystem::path& work);
 
 // What the sources are for: not all properties can be simulated.
 enum class Purpose { solver, simulator };
@@ -28,7 +33,13 @@ void write_mutated(const Folders& folders, const Mutation& mutation,
 void prepare_sources(const Folders& folders, const std::filesystem::path& sources,
                      const Mutation* mutation, Purpose purpose = Purpose::solver);
 
-// Analyses what `unit`, an entity, needs, and returns GHDL's library. Stand-ins as in `Proof`.
+// Puts files of the folder of all lists in the place of the sources of the same name. Throws
+// std::runtime_error where there is no such source, or no such file.
+void put_in_place(const std::filesystem::path& lists,
+                  const std::vector<std::filesystem::path>& stand_ins, SourceTree& tree);
+
+// Analyses what `unit`, an entity, needs and nothing else, and returns GHDL's library. Stand-ins
+// as in `Proof`.
 std::filesystem::path analyse(const Folders& folders, const std::filesystem::path& sources,
                               const std::vector<std::filesystem::path>& stand_ins,
                               const std::string& unit, const std::filesystem::path& folder);
