@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensor to loop to gate, ten times a second.
+// Sensor to loop to gate, ten times a second: the hotend, and half a period later the bed, so that
+// no pass of the main loop does both.
 #include "application/heat_task.hpp"
 
 #include <algorithm>
@@ -105,10 +106,16 @@ void HeatTask::start() {
 }
 
 void HeatTask::update(Now now) {
-  if (last_update_ && now.milliseconds - *last_update_ < thermal::HeaterLoop::period) return;
-  last_update_ = now.milliseconds;
-  watch_supply(now.milliseconds);
-  for (Part& part : parts_) update(part, now);
+  constexpr units::Milliseconds period = thermal::HeaterLoop::period;
+  const units::Milliseconds due = next_ == 0 ? period : period / 2;
+  if (round_began_ && now.milliseconds - *round_began_ < due) return;
+  if (next_ == 0) {
+    round_began_ = now.milliseconds;
+    watch_supply(now.milliseconds);
+  }
+  update(parts_[next_++], now);
+  if (next_ < parts_.size()) return;
+  next_ = 0;
   control_.feed(drivers::FeedKey::first);
   second_key_is_due_ = true;
 }

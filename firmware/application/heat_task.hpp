@@ -83,7 +83,8 @@ class HeatTask {
   drivers::TemperatureConverter& converter_;
   drivers::HeaterControl& control_;
   std::array<Part, 2> parts_;
-  std::optional<units::Milliseconds> last_update_;
+  std::optional<units::Milliseconds> round_began_;
+  std::size_t next_ = 0;  // of parts_
   std::string_view hardware_fault_;
   bool supply_closed_{};
   units::Milliseconds supply_missing_since_{};  // though heat is asked for

@@ -23,6 +23,7 @@ void Demand::restart() {
   sum_ = {};
   milliseconds_ = 0;
   seen_ = 0;
+  pairs_seen_ = 0;
 }
 
 bool Demand::add(const Slopes& slopes, std::int32_t milliseconds) {
@@ -40,6 +41,7 @@ bool Demand::add(const Slopes& slopes, std::int32_t milliseconds) {
   sum_ = {};
   milliseconds_ = 0;
   seen_ = std::min(seen_ + 1, length);
+  find_pairs();
   return true;
 }
 
@@ -49,24 +51,35 @@ std::int32_t Demand::stored(const Span& span) const {
   return std::abs(span.last - span.first) * lag / 1'000 * lag_tolerance / 100;
 }
 
-bool Demand::has_grown(const Power& power) const {
+// What does not depend on the power: a division takes the processor 18 clocks, and there are many.
+void Demand::find_pairs() {
+  pairs_seen_ = 0;
   // Two spans against two: one is too short for the noise.
-  if (seen_ < 4) return false;
+  if (seen_ < 4) return;
   const Span now = both(spans_[length - 2], spans_[length - 1]);
-  const std::int32_t least_now =
-      (now.heating - stored(now)) * power.least / Power::scale - now.measured;
-  const std::int32_t explained = least_now * least_supply / (100 + model_->draught);
+  least_heating_ = now.heating - stored(now);
+  measured_ = now.measured;
   const std::int32_t cooled_now = now.still + most_carried * now.carried;
   for (std::size_t i = length - seen_; i + 3 < length; ++i) {
     const Span before = both(spans_[i], spans_[i + 1]);
     // From a colder block less is lost; how much less depends on the room, too.
     if (before.still < now.still / 16 * 15 || before.still <= 0) continue;
-    const std::int32_t most_before =
-        (before.heating + stored(before)) * power.most / Power::scale - before.measured;
     const std::int32_t cooled_before = before.still + most_carried * before.carried;
-    const std::int32_t more_cooled =
-        std::max(cooled_now, cooled_before) * growth_scale / cooled_before;
-    if (explained > std::max<std::int32_t>(most_before, 0) * more_cooled / growth_scale) {
+    pairs_[pairs_seen_++] = {
+        .most_heating = before.heating + stored(before),
+        .measured = before.measured,
+        .more_cooled = std::max(cooled_now, cooled_before) * growth_scale / cooled_before};
+  }
+}
+
+bool Demand::has_grown(const Power& power) const {
+  const std::int32_t least_now = least_heating_ * power.least / Power::scale - measured_;
+  const std::int32_t explained = least_now * least_supply / (100 + model_->draught);
+  for (std::size_t i = 0; i < pairs_seen_; ++i) {
+    const Pair& before = pairs_[i];
+    const std::int32_t most_before =
+        before.most_heating * power.most / Power::scale - before.measured;
+    if (explained > std::max<std::int32_t>(most_before, 0) * before.more_cooled / growth_scale) {
       return true;
     }
   }

@@ -17,7 +17,7 @@ class Demand {
  public:
   // Parts of the nominal power between which the heater's lies.
   struct Power {
-    static constexpr std::int32_t scale = 1'024;
+    static constexpr std::int32_t scale = HeaterGrid::nominal;
     std::int32_t least, most;
   };
 
@@ -56,6 +56,14 @@ class Demand {
             other.last};
   }
   std::int32_t stored(const Span& span) const;
+  void find_pairs();
+
+  // Two spans that the last two are compared with.
+  struct Pair {
+    std::int32_t most_heating{};  // as below, at most
+    std::int32_t measured{};
+    std::int32_t more_cooled{};  // so many times as much lost since then, with 8 fractional bits
+  };
 
   const HeaterModel* model_;
   std::int32_t span_;  // ms
@@ -63,6 +71,9 @@ class Demand {
   std::int32_t milliseconds_ = 0;  // in it
   std::size_t seen_ = 0;  // spans, at most `length`
   std::array<Span, length> spans_{};
+  std::int32_t least_heating_ = 0, measured_ = 0;  // of the last two, in mK
+  std::array<Pair, length> pairs_{};
+  std::size_t pairs_seen_ = 0;
 };
 
 }  // namespace thermal

@@ -38,18 +38,6 @@ constexpr std::int32_t unasked_part_at_target = 9, unasked_part_off = 60;
 // in this time.
 constexpr std::int32_t neighbour_milliseconds = 60'000;
 
-// Part of the nominal value at one of `last` + 1 steps from `least` to `most` percent, with nearly
-// equal ratios: the mean of arithmetic and harmonic steps. 10 fractional bits.
-constexpr std::int32_t factor(std::int32_t least, std::int32_t most, int step, int last) {
-  const std::int32_t arithmetic = (least * (last - step) + most * step) * 1'024 / (last * 100);
-  const std::int32_t harmonic =
-      least * most / 100 * last * 1'024 / (most * (last - step) + least * step);
-  return (arithmetic + harmonic) / 2;
-}
-constexpr std::int32_t nominal = Demand::Power::scale;  // such a part
-static_assert(factor(50, 200, 0, 2) == 512 && factor(50, 200, 2, 2) == 2'048);
-static_assert(factor(50, 200, 1, 2) == (1'280 + 819) / 2);
-
 // mK/s at this temperature, of millionths per second.
 std::int32_t slope_lost(std::int32_t millicelsius, std::int32_t loss) {
   return std::max<std::int32_t>(millicelsius - surroundings.count(), 0) / 16 * loss / 62'500;
@@ -85,7 +73,9 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
   sum_.duty += felt_ / duty_scale;
   sum_.milliseconds += milliseconds;
   ++updates_;
-  if (sum_.milliseconds < static_cast<std::int32_t>(model_->window.count())) return Finding::none;
+  if (sum_.milliseconds < static_cast<std::int32_t>(model_->window.count())) {
+    return probe_.is_unanswered_for_long() ? Finding::sensor_frozen : Finding::none;
+  }
   noise_ = std::max(highest_ - lowest_, noise_ - noise_ / 8);
   // Without the lowest and the highest, one of which may be disturbed.
   const std::int32_t celsius =
@@ -147,13 +137,10 @@ void Plausibility::watch_demand(const Slopes& slopes, const Window& now,
   }
   held_ = target;
   if (!holds || !demand_.add(slopes, now.milliseconds)) return;
-  const auto halfway = [&model = *model_](int half_steps) {
-    constexpr int last = 2 * (steps - 1);
-    return factor(model.least_power, model.most_power, std::clamp(half_steps, 0, last), last);
-  };
+  const HeaterGrid& grid = model_->grid;
   for (int power = 0; power < steps; ++power) {
     needs_too_much_[static_cast<std::size_t>(power)] =
-        demand_.has_grown({halfway(2 * power - 1), halfway(2 * power + 1)});
+        demand_.has_grown({grid.halfway(2 * power - 1), grid.halfway(2 * power + 1)});
   }
 }
 
@@ -218,7 +205,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
   const std::int32_t nominal_needed = slope_lost(target.count(), model_->loss) *
                                       (100 + model_->draught) / 100 * (100 + reserve) / 100;
   for (int loss = 0; loss < steps; ++loss) {
-    const std::int32_t part = factor(model_->least_loss, model_->most_loss, loss, steps - 1);
+    const std::int32_t part = model_->grid.loss(loss);
     const auto index = static_cast<std::size_t>(loss);
     least_cools[index] = least_lost * part / 1'024;
     most_cools[index] = most_lost * part / 1'024;
@@ -227,7 +214,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
   }
   bool explained = false;
   for (int power = 0; power < steps; ++power) {
-    const std::int32_t part = factor(model_->least_power, model_->most_power, power, steps - 1);
+    const std::int32_t part = model_->grid.power(power);
     const std::int32_t warms = heating * part / 1'024;
     const std::int32_t full = model_->rise * part / 1'024 * (100 - sag) / 100;
     const std::int32_t most_missing = warms * (100 - sag) / 100 - spread - measured;
@@ -240,7 +227,8 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
       const bool is_too_weak = rules_out(against.surplus, most_surplus + least_cools[index]);
       // A heater stronger than any that is described is no danger that this could find.
       const bool strongest = power == steps - 1 && loss == 0;
-      const bool holds = full >= needed[index] || (part >= nominal && parts[index] <= nominal);
+      const bool holds = full >= needed[index] ||
+                         (part >= HeaterGrid::nominal && parts[index] <= HeaterGrid::nominal);
       explained =
           explained || (holds && !needs_too_much && !is_too_strong && (!is_too_weak || strongest));
     }

@@ -47,7 +47,7 @@ class Plausibility {
   units::Millicelsius expected_answer() const { return probe_.expected_answer(); }
 
  private:
-  static constexpr int steps = 9;  // of the grid, in both directions
+  static constexpr int steps = HeaterGrid::steps;
   // Against one heater of the grid, in mK.
   struct Evidence {
     std::int16_t missing{};

@@ -14,12 +14,12 @@ constexpr std::int32_t forget_milliseconds = 60'000;
 }  // namespace
 
 Duty Probe::modulate(bool settled, Duty duty) {
-  if (!settled || height_ == 0) {
+  if (!settled || model_->rhythm.height == 0) {
     stop();
     return duty;
   }
   active_ = true;
-  const std::int32_t room = std::min<std::int32_t>({height_, duty, full_duty - duty});
+  const std::int32_t room = std::min<std::int32_t>({model_->rhythm.height, duty, full_duty - duty});
   injected_ = up_ ? room : -room;
   return static_cast<Duty>(duty + injected_);
 }
@@ -30,22 +30,23 @@ void Probe::stop() {
   stillness_.restart();
   up_ = true;
   half_ = 0;
-  windows_left_ = halves_[0] / 2;
+  windows_left_ = model_->rhythm.halves[0] / 2;
 }
 
 void Probe::follow(std::int32_t milliseconds) {
-  answer_ += path_.slope(*model_, injected_, milliseconds) * milliseconds * answer_scale / 1'000 -
-             answer_ * milliseconds / forget_milliseconds;
+  answer_ +=
+      path_.rise(*model_, injected_, milliseconds) - answer_ * milliseconds / forget_milliseconds;
   injected_ = 0;  // unless modulate() is called again
-  answers_ += answer_ / answer_scale;
+  answers_ += answer_ / ProbePath::answer_scale;
   ++updates_;
 }
 
 void Probe::next_window() {
   if (--windows_left_ > 0) return;
   up_ = !up_;
-  if (up_) half_ = (half_ + 1) % halves_.size();
-  windows_left_ = halves_[half_];
+  const auto& halves = model_->rhythm.halves;
+  if (up_) half_ = half_ + 1 < halves.size() ? half_ + 1 : 0;
+  windows_left_ = halves[half_];
 }
 
 bool Probe::is_unanswered(std::int32_t celsius, std::int32_t heating, std::int32_t melted,

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <tuple>
 
 namespace thermal {
 
@@ -16,6 +18,7 @@ namespace thermal {
 // left, and the rest, which shows a disturbance that happens to cancel the rhythm.
 class Stillness {
  public:
+  using ConstValues = std::span<const std::int32_t>;
   // In thousandths of a degree. What is given and taken is per window, as the sensor feels it.
   struct Window {
     std::int32_t celsius{};
@@ -28,8 +31,10 @@ class Stillness {
   explicit constexpr Stillness(std::int32_t rhythm)
       : is_slow_(2 * rhythm > static_cast<std::int32_t>(slow[0].length)) {}
 
-  // True if the reading is of a frozen sensor.
+  // True if the reading is of a frozen sensor. This looks at the shortest time alone, and each call
+  // of look_further() at a longer one, for all of them at once take a processor long.
   bool add(const Window& window);
+  bool look_further();
   // There is no rhythm.
   void restart() { seen_ = still_ = 0; }
   // What cools is not known well enough from here on.
@@ -56,13 +61,16 @@ class Stillness {
   const Window& window(std::size_t length, std::size_t i) const {
     return windows_[longest - length + i];
   }
+  const LimitTable& limits() const { return is_slow_ ? slow : quick; }
   bool is_still(const Limits& limits) const;
+  bool is_still(const Limits& limits, ConstValues course, ConstValues answer) const;
   bool is_still_for_now() const;
 
   bool is_slow_;
   std::size_t seen_ = 0;  // windows since the rhythm began, at most `longest`, as the following
   std::size_t undisturbed_ = 0;  // since disturb()
   std::size_t still_ = 0;  // in a row
+  std::size_t judged_ = std::tuple_size_v<LimitTable>;  // of limits(), with the last window
   std::array<Window, longest> windows_{};
 };
 

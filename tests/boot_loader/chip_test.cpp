@@ -109,7 +109,7 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
 TEST(boot_loader_chip, the_firmware_greets_soon_after_reset_and_sooner_to_a_host_that_speaks) {
   Bench bench;
   const unsigned silent = bench.milliseconds_to("start\n", 200);
-  EXPECT_LE(silent, 60u);  // at 4 MHz; a dozen of them to find how high the heaters' probes must be
+  EXPECT_LE(silent, 50u);  // at 4 MHz
   EXPECT_GE(silent, 10u);  // the loader's window
   bench.reset();
   bench.run(0.001);  // in which the loader sets up the line

@@ -69,6 +69,14 @@ TEST(print, the_first_lines_of_the_washer_are_made_to_the_step) {
   EXPECT_GT(print.report["hotend"]["target_c"].get<double>(), 200.0);
 }
 
+// Bytes and segments wait meanwhile: rtl/serial/README.md.
+TEST(print, no_pass_of_the_firmware_is_long_while_it_watches_both_heaters) {
+  const Print print = print_text(
+      "M140 S60\nM109 S205\nM190 S60\nG28 X Y\nG1 X20 Y10 F6000\nG4 P40000\n", {"--warm"});
+  expect_clean(print);
+  EXPECT_LT(print.report["processor"]["longest_pass_clocks"].get<int>(), 44'000);
+}
+
 TEST(print, the_same_steps_are_made_at_every_clock) {
   const std::string gcode =
       "G28 X Y\nG1 X30 Y10 F9000\nG1 X32.5 Y17.3\nG1 X31 Y22\nG1 X5 Y5 F12000\nG1 X5.02\n";

@@ -35,11 +35,13 @@ struct Probed : testing::Test {
 
   // The window of the first verdict, or -1.
   int run(int windows, const Reading& reading, bool settled = true, std::int32_t melted = 0) {
+    bool unanswered = false;
     for (int window = 0; window < windows; ++window) {
       double sum = 0;
       for (int i = 0; i < updates; ++i) {
         duties.push_back(probe.modulate(settled, holding));
         probe.follow(update_ms);
+        unanswered = probe.is_unanswered_for_long() || unanswered;
         time += update_ms / 1'000.0;
         const double answer = probe.expected_answer().count();
         lowest = std::min(lowest, answer);
@@ -48,7 +50,8 @@ struct Probed : testing::Test {
       }
       const std::int32_t answer = probe.expected_answer().count();
       const auto mean = static_cast<std::int32_t>(std::lround(sum / updates));
-      const bool unanswered = probe.is_unanswered(mean, lost + answer - before, melted, window_ms);
+      unanswered =
+          probe.is_unanswered(mean, lost + answer - before, melted, window_ms) || unanswered;
       before = answer;
       if (unanswered) return window;
     }

@@ -137,11 +137,11 @@ std::string model(Reader reader, double milliwatts) {
   // PLA, from room temperature: 1.24 g/cm^3, about 1.9 J/(g K), filament of 1.75 mm.
   constexpr double joules_per_mm_kelvin = 1.24e-3 * 1.9 * 2.405;
   const std::string text = fmt::format(
-      "{{.rise = {}, .loss = {}, .fan_loss = {}, .filament_loss = {},\n"
+      "thermal::HeaterModel({{.rise = {}, .loss = {}, .fan_loss = {}, .filament_loss = {},\n"
       "                       .heater_lag = {}, .sensor_lag = {},\n"
       "                       .least_power = {}, .most_power = {}, .least_loss = {}, .most_loss = "
       "{},\n"
-      "                       .draught = {}, .missing_limit = {}, .window = {}}}",
+      "                       .draught = {}, .missing_limit = {}, .window = {}}})",
       rounded(milliwatts / all * thousand),
       part_per_second(static_cast<double>(milli("loss_w_per_k", 0))),
       part_per_second(static_cast<double>(milli("fan_loss_w_per_k", 0))),
