@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What the step generator's face adds to its core: both words of a time beyond 2^32 clocks, drivers that stay on
+-- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, drivers that stay on
 -- until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
 -- generator, which gets no edge that may be left out, does the same.
 
@@ -11,7 +11,7 @@ library std;
 use std.env.finish;
 
 use work.bus_master_pkg.all;
-use work.bus_pkg.all;
+use work.clocked_bench_pkg.all;
 use work.step_generator_bench_pkg.all;
 use work.step_generator_pkg.all;
 use work.step_generator_registers_pkg.all;
@@ -21,26 +21,22 @@ end entity;
 
 architecture simulation of step_generator_face_tb is
 
-  constant axes : positive := 2;
-
-  signal clk : std_ulogic;
+  signal master : bus_master_t := bus_master_idle;
   signal reset : std_ulogic := '1';
-  signal request : bus_request_t := bus_request_idle;
-  signal response : bus_response_t;
-  signal step, direction, enable : std_ulogic_vector(axes - 1 downto 0);
-  signal moving, idle, queue_interrupt, stop_interrupt : std_ulogic;
-  signal emergency_stop : std_ulogic := '0';
+  signal inputs : generator_inputs_t := generator_inputs_none;
+  signal outputs : generator_outputs_t;
   signal clocks_left_out : natural;
+
+  alias clk is master.clk;
 
 begin
 
   twins : entity work.step_generator_twins
     generic map (queue_depth => 4)
     port map (
-      clk => clk, reset => reset, request => request, response => response, end_stops => x"00",
-      emergency_stop => emergency_stop, start => '0', step => step, direction => direction,
-      enable => enable, moving => moving, idle => idle, queue_interrupt => queue_interrupt,
-      stop_interrupt => stop_interrupt, clocks_run => open, clocks_left_out => clocks_left_out);
+      clk => clk, reset => reset, request => to_request(master.request),
+      to_wires(response) => master.response, inputs => inputs, outputs => outputs,
+      clocks_run => open, clocks_left_out => clocks_left_out);
 
   test : process
     alias snapshot_time is << signal .step_generator_face_tb.twins.generator.snapshot_time : time_t >>;
@@ -49,54 +45,45 @@ begin
       << signal .step_generator_face_tb.twins.resting_generator.snapshot_time : time_t >>;
     alias rested_stop_time is
       << signal .step_generator_face_tb.twins.resting_generator.stop_time : time_t >>;
+    constant one_time : time_t := x"0123456789ABCDEF";
+    constant other_time : time_t := x"FEDCBA9876543210";
     variable word : word_t;
     variable status : step_generator_status_t;
     variable refused_at_level_0 : natural := 0;
-    variable rested_before : natural;
-
-    procedure write(address : unsigned(31 downto 0); data : natural) is
-    begin
-      bus_write(clk, request, response, address, data);
-    end procedure;
-
-    procedure expect(address : unsigned(31 downto 0); data : word_t) is
-    begin
-      bus_expect(clk, request, response, address, data);
-    end procedure;
+    variable left_out_before : natural;
   begin
     wait_clocks(clk, 2);
     reset <= '0';
     wait_clocks(clk, 2);
 
-    -- Nobody can simulate 2^32 clocks: the core's times are given.
-    snapshot_time <= force x"0123456789ABCDEF";
-    rested_snapshot_time <= force x"0123456789ABCDEF";
-    stop_time <= force x"FEDCBA9876543210";
-    rested_stop_time <= force x"FEDCBA9876543210";
-    expect(step_generator_snapshot_time_low_address, x"89ABCDEF");
-    expect(step_generator_snapshot_time_high_address, x"01234567");
-    expect(step_generator_stop_time_low_address, x"76543210");
-    expect(step_generator_stop_time_high_address, x"FEDCBA98");
+    -- 2^32 clocks take too long to simulate, so the core's times are forced.
+    snapshot_time <= force one_time;
+    rested_snapshot_time <= force one_time;
+    stop_time <= force other_time;
+    rested_stop_time <= force other_time;
+    expect(master, step_generator_snapshot_time_low_address, x"89ABCDEF");
+    expect(master, step_generator_snapshot_time_high_address, x"01234567");
+    expect(master, step_generator_stop_time_low_address, x"76543210");
+    expect(master, step_generator_stop_time_high_address, x"FEDCBA98");
     snapshot_time <= release;
     rested_snapshot_time <= release;
     stop_time <= release;
     rested_stop_time <= release;
 
     -- The queue is empty long before the last pulse has ended, and its driver stays on until then.
-    write(step_generator_pulse_guard_address, pulse_guard(high => 200, low => 200));
-    write(step_generator_motor_enable_address, 3);
-    write(step_generator_control_address, run + both_interrupts);
-    write_segment(clk, request, response, 1, 0, 8, ends_motion);
-    write(step_generator_segment_commit_address, 0);
-    wait until moving = '1' for 1 us;
+    write(master, step_generator_pulse_guard_address, pulse_guard(high => 200, low => 200));
+    write(master, step_generator_motor_enable_address, 3);
+    write(master, step_generator_control_address, run + both_interrupts);
+    append_segment(master, 1, 0, 8);
+    wait until outputs.moving = '1' for 1 us;
     loop
-      bus_read(clk, request, response, step_generator_status_address, word);
+      read(master, step_generator_status_address, word);
       status := to_step_generator_status(word);
       exit when not status.moving;
-      write(step_generator_motor_enable_address, 0);
-      if moving then
-        assert enable = "11" report "a driver goes off in motion" severity failure;
-        expect_error(clk, request, response, step_generator_errors_settings_bit);
+      write(master, step_generator_motor_enable_address, 0);
+      if outputs.moving then
+        assert outputs.enable = "11" report "a driver goes off in motion" severity failure;
+        expect_error(master, step_generator_errors_settings_bit);
         if status.level = 0 then
           refused_at_level_0 := refused_at_level_0 + 1;
         end if;
@@ -105,27 +92,28 @@ begin
     assert refused_at_level_0 > 5 report to_string(refused_at_level_0) severity failure;
 
     -- An emergency of one clock ends the rest of a generator that has stopped already.
-    write(step_generator_motor_enable_address, 3);
-    write(step_generator_command_address, stop_command);
-    rested_before := clocks_left_out;
+    write(master, step_generator_motor_enable_address, 3);
+    write(master, step_generator_command_address, stop_command);
+    left_out_before := clocks_left_out;
     wait_clocks(clk, 600);
-    assert clocks_left_out > rested_before severity failure;
-    assert enable = "11" severity failure;
-    emergency_stop <= '1';
+    assert clocks_left_out > left_out_before and outputs.enable = "11" severity failure;
+    inputs.emergency_stop <= '1';
     wait_clocks(clk, 1);
-    emergency_stop <= '0';
+    inputs.emergency_stop <= '0';
     wait_clocks(clk, 20);
-    assert enable = "00" severity failure;
-    bus_read(clk, request, response, step_generator_status_address, word);
+    assert outputs.enable = "00" severity failure;
+    read(master, step_generator_status_address, word);
     status := to_step_generator_status(word);
     assert status.positions_lost severity failure;
 
     -- A reset withdraws both interrupts in its first clock.
-    assert queue_interrupt = '1' and stop_interrupt = '1' severity failure;
+    write(master, step_generator_command_address, stop_command);
+    wait_clocks(clk, 3);
+    assert outputs.queue_interrupt = '1' and outputs.stop_interrupt = '1' severity failure;
     reset <= '1';
     wait_clocks(clk, 1);
     wait for 1 ns;
-    assert queue_interrupt = '0' and stop_interrupt = '0' severity failure;
+    assert outputs.queue_interrupt = '0' and outputs.stop_interrupt = '0' severity failure;
 
     finish;
   end process;
