@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, drivers that stay on
--- until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
+-- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, the rate floor, drivers that
+-- stay on until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
 -- generator, which gets no edge that may be left out, does the same.
 
 library ieee;
@@ -70,10 +70,18 @@ begin
     stop_time <= release;
     rested_stop_time <= release;
 
-    -- The queue is empty long before the last pulse has ended, and its driver stays on until then.
-    write(master, step_generator_pulse_guard_address, pulse_guard(high => 200, low => 200));
+    -- Eight ticks at the floor of 1/16 tick per clock, where the segment has a rate of 0.
+    write(master, step_generator_rate_floor_address, 2 ** 28);
     write(master, step_generator_motor_enable_address, 3);
     write(master, step_generator_control_address, run + both_interrupts);
+    append_segment(master, 1, 0, 8, rate_high => 0);
+    wait until outputs.moving = '1' for 1 us;
+    wait until outputs.moving = '0' for 3 us;
+    assert outputs.moving = '0' report "slower than the rate floor" severity failure;
+    wait_until_idle(clk, outputs.idle);
+
+    -- The queue is empty long before the last pulse has ended, and its driver stays on until then.
+    write(master, step_generator_pulse_guard_address, pulse_guard(high => 200, low => 200));
     append_segment(master, 1, 0, 8);
     wait until outputs.moving = '1' for 1 us;
     loop
