@@ -20,7 +20,7 @@ entity computer is
     -- `clk` may be gated while `at_rest` is high, `always_clk` never.
     clk : in std_ulogic;
     always_clk : in std_ulogic;
-    -- Synchronous: from outside the chip, for the debugger's own part; and with what the debugger asks for.
+    -- Synchronous: from outside the chip, for the debugger's own part; and with what the debugger requests.
     external_reset : in std_ulogic;
     reset : in std_ulogic;
     -- The debugger resets the chip.
@@ -84,7 +84,7 @@ begin
     signal own_reset : std_ulogic := '1';
   begin
 
-    -- The debugger's own part goes on while the chip is in the reset that it asks for.
+    -- The debugger's own part goes on while the chip is in the reset that it requests.
     register_own_reset : process
     begin
       wait until rising_edge(clk);

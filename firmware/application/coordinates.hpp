@@ -24,7 +24,7 @@ class Coordinates {
   void set_extruder_relative(bool relative) { extruder_relative_ = relative; }
   // G20, G21.
   void set_inches(bool inches) { inches_ = inches; }
-  // M221, percent of what lines ask for; 1 or more.
+  // M221, percent of what lines request; 1 or more.
   void set_flow(std::int32_t percent) { flow_percent_ = percent; }
   // M220, percent of the feedrates, and how much of it is to be planned; 1 or more.
   void set_speed(std::int32_t percent, std::int32_t planned_percent) {
@@ -52,7 +52,7 @@ class Coordinates {
   // The same rounded to nanometres: for what is no position.
   std::optional<units::Nanometers> rounded_length(const gcode::Command& command, char letter) const;
 
-  // The logical positions that a move asks for.
+  // The logical positions that a move requests.
   Positions target_of(const gcode::Command& command) const;
   // The machine positions of a logical target, from where the machine is. Exact, flow included.
   Positions machine_target(const Positions& target, const Positions& machine) const;

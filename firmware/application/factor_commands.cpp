@@ -46,7 +46,7 @@ Progress FactorCommands::report_speed(ActiveCommand& command) {
 }
 
 // What is planned already is stretched where it is too fast; it cannot be made faster within the
-// limits of the axes. Lines to come are planned with what they were, or 100 % of what they ask for,
+// limits of the axes. Lines to come are planned with what they were, or 100 % of what they request,
 // and stretched as well, so that nothing changes where the first of them begins; or with all of it
 // where that is more.
 void FactorCommands::set_speed_at_once(std::int32_t percent) {

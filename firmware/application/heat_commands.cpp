@@ -24,7 +24,7 @@ std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> tim
   return static_cast<std::int32_t>((time->count() + 999) / 1000);
 }
 
-// A target that the heater may not be asked for changes nothing: a lower one, as Marlin takes,
+// A target outside the heater's range changes nothing: a lower one, as Marlin takes,
 // would spoil the print without a word.
 bool is_too_hot(const thermal::HeaterLoop& loop, units::Millicelsius target) {
   return target > loop.highest_target();

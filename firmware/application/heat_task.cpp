@@ -27,7 +27,7 @@ constexpr std::uint32_t hot_factor = 8;
 // Behind the heat that was still on its way to the sensor; a bed is slow.
 constexpr units::Milliseconds hotend_settle{15'000};
 constexpr units::Milliseconds bed_settle{60'000};
-// Heat is asked for and the supply does not close: what vetoes it at its start is not latched.
+// Heat is requested and the supply does not close: what vetoes it at its start is not latched.
 constexpr units::Milliseconds supply_patience{2'000};
 constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
 
@@ -126,7 +126,7 @@ void HeatTask::complete_feed() {
   control_.feed(drivers::FeedKey::second);
 }
 
-// Closed once, when some heater has its limits and nothing is asked for; what opens it then
+// Closed once, when some heater has its limits and nothing is requested; what opens it then
 // is a fault.
 void HeatTask::watch_supply(units::Milliseconds now) {
   const drivers::SupplyStatus supply = control_.supply();
@@ -173,7 +173,7 @@ void HeatTask::update(Part& part, Now now) {
   if (tripped && was_heating) part.loop.report_cut_off();
   const thermal::Duty duty = part.loop.update(part.sensor.temperature(reading), now.milliseconds);
   if (const auto temperature = part.loop.temperature()) part.temperature = *temperature;
-  // What tripped while nothing was asked for (before the first conversion, say) is forgotten with
+  // What tripped while nothing was requested (before the first conversion, say) is forgotten with
   // the first wish for heat; what still holds trips again at once.
   if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
   control_.set_duty(gate, part.limits_locked && supply_closed_ ? duty : thermal::Duty{0});

@@ -44,11 +44,11 @@ class HeatTask {
   // What fan and filament take away from now on.
   void set_cooling(const thermal::Cooling& cooling);
 
-  // 0 is off. Cut to what the heater may be asked for.
+  // 0 is off. Limited to the heater's range.
   void set_target(Heater heater, units::Millicelsius target);
   thermal::HeaterLoop& loop(Heater heater) { return part(heater).loop; }
   const thermal::HeaterLoop& loop(Heater heater) const { return part(heater).loop; }
-  // Heat is asked for.
+  // Heat is requested.
   bool wanted() const;
   bool extrusion_is_cold() const;
   host_link::HeaterState state(Heater heater) const;
@@ -87,7 +87,7 @@ class HeatTask {
   std::size_t next_ = 0;  // of parts_
   std::string_view hardware_fault_;
   bool supply_closed_{};
-  units::Milliseconds supply_missing_since_{};  // though heat is asked for
+  units::Milliseconds supply_missing_since_{};  // though heat is requested
   bool second_key_is_due_{};
 };
 

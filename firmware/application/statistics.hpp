@@ -29,7 +29,7 @@ struct Statistics {
   // 128 bytes of text, its number (32 bits), its length (8 bits), whether it has a number (8 bits),
   // 2 more bytes.
   std::uint32_t accepted_lines{};
-  std::uint32_t lines_withdrawn{};  // word 13: accepted, but asked for again instead of executed
+  std::uint32_t lines_withdrawn{};  // word 13: accepted, but requested again instead of executed
 };
 
 }  // namespace application

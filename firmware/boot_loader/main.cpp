@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boot loader: after a reset it passes on unless a host knocks; asked for, it waits for
+// The boot loader: after a reset it starts the firmware unless a host calls; then it waits for
 // a program.
 #include <array>
 #include <string_view>

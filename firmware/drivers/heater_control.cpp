@@ -15,7 +15,7 @@ namespace registers = ::registers::heater_control;
 
 constexpr std::int64_t cycles_per_tick = registers::tick_cycles;
 
-// Rounded down, so that a time-out is never longer than asked for; at most what the register holds.
+// Rounded down, so that a time-out is never longer than requested; at most what the register holds.
 std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock, std::int64_t most) {
   const std::int64_t ticks = time.count() * clock.count() / (1'000 * cycles_per_tick);
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ticks, 0, most));

@@ -31,7 +31,7 @@ struct HeaterStatus {
 // What is written once for each channel.
 struct HeaterLimits {
   thermal::CountLimits counts;
-  std::uint32_t hot{};  // count below which heat that is not asked for is a trip
+  std::uint32_t hot{};  // count below which heat that is not requested is a trip
   units::Milliseconds settle{};  // how long a gate must be closed before rising heat is not its own
 };
 

@@ -20,7 +20,7 @@ class StepGenerator {
     std::uint64_t clock{};  // clocks since reset
   };
 
-  // Positions and time are those of the clock in which the stop was asked for: after braking the
+  // Positions and time are those of the clock in which the stop was requested: after braking the
   // motors stand further on, where snapshot() says.
   struct Stop {
     bool stopped{};  // the rest is valid only if so or

@@ -34,7 +34,7 @@ class Command {
     return letter == wanted_letter && code == wanted_code;
   }
 
-  // Parameters are asked for by their capital letter, whatever case the line has.
+  // Parameters are looked up by their capital letter, whatever case the line has.
   bool has(char parameter) const { return (present_ & bit(parameter)) != 0; }
   bool has_number(char parameter) const { return (valued_ & bit(parameter)) != 0; }
   bool has_parameters() const { return present_ != 0; }

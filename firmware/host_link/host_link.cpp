@@ -210,7 +210,7 @@ bool HostLink::query_answered(std::string_view report) {
   return true;
 }
 
-// Hosts number the lines of a job, and send between them without number what a person asks for.
+// Hosts number the lines of a job, and send between them without number what a person requests.
 bool HostLink::comes_from_a_person(const ReceivedLine& line) const {
   return job_under_way() && !line.framed() && !numbering_.within_patience(now_);
 }

@@ -28,7 +28,7 @@ struct Statistics {
   std::uint32_t repeats{};  // accepted lines that the host sent again: answered, not run
   std::uint32_t dropped{};  // too new or broken while a resend was awaited
   std::uint32_t refused{};  // unnumbered lines refused with a notice
-  std::uint32_t withdrawn{};  // accepted lines that are not executed, but asked for again
+  std::uint32_t withdrawn{};  // accepted lines that are not executed, but requested again
 };
 
 class HostLink {
@@ -46,7 +46,7 @@ class HostLink {
   std::span<const char> to_send() const { return transmit_.front(); }
   void sent(std::size_t count) { transmit_.drop(count); }
 
-  // Whether the line that next_line() gives asks for temperatures (M105).
+  // Whether the line that next_line() gives requests temperatures (M105).
   bool temperatures_wanted() const;
   // The oldest accepted line, if none is in hand. It stays in hand, and its text valid, until
   // finished(). The text may be empty (a numbered comment): it wants nothing but its ok.
@@ -57,7 +57,7 @@ class HostLink {
   bool finished(std::string_view report = {});
 
   // The line in hand is no command, though its checksum is right: it was damaged twice, or the host
-  // means it so. A numbered one is asked for again once, and so are the lines behind it; it is then
+  // means it so. A numbered one is requested again once, and so are the lines behind it; it is then
   // no longer in hand and wants no ok. False where it is to be answered.
   bool ask_again();
 

@@ -91,7 +91,7 @@ void HostLink::request_resend(LineError error) {
   send_owed();
 }
 
-// The wanted line has come before there was room to ask for it.
+// The wanted line has come before there was room to request it.
 void HostLink::drop_owed_resend() {
   if (!resend_owed_) return;
   resend_owed_ = false;

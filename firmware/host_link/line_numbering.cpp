@@ -78,7 +78,7 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
 }
 
 // What cannot be the wanted line comes from the host's look-ahead or is a remnant of a line that
-// has been asked for again: a second Resend for it would send the host back twice.
+// has been requested again: a second Resend for it would send the host back twice.
 Judgement LineNumbering::refuse_or_ignore(units::Milliseconds now) const {
   if (within_patience(now)) return {Verdict::ignore};
   return {Verdict::refuse, LineError::wrong_number};
@@ -93,7 +93,7 @@ Judgement LineNumbering::judge_broken(const ReceivedLine& line, LineError error,
   return {Verdict::refuse, error};
 }
 
-// A corrupted first line or M110 must be asked for as line 0: the number that the old numbering
+// A corrupted first line or M110 must be requested as line 0: the number that the old numbering
 // wants means nothing to this host, or, worse, another line of its new job.
 bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Milliseconds now) const {
   if (!line.number) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides from number, checksum and history whether a framed line is taken, answered or
-// asked for again.
+// requested again.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ std::string_view describe(LineError error);
 enum class Verdict : std::uint8_t {
   accept,  // the line that was waited for, or the first of a new numbering
   repeat,  // had been accepted before: wants its ok, not to be run
-  refuse,  // ask for a resend
-  ignore,  // drop without a word: a resend has just been asked for and will be asked for again
+  refuse,  // request a resend
+  ignore,  // drop without a word: a resend has just been requested and will be requested again
 };
 
 struct Judgement {
@@ -71,19 +71,19 @@ class LineNumbering {
 
   // The next line of the numbering.
   LineNumber wanted() const;
-  // What a resend request asks for: the wanted line, or the lost beginning of a new numbering.
+  // What a resend requests: the wanted line, or the lost beginning of a new numbering.
   LineNumber asked_for() const { return state_ == State::start_awaited ? 0 : wanted(); }
   bool awaiting_resend() const { return state_ != State::in_order; }
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
 
-  // So often the lost beginning of a numbering is asked for; then the host is taken not to have it.
+  // So often the lost beginning of a numbering is requested; then the host is taken not to have it.
   static constexpr std::uint8_t lost_start_requests = 6;
 
  private:
   enum class State : std::uint8_t {
     in_order,  // the next line comes, or the first
-    line_awaited,  // it has been asked for again
+    line_awaited,  // it has been requested again
     start_awaited,  // a new numbering has begun, known to have come corrupted: its line 0 likewise
   };
 

@@ -31,7 +31,7 @@ TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed);
 TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
                         std::optional<std::int32_t> seconds_left);
 
-// M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was asked for and the motors' steps.
+// M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was requested and the motors' steps.
 TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count);
 

@@ -13,7 +13,7 @@
 
 namespace motion {
 
-// What homing sees. To be taken after everything that the last request asked for has
+// What homing sees. To be taken after everything that the last request started has
 // been passed on.
 struct HomingObservation {
   bool at_rest{};  // planner empty and step generator idle (or stopped, and acknowledged)

@@ -46,13 +46,13 @@ struct Line {
   LineStart start{};
   Scaled rate_of_root{};  // tick rate in ticks per clock = this * sqrt(energy)
   SpecificEnergy work{};  // of the acceleration over the whole length
-  SpecificEnergy nominal{};  // energies of the speed asked for,
+  SpecificEnergy nominal{};  // energies of the speed requested,
   SpecificEnergy max_entry{};  // of the highest allowed at the start,
   SpecificEnergy entry{};  // and of the planned one at the start
   units::Microseconds nominal_time{};
 };
 
-// A displacement as the G-code asks for it, and in the steps that realise it.
+// A displacement as the G-code requests it, and in the steps that realise it.
 struct Displacement {
   units::PerAxis<units::Nanometers> distance{};
   units::PerAxis<std::int32_t> steps{};

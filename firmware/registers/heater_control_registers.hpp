@@ -240,11 +240,11 @@ struct Status {
   bool sensor_invalid_trip{};
   // The sensor gave no conversion for longer than the sensor time-out.
   bool sensor_stale_trip{};
-  // The thermistor count fell below the minimum, whether heat was asked for or not.
+  // The thermistor count fell below the minimum, whether heat was requested or not.
   bool too_hot_trip{};
   // The thermistor count rose above the maximum.
   bool too_cold_trip{};
-  // Heating was asked for before all four limits were set.
+  // Heating was requested before all four limits were set.
   bool limits_missing_trip{};
   // The emergency stop input was active.
   bool emergency_stop_trip{};
@@ -291,7 +291,7 @@ struct Status {
   }
 };
 
-// Below this thermistor count heat that is not asked for is a trip. Locks when written.
+// Below this thermistor count heat that is not requested is a trip. Locks when written.
 struct HotCount {
   static constexpr std::size_t count = 4;
   static constexpr std::uint32_t address_of(std::size_t index) {

@@ -11,7 +11,7 @@ namespace registers {
 enum class Interrupt : std::uint32_t {
   // The deadline has been reached.
   timer = 1u << 7,
-  // Received bytes wait: so many as asked for, or a whole line.
+  // Received bytes wait: as many as the threshold, or a whole line.
   uart_receive = 1u << 16,
   // The queue holds at most control.queue_threshold segments.
   queue_threshold = 1u << 17,
@@ -19,7 +19,7 @@ enum class Interrupt : std::uint32_t {
   motion_stopped = 1u << 18,
   // A channel is tripped, or something opened the supply.
   heater_trip = 1u << 19,
-  // So many bytes as asked for may be written.
+  // There is room for as many bytes as the threshold.
   uart_transmit = 1u << 20,
 };
 

@@ -52,7 +52,7 @@ struct Control {
   bool queue_interrupt_enable{};
   // Interrupt while a stop waits for its acknowledgement.
   bool stop_interrupt_enable{};
-  // Level of the queue at and below which it asks for more.
+  // Level of the queue at and below which it requests more.
   std::uint32_t queue_threshold{};
 
   static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
@@ -166,7 +166,7 @@ struct Status {
   bool stopped{};
   // A segment is being executed, but the scale of time has come to 0.
   bool held{};
-  // A stop has been asked for; motion comes to rest along brake_slope.
+  // A stop has been requested; motion comes to rest along brake_slope.
   bool braking{};
   // At rest, with a next segment that waits for its start.
   bool waiting{};
@@ -226,7 +226,7 @@ struct Errors {
   bool incomplete{};
   // A segment was committed that cannot be executed: a number out of range, or an axis ahead and behind.
   bool illegal{};
-  // A segment was committed from the clock on in which a stop or brake was asked for, before it was acknowledged.
+  // A segment was committed from the clock on in which a stop or brake was requested, before it was acknowledged.
   bool while_stopped{};
   // A position was written while the step generator was not idle.
   bool position{};
@@ -789,7 +789,7 @@ struct StopCause {
   static constexpr std::uint32_t watchdog_mask = 1u << watchdog_bit;
   static constexpr unsigned software_brake_bit = 11;
   static constexpr std::uint32_t software_brake_mask = 1u << software_brake_bit;
-  // End stops that were asked for and triggered.
+  // End stops of the mask that were triggered.
   std::uint32_t end_stops{};
   // The emergency stop input was active.
   bool emergency_input{};
@@ -818,7 +818,7 @@ struct StopCause {
   }
 };
 
-// Positions of all axes in the clock in which the last stop was asked for.
+// Positions of all axes in the clock in which the last stop was requested.
 struct StopPosition {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {
@@ -839,7 +839,7 @@ struct StopPosition {
   }
 };
 
-// Low word: Time at which the last stop was asked for.
+// Low word: Time at which the last stop was requested.
 struct StopTimeLow {
   static constexpr std::uint32_t address = base + 0x124u;
   static constexpr unsigned clocks_low = 0, clocks_width = 32;
@@ -857,7 +857,7 @@ struct StopTimeLow {
   }
 };
 
-// High word: Time at which the last stop was asked for.
+// High word: Time at which the last stop was requested.
 struct StopTimeHigh {
   static constexpr std::uint32_t address = base + 0x128u;
   static constexpr unsigned clocks_low = 0, clocks_width = 32;
@@ -1028,7 +1028,7 @@ struct SnapshotTime {
   }
 };
 
-// Time at which the last stop was asked for. Two words.
+// Time at which the last stop was requested. Two words.
 struct StopTime {
   using Low = StopTimeLow;
   using High = StopTimeHigh;

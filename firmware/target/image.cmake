@@ -25,7 +25,7 @@ ExternalProject_Add(firmware_image
     machine_header_at_3000000)
 add_custom_target(firmware DEPENDS firmware_image)
 
-# Of the same objects, built only where they are asked for; one at a time, since all are builds in the same
+# Of the same objects, built only where they are requested; one at a time, since all are builds in the same
 # folder.
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)
 add_custom_target(firmware_software_stepping

@@ -9,7 +9,7 @@
 namespace units {
 
 // Whole nanometres and, above them, 0 .. 999'999 femtometres. Femtometres hold exactly what G-code
-// can ask for: a billionth of a millimetre (1000 fm), of an inch (25'400 fm), and whole percentages
+// can request: a billionth of a millimetre (1000 fm), of an inch (25'400 fm), and whole percentages
 // of either, so that no sequence of relative moves drifts. Overflow is the caller's to exclude.
 class Position {
  public:

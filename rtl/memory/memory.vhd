@@ -16,11 +16,11 @@ entity memory is
   port (
     clk : in std_ulogic;
     instruction_request : in instruction_request_t;
-    -- The half words asked for in the clock before, each in its place in a word; they stay until the
+    -- The half words requested in the clock before, each in its place in a word; they stay until the
     -- next enabled request.
     instruction_data : out std_ulogic_vector(31 downto 0);
     data_request : in memory_request_t;
-    -- The word asked for in the clock before; undefined after a write.
+    -- The word requested in the clock before; undefined after a write.
     data : out std_ulogic_vector(31 downto 0)
   );
 end entity;
@@ -44,7 +44,7 @@ architecture rtl of memory is
   subtype upper_bank_word_t is natural range 0 to 2 ** (address_bits - 1) - 1;
 
   signal upper_word, lower_word, data_word : word_address_t;
-  -- The bank asked for, and that of what is shown.
+  -- The bank requested, and that of what is shown.
   signal upper_in_upper, lower_in_upper, data_in_upper : std_ulogic;
   signal upper_from_upper, lower_from_upper, data_from_upper : std_ulogic;
   -- What each bank shows.

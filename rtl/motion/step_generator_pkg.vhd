@@ -42,7 +42,7 @@ package step_generator_pkg is
   -- In 2^-32 ticks per clock; 100 ticks/s at 50 MHz.
   constant rate_floor_after_reset : unsigned(30 downto 0) := to_unsigned(8590, 31);
 
-  -- Part of real time at which the base runs: 0 stands still, 2^32 is the rate that segments ask for.
+  -- Part of real time at which the base runs: 0 stands still, 2^32 is the rate that segments request.
   subtype scale_t is unsigned(33 downto 0);
   constant scale_of_one : scale_t := (32 => '1', others => '0');
   -- By which the scale changes in a clock.

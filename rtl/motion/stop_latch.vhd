@@ -33,7 +33,7 @@ entity stop_latch is
     -- The brake has no ramp: what would brake stops at once.
     no_ramp : in std_ulogic;
 
-    -- A stop has been asked for in this clock: the moment to latch positions and time.
+    -- A stop has been requested in this clock: the moment to latch positions and time.
     hit : out std_ulogic;
     -- Motion comes to rest along the ramp, and then stops.
     braking : out std_ulogic := '0';

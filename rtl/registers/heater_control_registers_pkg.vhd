@@ -134,7 +134,7 @@ package heater_control_registers_pkg is
   function to_word(value : heater_control_status_t) return std_ulogic_vector;
   function to_heater_control_status(word : std_ulogic_vector(31 downto 0)) return heater_control_status_t;
 
-  -- Below this thermistor count heat that is not asked for is a trip. Locks when written.
+  -- Below this thermistor count heat that is not requested is a trip. Locks when written.
   constant heater_control_hot_count_address : unsigned(31 downto 0) := x"F0006054";  -- of the first
   subtype heater_control_hot_count_cycles_bits is natural range 31 downto 0;
   type heater_control_hot_count_t is record

@@ -6,7 +6,7 @@ package interrupts_pkg is
   -- The deadline has been reached.
   constant timer_interrupt_number : natural := 7;
 
-  -- Received bytes wait: so many as asked for, or a whole line.
+  -- Received bytes wait: as many as the threshold, or a whole line.
   constant uart_receive_interrupt_number : natural := 16;
 
   -- The queue holds at most control.queue_threshold segments.
@@ -18,7 +18,7 @@ package interrupts_pkg is
   -- A channel is tripped, or something opened the supply.
   constant heater_trip_interrupt_number : natural := 19;
 
-  -- So many bytes as asked for may be written.
+  -- There is room for as many bytes as the threshold.
   constant uart_transmit_interrupt_number : natural := 20;
 
 end package;

@@ -372,7 +372,7 @@ package step_generator_registers_pkg is
   function to_word(value : step_generator_stop_cause_t) return std_ulogic_vector;
   function to_step_generator_stop_cause(word : std_ulogic_vector(31 downto 0)) return step_generator_stop_cause_t;
 
-  -- Positions of all axes in the clock in which the last stop was asked for.
+  -- Positions of all axes in the clock in which the last stop was requested.
   constant step_generator_stop_position_address : unsigned(31 downto 0) := x"F0003104";  -- of the first
   subtype step_generator_stop_position_steps_bits is natural range 31 downto 0;
   type step_generator_stop_position_t is record
@@ -382,7 +382,7 @@ package step_generator_registers_pkg is
   function to_word(value : step_generator_stop_position_t) return std_ulogic_vector;
   function to_step_generator_stop_position(word : std_ulogic_vector(31 downto 0)) return step_generator_stop_position_t;
 
-  -- Low word: Time at which the last stop was asked for.
+  -- Low word: Time at which the last stop was requested.
   constant step_generator_stop_time_low_address : unsigned(31 downto 0) := x"F0003124";
   subtype step_generator_stop_time_low_clocks_bits is natural range 31 downto 0;
   type step_generator_stop_time_low_t is record
@@ -391,7 +391,7 @@ package step_generator_registers_pkg is
   function to_word(value : step_generator_stop_time_low_t) return std_ulogic_vector;
   function to_step_generator_stop_time_low(word : std_ulogic_vector(31 downto 0)) return step_generator_stop_time_low_t;
 
-  -- High word: Time at which the last stop was asked for.
+  -- High word: Time at which the last stop was requested.
   constant step_generator_stop_time_high_address : unsigned(31 downto 0) := x"F0003128";
   subtype step_generator_stop_time_high_clocks_bits is natural range 31 downto 0;
   type step_generator_stop_time_high_t is record

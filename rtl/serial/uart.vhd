@@ -25,7 +25,7 @@ entity uart is
     -- The pins; `receive` is asynchronous.
     receive : in std_ulogic;
     transmit : out std_ulogic;
-    -- Levels: as many bytes wait, or as much space is free, as software has asked for, or a whole line waits.
+    -- Levels: as many bytes wait, or as much space is free, as software has requested, or a whole line waits.
     receive_interrupt : out std_ulogic;
     transmit_interrupt : out std_ulogic := '0';
     at_rest : out std_ulogic

@@ -18,7 +18,7 @@ entity heater_control is
     default_timeout_s : positive range 1 to 5 := 1;
     -- Software cannot make them longer than this.
     maximum_timeout_s : positive range 1 to 5 := 3;
-    -- Shortest charge, in 2^-20 s, that a cut-off may ask for: 3.8 us, where the hottest machine at 300
+    -- Shortest charge, in 2^-20 s, that a cut-off may request: 3.8 us, where the hottest machine at 300
     -- degrees (169 Ohm with the pin, 68 nF) has 8.0 us with nominal parts and 5.1 with the worst.
     least_charge : positive range 1 to 64 := 4;
     -- Software cannot make a settling time longer than this.

@@ -80,7 +80,7 @@ begin
     end if;
   end process;
 
-  -- A condition that fails closes the gate at once; most are latched only while heat is asked for.
+  -- A condition that fails closes the gate at once; most are latched only while heat is requested.
   -- One faulty conversion is no trip, as long as a valid one follows within the sensor time-out.
   latch_trips : process
   begin

@@ -16,7 +16,7 @@ namespace devices {
 
 namespace {
 
-// rtl/debug/debug_transport.vhd asks for five clocks with TCK low.
+// rtl/debug/debug_transport.vhd requests five clocks with TCK low.
 constexpr sim::Clock clocks_per_level = 6;
 // Looking for requests costs a system call.
 constexpr sim::Clock clocks_between_looks = 500;
@@ -117,7 +117,7 @@ bool DebugAdapter::move_pins() {
 }
 
 // Section "remote_bitbang" of OpenOCD's manual for developers: digits are the levels of TCK,
-// TMS and TDI, R asks for TDO, Q ends it; B, b (a lamp) and r to u (reset lines) have nothing
+// TMS and TDI, R requests TDO, Q ends it; B, b (a lamp) and r to u (reset lines) have nothing
 // to move here.
 bool DebugAdapter::obey(char request) {
   if (request >= '0' && request <= '7') {

@@ -111,7 +111,7 @@ void SerialLine::end_rest(sim::Clock now) {
   go_on(now);
 }
 
-// Drives the bit that begins now and asks for the next time at which the level changes.
+// Drives the bit that begins now and requests the next time at which the level changes.
 void SerialLine::drive_next_bit(sim::Clock now) {
   if (sent_bits_ == rest) return end_rest(now);
   if (sent_bits_ == frame_bits) {

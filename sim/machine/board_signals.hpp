@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the boards' constraints ask for at the chip's pins: the simulated board has the same.
+// What the boards' constraints require at the chip's pins: the simulated board has the same.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of the G-code that ask for motion, in order, to be drawn under the path as printed.
+// The lines of the G-code that request motion, in order, to be drawn under the path as printed.
 #pragma once
 
 #include <array>

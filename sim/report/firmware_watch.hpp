@@ -32,7 +32,7 @@ class FirmwareWatch : public sim::Device {
   // are done between two looks, the executed ones come first.)
   std::function<void(sim::Clock now, const AcceptedLine& line)> on_accepted;
   std::function<void(sim::Clock now, bool executed)> on_finished;
-  // The oldest accepted line is asked for again instead.
+  // The oldest accepted line is requested again instead.
   std::function<void(sim::Clock now)> on_withdrawn;
   // Another program has come into the memory, or the firmware again.
   std::function<void(sim::Clock now, bool firmware)> on_program;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the XY steps leave the lines that the G-code asks for, and whether Z and E go along.
+// How far the XY steps leave the lines that the G-code requests, and whether Z and E go along.
 #pragma once
 
 #include <array>
@@ -21,12 +21,12 @@ class PathCheck {
   void set_grid(const std::array<Resolution, 4>& steps_per_mm,
                 const std::array<std::int64_t, 4>& origin);
 
-  // A line of the file, or homing, is asked for from now on.
+  // A line of the file, or homing, is requested from now on.
   void ask(const Move& move);
   void ask_homing() { items_.push_back({.homing = true}); }
   // The axes stand here now, mechanical.
   void at(const std::array<std::int64_t, 4>& position);
-  // Everything asked for has been made, or will not be made.
+  // Everything requested has been made, or will not be made.
   void finish();
   void forget() { items_.clear(); }
 

@@ -21,7 +21,7 @@
 namespace report {
 
 // The end of a G0 or G1 is reached where X, Y, Z and E stand at the same time at the steps that are
-// nearest to it, halves away from zero. What a refused line asks for is not expected; a prevented
+// nearest to it, halves away from zero. What a refused line requests is not expected; a prevented
 // extrusion is a miss, and the lines behind it are judged from where E then stands. Homing is free
 // until it is acknowledged.
 //
@@ -52,7 +52,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   double max_deviation_mm() const { return path_.max_deviation_mm(); }
   double max_deviation_steps() const { return path_.max_deviation_steps(); }
   std::uint64_t lines_apart() const { return path_.lines_apart(); }
-  // Of the executed moves, in X, Y and Z, as the G-code asks for them.
+  // Of the executed moves, in X, Y and Z, as the G-code requests them.
   double length_mm() const { return length_mm_; }
   bool homed() const { return homed_; }
 

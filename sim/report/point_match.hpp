@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the points asked for the machine was at, in their order, whatever it did in between.
+// Which of the points requested the machine was at, in their order, whatever it did in between.
 #pragma once
 
 #include <array>
@@ -39,14 +39,14 @@ struct UnreachedPoint {
 // for between them: further ones, with which it may have come by later, are unasked.
 class PointMatch {
  public:
-  // The machine stands at `start`, which needs not be asked for.
+  // The machine stands at `start`, which needs not be requested.
   explicit PointMatch(const MachineState& start);
 
-  // The file asks for this place, from now on.
+  // The file requests this place, from now on.
   void ask(const Steps& target, AskedLine line);
   // The machine is here now.
   void at(const MachineState& state);
-  // Everything asked for must have been made: what was not reached is missed. Where the machine is
+  // Everything requested must have been made: what was not reached is missed. Where the machine is
   // said to rest since then, the last point is missed too unless it stands there.
   void settle(bool rests);
   // Nothing more comes, but lines may have been under way: they are neither reached nor missed.
@@ -54,7 +54,7 @@ class PointMatch {
   // The machine has been moved here by other means than lines.
   void restart(const MachineState& here, const Steps& meant);
 
-  // Every line asked for is decided on, and the last one known to be made.
+  // Every line requested is decided on, and the last one known to be made.
   bool nothing_open() const { return items_.empty() && !last_line_open_; }
   std::uint64_t reached() const { return reached_; }
   const Steps& unasked_steps() const { return unasked_; }
@@ -82,7 +82,7 @@ class PointMatch {
   void settle_oldest();
 
   std::deque<Item> items_;
-  Steps last_target_;  // of the last line asked for
+  Steps last_target_;  // of the last line requested
   AskedLine last_line_;
   bool last_line_open_ = false;  // has not been settled
   Steps settled_target_;  // of the last line that is decided on

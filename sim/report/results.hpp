@@ -80,7 +80,7 @@ struct Results {
   std::uint64_t messages_dropped{};
   Findings findings;
 
-  // Everything that the file asks for was made, and nothing else.
+  // Everything that the file requests was made, and nothing else.
   bool good() const { return findings.problems.empty(); }
 };
 

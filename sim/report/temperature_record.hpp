@@ -20,7 +20,7 @@ struct TemperatureSample {
 };
 
 struct TemperatureResult {
-  double target_c{};  // the highest that the G-code asked for; 0 for none
+  double target_c{};  // the highest that the G-code requested; 0 for none
   double max_c{};
   double seconds_to_target{};  // from the first command to within 1 degree; -1 where never
   double band_c{};  // largest distance from the target while it was held, from M109 or M190 done on

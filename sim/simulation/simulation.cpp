@@ -40,7 +40,7 @@ void Simulation::wake_due_devices() {
 void Simulation::run_until(Clock limit) {
   stopping_ = false;
   while (now() < limit && !stopping_) {
-    // A device may have asked for a time that has passed (set before it was attached): that is now.
+    // A device may have requested a time that has passed (set before it was attached): that is now.
     const Clock wake = std::max(earliest_wake(), now());
     if (wake > now()) chip_.advance(std::min(limit, wake));
     const OutputPins changed{chip_.outputs().word ^ previous_.word};

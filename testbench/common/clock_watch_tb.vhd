@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The supply opens when the clock stands still, and stays open until the chip has asked for that itself.
+-- The supply opens when the clock stands still, and stays open until the chip has requested that itself.
 
 library ieee;
 use ieee.std_logic_1164.all;

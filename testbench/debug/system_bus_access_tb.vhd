@@ -115,7 +115,7 @@ begin
     write_at(x"80000006", x"89abcdef", 0, "0100", x"efefefef");
     write_at(x"80000007", x"89abcdef", 0, "1000", x"efefefef");
 
-    -- The port is the processor's for a while; what is asked for meanwhile comes too early.
+    -- The port is the processor's for a while; what is requested meanwhile comes too early.
     port_free <= '0';
     pulse(write_control, x"00150000");
     pulse(write_address, x"80000010");

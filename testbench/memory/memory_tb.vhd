@@ -97,7 +97,7 @@ begin
         report integer'image(upper) & " and " & integer'image(lower) severity failure;
     end procedure;
 
-    -- Both ports are asked for a word while neither is enabled: they keep what they show, nothing is written.
+    -- A word is requested at both ports while neither is enabled: they keep their output, nothing is written.
     procedure rest(word : natural) is
       variable shown, shown_instruction : std_ulogic_vector(31 downto 0);
     begin
@@ -127,7 +127,7 @@ begin
     -- Half words from both sides of the border.
     fetch(border - 1, border);
     fetch(border, border - 1);
-    -- What is shown stays, whichever bank is asked for next.
+    -- What is shown stays, whichever bank is requested next.
     load(border);
     rest(5);
     load(5);

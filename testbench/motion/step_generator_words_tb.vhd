@@ -109,7 +109,7 @@ begin
     write(master, step_generator_direction_guard_address + 4, direction_guard(setup => 3, hold => 2));
     expect(master, step_generator_errors_address, 0);
 
-    -- What is queued waits for `run`; the queue asks for more at its threshold.
+    -- What is queued waits for `run`; the queue requests more at its threshold.
     write(master, step_generator_control_address, one_of_threshold + both_interrupts);
     append_segment(master, 2, 1, 8, 0);
     assert outputs.queue_interrupt = '1' severity failure;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The pins are the step generator's until software asks for them, and none rises in an emergency.
+-- The pins are the step generator's until software requests them, and none rises in an emergency.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -165,7 +165,7 @@ begin
       acknowledge_stop(clk, inputs);
     end loop;
 
-    -- The next segment of a brake asks for another switch: it stops, though it was triggered before.
+    -- The next segment of a brake selects another switch: it stops, though it was triggered before.
     inputs.stop_on <= (mask => x"02", on_change => '0', on_release => '0', brakes => '1');
     inputs.end_stops <= x"12";
     inputs.active <= '1';

@@ -32,7 +32,7 @@ begin
     wait_for_clock(clk);
     assert outputs.stop = '0' severity failure;
 
-    -- Only end stops that are asked for, and only during a segment.
+    -- Only end stops of the mask, and only during a segment.
     inputs.stop_on.mask <= x"0C";
     inputs.end_stops <= x"FF";
     settle;
@@ -107,7 +107,7 @@ begin
     assert outputs.cause.end_stops = x"02" severity failure;
     acknowledge_stop(clk, inputs);
 
-    -- Only a change, in the direction that is asked for.
+    -- Only a change, in the direction that is requested.
     inputs.stop_on <= (mask => x"0F", on_change => '1', on_release => '0', brakes => '0');
     inputs.end_stops <= x"0A";
     wait_for_clock(clk);

@@ -49,7 +49,7 @@ begin
     inputs.run <= '1';
     wait_for_clocks(clk, 2);
 
-    -- Leaps of 4 take a ramp through the same ticks in a quarter of the clocks, and the base asks for
+    -- Leaps of 4 take a ramp through the same ticks in a quarter of the clocks, and the base requests
     -- shorter ones where it nears the highest rate.
     inputs.rate_floor <= to_unsigned(1, 31);
     for leaps in 0 to 2 loop

@@ -136,7 +136,7 @@ begin
     timer_interrupt <= '0';
     wait_clocks(clk, 3);
 
-    -- Debug mode: by ebreak where it is asked for, with no trap; and back.
+    -- Debug mode: by ebreak where it is requested, with no trap; and back.
     debug_request.halt_at_breakpoint <= '1';
     execute(ebreak);
     halts : assert enter_debug = '1' and machine_trap.enable = '0' and flush = '1' severity failure;

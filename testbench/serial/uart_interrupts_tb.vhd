@@ -116,7 +116,7 @@ begin
       check_line("as many bytes as asked for", '1', '0');
       expect_byte(master, x"01");
       expect_byte(master, x"02");
-      -- Not asked for, but to be seen.
+      -- Not requested, but to be seen.
       write(master, interrupts, interrupts_word);
       send_byte(sent, line_feed, bit_time);
       check_line("not asked for", '0', '1');

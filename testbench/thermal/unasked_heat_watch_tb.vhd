@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A count an eighth below the reference shows heat that was not asked for; nothing else does.
+-- A count an eighth below the reference shows heat that was not requested; nothing else does.
 
 library ieee;
 use ieee.std_logic_1164.all;

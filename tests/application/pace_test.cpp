@@ -133,7 +133,7 @@ TEST(pace, a_factor_of_a_person_above_100_is_for_the_lines_to_come) {
   EXPECT_NEAR(printer.mm(x), 40, 2);
 }
 
-// Lines with 300 % of it, and limits that some of them reach, are slowed to what is asked for now.
+// Lines with 300 % of it, and limits that some of them reach, are slowed to what is requested now.
 TEST(pace, a_factor_of_a_person_below_that_of_the_lines_under_way_slows_them_to_it) {
   Printer printer;
   Job job(printer);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t clock_hz = 4'000'000;
 constexpr sim::Clock millisecond = clock_hz / 1000;
 
-// Sends a line now and then, whether it is asked for or not, and disturbs the pins that the
+// Sends a line now and then, whether it is requested or not, and disturbs the pins that the
 // printer's other devices leave alone: bouncing switches, a noisy serial line, the emergency stop.
 class Tormentor : public sim::Device, public devices::ByteListener {
  public:

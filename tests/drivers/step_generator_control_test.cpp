@@ -15,7 +15,7 @@ TEST_F(StepGeneratorControlTest,
   segment.stop_mask = 0b100;
   append(segment);
   append(line({1000, 0, 0, 0}));
-  chip_->end_stops = 0b011;  // not asked for
+  chip_->end_stops = 0b011;  // not requested
   chip_.clock(5000);
   EXPECT_FALSE(generator_.stop_state().stopped);
   chip_->end_stops = 0b111;

@@ -23,7 +23,7 @@ std::uint32_t setting(const char* name, std::uint32_t otherwise) {
   return asked ? static_cast<std::uint32_t>(std::strtoul(asked, nullptr, 10)) : otherwise;
 }
 
-// Runs of 500 segments; the slow variant of the test asks for more.
+// Runs of 500 segments; the slow variant of the test requests more.
 std::uint32_t runs() { return setting("STEP_GENERATOR_RUNS", 16); }
 std::uint32_t first_seed() { return setting("STEP_GENERATOR_FIRST_SEED", 0); }
 

@@ -109,7 +109,7 @@ void Host::transmit(const Line& line, bool damaged) {
     char& byte = bytes[(line.damaged_byte - 1) % bytes.size()];
     const char right = byte;
     byte = static_cast<char>(byte ^ 1 << line.damaged_bit);
-    // A damaged M110 is asked for as line 0, which this host no longer has; M118 is a bit away.
+    // A damaged M110 is requested as line 0, which this host no longer has; M118 is a bit away.
     if (bytes.contains("M110")) byte = static_cast<char>(right ^ 1);
   }
   bytes += '\n';

@@ -141,7 +141,7 @@ struct Case {
 class DamagedReply : public testing::TestWithParam<Case> {};
 
 // The host reads a number here, and there is only one: a digit that has become another one, or one
-// more next to it, asks for another line. OctoPrint ends a print that it cannot send again from
+// more next to it, requests another line. OctoPrint ends a print that it cannot send again from
 // there, Cura one of which it is behind the end.
 bool may_change_number(const std::string& answer, std::size_t position) {
   const std::size_t line = answer.find("Resend");

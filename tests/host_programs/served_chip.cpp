@@ -98,7 +98,7 @@ std::vector<std::string> ServedChip::ask(int number, const std::string& text) {
 }
 
 void ServedChip::expect_that_a_fresh_host_prints() {
-  // A host waits before it is started, and throws away what it has not asked for.
+  // A host waits before it is started, and throws away what it has not requested.
   run(2.5);
   replies_.clear();
   send("\nM105\n");

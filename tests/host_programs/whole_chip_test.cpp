@@ -59,7 +59,7 @@ Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& li
     if (!line.number || line.text.starts_with("M110")) continue;
     const auto place = static_cast<std::size_t>(*line.number - first);
     if (place < taken.lines.size()) {
-      // What was no command has been asked for again, with the lines behind it.
+      // What was no command has been requested again, with the lines behind it.
       EXPECT_FALSE(gcode::parse(taken.lines[place]).has_value()) << taken.lines[place];
       taken.lines.resize(place);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives a planner and the step model together as the firmware does, and checks every tick and
-// every change of segment against the moves that were asked for and the limits of the machine.
+// every change of segment against the moves that were requested and the limits of the machine.
 #pragma once
 
 #include <deque>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a G-code file asks for, in steps: an interpreter of its own, written from the meaning of the
+// What a G-code file requests, in steps: an interpreter of its own, written from the meaning of the
 // codes and sharing nothing with the firmware or the simulation.
 #pragma once
 
@@ -16,11 +16,11 @@ struct AskedMove {
   int line{};  // in the file, from 1
   bool homing{};  // G28: ends with the homed axes at 0
   std::array<bool, axes> homed{};  // which
-  std::array<std::int64_t, axes> steps{};  // position asked for at the end
+  std::array<std::int64_t, axes> steps{};  // position requested at the end
   std::array<double, axes> exact_steps{};  // the same before rounding
 };
 
-// Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else asks for no motion). Positions are mechanical: they
+// Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else requests no motion). Positions are mechanical: they
 // start at 0 on every axis, E counts from its position at the start.
 std::vector<AskedMove> asked_moves(const std::filesystem::path& gcode,
                                    const std::array<double, axes>& steps_per_mm);

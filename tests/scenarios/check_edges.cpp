@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// check_edges: do the step edges of a print make exactly what its G-code asks for?
+// check_edges: do the step edges of a print make exactly what its G-code requests?
 //
 // Replays the edges and walks the G-code along with them: every point of the file is reached to
 // the step, in order, and between two points the path stays within a step of the straight line.

@@ -50,7 +50,7 @@ TEST(verdict, is_good_for_moves_shorter_than_a_step) {
   EXPECT_EQ(print.report["path"]["points_reached"], 103);
 }
 
-// The second line asks for a step in 0.125 s.
+// The second line requests a step in 0.125 s.
 TEST(verdict, is_good_for_a_line_of_eight_steps_a_second) {
   const Print print = print_text("G91\nG1 X1 F600\nG1 X0.2 F6\nG1 X1 F600\n");
   EXPECT_EQ(print.job.status, 0) << print.job.output;

@@ -98,7 +98,7 @@ TEST_F(FileHostTest, gives_up_on_a_line_that_is_refused_again_and_again) {
 }
 
 TEST_F(FileHostTest, gives_up_where_the_chip_sends_it_back_to_an_old_line_for_ever) {
-  // As after M110 N1 in the midst of a job: every answer but a repeat asks for line 1.
+  // As after M110 N1 in the midst of a job: every answer but a repeat requests line 1.
   const auto commands = devices::parse_gcode_text("G28\nG1 X1\nG1 X2\n", "test");
   host.emplace(*commands, line, rate);
   simulation.attach(*host, {});
@@ -154,7 +154,7 @@ TEST_F(FileHostTest, ends_well_where_the_chip_asks_for_a_line_behind_the_last) {
   EXPECT_THAT(sent, ElementsAre("N0 M110 N0*125", "N1 G28*18", "N2 M400*37"));
 }
 
-// Noise has made two damaged halves of line 1: it is asked for twice, and both copies are answered.
+// Noise has made two damaged halves of line 1: it is requested twice, and both copies are answered.
 TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_a_copy_was_answered_too) {
   print("G28\nG1 X1\n", {"ok\n", "Resend: 1\nok\nResend: 1\nok\n", "ok\n", "ok\n", "", "", "", ""},
         2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of the steps: what each line of a file asks for, and when it is judged.
+// The judge of the steps: what each line of a file requests, and when it is judged.
 #include "tests/sim/point_check_fixture.hpp"
 
 namespace {

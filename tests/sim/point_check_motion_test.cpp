@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of the steps: motion that no line asks for is found.
+// The judge of the steps: motion that no line requests is found.
 #include "tests/sim/point_check_fixture.hpp"
 
 namespace {

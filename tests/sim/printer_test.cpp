@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole world around the chip, with a fake chip that makes the pulses a test asks for.
+// The whole world around the chip, with a fake chip that makes the pulses a test requests.
 #include "sim/machine/printer.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heat that goes missing, heat that was not asked for, and what is neither.
+// Heat that goes missing, heat that was not requested, and what is neither.
 #include "thermal/plausibility.hpp"
 
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@ namespace benchmarks {
 
 // Lines of one direction, one after the other, from rest to rest.
 struct Printing {
-  double interval_clocks{};  // between two ticks at the feed rate that is asked for
+  double interval_clocks{};  // between two ticks at the feed rate that is requested
   std::uint32_t ticks_per_line{};  // a multiple of 100
   std::uint32_t lines{};
   std::size_t axes = 1;  // X steps at each tick, the others at parts of them
@@ -41,7 +41,7 @@ struct PrintingRun {
   double largest_lateness_clocks{};
 
   // Every pulse, the guard kept, no tick late or delayed, the queue never empty at speed, and in
-  // the middle half of the motion the rate that was asked for.
+  // the middle half of the motion the rate that was requested.
   bool clean(const Printing& printing) const { return fault(printing).empty(); }
   // The first of these that does not hold, in words.
   std::string_view fault(const Printing& printing) const;

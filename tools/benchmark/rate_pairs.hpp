@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The highest rates of both ways to make steps side by side, whatever asks for the steps: the bare
+// The highest rates of both ways to make steps side by side, whatever requests the steps: the bare
 // stepping loop or the whole firmware.
 #pragma once
 

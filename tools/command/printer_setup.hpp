@@ -20,7 +20,7 @@ struct StartTemperatures {
 // where that fails.
 class PrinterSetup {
  public:
-  // `warm` counts where the choices ask for a warm start.
+  // `warm` counts where the choices request a warm start.
   PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm);
 
   const sim::ElfImage& firmware() const { return firmware_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The job `prove`: tries what is asked for, on several processor cores.
+// The job `prove`: tries what is requested, on several processor cores.
 #pragma once
 
 #include <CLI/CLI.hpp>

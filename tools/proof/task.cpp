@@ -105,7 +105,7 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
   return solve(input, {"induction", "-i", proof.depth}, folder, limit);
 }
 
-// Every value in turn: asked for in each clock as the first that is not zero.
+// Every value in turn: requested in each clock as the first that is not zero.
 Outcome sight(const SolverInput& input, const Proof& proof, const fs::path& folder,
               std::chrono::seconds limit) {
   std::string script =

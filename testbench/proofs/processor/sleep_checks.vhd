@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The processor sleeps in wfi only as long as it must, asks for nothing at rest, and never stands still.
+-- The processor sleeps in wfi only as long as it must, requests nothing at rest, and never stands still.
 
 library ieee;
 use ieee.std_logic_1164.all;
