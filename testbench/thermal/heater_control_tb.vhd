@@ -131,6 +131,8 @@ begin
     write(master, heater_control_duty_address, 0);
     clear_trips(master, "0011", heater_control_clear_key_clear_trips + 1);
     expect_trip(master, outputs.interrupt, heater_control_status_limits_missing_trip_bit);
+    clear_trips(master, "0011", heater_control_clear_key_clear_trips - 1);
+    expect_trip(master, outputs.interrupt, heater_control_status_limits_missing_trip_bit);
     clear_trips(master);
     is_cleared : assert outputs.interrupt = '0' report "still tripped" severity error;
 
@@ -223,6 +225,7 @@ begin
     reset <= '1';
     wait_clocks(clk, 3);
     is_off_in_reset : assert outputs.gates = "00" report "heats" severity error;
+    no_interrupt_in_reset : assert outputs.interrupt = '0' report "interrupts" severity error;
     reset <= '0';
     wait_clocks(clk, 3);
     read(master, heater_control_minimum_count_address, word);

@@ -31,7 +31,7 @@ constexpr const char* wide =
     "[[register.field]]\nname = 'clocks'\nbits = '63:0'\nsummary = 'Since reset.'\n";
 constexpr const char* plain =
     "[[register]]\nname = 'state'\naccess = 'read'\nsummary = 'A state.'\n"
-    "[[register.field]]\nname = 'on'\nbits = 0\nsummary = 'On.'\n";
+    "[[register.field]]\nname = 'busy'\nbits = 0\nsummary = 'On.'\n";
 
 TEST(Description, makes_two_registers_of_64_bits_the_low_word_first) {
   const Peripheral unit = read(std::string(wide) + plain);
@@ -97,6 +97,13 @@ TEST(Description, refuses_64_bits_with_company) {
   EXPECT_THAT(refusal_of(std::string(wide) +
                          "[[register.field]]\nname = 'more'\nbits = 3\nsummary = 'More.'\n"),
               HasSubstr("time: 64 bits are one field alone"));
+}
+
+TEST(Description, refuses_a_reserved_word_of_vhdl_or_cpp_as_a_name) {
+  for (const std::string name : {"on", "signal", "register", "default"}) {
+    const auto field = "[[register.field]]\nname = '" + name + "'\nbits = 3\nsummary = 'More.'\n";
+    EXPECT_THAT(refusal_of(plain + field), HasSubstr("'" + name + "' is a reserved word"));
+  }
 }
 
 TEST(Description, refuses_a_constant_without_a_value) {

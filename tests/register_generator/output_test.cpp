@@ -33,7 +33,7 @@ values = { slow = 1, fast = 6 }
 reset = 6
 summary = 'A speed.'
 [[register.field]]
-name = 'on'
+name = 'lit'
 bits = 31
 summary = 'Whether.'
 )");
@@ -47,9 +47,9 @@ summary = 'Whether.'
 
 TEST_F(Output, names_the_places_of_fields_on_both_sides) {
   EXPECT_THAT(package_, HasSubstr("subtype unit_mode_speed_bits is natural range 10 downto 8;"));
-  EXPECT_THAT(package_, HasSubstr("constant unit_mode_on_bit : natural := 31;"));
+  EXPECT_THAT(package_, HasSubstr("constant unit_mode_lit_bit : natural := 31;"));
   EXPECT_THAT(header_, HasSubstr("unsigned speed_low = 8, speed_width = 3;"));
-  EXPECT_THAT(header_, HasSubstr("unsigned on_bit = 31;"));
+  EXPECT_THAT(header_, HasSubstr("unsigned lit_bit = 31;"));
 }
 
 TEST_F(Output, gives_named_values_the_same_codes_on_both_sides) {
@@ -65,14 +65,14 @@ TEST_F(Output, shares_constants) {
 }
 
 TEST_F(Output, makes_words_of_values_with_zeros_where_no_field_is) {
-  EXPECT_THAT(package_, HasSubstr("return value.on & \"00000000000000000000\" & "
+  EXPECT_THAT(package_, HasSubstr("return value.lit & \"00000000000000000000\" & "
                                   "std_ulogic_vector(value.speed) & \"00000000\";"));
   EXPECT_THAT(package_, HasSubstr("speed => unsigned(word(unit_mode_speed_bits)),"));
 }
 
 TEST_F(Output, keeps_what_is_stored_as_a_value_from_its_reset_on) {
   EXPECT_THAT(package_, HasSubstr("unit_mode_after_reset : unit_mode_t := "
-                                  "(speed => 3x\"6\", on => '0');"));
+                                  "(speed => 3x\"6\", lit => '0');"));
   EXPECT_THAT(registers_, HasSubstr("mode_stored <= to_unit_mode(written_data);"));
   EXPECT_THAT(registers_, HasSubstr("mode_word <= to_word(mode_stored)"));
 }

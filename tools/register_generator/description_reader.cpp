@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "register_generator/reserved_words.hpp"
+
 namespace register_generator {
 
 toml::table Reader::table() const {
@@ -37,6 +39,7 @@ std::string Reader::name(const toml::table& table, const std::string& place) con
                        return std::islower(c) || std::isdigit(c) || c == '_';
                      });
   if (!legal) fail(place, fmt::format("name '{}' is not lower snake_case", *text));
+  if (is_reserved(*text)) fail(place, fmt::format("name '{}' is a reserved word", *text));
   return *text;
 }
 
