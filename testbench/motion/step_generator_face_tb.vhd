@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, the rate floor, drivers that
--- stay on until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
+-- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, the queue's threshold and
+-- highest level, the rate floor, drivers that stay on until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
 -- generator, which gets no edge that may be left out, does the same.
 
 library ieee;
@@ -70,9 +70,25 @@ begin
     stop_time <= release;
     rested_stop_time <= release;
 
+    -- The queue asks for more at the threshold that software sets, and keeps its highest level; axes that are
+    -- not there read as 0.
+    write(master, step_generator_motor_enable_address, 3);
+    write(master, step_generator_control_address, 2 * one_of_threshold + both_interrupts);
+    for level in 1 to 3 loop
+      append_segment(master, 1, 1, 8);
+      wait_clocks(clk, 2);
+      assert (outputs.queue_interrupt = '1') = (level <= 2) severity failure;
+    end loop;
+    write(master, step_generator_command_address, flush_command);
+    expect(master, step_generator_status_address, 4 * one_free + idle_status);
+    expect(master, step_generator_max_level_address, 3);
+    expect(master, step_generator_position_address + 4 * (axis_limit - 1), 0);
+    expect(master, step_generator_snapshot_position_address + 4 * (axis_limit - 1), 0);
+    expect(master, step_generator_stop_position_address + 4 * (axis_limit - 1), 0);
+    expect(master, step_generator_axis_stalls_address + 4 * (axis_limit - 1), 0);
+
     -- Eight ticks at the floor of 1/16 tick per clock, where the segment has a rate of 0.
     write(master, step_generator_rate_floor_address, 2 ** 28);
-    write(master, step_generator_motor_enable_address, 3);
     write(master, step_generator_control_address, run + both_interrupts);
     append_segment(master, 1, 0, 8, rate_high => 0);
     wait until outputs.moving = '1' for 1 us;
