@@ -42,7 +42,7 @@ struct Jobs {
   DebugOptions debug;
   FuzzOptions fuzz;
   figures::Options figures;
-  std::vector<std::string> labels;
+  TestOptions test;
 };
 
 // Waveforms and the debug port need other builds of the chip's model, which slow nothing else down.
@@ -79,7 +79,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("load")) return load(jobs.load);
   if (app.got_subcommand("bench")) return bench(jobs.bench);
   if (app.got_subcommand("fuzz")) return fuzz(jobs.fuzz);
-  if (app.got_subcommand("test")) return test(jobs.labels);
+  if (app.got_subcommand("test")) return test(jobs.test);
   if (app.got_subcommand("figures")) {
     const bool good =
         figures::run(jobs.figures, project_folder(), build_folder(), build, end_if_interrupted);
@@ -119,9 +119,12 @@ int run_command(int count, char** arguments) {
   add_options(app, jobs.serve);
   add_options(app, jobs.run);
   add_options(app, jobs.load);
-  app.add_subcommand("test", "Build everything and run all tests, or those of some labels.")
-      ->add_option("labels", jobs.labels, "unit, testbench, repository, scenario, fuzz, ...")
+  auto* tests =
+      app.add_subcommand("test", "Build everything and run all tests, or those of some labels.");
+  tests->add_option("labels", jobs.test.labels, "unit, testbench, repository, scenario, fuzz, ...")
       ->type_name("LABEL...");
+  tests->add_option("--costs", jobs.test.costs, "write what the tests have cost into this folder")
+      ->type_name("DIR");
   add_options(app, jobs.fuzz);
   proof::add_options(
       *app.add_subcommand("prove", "Try the formal proofs, and that each of them bites."),

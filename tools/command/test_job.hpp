@@ -2,12 +2,18 @@
 // `test`: builds everything and runs the tests.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace command {
 
-// All tests, or those that bear one of the labels. Returns the exit status of the job.
-int test(const std::vector<std::string>& labels);
+struct TestOptions {
+  std::vector<std::string> labels;  // the tests that bear one of them; empty: all
+  std::filesystem::path costs;  // folder for costs.md and costs.json; empty: neither is written
+};
+
+// Returns the exit status of the job.
+int test(const TestOptions& options);
 
 }  // namespace command
