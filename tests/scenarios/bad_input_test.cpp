@@ -33,6 +33,18 @@ TEST(bad_input, a_binary_file_is_refused_before_anything_moves) {
   EXPECT_EQ(print.report["result"], "faulted");
 }
 
+// The firmware refuses the first target and takes the second.
+TEST(bad_input, a_target_beyond_what_the_hotend_may_have_does_not_warm_it) {
+  const auto print = print_text("M104 S400\nM109 S205\nG28 X\n", {"--warm"});
+  EXPECT_THAT(print.job.output,
+              testing::HasSubstr("--warm does not start the hotend near 400 °C: its highest target "
+                                 "is 260 °C"));
+  EXPECT_THAT(print.job.output, testing::HasSubstr("Above the highest target of 260.00"));
+  EXPECT_EQ(print.report["result"], "completed");
+  EXPECT_LT(print.report["hotend"]["max_c"].get<double>(), 210);
+  EXPECT_LT(print.report["simulated_seconds"].get<double>(), 40);
+}
+
 // Every kind of bad line between good ones, cold: the good ones are executed, the bad
 // ones are named.
 TEST(bad_input, bad_lines_are_reported_and_the_good_ones_around_them_are_executed) {

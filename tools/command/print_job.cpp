@@ -13,7 +13,6 @@
 
 #include "sim/devices/file_host.hpp"
 #include "sim/devices/gcode_file.hpp"
-#include "sim/machine/surroundings.hpp"
 #include "sim/report/accept_log.hpp"
 #include "sim/report/gcode_path.hpp"
 #include "sim/report/recorder.hpp"
@@ -26,6 +25,7 @@
 #include "tools/command/progress.hpp"
 #include "tools/command/report_files.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/command/warm_start.hpp"
 
 namespace command {
 
@@ -38,32 +38,12 @@ constexpr double chunk_seconds = 0.02;
 // After the last answer: pulses end, and after a fault one sees whether the heat is off.
 constexpr double after_completion_seconds = 0.05;
 constexpr double after_fault_seconds = 0.5;
-// How far below its first target a warm start begins.
-constexpr double warm_distance_c = 3.0;
 
 // Input that cannot be printed is a result too: the report says so.
 int refuse(const ReportFiles& reports, const std::string& reason) {
   reports.write_refusal(reason);
   say_to(stderr, "stepfabric: {}\n", reason);
   return bad_input;
-}
-
-StartTemperatures near_first_targets(const std::vector<devices::FileCommand>& commands) {
-  StartTemperatures start{machine::ambient_celsius, machine::ambient_celsius};
-  bool hotend_known = false, bed_known = false;
-  report::GcodePath gcode;
-  for (const devices::FileCommand& command : commands) {
-    const report::Request request = gcode.read(command.text);
-    const auto* target = std::get_if<report::TemperatureTarget>(&request);
-    if (target == nullptr || target->celsius <= 0) continue;
-    bool& known = target->bed ? bed_known : hotend_known;
-    double& celsius = target->bed ? start.bed_c : start.hotend_c;
-    if (!known) {
-      celsius = std::max(machine::ambient_celsius, target->celsius - warm_distance_c);
-      known = true;
-    }
-  }
-  return start;
 }
 
 ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
@@ -199,7 +179,9 @@ void check_files(const PrintOptions& options) {
 int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) return refuse(reports, commands.error());
-  PrinterSetup setup(options.printer, near_first_targets(*commands));
+  StartTemperatures warm;
+  if (options.printer.warm) warm = near_first_targets(*commands, description_of(options.printer));
+  PrinterSetup setup(options.printer, warm);
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});

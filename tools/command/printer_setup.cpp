@@ -26,9 +26,12 @@ std::filesystem::path default_machine() {
   return project_folder() / "firmware" / "machines" / "prusa_mendel.toml";
 }
 
+machine::Description description_of(const PrinterChoices& choices) {
+  return machine::read_description(choices.machine.empty() ? default_machine() : choices.machine);
+}
+
 PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm)
-    : description_(
-          machine::read_description(choices.machine.empty() ? default_machine() : choices.machine)),
+    : description_(description_of(choices)),
       firmware_(built_firmware(choices.stepping)),
       chip_(choices.clock_hz, choices.every_clock ? sim::Edges::all : sim::Edges::leaping,
             choices.every_clock ? sim::Processor::netlist : choices.processor),

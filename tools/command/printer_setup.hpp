@@ -16,6 +16,9 @@ struct StartTemperatures {
   double bed_c{};
 };
 
+// Of the machine that was chosen. Throws std::runtime_error where it cannot be read.
+machine::Description description_of(const PrinterChoices& choices);
+
 // Builds the firmware and reads the machine description: throws std::runtime_error
 // where that fails.
 class PrinterSetup {
