@@ -10,10 +10,13 @@ namespace {
 
 // A supply that falls to so much of what it was, in percent.
 constexpr std::int32_t least_supply = 80;
-// What fan and filament take may be so many times as much of the loss in still air as described.
+// What fan and filament take more may be so many times as much as described.
 constexpr std::int32_t most_carried = 2;
 // The lags may be so much longer or shorter, in percent.
-constexpr std::int32_t lag_tolerance = 25;
+constexpr std::int32_t lag_tolerance = 50;
+// A block that has become warmer loses more; how much depends on the room, too. In percent of the
+// growth by the model.
+constexpr std::int32_t most_growth = 125;
 // Of a quotient, so that no product of sums exceeds 31 bits.
 constexpr std::int32_t growth_scale = 256;
 
@@ -59,27 +62,30 @@ void Demand::find_pairs() {
   const Span now = both(spans_[length - 2], spans_[length - 1]);
   least_heating_ = now.heating - stored(now);
   measured_ = now.measured;
-  const std::int32_t cooled_now = now.still + most_carried * now.carried;
   for (std::size_t i = length - seen_; i + 3 < length; ++i) {
     const Span before = both(spans_[i], spans_[i + 1]);
-    // From a colder block less is lost; how much less depends on the room, too.
-    if (before.still < now.still / 16 * 15 || before.still <= 0) continue;
-    const std::int32_t cooled_before = before.still + most_carried * before.carried;
+    // Of a block that was much colder too little is known.
+    if (before.still < now.still / 2 || before.still <= 0) continue;
+    const std::int32_t warmer = std::max<std::int32_t>(now.still - before.still, 0);
+    const std::int32_t more_carried = std::max<std::int32_t>(now.carried - before.carried, 0);
     pairs_[pairs_seen_++] = {
         .most_heating = before.heating + stored(before),
         .measured = before.measured,
-        .more_cooled = std::max(cooled_now, cooled_before) * growth_scale / cooled_before};
+        .more_lost = growth_scale + warmer * growth_scale / before.still * most_growth / 100,
+        .more_carried = most_carried * more_carried};
   }
 }
 
 bool Demand::has_grown(const Power& power) const {
-  const std::int32_t least_now = least_heating_ * power.least / Power::scale - measured_;
-  const std::int32_t explained = least_now * least_supply / (100 + model_->draught);
+  const std::int32_t least_heat = least_heating_ * power.least / Power::scale;
+  const std::int32_t explained =
+      (least_heat * least_supply / 100 - measured_) * 100 / (100 + model_->draught);
   for (std::size_t i = 0; i < pairs_seen_; ++i) {
     const Pair& before = pairs_[i];
     const std::int32_t most_before =
         before.most_heating * power.most / Power::scale - before.measured;
-    if (explained > std::max<std::int32_t>(most_before, 0) * before.more_cooled / growth_scale) {
+    if (explained > std::max<std::int32_t>(most_before, 0) * before.more_lost / growth_scale +
+                        before.more_carried) {
       return true;
     }
   }

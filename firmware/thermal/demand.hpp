@@ -24,7 +24,7 @@ class Demand {
   // The model must outlive it.
   explicit constexpr Demand(const HeaterModel& model) : model_(&model), span_(span_of(model)) {}
 
-  // With each window of the comparison, while one target is held: true if there is more to judge.
+  // With each window of the comparison, while one target is wanted: true if there is more to judge.
   bool add(const Slopes& slopes, std::int32_t milliseconds);
   // Another target, or none.
   void restart();
@@ -62,7 +62,8 @@ class Demand {
   struct Pair {
     std::int32_t most_heating{};  // as below, at most
     std::int32_t measured{};
-    std::int32_t more_cooled{};  // so many times as much lost since then, with 8 fractional bits
+    std::int32_t more_lost{};  // so many times as much since then, with 8 fractional bits
+    std::int32_t more_carried{};  // to fan and filament, in mK
   };
 
   const HeaterModel* model_;

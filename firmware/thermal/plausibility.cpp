@@ -12,9 +12,10 @@ namespace thermal {
 namespace {
 
 constexpr units::Millicelsius surroundings{25'000};
-// About the target, in which the heat that it needs is compared with what it needed before. An
-// enclosure that is opened counts for more than draught at lower targets.
-constexpr units::Millicelsius held_band{20'000}, least_compared{125'000};
+// So far beyond its target the heat that a block needs is not compared with what it needed before;
+// nor, once it has come so near, at targets at which an enclosure that is opened counts for more
+// than draught.
+constexpr units::Millicelsius compared_band{20'000}, reached_band{1'000}, least_compared{125'000};
 constexpr units::Milliseconds longest_gap{1'000};
 
 // What differs from one minute to the next, in percent: of the heat (a supply that sags), of the
@@ -92,7 +93,7 @@ Plausibility::Finding Plausibility::compare(const Window& raw,
                                             std::optional<units::Millicelsius> target,
                                             const Cooling& cooling) {
   const bool frozen =
-      probe_.is_unanswered(raw.celsius, model_->rise * raw.duty / full_duty,
+      probe_.is_unanswered(raw.celsius, highest_ - lowest_, model_->rise * raw.duty / full_duty,
                            slope_lost(raw.celsius, filament_loss(cooling)), raw.milliseconds);
   if (raw_windows_ < 2) return Finding::none;
   // One window with a disturbed conversion is no middle one.
@@ -126,22 +127,30 @@ std::int32_t Plausibility::filament_loss(const Cooling& cooling) const {
   return model_->filament_loss * (cooling.filament.count() / 64) / 16;
 }
 
-// As long as one target is held, near enough to it and so hot that the room matters little.
+// As long as one target is wanted, from half way to it: so hot that the room matters little.
 void Plausibility::watch_demand(const Slopes& slopes, const Window& now,
                                 std::optional<units::Millicelsius> target) {
-  const bool holds = target && *target >= least_compared &&
-                     std::abs(now.celsius - target->count()) < held_band.count();
-  if (!holds || held_ != target) {
+  const bool is_new = wanted_ != target;
+  wanted_ = target;
+  if (is_new) reached_ = false;
+  const bool is_compared = target && !is_new && is_comparable(now, *target);
+  if (!is_compared) {
     demand_.restart();
     needs_too_much_.fill(false);
   }
-  held_ = target;
-  if (!holds || !demand_.add(slopes, now.milliseconds)) return;
+  if (!is_compared || !demand_.add(slopes, now.milliseconds)) return;
   const HeaterGrid& grid = model_->grid;
   for (int power = 0; power < steps; ++power) {
     needs_too_much_[static_cast<std::size_t>(power)] =
         demand_.has_grown({grid.halfway(2 * power - 1), grid.halfway(2 * power + 1)});
   }
+}
+
+bool Plausibility::is_comparable(const Window& now, units::Millicelsius target) {
+  reached_ = reached_ || now.celsius > (target - reached_band).count();
+  const bool is_half_way = 2 * now.celsius > (target + surroundings).count();
+  return is_half_way && now.celsius < (target + compared_band).count() &&
+         (target >= least_compared || !reached_);
 }
 
 // From the middle of one window to the middle of the next.

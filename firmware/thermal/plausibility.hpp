@@ -69,12 +69,14 @@ class Plausibility {
   void watch_demand(const Slopes& slopes, const Window& now,
                     std::optional<units::Millicelsius> target);
   bool is_heat_missing(const Slopes& slopes, units::Millicelsius target, std::int32_t milliseconds);
+  bool is_comparable(const Window& now, units::Millicelsius target);
   bool is_heat_unasked(const Slopes& slopes, bool wanted, std::int32_t milliseconds);
 
   const HeaterModel* model_;
   Probe probe_;
   Demand demand_;
-  std::optional<units::Millicelsius> held_;  // what demand_ is about
+  std::optional<units::Millicelsius> wanted_;  // what demand_ is about
+  bool reached_ = false;  // since it is wanted
   std::array<bool, static_cast<std::size_t>(steps)> needs_too_much_{};  // by power
   std::array<Evidence, static_cast<std::size_t>(steps* steps)> heaters_{};
   std::int32_t arriving_ = 0, felt_ = 0;  // duty after one lag and after both, 4 fractional bits

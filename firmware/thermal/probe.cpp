@@ -49,13 +49,14 @@ void Probe::next_window() {
   windows_left_ = halves[half_];
 }
 
-bool Probe::is_unanswered(std::int32_t celsius, std::int32_t heating, std::int32_t melted,
-                          std::int32_t milliseconds) {
+bool Probe::is_unanswered(std::int32_t celsius, std::int32_t spread, std::int32_t heating,
+                          std::int32_t melted, std::int32_t milliseconds) {
   melted_ = low_pass(melted_, melted, model_->sensor_lag, milliseconds);
   const Stillness::Window window{.celsius = celsius,
                                  .answer = answers_ / std::max<std::int32_t>(updates_, 1),
                                  .given = heating * milliseconds / 1'000,
-                                 .taken = melted_ * milliseconds / 1'000};
+                                 .taken = melted_ * milliseconds / 1'000,
+                                 .spread = spread};
   answers_ = updates_ = 0;
   if (!active_) return false;
   next_window();

@@ -30,11 +30,11 @@ class Probe {
   units::Millicelsius expected_answer() const {
     return units::Millicelsius(answer_ / ProbePath::answer_scale);
   }
-  // With each window of the comparison, its mean in thousandths of a degree, and in mK/s all the
-  // heat that the sensor should feel and what the filament takes away: true if the sensor has
-  // not answered.
-  bool is_unanswered(std::int32_t celsius, std::int32_t heating, std::int32_t melted,
-                     std::int32_t milliseconds);
+  // With each window of the comparison, its mean and its spread in thousandths of a degree, and
+  // in mK/s all the heat that the sensor should feel and what the filament takes away: true if
+  // the sensor has not answered.
+  bool is_unanswered(std::int32_t celsius, std::int32_t spread, std::int32_t heating,
+                     std::int32_t melted, std::int32_t milliseconds);
   // With each update between two windows: over longer times.
   bool is_unanswered_for_long() { return stillness_.look_further(); }
   // The fan has changed: what it takes is not known well enough.

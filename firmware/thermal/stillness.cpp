@@ -188,6 +188,18 @@ bool Stillness::is_still(const Limits& limits) const {
   return is_still(limits, course, answer);
 }
 
+// A reading whose noise alone exceeds what the rest may be is within it by chance only: it is to be
+// looked at over a longer time. Of ten conversions the mean without the outermost two has a
+// variance of 1/76 of their spread's square, a third of it if smoothed; half of that is enough.
+bool Stillness::is_too_noisy(const Limits& limits, std::int64_t expected) const {
+  std::int64_t squares = 0;
+  for (std::size_t i = 0; i < limits.length; ++i) {
+    const std::int64_t spread = window(limits.length, i).spread;
+    squares += spread * spread;
+  }
+  return !is_within(squares / (is_slow_ ? 500 : 200), expected, limits.rest);
+}
+
 bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues answer) const {
   const std::size_t length = limits.length;
   Course given_course{}, taken_course{};
@@ -202,6 +214,7 @@ bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues a
         {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
+  if (is_too_noisy(limits, expected)) return false;
   const std::int64_t common = energy_in_common(course, answer, given);
   return is_within(common, expected, limits.with_rhythm) &&
          is_within(energy(course) - common, expected, limits.rest);

@@ -25,6 +25,7 @@ class Stillness {
     std::int32_t answer{};  // expected of the rhythm
     std::int32_t given{};
     std::int32_t taken{};  // by filament
+    std::int32_t spread{};  // of the conversions from lowest to highest
   };
 
   // `rhythm`: windows of one rise and fall of the expected answer.
@@ -52,8 +53,8 @@ class Stillness {
   using LimitTable = std::array<Limits, 3>;
   // Over more windows the noise counts for less. Of a slow rhythm one rise and fall must do, which
   // a single disturbance could cancel; but its reading can be smoothed.
-  static constexpr LimitTable quick{{{18, 16, 30}, {27, 20, 50}, {36, 20, 60}}};
-  static constexpr LimitTable slow{{{18, 10, 15}, {27, 14, 26}, {longest, 16, 40}}};
+  static constexpr LimitTable quick{{{18, 16, 28}, {27, 20, 46}, {36, 20, 57}}};
+  static constexpr LimitTable slow{{{18, 9, 14}, {27, 13, 24}, {longest, 16, 38}}};
   // Whatever cools, in this many windows in a row.
   static constexpr std::size_t lasting_length = 18;
   static constexpr std::int32_t lasting_limit = 40;
@@ -63,6 +64,7 @@ class Stillness {
   }
   const LimitTable& limits() const { return is_slow_ ? slow : quick; }
   bool is_still(const Limits& limits) const;
+  bool is_too_noisy(const Limits& limits, std::int64_t expected) const;
   bool is_still(const Limits& limits, ConstValues course, ConstValues answer) const;
   bool is_still_for_now() const;
 

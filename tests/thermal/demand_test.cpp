@@ -89,8 +89,15 @@ TEST_F(Needed, knows_nothing_of_another_target) {
 }
 
 TEST_F(Needed, compares_nothing_with_a_much_colder_block) {
-  EXPECT_FALSE(grows(12, {.heating = lost / 2, .still = lost / 2}));
+  EXPECT_FALSE(grows(12, {.heating = lost / 3, .still = lost / 3}));
   EXPECT_FALSE(grows(60, still(3 * lost)));
+}
+
+// As while it heats up.
+TEST_F(Needed, grows_by_more_than_a_warmer_block_loses) {
+  EXPECT_FALSE(grows(12, {.heating = lost * 2 / 3, .still = lost * 2 / 3}));
+  EXPECT_FALSE(grows(60, still(lost)));
+  EXPECT_TRUE(grows(60, still(3 * lost)));
 }
 
 }  // namespace

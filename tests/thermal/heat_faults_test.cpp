@@ -123,7 +123,7 @@ TEST(bed_faults, finds_a_bead_that_freezes_while_it_heats_up) {
   const auto near = [&bench](double, double) {
     return bench.block.sensor_celsius(bench.now()) > 57;
   };
-  expect_found(find(bench, 60, 600, near, bead(BeadFault::frozen)), 90, 75);
+  expect_found(find(bench, 60, 600, near, bead(BeadFault::frozen)), 35, 63);
 }
 
 TEST(bed_faults, finds_a_bead_that_freezes_at_the_target) {

@@ -51,7 +51,7 @@ struct Probed : testing::Test {
       const std::int32_t answer = probe.expected_answer().count();
       const auto mean = static_cast<std::int32_t>(std::lround(sum / updates));
       unanswered =
-          probe.is_unanswered(mean, lost + answer - before, melted, window_ms) || unanswered;
+          probe.is_unanswered(mean, 0, lost + answer - before, melted, window_ms) || unanswered;
       before = answer;
       if (unanswered) return window;
     }
@@ -169,7 +169,7 @@ TEST(probe, has_room_in_any_duty) {
       const int given = probe.modulate(true, static_cast<Duty>(duty));
       sum += given - duty;
       probe.follow(window_ms);
-      probe.is_unanswered(205'000, 900, 0, window_ms);
+      probe.is_unanswered(205'000, 0, 900, 0, window_ms);
     }
     EXPECT_LE(std::abs(sum / windows), std::min(duty, thermal::full_duty - duty)) << duty;
   }
@@ -180,7 +180,7 @@ TEST(probe, says_nothing_of_a_heater_that_is_not_described) {
   for (int window = 0; window < 200; ++window) {
     EXPECT_EQ(probe.modulate(true, holding), holding);
     probe.follow(window_ms);
-    EXPECT_FALSE(probe.is_unanswered(205'000, 900, 0, window_ms));
+    EXPECT_FALSE(probe.is_unanswered(205'000, 0, 900, 0, window_ms));
   }
 }
 
