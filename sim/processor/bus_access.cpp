@@ -19,7 +19,9 @@ void ProcessorModel::begin_access(const Instruction& instruction, std::uint32_t 
                                    3;
   const unsigned bytes = 1U << size;
   constexpr std::array<std::uint32_t, 3> copies{0x0101'0101, 0x0001'0001, 1};
-  const std::uint32_t data = state_.registers[instruction.second];
+  // With a load the lines of the data carry its second operand, the offset.
+  const std::uint32_t data =
+      is_store ? state_.registers[instruction.second] : instruction.immediate;
   const std::uint32_t mask = bytes == 4 ? ~std::uint32_t{0} : (1U << (8 * bytes)) - 1;
   access_ = {.address = address,
              .data = (data & mask) * copies[size],
