@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
+#include "sim/replay/snapshot.hpp"
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/edges.hpp"
 
@@ -13,6 +15,11 @@ namespace sim {
 class ChipModel : public Chip {
  public:
   virtual void permit_software_stepping() = 0;
+
+  // Whether snapshot() ever has one.
+  virtual bool takes_snapshots() const { return false; }
+  // The state now, where the processor is in reset or has been asleep for some clocks.
+  virtual std::optional<replay::Snapshot> snapshot() const { return std::nullopt; }
 };
 
 inline constexpr int reset_clocks = 8;

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "sim/processor/processor_model.hpp"
+#include "sim/replay/chip_registers.hpp"
+#include "sim/replay/processor_snapshot.hpp"
 #include "sim/simulation/chip_model.hpp"
 #include "sim/simulation/model_clocks.hpp"
 #include "sim/simulation/model_pins.hpp"
@@ -28,6 +32,8 @@ constexpr unsigned timer_interrupt_bit = 7, first_interrupt_bit = 16;
 constexpr Clock clocks_of_reset = 2;
 // With interrupts enabled so much may have to be done again.
 constexpr Clock longest_lead = 400;
+// What a sleep, or a line that changes, does in the netlist of the processor is over by then.
+constexpr Clock settling_clocks = 8;
 
 // The processor runs ahead to its next access of the bus, or to where the simulation looks at it;
 // the netlist follows. Where an interrupt line changes meanwhile the processor is taken back.
@@ -47,6 +53,8 @@ class JoinedModel : public ChipModel {
     return sampled_queue_statistics(std::as_const(*model_->rootp));
   }
   ProcessorStatistics processor_statistics() const override;
+  bool takes_snapshots() const override { return true; }
+  std::optional<replay::Snapshot> snapshot() const override;
   void trace_to(const std::string&) override {
     throw std::runtime_error("the model of the processor writes no waveforms");
   }
@@ -60,6 +68,7 @@ class JoinedModel : public ChipModel {
   void let_processor_run(Clock limit);
   bool serve_bus(Clock edge);
   void look_at_interrupts();
+  bool sleeps() const;
   Clock next_stop(Clock limit) const;
 
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
@@ -67,6 +76,7 @@ class JoinedModel : public ChipModel {
   std::unique_ptr<ModelClocks<Model>> clocks_;
   std::unique_ptr<processor::ProcessorModel> processor_ =
       std::make_unique<processor::ProcessorModel>(memory_bytes, CHIP_HAS_ZBB);
+  std::vector<replay::Register> registers_ = replay::registers_without_processor(*model_->rootp);
   InputPins set_inputs_;  // those that the model has
   std::uint32_t lines_ = 0;
   bool started_ = false;
@@ -201,6 +211,32 @@ ProcessorStatistics JoinedModel::processor_statistics() const {
   if (started_) processor_->bring_to(now_);
   return {.sleeping_clocks = processor_->sleeping_clocks(now_),
           .instructions = processor_->instructions()};
+}
+
+// For some clocks, and for longer.
+bool JoinedModel::sleeps() const {
+  const processor::MachineState& state = processor_->state();
+  return state.asleep && state.begins + settling_clocks <= now_ && state.lines == lines_ &&
+         state.lines_seen + settling_clocks <= now_ && (lines_ & state.interrupts_enabled) == 0;
+}
+
+std::optional<replay::Snapshot> JoinedModel::snapshot() const {
+  if (started_ && !sleeps()) return std::nullopt;
+  replay::Snapshot snapshot{.clock = now_,
+                            .in_reset = !started_,
+                            .processor = replay::snapshot_of(processor_->state(), now_),
+                            .memory = {},
+                            .registers = {},
+                            .outputs = outputs_,
+                            .statistics = processor_statistics()};
+  for (std::uint32_t place = 0; place < memory_bytes; place += 4) {
+    snapshot.memory.push_back(
+        processor_->read_memory(processor::ProcessorModel::memory_start + place));
+  }
+  for (const replay::Register& chip_register : registers_) {
+    std::ranges::copy(chip_register.contents(), std::back_inserter(snapshot.registers));
+  }
+  return snapshot;
 }
 
 }  // namespace

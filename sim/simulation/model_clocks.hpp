@@ -55,6 +55,14 @@ class ModelClocks {
     return 0;
   }
 
+  // An edge of the processor's clock alone, which the chip never has: to bring it to rest in a
+  // state that was put into it.
+  void clock_processor() {
+    set_clocks(processor);
+    model_.eval();
+    fall();
+  }
+
   // One clock. Says whether another clock than the free-running one had an edge. `for_processor`:
   // the processor's clock has one in any case, for an input that only this clock takes over.
   bool clock(bool input_has_changed, bool for_processor = false) {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pins, clocks and memory of the whole chip by its netlist.
+#include "sim/simulation/netlist_model.hpp"
 
 #include <fmt/format.h>
-#include <verilated.h>
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
-
-#include "sim/simulation/chip_model.hpp"
-#include "sim/simulation/model_clocks.hpp"
-#include "sim/simulation/model_pins.hpp"
-#include "sim/simulation/trace.hpp"
-#include "Vprinter_core.h"
-#include "Vprinter_core___024root.h"
-
-STEPFABRIC_MODEL_FUNCTIONS(Vprinter_core)
 
 namespace sim {
 
@@ -24,35 +15,7 @@ namespace {
 
 constexpr std::uint32_t memory_start = 0x8000'0000;
 
-class NetlistModel : public ChipModel {
- public:
-  NetlistModel(std::uint32_t clock_hz, Edges edges);
-  ~NetlistModel() override;
-
-  void permit_software_stepping() override { model_->software_stepping = 1; }
-  void advance(Clock limit) override;
-  void reset() override;
-  std::uint32_t read_memory(std::uint32_t address) const override;
-  void write_memory(std::uint32_t address, std::uint32_t word) override;
-  QueueStatistics queue_statistics() const override {
-    return sampled_queue_statistics(std::as_const(*model_->rootp));
-  }
-  ProcessorStatistics processor_statistics() const override { return processor_; }
-  void trace_to(const std::string& file) override { trace_ = make_trace(*model_, file); }
-
- private:
-  void hold_reset();
-  void set_inputs();
-  OutputPins sampled_outputs() const { return sampled_output_pins(std::as_const(*model_)); }
-
-  std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<Vprinter_core> model_;
-  std::unique_ptr<ModelClocks<Vprinter_core>> clocks_;
-  std::unique_ptr<Trace> trace_;
-  ProcessorStatistics processor_;
-  InputPins set_inputs_;  // those that the model has
-  bool started_ = false;
-};
+}  // namespace
 
 NetlistModel::NetlistModel(std::uint32_t clock_hz, Edges edges)
     : context_(std::make_unique<VerilatedContext>()) {
@@ -123,6 +86,8 @@ void NetlistModel::reset() {
   outputs_ = sampled_outputs();
 }
 
+namespace {
+
 // Each bank of the memory has a lane for each byte of a word.
 #define RAM(part) printer_core__DOT__with_processor_computing__DOT__ram__DOT__##part##_bytes
 
@@ -159,6 +124,8 @@ auto bytes_of_word(Root& root, std::uint32_t address) {
 
 #undef RAM
 
+}  // namespace
+
 std::uint32_t NetlistModel::read_memory(std::uint32_t address) const {
   std::uint32_t word = 0;
   unsigned shift = 0;
@@ -175,8 +142,6 @@ void NetlistModel::write_memory(std::uint32_t address, std::uint32_t word) {
     word >>= 8;
   }
 }
-
-}  // namespace
 
 std::unique_ptr<ChipModel> make_netlist_model(std::uint32_t clock_hz, Edges edges) {
   return std::make_unique<NetlistModel>(clock_hz, edges);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <verilated.h>
 
+#include "sim/replay/interval_recorder.hpp"
 #include "sim/simulation/chip_model.hpp"
 
 // The model calls this where an assertion fails; it was made with VL_USER_STOP and VL_USER_FATAL.
@@ -44,14 +45,29 @@ VerilatedChip::~VerilatedChip() = default;
 
 void VerilatedChip::permit_software_stepping() { model_->permit_software_stepping(); }
 
+void VerilatedChip::record(replay::IntervalRecorder& recorder) {
+  if (!model_->takes_snapshots()) {
+    throw std::runtime_error("only a chip with the model of its processor can be recorded");
+  }
+  recorder_ = &recorder;
+}
+
 void VerilatedChip::advance(Clock limit) {
   model_->inputs() = inputs_;
+  if (recorder_ != nullptr) {
+    if (recorder_->wants_snapshot(now_)) {
+      if (auto snapshot = model_->snapshot()) recorder_->put_snapshot(*std::move(snapshot));
+    }
+    recorder_->put_inputs(now_, inputs_);
+  }
   model_->advance(limit);
   now_ = model_->now();
   outputs_ = model_->outputs();
+  if (recorder_ != nullptr) recorder_->put_outputs(now_, outputs_);
 }
 
 void VerilatedChip::reset() {
+  if (recorder_ != nullptr) recorder_->discard();
   model_->inputs() = inputs_;
   model_->reset();
   outputs_ = model_->outputs();
@@ -62,6 +78,7 @@ std::uint32_t VerilatedChip::read_memory(std::uint32_t address) const {
 }
 
 void VerilatedChip::write_memory(std::uint32_t address, std::uint32_t word) {
+  if (recorder_ != nullptr) recorder_->discard();
   model_->write_memory(address, word);
 }
 

@@ -9,6 +9,10 @@
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/edges.hpp"
 
+namespace replay {
+class IntervalRecorder;
+}
+
 namespace sim {
 
 class ChipModel;
@@ -31,6 +35,10 @@ class VerilatedChip : public Chip {
   // first advance().
   void permit_software_stepping();
 
+  // Records all pins and some snapshots from now on. The recorder must outlive the last advance().
+  // Throws std::runtime_error where the processor is not a model of its own.
+  void record(replay::IntervalRecorder& recorder);
+
   void advance(Clock limit) override;
   void reset() override;
   std::uint32_t read_memory(std::uint32_t address) const override;
@@ -41,6 +49,7 @@ class VerilatedChip : public Chip {
 
  private:
   std::unique_ptr<ChipModel> model_;
+  replay::IntervalRecorder* recorder_ = nullptr;
 };
 
 }  // namespace sim

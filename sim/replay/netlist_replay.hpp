@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The seam to the model that replays, for those who know no model.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/replay/interval_check.hpp"
+
+namespace replay {
+
+// Replays intervals by the netlist of the whole chip. Throws std::runtime_error where the program
+// holds no such netlist: with the debug port, or traced.
+Replay make_netlist_replay(std::uint32_t clock_hz, bool software_stepping);
+
+}  // namespace replay
