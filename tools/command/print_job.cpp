@@ -23,6 +23,7 @@
 #include "tools/command/print_summary.hpp"
 #include "tools/command/printer_setup.hpp"
 #include "tools/command/progress.hpp"
+#include "tools/command/replay_check.hpp"
 #include "tools/command/report_files.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/warm_start.hpp"
@@ -197,6 +198,8 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
     setup.simulation().attach(watch, {});
   }
   if (!options.trace.empty()) setup.chip().trace_to(options.trace);
+  std::optional<ReplayCheck> replay;
+  if (options.replay.asked) replay.emplace(options.replay, options.printer, setup.chip());
 
   const Time::time_point started = Time::now();
   report::Outcome outcome = report::Outcome::faulted;
@@ -227,8 +230,9 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   report::judge(results);
   const bool written = reports.write(results, recorder.courses());
   print_summary(options, results);
+  const bool same = !replay || interrupt_requested() || replay->finish();
   const int status = exit_status_of(results);
-  return written || status != success ? status : failure;
+  return (written && same) || status != success ? status : failure;
 }
 
 }  // namespace

@@ -29,6 +29,13 @@ struct PrinterChoices {
   std::filesystem::path accept_log;
 };
 
+// The netlist of the whole chip does intervals of the print again.
+struct ReplayChoices {
+  bool asked = false;
+  std::optional<std::size_t> count;  // so many at random; all where there is none
+  std::optional<std::uint64_t> seed;  // of the choice; any where there is none
+};
+
 struct PrintOptions {
   std::filesystem::path file;
   std::size_t window = 1;  // lines in flight
@@ -37,6 +44,7 @@ struct PrintOptions {
   std::filesystem::path edges;
   std::filesystem::path trace;
   std::optional<double> until_seconds;
+  ReplayChoices replay;
   PrinterChoices printer;
 };
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of the job `print`, and what its help says.
+#include <charconv>
+#include <string>
+
 #include "tools/command/print_job.hpp"
 #include "tools/command/printer_options.hpp"
 
@@ -9,6 +12,20 @@ namespace {
 
 // As many lines as the firmware keeps waiting.
 constexpr std::size_t most_window = 8;
+
+// `all`, or how many.
+std::string take_replay(const std::string& word, ReplayChoices& choices) {
+  choices.asked = true;
+  if (word == "all") return {};
+  std::size_t count = 0;
+  const char* end = word.data() + word.size();
+  if (const auto [rest, error] = std::from_chars(word.data(), end, count);
+      error != std::errc() || rest != end || count == 0) {
+    return "a number from 1, or all";
+  }
+  choices.count = count;
+  return {};
+}
 
 }  // namespace
 
@@ -39,6 +56,22 @@ void add_options(CLI::App& app, PrintOptions& options) {
       ->capture_default_str();
   job.add_flag("--no-answer", options.no_answer,
                "do not answer M0 and M1 (as a user who presses Continue at once): end there");
+  CLI::Option* replay =
+      job.add_option(
+             "--replay",
+             "let the netlist of the whole chip do so many intervals of the print again, "
+             "chosen at random, or all of them: every pin in every clock, and all registers "
+             "and the memory at their ends must be the same")
+          ->type_name("N|all")
+          ->each([&options](const std::string& word) {
+            if (const std::string complaint = take_replay(word, options.replay);
+                !complaint.empty()) {
+              throw CLI::ValidationError("--replay", complaint);
+            }
+          });
+  job.add_option("--replay-seed", options.replay.seed,
+                 "which intervals are chosen; else any, and the job says which seed")
+      ->needs(replay);
   add_printer_options(job, options.printer);
   job.footer(
       R"(The file is sent as a host does it: without comments, with the host's own line numbers and
@@ -47,10 +80,10 @@ checksums; M110 is not sent, and a number or a right checksum in the file is tak
 Exit status: 0 the print is good: all of the file (or, with --until, of what was sent by then)
 was made to the step. 1 it is bad: it faulted; the chip refused or lost a line that should move
 or heat; X, Y, Z or E was not at its step at the end of a line; the queue ran dry; a pulse was
-illegal or a step lost. 2 bad usage or a file that cannot be printed. 130 interrupted. From the
-begin on the folder has a report of this job alone: one that says that it has not ended, until
-it has. Only bad usage leaves an earlier one there. Refused lines that move and heat nothing are
-warnings.)");
+illegal or a step lost; a replay differs. 2 bad usage or a file that cannot be printed. 130
+interrupted. From the begin on the folder has a report of this job alone: one that says that it
+has not ended, until it has. Only bad usage leaves an earlier one there. Refused lines that move
+and heat nothing are warnings.)");
 }
 
 }  // namespace command
