@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the chip does with the model of its processor, its whole netlist does again from any
+// snapshot; what is not the same is found and named.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <utility>
+
+#include "sim/replay/processor_snapshot.hpp"
+#include "sim/replay/replay_model.hpp"
+#include "tests/replay/recorded_run.hpp"
+
+namespace {
+
+using replay::Difference;
+using replay::Interval;
+using replay::Snapshot;
+using testing::HasSubstr;
+
+constexpr sim::Clock length = 200'000;
+constexpr std::uint64_t step_pins = (1U << sim::axis_count) - 1;
+
+class OpenReplayModel : public replay::ReplayModel {
+ public:
+  OpenReplayModel() : ReplayModel(tests::recorded_clock_hz, false) {}
+  auto& root() { return *model_->rootp; }
+  using ReplayModel::registers;
+};
+
+class ReplayTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { intervals_ = tests::recorded_run(20 * length, length); }
+  static void TearDownTestSuite() { intervals_.clear(); }
+
+  static std::ptrdiff_t steps_in(const Interval& interval) {
+    std::uint64_t before = 0;
+    return std::ranges::count_if(interval.outputs, [&](const replay::OutputChange& change) {
+      const std::uint64_t steps = change.pins.word & step_pins;
+      return (steps & ~std::exchange(before, steps)) != 0;
+    });
+  }
+  static const Interval& busy_interval() {
+    return *std::ranges::max_element(intervals_, {}, steps_in);
+  }
+
+  OpenReplayModel model_;
+  inline static std::vector<Interval> intervals_;
+};
+
+std::string words(const std::optional<Difference>& difference) {
+  return difference ? difference->what : "no difference";
+}
+
+TEST_F(ReplayTest, does_what_was_recorded_in_any_order) {
+  ASSERT_GT(intervals_.size(), 15u);
+  EXPECT_TRUE(intervals_.front().start->in_reset);
+  EXPECT_GT(steps_in(busy_interval()), 20);
+  for (const Interval& interval : intervals_) {
+    EXPECT_EQ(words(model_.replay(interval)), "no difference") << interval.number;
+  }
+  std::ranges::reverse(intervals_);
+  for (const Interval& interval : intervals_) {
+    EXPECT_EQ(words(model_.replay(interval)), "no difference") << interval.number;
+  }
+  std::ranges::reverse(intervals_);
+}
+
+TEST_F(ReplayTest, follows_on_from_interval_to_interval) {
+  for (std::size_t i = 1; i < intervals_.size(); ++i) {
+    EXPECT_EQ(intervals_[i].start, intervals_[i - 1].end);
+    EXPECT_EQ(intervals_[i].start->clock, intervals_[i - 1].end_clock);
+  }
+}
+
+TEST_F(ReplayTest, finds_each_register_and_memory_outside_the_processor_that_differs) {
+  const Interval& interval = busy_interval();
+  ASSERT_EQ(words(model_.replay(interval)), "no difference");
+  std::size_t place = 0;
+  for (const replay::Register& chip_register : model_.registers()) {
+    Snapshot end = *interval.end;
+    // The last byte, so that of a memory the last element.
+    place += chip_register.bytes;
+    end.registers[place - 1] ^= 1;
+    const std::optional<Difference> difference = model_.difference(end);
+    if (!replay::ReplayModel::is_compared(chip_register.name)) {
+      EXPECT_EQ(words(difference), "no difference") << chip_register.name;
+    } else {
+      EXPECT_THAT(words(difference), HasSubstr(chip_register.name));
+    }
+  }
+  EXPECT_EQ(place, interval.end->registers.size());
+}
+
+TEST_F(ReplayTest, finds_each_register_of_the_processor_that_differs) {
+  const Interval& interval = busy_interval();
+  ASSERT_EQ(words(model_.replay(interval)), "no difference");
+  using Processor = replay::ProcessorSnapshot;
+  const std::map<std::string, std::uint32_t Processor::*> parts{
+      {"pc", &Processor::program_counter},
+      {"mstatus", &Processor::mstatus},
+      {"mie", &Processor::mie},
+      {"mtvec", &Processor::mtvec},
+      {"mscratch", &Processor::mscratch},
+      {"mepc", &Processor::mepc},
+      {"mcause", &Processor::mcause},
+      {"mtval", &Processor::mtval},
+      {"mcountinhibit", &Processor::mcountinhibit}};
+  for (const auto& [name, part] : parts) {
+    Snapshot end = *interval.end;
+    end.processor.*part ^= 8;
+    EXPECT_EQ(words(model_.difference(end)), name);
+  }
+  for (std::size_t i = 1; i < 32; ++i) {
+    Snapshot end = *interval.end;
+    end.processor.registers[i] ^= 0x8000'0000;
+    EXPECT_EQ(words(model_.difference(end)), "x" + std::to_string(i));
+  }
+  Snapshot end = *interval.end;
+  end.processor.mcycle ^= std::uint64_t{1} << 40;
+  EXPECT_EQ(words(model_.difference(end)), "mcycle");
+  end = *interval.end;
+  ++end.processor.minstret;
+  EXPECT_EQ(words(model_.difference(end)), "minstret");
+}
+
+TEST_F(ReplayTest, finds_words_of_the_memory_and_counts_that_differ) {
+  const Interval& interval = busy_interval();
+  ASSERT_EQ(words(model_.replay(interval)), "no difference");
+  for (const std::size_t word : {std::size_t{0}, interval.end->memory.size() - 1}) {
+    Snapshot end = *interval.end;
+    end.memory[word] ^= 0x100;
+    EXPECT_THAT(words(model_.difference(end)), HasSubstr("memory at 0x8"));
+  }
+  Snapshot end = *interval.end;
+  ++end.statistics.instructions;
+  EXPECT_EQ(words(model_.difference(end)), "instructions");
+  end = *interval.end;
+  ++end.statistics.sleeping_clocks;
+  EXPECT_EQ(words(model_.difference(end)), "clocks asleep");
+}
+
+TEST_F(ReplayTest, finds_the_clock_of_a_pin_that_changes_otherwise) {
+  const Interval& good = busy_interval();
+  const std::size_t middle = good.outputs.size() / 2;
+  Interval late = good;
+  ++late.outputs[middle].clock;
+  std::optional<Difference> difference = model_.replay(late);
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->clock, good.outputs[middle].clock);
+  EXPECT_EQ(difference->interval, good.number);
+
+  Interval missing = good;
+  missing.outputs.erase(missing.outputs.begin() + static_cast<std::ptrdiff_t>(middle));
+  difference = model_.replay(missing);
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->clock, good.outputs[middle].clock);
+
+  Interval wrong = good;
+  wrong.outputs[middle].pins.word ^= sim::OutputPins::bit(sim::OutputPins::step_bit + 2);
+  difference = model_.replay(wrong);
+  EXPECT_EQ(words(difference), "pins step(2)");
+
+  Interval one_more = good;
+  one_more.outputs.push_back({good.end_clock, good.end->outputs});
+  one_more.outputs.back().pins.word ^= sim::OutputPins::transmit_pin().word;
+  EXPECT_EQ(words(model_.replay(one_more)), "pins transmit");
+}
+
+TEST_F(ReplayTest, depends_on_the_inputs_and_on_the_state_at_the_start) {
+  const Interval& good = busy_interval();
+  Interval other = good;
+  for (replay::InputChange& change : other.inputs) change.pins.end_stops ^= 0xf0;
+  EXPECT_NE(words(model_.replay(other)), "no difference");
+
+  Interval changed = good;
+  Snapshot start = *good.start;
+  start.processor.mscratch ^= 1;
+  changed.start = std::make_shared<const Snapshot>(start);
+  EXPECT_EQ(words(model_.replay(changed)), "mscratch");
+}
+
+template <class Root>
+std::vector<replay::Register> variables_of(Root& root) {
+#define VARIABLE(name) replay::described(#name, root.name),
+  return {
+#include "chip_variables.inc"
+  };
+#undef VARIABLE
+}
+
+// Registers of the processor that have no meaning in a sleep: operands and results of units that
+// are idle, the access before, the word that the last load has read.
+bool has_no_meaning(std::string_view name) {
+  constexpr std::string_view computer = "printer_core__DOT__with_processor_computing__DOT__";
+  constexpr std::array idle{"cpu__DOT__execute__DOT__division__DOT__",
+                            "cpu__DOT__execute__DOT__multiplication__DOT__",
+                            "cpu__DOT__execute__DOT__data_access__DOT__", "ram__DOT__"};
+  return name.starts_with(computer) && std::ranges::any_of(idle, [&](const char* part) {
+           return name.substr(computer.size()).starts_with(part);
+         });
+}
+
+// So no register of the netlist, whether it is known by name or not, keeps anything of the past.
+TEST_F(ReplayTest, starts_from_the_same_state_whatever_the_model_has_done_before) {
+  for (std::size_t i = 1; i < intervals_.size(); i += 6) {
+    const Interval& interval = intervals_[i];
+    OpenReplayModel unused;
+    unused.put(*interval.start, interval.inputs.front().pins);
+    ASSERT_EQ(words(model_.replay(i < 8 ? intervals_.back() : busy_interval())), "no difference");
+    model_.put(*interval.start, interval.inputs.front().pins);
+    const auto expected = variables_of(unused.root()), found = variables_of(model_.root());
+    ASSERT_EQ(expected.size(), found.size());
+    ASSERT_GT(expected.size(), model_.registers().size());
+    for (std::size_t variable = 0; variable < expected.size(); ++variable) {
+      const std::string_view name = expected[variable].name;
+      if (std::ranges::equal(expected[variable].contents(), found[variable].contents())) continue;
+      EXPECT_TRUE(has_no_meaning(name)) << name << " at the start of interval " << interval.number;
+    }
+  }
+}
+
+}  // namespace
