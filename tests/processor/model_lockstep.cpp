@@ -38,6 +38,8 @@ class Run {
   ModelLockstep result() {
     while (chip_.clocks() < settings_.clocks && result_.difference.empty()) clock();
     if (result_.difference.empty()) compare_memory();
+    result_.interrupted = interrupted_;
+    result_.behind = behind_;
     return result_;
   }
 
@@ -100,12 +102,34 @@ class Run {
   void note(const std::optional<Retirement>& event) {
     if (chip_.sleeping()) ++netlist_.sleeping_clocks;
     if (!event) return;
+    note_interrupt(*event);
     ++(event->trap ? netlist_.traps : netlist_.instructions);
     if (event->trap) {
       trap_address_ = event->address;
     } else if (event->destination != 0) {
       registers_[event->destination] = event->value;
     }
+  }
+
+  void note_interrupt(const Retirement& event) {
+    if (event.interrupt) {
+      const auto operation = operation_at(event.address);
+      if (operation) ++interrupted_[*operation];
+      if (last_operation_) ++behind_[*last_operation_];
+    }
+    last_operation_.reset();
+    if (!event.trap) {
+      last_operation_ = decode(event.instruction, event.address, Chip::has_zbb).operation;
+    }
+  }
+
+  // Nothing outside the memory.
+  std::optional<Operation> operation_at(Word address) const {
+    const Word place = address - Chip::memory_base;
+    if (place >= Chip::memory_size - 4) return std::nullopt;
+    const Word low = chip_.word(address & ~3U), high = chip_.word((address & ~3U) + 4);
+    const Word word = (address & 2) == 0 ? low : low >> 16 | high << 16;
+    return decode(word, address, Chip::has_zbb).operation;
   }
 
   // With a lead the model is brought back to the present edge now and then only: otherwise it is
@@ -165,6 +189,8 @@ class Run {
   ModelLockstep result_;
   ModelLockstep netlist_;
   std::array<Word, no_register> registers_{};
+  std::map<Operation, std::uint64_t> interrupted_, behind_;
+  std::optional<Operation> last_operation_;
   Word trap_address_ = 0;
   unsigned pause_ = 0;
 };

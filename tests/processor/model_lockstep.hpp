@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
+
+#include "sim/processor/decoder.hpp"
 
 namespace processor {
 
@@ -25,6 +28,9 @@ struct ModelLockstep {
   std::uint64_t traps = 0;
   std::uint64_t accesses = 0;
   std::uint64_t sleeping_clocks = 0;
+  // How often an instruction of an operation was interrupted, and how often an interrupt was taken
+  // right after one.
+  std::map<Operation, std::uint64_t> interrupted, behind;
 };
 
 // Same events in the same clocks, with the same values; the same memory at the end.

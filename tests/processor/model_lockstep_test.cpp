@@ -9,6 +9,7 @@
 #include "tests/processor/program.hpp"
 #include "tests/processor/random_program.hpp"
 #include "tests/processor/timed_program.hpp"
+#include "tests/processor/timing_kinds.hpp"
 #include "tests/processor/timing_table.hpp"
 
 namespace processor {
@@ -23,10 +24,18 @@ void expect_same(const std::vector<std::uint8_t>& image, const ModelLockstepSett
   sum.traps += run.traps;
   sum.accesses += run.accesses;
   sum.sleeping_clocks += run.sleeping_clocks;
+  for (const auto& [operation, count] : run.interrupted) sum.interrupted[operation] += count;
+  for (const auto& [operation, count] : run.behind) sum.behind[operation] += count;
 }
 
 TEST(ModelLockstep, has_the_times_of_the_table) {
   const TimingTable table;
+  for (const char* row :
+       {"arithmetic and logic", "bit manipulation", "multiplication", "load from memory",
+        "store to memory", "CSR instruction", "wfi", "branch predicted not taken, not taken"}) {
+    EXPECT_EQ(table.at(row), 1U) << row;
+  }
+  EXPECT_EQ(table.at("store to a peripheral"), table.at("load from a peripheral"));
   EXPECT_EQ(table.at("branch predicted taken, taken"), 1U + times::predicted_taken);
   EXPECT_EQ(table.at("branch predicted taken, not taken"), 1U + times::mispredicted);
   EXPECT_EQ(table.at("branch predicted not taken, taken"), 1U + times::mispredicted);
@@ -49,7 +58,7 @@ TEST(ModelLockstep, instructions_of_all_rows_of_the_table_with_interrupts_in_any
   ModelLockstep sum;
   for (std::uint32_t seed = 1; seed <= 60 && !HasFatalFailure(); ++seed) {
     expect_same(timed_program(seed),
-                {.clocks = 30'000,
+                {.clocks = 50'000,
                  .bus_wait = 1 + seed % 4,
                  .seed = seed,
                  .longest_pause = seed % 2 == 0 ? 12U : 60U,
@@ -59,6 +68,18 @@ TEST(ModelLockstep, instructions_of_all_rows_of_the_table_with_interrupts_in_any
   EXPECT_GT(sum.traps, 20'000U);
   EXPECT_GT(sum.accesses, 20'000U);
   EXPECT_GT(sum.sleeping_clocks, 5'000U);
+  // An interrupt came instead of each instruction, and behind each.
+  for (const Kind& kind : kinds_of_instructions()) {
+    const std::string row = kind.row;
+    const Operation operation = decode(kind.word, Chip::memory_base, Chip::has_zbb).operation;
+    if (row == "exception") continue;
+    EXPECT_GT(sum.interrupted[operation], 20U) << row << ", " << std::hex << kind.word;
+    if (row != "refused access") {
+      EXPECT_GT(sum.behind[operation], 4U) << row << ", " << std::hex << kind.word;
+    }
+  }
+  EXPECT_GT(sum.behind[Operation::wait_for_interrupt], 500U);
+  EXPECT_GT(sum.behind[Operation::trap_return], 500U);
 }
 
 TEST(ModelLockstep, random_programs_with_wild_words) {
