@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "sim/devices/terminal_settings.hpp"
 
@@ -102,11 +103,22 @@ void PseudoTerminal::make_link() {
 PseudoTerminal::~PseudoTerminal() { release(); }
 
 void PseudoTerminal::release() {
-  if (!identity_.empty() && identity_of_link(link_) == identity_) {
-    std::error_code ignored;
-    std::filesystem::remove(link_, ignored);
-  }
+  remove_link();
   if (master_ >= 0) close(master_);
+}
+
+void PseudoTerminal::remove_link() {
+  if (identity_.empty() || identity_of_link(link_) != identity_) return;
+  std::error_code ignored;
+  std::filesystem::remove(link_, ignored);
+}
+
+// A host has had the terminal for itself (TIOCEXCL) and was killed: it opens to nobody any more.
+void PseudoTerminal::renew() {
+  remove_link();
+  close(std::exchange(master_, -1));
+  make_slave();
+  make_link();
 }
 
 void PseudoTerminal::byte_received(sim::Clock now, std::uint8_t byte) {

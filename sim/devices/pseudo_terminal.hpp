@@ -53,6 +53,8 @@ class PseudoTerminal : public sim::Device, public ByteListener {
  private:
   void make_slave();
   void make_link();
+  void remove_link();
+  void renew();
   void release();
   short look() const;
   void take_from_host(sim::Clock now);

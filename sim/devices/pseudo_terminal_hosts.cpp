@@ -2,10 +2,12 @@
 // Hosts that come and go at the pseudo-terminal, and what they write.
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <utility>
 
 #include "sim/devices/pseudo_terminal.hpp"
@@ -146,8 +148,12 @@ void PseudoTerminal::host_left(sim::Clock now) {
   if ((look() & POLLHUP) != 0) set_raw(master_, chip_baud_);
   const int slave = open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave >= 0) {
+    ioctl(slave, TIOCNXCL);
+    tcflow(slave, TCOON);
     tcflush(slave, TCIFLUSH);
     close(slave);
+  } else if (errno == EBUSY) {
+    renew();
   }
   watch_->start_over((look() & POLLHUP) == 0);
   follow_speed(now);

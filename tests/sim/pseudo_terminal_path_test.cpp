@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The path at which a pseudo-terminal is found: made, kept, left to others.
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <iterator>
@@ -106,6 +108,39 @@ TEST_F(PseudoTerminalTest, leaves_the_symlink_and_the_locks_of_another_user) {
   fs::remove_all(shared);
   EXPECT_TRUE(fs::is_empty(locks_of_other));
   fs::remove(locks_of_other);
+}
+
+// As programs do that want the port for themselves. To root it opens nevertheless.
+TEST_F(PseudoTerminalTest, opens_to_the_next_host_behind_one_that_was_killed_with_it_for_itself) {
+  const fs::path shared = "/tmp/stepfabric_exclusive_port_of_a_test";
+  fs::remove_all(shared);
+  fs::create_directory(shared);
+  fs::permissions(shared, fs::perms::all);
+  link = shared / "port";
+  enum Result { opened = 1, refused, link_left_behind };
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t another_user = 65'534;
+    if (geteuid() == 0 && (setgid(another_user) != 0 || setuid(another_user) != 0)) _exit(0);
+    setenv("XDG_RUNTIME_DIR", (shared / "runtime").c_str(), 1);
+    mkdir((shared / "runtime").c_str(), 0700);
+    Result result = refused;
+    {
+      devices::PseudoTerminal terminal(link, line, rate, 250'000);
+      simulation.attach(terminal, {});
+      const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+      ioctl(port, TIOCEXCL);
+      simulation.run_until(simulation.now() + rate.clocks(0.01));
+      close(port);
+      simulation.run_until(simulation.now() + rate.clocks(0.2));
+      if (ask("M105\n") == "ok M105\n") result = opened;
+    }
+    _exit(fs::exists(fs::symlink_status(link)) ? link_left_behind : result);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), opened);
+  fs::remove_all(shared);
 }
 
 TEST_F(PseudoTerminalTest, leaves_a_symlink_that_has_taken_the_place_of_its_own) {

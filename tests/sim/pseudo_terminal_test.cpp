@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A host program opens the simulated printer's port, talks, leaves and comes back.
+#include <termios.h>
+
 #include <string>
 #include <vector>
 
@@ -149,6 +151,22 @@ TEST_F(PseudoTerminalTest, holds_a_host_s_bytes_back_and_loses_none) {
   simulation.run_until(simulation.now() + rate.clocks(0.05));
   EXPECT_EQ(text, "M105;M114;");
   close(port);
+}
+
+// Only the last host's terminal is stopped, not the port.
+TEST_F(PseudoTerminalTest, lets_a_host_write_behind_one_that_stopped_its_output) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
+  ASSERT_EQ(tcflow(port, TCOOFF), 0);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  close(port);
+  simulation.run_until(simulation.now() + rate.clocks(0.01));
+  const int next = open(link.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+  ASSERT_EQ(write(next, "\n", 1), 1);  // otherwise the one that asks would wait for ever
+  close(next);
+  simulation.run_until(simulation.now() + rate.clocks(0.2));
+  EXPECT_EQ(ask("M105\n"), "ok M105\n");
 }
 
 TEST_F(PseudoTerminalTest, runs_the_wire_at_the_speed_that_the_host_chooses) {
