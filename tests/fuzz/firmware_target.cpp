@@ -109,8 +109,9 @@ void Host::transmit(const Line& line, bool damaged) {
     char& byte = bytes[(line.damaged_byte - 1) % bytes.size()];
     const char right = byte;
     byte = static_cast<char>(byte ^ 1 << line.damaged_bit);
-    // A damaged M110 is requested as line 0, which this host no longer has; M118 is a bit away.
-    if (bytes.contains("M110")) byte = static_cast<char>(right ^ 1);
+    // A damaged M110 is requested as line 0, which this host no longer has; M118 and M100 are a
+    // bit away, each another one.
+    if (bytes.contains("M110")) byte = static_cast<char>(right ^ (line.damaged_bit == 0 ? 2 : 1));
   }
   bytes += '\n';
   printer_.chip().to_firmware.insert(printer_.chip().to_firmware.end(), bytes.begin(), bytes.end());
