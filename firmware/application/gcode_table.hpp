@@ -76,8 +76,7 @@ inline constexpr auto gcode_table = [] {
       m(111, handler<&DryRunCommands::set_debug_bits>,
         "refused with bit 8, there is no dry run, and what comes until an S without that bit is "
         "not executed; the other bits have no effect",
-        debug_bits,
-        {.report = handler<&DryRunCommands::report_debug_bits>, .while_dry_run = true}),
+        debug_bits, {.report = handler<&DryRunCommands::report_debug_bits>, .while_dry_run = true}),
       m(112, handler<&HostCommands::stop_everything>, "emergency stop: everything ends until reset",
         {}, {.on_reception = true}),
       m(113, handler<&HostCommands::set_busy_interval>, "interval of `busy` messages, 0 never",
@@ -96,8 +95,7 @@ inline constexpr auto gcode_table = [] {
       m(149, handler<&HeatCommands::set_units>,
         "C: temperatures are in °C; F and K are refused, and temperatures until C or reset, but "
         "not S0, which is off in each unit",
-        temperature_units,
-        {.report = handler<&HeatCommands::report_units>, .while_dry_run = true}),
+        temperature_units, {.report = handler<&HeatCommands::report_units>, .while_dry_run = true}),
       m(154, handler<&ReportCommands::set_position_interval>,
         "position every so many seconds, 0 never", interval),
       m(155, handler<&ReportCommands::set_temperature_interval>,

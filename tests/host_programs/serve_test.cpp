@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // `stepfabric serve` as a host program meets it: a port that may be opened, left and opened again,
 // and a job that ends well on Ctrl-C.
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -132,6 +135,33 @@ TEST_F(Serve, a_second_one_on_the_same_path_is_refused_and_the_first_goes_on) {
   EXPECT_TRUE(connect(host));
   close(host);
   EXPECT_EQ(stop(), 0);
+}
+
+// What is written there would come to the chip as a host's lines.
+TEST_F(Serve, writes_no_file_of_its_own_to_its_port) {
+  for (const char* option : {"--edges", "--accept-log"}) {
+    const auto refused = process::capture(
+        {.arguments = {stepfabric, "serve", "--speed", "max", "--until", "0.1", "--pty",
+                       port.string(), option, port.string(), "--report", file_path("report")}});
+    EXPECT_EQ(refused.exit_status, 2);
+    EXPECT_NE(refused.output.find("would both write"), std::string::npos) << refused.output;
+  }
+}
+
+// A port that never answers, or does not even take what is written.
+TEST_F(Serve, is_not_needed_for_a_load_to_end_at_ctrl_c) {
+  const std::string program = file_path("program");
+  std::ofstream(program, std::ios::binary) << std::string("\x6f\0\0\0", 4);
+  const int master = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_TRUE(grantpt(master) == 0 && unlockpt(master) == 0);
+  process::Process load({.arguments = {stepfabric, "load", program, ptsname(master)}});
+  std::this_thread::sleep_for(1s);
+  EXPECT_FALSE(load.ending());
+  load.signal(SIGINT);
+  std::this_thread::sleep_for(1s);
+  ASSERT_TRUE(load.ending());
+  EXPECT_EQ(load.ending()->exit_status, 128 + SIGINT);
+  close(master);
 }
 
 // As on a board: the running firmware makes way, and the one that has come takes its place.

@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <iterator>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
@@ -152,6 +155,30 @@ TEST_F(ReportFiles, and_others_hold_nothing_that_is_said_on_a_closed_stream) {
   EXPECT_EQ(shell(line + " <&- >&- 2>&-"), 0);
   EXPECT_EQ(files::text_of(log), lines);
   EXPECT_EQ(files::text_of(edges), rows);
+}
+
+// At once: nobody may ever open the pipe's other end.
+TEST_F(ReportFiles, say_that_a_job_was_interrupted_that_waited_for_a_pipe) {
+  setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
+  const std::string pipe = folder / "pipe", port = folder / "port";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<std::vector<std::string>> jobs{
+      {"print", gcode, "--edges", pipe},
+      {"print", gcode, "--accept-log", pipe},
+      {"serve", "--speed", "max", "--clock-hz", "4000000", "--pty", port, "--edges", pipe},
+      {"serve", "--speed", "max", "--clock-hz", "4000000", "--pty", port, "--accept-log", pipe}};
+  for (std::vector<std::string> job : jobs) {
+    job.insert(job.begin(), BUILD_DIRECTORY "/bin/stepfabric");
+    job.insert(job.end(), {"--report", report});
+    process::Process program({.arguments = job});
+    std::this_thread::sleep_for(3s);
+    EXPECT_FALSE(program.ending()) << testing::PrintToString(job);
+    program.signal(SIGTERM);
+    std::this_thread::sleep_for(3s);
+    ASSERT_TRUE(program.ending()) << testing::PrintToString(job);
+    EXPECT_EQ(program.ending()->exit_status, 130) << testing::PrintToString(job);
+    expect_faulted("interrupted");
+  }
 }
 
 TEST_F(ReportFiles, of_a_job_that_was_killed_say_that_it_has_not_ended) {

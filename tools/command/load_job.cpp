@@ -8,12 +8,14 @@
 
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
+#include "tools/command/signals.hpp"
 #include "tools/loading/loading.hpp"
 #include "tools/loading/serial_port.hpp"
 
 namespace command {
 
 int load(const LoadOptions& options) {
+  end_at_interrupts();
   let_writes_fail();  // a load that is broken off leaves a chip without a program
   const loading::Program program = loading::read_program(options.program);
   loading::SerialPort port(options.port, options.baud);

@@ -187,11 +187,13 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
   setup.simulation().attach(host, {});
-  report::Recorder recorder(setup.printer(), host, setup.simulation(), options.edges);
+  report::Recorder recorder = opened([&] {
+    return report::Recorder(setup.printer(), host, setup.simulation(), options.edges);
+  });
   report::FirmwareWatch watch(setup.firmware(), setup.chip());
   std::optional<report::AcceptLog> accept_log;
   if (!options.printer.accept_log.empty()) {
-    accept_log.emplace(options.printer.accept_log);
+    opened([&] { accept_log.emplace(options.printer.accept_log); });
     watch.on_accepted = [&](sim::Clock, const report::AcceptedLine& line) {
       accept_log->put(line);
     };

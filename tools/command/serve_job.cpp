@@ -34,8 +34,20 @@ void choose_clock(ServeOptions& options) {
   }
 }
 
+// What is written to the port would be lines of a host.
+void check_files(const ServeOptions& options) {
+  const std::array<NamedFile, 1> read{{{"--machine", options.printer.machine}}};
+  const std::array<NamedFile, 5> written{{{"--report", options.report / "report.json"},
+                                          {"--report", options.report / "report.html"},
+                                          {"--edges", options.edges},
+                                          {"--accept-log", options.printer.accept_log},
+                                          {"--pty", options.terminal}}};
+  check_that_files_differ(read, written);
+}
+
 int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
   if (options.terminal.empty()) options.terminal = devices::PrivateFolder().path() / "port";
+  check_files(options);
   choose_clock(options);
   Service service(options);
   service.greet(reports.page());
@@ -68,12 +80,7 @@ int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
 
 int serve(ServeOptions options) {
   let_writes_fail();
-  const std::array<NamedFile, 1> read{{{"--machine", options.printer.machine}}};
-  const std::array<NamedFile, 4> written{{{"--report", options.report / "report.json"},
-                                          {"--report", options.report / "report.html"},
-                                          {"--edges", options.edges},
-                                          {"--accept-log", options.printer.accept_log}}};
-  check_that_files_differ(read, written);
+  check_files(options);
   const ReportFiles reports(options.report, {}, options.clock_hz.value_or(0));
   try {
     return serve_and_report(options, reports);

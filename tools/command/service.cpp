@@ -31,9 +31,12 @@ Service::Service(const ServeOptions& options)
       terminal_(options.terminal, setup_.printer().serial_line(), simulation_.rate(),
                 setup_.baud()),
       watch_(setup_.firmware(), setup_.chip()),
-      recorder_(setup_.printer(), host_, simulation_, options.edges),
+      recorder_(command::opened(
+          [&] { return report::Recorder(setup_.printer(), host_, simulation_, options.edges); })),
       pacer_(options.real_time) {
-  if (!options.printer.accept_log.empty()) accept_log_.emplace(options.printer.accept_log);
+  if (!options.printer.accept_log.empty()) {
+    command::opened([&] { accept_log_.emplace(options.printer.accept_log); });
+  }
   listen();
   hold_back();
   simulation_.attach(terminal_, {});

@@ -2,6 +2,9 @@
 // The signal handler and its flag.
 #include "tools/command/signals.hpp"
 
+#include <signal.h>
+
+#include <array>
 #include <csignal>
 #include <ctime>
 
@@ -33,13 +36,30 @@ void remember(int signal) {
   }
 }
 
+constexpr std::array caught{SIGINT, SIGTERM, SIGHUP};
+
+void handle(void (*handler)(int), int flags) {
+  struct sigaction action{};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  for (const int signal : caught) sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
-  std::signal(SIGHUP, remember);
+void catch_interrupts() { handle(remember, SA_RESTART); }
+
+void end_at_interrupts() {
+  end_if_interrupted();
+  handle(SIG_DFL, 0);
 }
+
+WaitsEndAtInterrupts::WaitsEndAtInterrupts() {
+  end_if_interrupted();
+  handle(remember, 0);
+}
+WaitsEndAtInterrupts::~WaitsEndAtInterrupts() { handle(remember, SA_RESTART); }
 
 void let_writes_fail() {
   std::signal(SIGPIPE, SIG_IGN);

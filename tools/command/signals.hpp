@@ -10,11 +10,33 @@ namespace command {
 // later ends the program at once.
 void catch_interrupts();
 bool interrupt_requested();
+// Again the first one ends the program at once: for a job that has nothing to finish.
+void end_at_interrupts();
+// In its life a signal also ends a call that waits: to open a pipe that nobody reads, say.
+class WaitsEndAtInterrupts {
+ public:
+  WaitsEndAtInterrupts();
+  ~WaitsEndAtInterrupts();
+  WaitsEndAtInterrupts(const WaitsEndAtInterrupts&) = delete;
+  WaitsEndAtInterrupts& operator=(const WaitsEndAtInterrupts&) = delete;
+};
 
 // Ends a job that has nothing to finish; main() gives its exit status.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 void end_if_interrupted();
+
+// What `open` gives, which may wait in it for somebody at the other end of a pipe.
+template <class Open>
+auto opened(const Open& open) {
+  const WaitsEndAtInterrupts ending;
+  try {
+    return open();
+  } catch (const std::runtime_error&) {
+    end_if_interrupted();
+    throw;
+  }
+}
 
 }  // namespace command

@@ -26,6 +26,7 @@ SerialPort::SerialPort(const std::filesystem::path& path, std::uint32_t baud)
     : file_(open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)) {
   if (file_ < 0) fail("cannot open " + path.string());
   try {
+    if (isatty(file_) == 0) fail(path.string() + " is no serial port");
     devices::set_raw(file_, baud);
   } catch (...) {
     close(file_);
