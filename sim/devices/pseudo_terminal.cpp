@@ -113,7 +113,7 @@ void PseudoTerminal::remove_link() {
   std::filesystem::remove(link_, ignored);
 }
 
-// A host has had the terminal for itself (TIOCEXCL) and was killed: it opens to nobody any more.
+// A host has had the terminal for itself (TIOCEXCL) and was killed: no user can open it any more.
 void PseudoTerminal::renew() {
   remove_link();
   close(std::exchange(master_, -1));

@@ -60,7 +60,7 @@ void PseudoTerminal::take_from_host(sim::Clock now) {
   } else {
     came = read_from_host();
   }
-  // The notes are looked at behind the bytes: where no other host has come, all of them are this one's.
+  // The notes are read behind the bytes: where no other host has come, all bytes are this one's.
   const TerminalWatch::Change change = watch_->look();
   if (change.happened) return change_hosts(now, change, std::move(came));
   send(now, came);

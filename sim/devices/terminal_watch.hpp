@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has opened, written to and closed a terminal since the last look, in the order in which it was.
+// Who has opened, written to and closed a terminal since the last look, in their order.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace devices {
 
-// What the kernel notes at each opening, write and closing (inotify): nothing of it is missed, however
-// short it was. How many bytes a write had is not noted.
+// What the kernel notes at each opening, write and closing (inotify): nothing of it is missed,
+// however short it was. How many bytes a write had is not noted.
 class TerminalWatch {
  public:
   // From now on. Throws std::system_error where the kernel gives no such notes.

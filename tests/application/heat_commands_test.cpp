@@ -78,7 +78,8 @@ TEST(heat_commands, takes_no_temperature_for_celsius_in_other_units) {
     EXPECT_EQ(printer.counters.commands_refused, 8u);
     EXPECT_EQ(printer.chip.heater_duty(0), 0u);
     printer.talk(
-        "-> M149 C\n<- ok\n-> M149\n<- echo: M149 C ; Units in Celsius\n<- ok\n-> M104 S205\n<- ok\n-> M105\n<* /205.00 ");
+        "-> M149 C\n<- ok\n-> M149\n<- echo: M149 C ; Units in Celsius\n<- ok\n"
+        "-> M104 S205\n<- ok\n-> M105\n<* /205.00 ");
   }
 }
 

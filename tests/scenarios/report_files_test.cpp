@@ -157,7 +157,7 @@ TEST_F(ReportFiles, and_others_hold_nothing_that_is_said_on_a_closed_stream) {
   EXPECT_EQ(files::text_of(edges), rows);
 }
 
-// At once: nobody may ever open the pipe's other end.
+// At once: the pipe's other end may never be opened.
 TEST_F(ReportFiles, say_that_a_job_was_interrupted_that_waited_for_a_pipe) {
   setenv("STEPFABRIC_BUILD_DIR", BUILD_DIRECTORY, 1);
   const std::string pipe = folder / "pipe", port = folder / "port";

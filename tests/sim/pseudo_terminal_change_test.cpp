@@ -83,7 +83,8 @@ TEST_F(PseudoTerminalChange, takes_the_whole_lines_of_hosts_that_only_write_and_
 }
 
 // As `stty` in the midst of a job.
-TEST_F(PseudoTerminalChange, is_none_where_somebody_else_opens_and_closes_beside_the_host) {
+TEST_F(PseudoTerminalChange,
+       is_none_where_another_program_opens_and_closes_while_the_host_is_there) {
   const int port = open_port();
   write_text(port, "M1");
   run(0.01);

@@ -187,9 +187,8 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
   setup.simulation().attach(host, {});
-  report::Recorder recorder = opened([&] {
-    return report::Recorder(setup.printer(), host, setup.simulation(), options.edges);
-  });
+  report::Recorder recorder = opened(
+      [&] { return report::Recorder(setup.printer(), host, setup.simulation(), options.edges); });
   report::FirmwareWatch watch(setup.firmware(), setup.chip());
   std::optional<report::AcceptLog> accept_log;
   if (!options.printer.accept_log.empty()) {

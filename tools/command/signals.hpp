@@ -12,7 +12,7 @@ void catch_interrupts();
 bool interrupt_requested();
 // Again the first one ends the program at once: for a job that has nothing to finish.
 void end_at_interrupts();
-// In its life a signal also ends a call that waits: to open a pipe that nobody reads, say.
+// In its life a signal also ends a call that waits: to open a pipe that has no reader, say.
 class WaitsEndAtInterrupts {
  public:
   WaitsEndAtInterrupts();
