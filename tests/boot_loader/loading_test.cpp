@@ -213,6 +213,19 @@ TEST(loading, where_there_is_no_loader_that_is_said) {
   EXPECT_EQ(chip.session.entry(), old_entry);
 }
 
+// Another device at the port, say.
+TEST(loading, a_line_that_never_rests_ends_in_a_failure) {
+  struct Chatter : loading::ByteStream {
+    void write(std::span<const std::uint8_t>) override {}
+    std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds) override {
+      std::ranges::fill(bytes, std::uint8_t{'x'});
+      return bytes.size();
+    }
+  };
+  Chatter chatter;
+  EXPECT_THROW(loading::load(chatter, random_program(700)), LoadFailed);
+}
+
 TEST(loading, plain_bytes_begin_where_the_memory_does) {
   const auto file = std::filesystem::temp_directory_path() / "stepfabric_loading_test.bin";
   std::ofstream(file, std::ios::binary) << std::string("abc\0ef", 6);

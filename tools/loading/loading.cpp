@@ -33,6 +33,8 @@ constexpr unsigned most_attempts = 10;
 // machine takes that long for a block, and frames that are sent too early only make it later.
 constexpr unsigned most_doublings = 3;
 constexpr unsigned most_restarts = 3;
+// A line of 1 Mbaud that never rests must not be listened to for ever.
+constexpr std::size_t most_bytes_per_ms = 100;
 
 void add_word(Bytes& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) {
@@ -102,7 +104,9 @@ struct Refused {
 };
 
 std::optional<Host::Reply> Host::next_reply(milliseconds patience) {
-  for (;;) {
+  const std::size_t most_bytes =
+      most_bytes_per_ms * static_cast<std::size_t>(patience.count()) + most_bytes_per_ms;
+  for (std::size_t bytes_read = 0;;) {
     while (!unread_.empty()) {
       const std::uint8_t byte = unread_.front();
       unread_.erase(unread_.begin());
@@ -112,7 +116,8 @@ std::optional<Host::Reply> Host::next_reply(milliseconds patience) {
     }
     std::array<std::uint8_t, 256> bytes;
     const std::size_t count = stream_.read(bytes, patience);
-    if (count == 0) {
+    bytes_read += count;
+    if (count == 0 || bytes_read > most_bytes) {
       receiver_.silence();
       return std::nullopt;
     }
