@@ -8,7 +8,7 @@ add_unit_test(step_generator_test
     step_generator_settings_test.cpp step_generator_stop_test.cpp
     ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp
   LIBRARIES verilated_bus step_generator_model
-  LABELS unit drivers ARGUMENTS --gtest_filter=-*whole*)
+  LABELS unit driver ARGUMENTS --gtest_filter=-*whole*)
 
 # A ramp of a hundred million clocks.
 add_test(NAME step_generator_slow_test COMMAND step_generator_test --gtest_filter=*whole*)
@@ -17,12 +17,12 @@ set_tests_properties(step_generator_slow_test PROPERTIES LABELS slow TIMEOUT 180
 add_unit_test(step_generator_reference_test
   SOURCES step_generator_reference_test.cpp
   LIBRARIES verilated_bus motion_reference step_generator_model
-  LABELS unit drivers)
+  LABELS unit driver)
 
 add_unit_test(step_generator_wild_test
   SOURCES step_generator_wild_test.cpp wild_program.cpp wild_actions.cpp
   LIBRARIES verilated_bus step_generator_model
-  LABELS unit drivers)
+  LABELS unit driver)
 
 # The same with more runs than an everyday check has time for.
 add_test(NAME step_generator_reference_slow_test COMMAND step_generator_reference_test)
@@ -37,7 +37,7 @@ target_link_libraries(step_generator_edges
 add_test(NAME step_generator_cross_check
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/step_generator_cross_check.sh $<TARGET_FILE:step_generator_edges>
     ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/step_generator_cross_check 0 1 2 3)
-set_tests_properties(step_generator_cross_check PROPERTIES LABELS "drivers;testbench" TIMEOUT 600)
+set_tests_properties(step_generator_cross_check PROPERTIES LABELS "driver;testbench" TIMEOUT 600)
 
 # Tables for the pictures of rtl/motion/pictures.
 add_executable(step_generator_traces step_generator_traces.cpp
