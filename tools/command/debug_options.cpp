@@ -8,7 +8,7 @@ namespace command {
 
 void add_options(CLI::App& app, DebugOptions& options) {
   CLI::App& job = *app.add_subcommand(
-      "debug", "Run the chip with its JTAG pins in the hands of OpenOCD and gdb, until Ctrl-C.");
+      "debug", "Run the chip with its JTAG pins open to OpenOCD and gdb, until Ctrl-C.");
   job.add_option("program", options.program,
                  "as for `run`; default: the firmware, on the simulated printer")
       ->type_name("PROGRAM.elf");
@@ -16,7 +16,7 @@ void add_options(CLI::App& app, DebugOptions& options) {
       ->capture_default_str();
   job.add_option("--pty", options.terminal, "symlink to the firmware's serial line, for a host")
       ->type_name("PATH");
-  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+  job.add_option("--until", options.until_seconds, "stop after this many simulated seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
@@ -24,9 +24,9 @@ void add_options(CLI::App& app, DebugOptions& options) {
       ->capture_default_str();
   add_printer_options(job, options.printer);
   job.footer(
-      R"(Says how to connect OpenOCD and gdb (tools/debug). While the processor is halted the rest
-of the chip goes on: the heaters' watchdog switches them off, as it does for software that hangs.
-Exit status: 0 after Ctrl-C or --until, 1 where the hardware failed an assertion, 2 bad usage.)");
+      R"(Prints how to connect OpenOCD and gdb (tools/debug). While the processor is halted the rest
+of the chip runs on: the watchdog switches the heaters off, as for software that hangs.
+Exit status: 0 after Ctrl-C or --until, 1 a hardware assertion failed, 2 bad usage.)");
 }
 
 }  // namespace command

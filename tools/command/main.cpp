@@ -126,9 +126,9 @@ int run_command(int count, char** arguments) {
   tests->add_option("--costs", jobs.test.costs, "write what the tests have cost into this folder")
       ->type_name("DIR");
   add_options(app, jobs.fuzz);
-  proof::add_options(
-      *app.add_subcommand("prove", "Try the formal proofs, and that each of them bites."),
-      jobs.prove);
+  proof::add_options(*app.add_subcommand(
+                         "prove", "Run the formal proofs, and check each against injected faults."),
+                     jobs.prove);
   synthesis::add_options(
       *app.add_subcommand("synth", "Synthesise, place and route the chip with its firmware."),
       jobs.synth);

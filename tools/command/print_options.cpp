@@ -41,27 +41,26 @@ void add_options(CLI::App& app, PrintOptions& options) {
   job.add_option("--trace", options.trace, "write all signals of the chip; slow, and large")
       ->type_name("FILE.fst");
   job.add_option("--stepping", options.printer.stepping,
-                 "who makes the steps; software: the processor, in its timer interrupt")
+                 "step generator, or the processor in its timer interrupt")
       ->check(CLI::IsMember({"hardware", "software"}))
       ->capture_default_str();
-  job.add_option("--until", options.until_seconds, "stop after so many simulated seconds")
+  job.add_option("--until", options.until_seconds, "stop after this many simulated seconds")
       ->type_name("S")
       ->check(CLI::PositiveNumber);
   job.add_option("--clock-hz", options.printer.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
   job.add_option("--window", options.window,
-                 "lines sent and not answered yet; 1 as Printrun and OctoPrint, 4 as Cura")
+                 "lines in flight: sent and not yet acknowledged; Printrun and OctoPrint 1, Cura 4")
       ->check(CLI::Range(std::size_t{1}, most_window))
       ->capture_default_str();
   job.add_flag("--no-answer", options.no_answer,
-               "do not answer M0 and M1 (as a user who presses Continue at once): end there");
+               "end at M0 and M1; by default they are answered at once, as by a user");
   CLI::Option* replay =
       job.add_option(
              "--replay",
-             "let the netlist of the whole chip do so many intervals of the print again, "
-             "chosen at random, or all of them: every pin in every clock, and all registers "
-             "and the memory at their ends must be the same")
+             "replay N random intervals of the print, or all, on the netlist of the whole chip: "
+             "every pin in every clock, and all registers and the memory at their ends, must be equal")
           ->type_name("N|all")
           ->each([&options](const std::string& word) {
             if (const std::string complaint = take_replay(word, options.replay);
@@ -70,20 +69,19 @@ void add_options(CLI::App& app, PrintOptions& options) {
             }
           });
   job.add_option("--replay-seed", options.replay.seed,
-                 "which intervals are chosen; else any, and the job says which seed")
+                 "seed of that choice; by default a random one, which is printed")
       ->needs(replay);
   add_printer_options(job, options.printer);
   job.footer(
-      R"(The file is sent as a host does it: without comments, with the host's own line numbers and
-checksums; M110 is not sent, and a number or a right checksum in the file is taken off.
+      R"(The file is sent as by a host program: without comments, with the host's own line numbers and
+checksums. M110 is not sent; line numbers and valid checksums in the file are removed.
 
-Exit status: 0 the print is good: all of the file (or, with --until, of what was sent by then)
-was made to the step. 1 it is bad: it faulted; the chip refused or lost a line that should move
-or heat; X, Y, Z or E was not at its step at the end of a line; the queue ran dry; a pulse was
-illegal or a step lost; a replay differs. 2 bad usage or a file that cannot be printed. 130
-interrupted. From the begin on the folder has a report of this job alone: one that says that it
-has not ended, until it has. Only bad usage leaves an earlier one there. Refused lines that move
-and heat nothing are warnings.)");
+Exit status: 0 good: the whole file (with --until, the part sent by then) was executed to the
+exact step. 1 bad: a fault; a line that moves or heats was refused or lost; X, Y, Z or E was not
+at its step at the end of a line; the queue ran empty; an illegal pulse or a lost step; a replay that
+differs. 2 bad usage, or a file that cannot be printed. 130 interrupted. From its start the job replaces an
+earlier report in the folder by one marked as unfinished; bad usage leaves it. Refused lines that
+neither move nor heat are warnings.)");
 }
 
 }  // namespace command

@@ -18,26 +18,25 @@ void add_printer_options(CLI::App& job, PrinterChoices& choices) {
                  "quarter of the clock")
       ->check(CLI::Range(lowest_baud, highest_baud));
   job.add_option("--seed", choices.seed,
-                 "seed of all that is random: start position, tolerances, noise")
+                 "seed of everything random: start position, tolerances, noise")
       ->capture_default_str();
   job.add_flag("--warm", choices.warm,
                "the heaters start near their targets, which saves simulated minutes");
   job.add_flag(
       "--every-clock", choices.every_clock,
-      "evaluate every clock edge of the chip, all of it by its netlist: the same print, many "
+      "evaluate every clock edge of the chip, with the netlist alone: the same print, many "
       "times slower");
   job.add_option("--processor", choices.processor,
-                 "what stands for the processor, to the same clocks: its model, or its netlist, "
-                 "which is slower")
+                 "simulate the processor by its model, or by its netlist (slower); both are "
+                 "cycle-exact")
       ->transform(CLI::CheckedTransformer(std::map<std::string, sim::Processor>{
           {"model", sim::Processor::model}, {"netlist", sim::Processor::netlist}}))
       ->default_str("model");
   job.add_option("--accept-log", choices.accept_log,
-                 "write each line that the firmware took: <number or ->TAB<command>")
+                 "write each line that the firmware accepted: <number or ->TAB<command>")
       ->type_name("FILE");
-  job.add_option(
-         "--fault", choices.faults,
-         "break a part; may be given several times:\n" + std::string(machine::fault_forms()))
+  job.add_option("--fault", choices.faults,
+                 "inject a fault; may be repeated:\n" + std::string(machine::fault_forms()))
       ->type_name("FAULT");
 }
 

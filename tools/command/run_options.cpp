@@ -11,7 +11,7 @@ void add_options(CLI::App& app, RunOptions& options) {
                  "linked to 0x80000000, 96 KiB; ends by a store to `tohost`")
       ->required()
       ->type_name("PROGRAM.elf");
-  job.add_option("--max-cycles", options.max_cycles, "give up after so many clocks")
+  job.add_option("--max-cycles", options.max_cycles, "give up after this many clocks")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   job.add_option("--clock-hz", options.clock_hz, "clock that the chip reports to the program")
@@ -26,10 +26,9 @@ void add_options(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
   job.add_option("--trace", options.trace, "write all signals of the chip")->type_name("FILE.fst");
   job.footer(
-      R"(Exit status: the program's, which is 0 where 1 was stored to `tohost`, otherwise the
-value >> 1; from 123 on it is 123, and the output says the real one. Above that it is this
-command's: 124 nothing was stored within --max-cycles, 125 bad usage or a file that is no such
-program, 130 interrupted.)");
+      R"(Exit status: that of the program: 0 if it stored 1 to `tohost`, otherwise the value >> 1;
+123 stands for 123 and above (the output has the value). Of this command: 124 nothing was stored
+within --max-cycles, 125 bad usage or not such a program, 130 interrupted.)");
 }
 
 }  // namespace command

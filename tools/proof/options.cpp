@@ -47,7 +47,7 @@ void add_options(CLI::App& job, Options& options) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   job.footer(
-      "The properties stand in testbench/proofs/FOLDER, the proofs in the lists of FOLDER/proofs,\n"
+      "The properties are in testbench/proofs/FOLDER, the proofs in the lists of FOLDER/proofs,\n"
       "the faults in those of FOLDER/mutations. A proof by induction holds for all times; a "
       "bounded\n"
       "one for its number of clocks after the start. Where one fails, a trace (VCD) is left in\n"

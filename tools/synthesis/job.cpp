@@ -89,18 +89,17 @@ void add_options(CLI::App& job, Options& options) {
       ->check(CLI::IsMember({"ulx3s", "core"}))
       ->type_name("BOARD");
   job.add_option("--device", options.device,
-                 "which ECP5 it bears: 25k, 45k or 85k (or 25f, ...); for core also an iCE40, "
+                 "the FPGA: ECP5 25k, 45k or 85k (or 25f, ...); for core also an iCE40, "
                  "hx8k or up5k, with 4 KiB of memory")
       ->transform(CLI::Transformer(
           std::map<std::string, std::string>{{"25f", "25k"}, {"45f", "45k"}, {"85f", "85k"}},
           CLI::ignore_case))
       ->check(CLI::IsMember({"25k", "45k", "85k", "hx8k", "up5k"}))
       ->capture_default_str();
-  job.add_option("--seed", options.seed,
-                 "where the placement starts from; the clock varies with it")
+  job.add_option("--seed", options.seed, "seed of the placement; the clock rate varies with it")
       ->capture_default_str();
   job.add_option("--seeds", options.seeds,
-                 "so many placements, from --seed on; the fastest becomes the bitstream")
+                 "number of placements, from --seed on; the fastest becomes the bitstream")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (ulx3s)");
@@ -121,7 +120,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   const bool alone = options.board == "core";
   if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");
   if (device.family != Family::ecp5 && !alone) {
-    throw std::runtime_error(fmt::format("{} bears an ECP5; an {} is there for core alone",
+    throw std::runtime_error(fmt::format("{} has an ECP5; an {} is only possible for core",
                                          options.board, name_of(device.family)));
   }
   std::filesystem::create_directories(options.directory);
