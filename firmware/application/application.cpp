@@ -185,7 +185,7 @@ void Application::report(Now now) {
   if (due(reports.position_interval(), next_position_)) link_.say(reports.position_line().view());
 }
 
-// A host that is gone shall not leave the printer hot for ever.
+// A host that is gone shall not leave the printer hot forever.
 void Application::switch_off_forgotten_heaters(Now now) {
   if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
     last_work_ = now.milliseconds;

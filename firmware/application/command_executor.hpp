@@ -35,7 +35,7 @@ class CommandExecutor {
     active_.wait_cancelled = true;
   }
   void quick_stop();
-  // M220 of a person in the midst of a job.
+  // M220 of a person in the middle of a job.
   void set_speed_at_once(std::int32_t percent) { groups_.factors.set_speed_at_once(percent); }
   void prompt_answered() {
     if (asks_user()) active_.wait_cancelled = true;

@@ -18,7 +18,7 @@ class FactorCommands {
   Progress set_flow(ActiveCommand& command);
   Progress report_flow(ActiveCommand& command);
 
-  // M220 of a person in the midst of a job.
+  // M220 of a person in the middle of a job.
   void set_speed_at_once(std::int32_t percent);
 
  private:

@@ -11,7 +11,7 @@ namespace application {
 
 class HangUp {
  public:
-  // Much longer than a host pauses in the midst of a line just where noise hits it.
+  // Much longer than a host pauses in the middle of a line just where noise hits it.
   static constexpr units::Milliseconds least_rest{10};
 
   // After each look at the uart, whose counts are `errors`: `gap` where something was lost before

@@ -26,7 +26,7 @@ class Pace {
       : step_generator_(step_generator), slope_(clock, most_lines) {}
 
   void set_limits(const motion::Limits& limits);
-  // A line has been planned, with this feedrate: the slope is one that it bears.
+  // A line has been planned, with this feedrate: the slope is one that it allows.
   void note_line(units::MicrometersPerSecond feedrate);
   // All lines that have been planned are done.
   void note_rest();

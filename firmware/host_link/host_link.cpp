@@ -141,7 +141,7 @@ void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgem
   switch (judgement.verdict) {
     case Verdict::accept:
       if (line.too_long) {
-        // Whole and in order, but more than can be kept: the host must not send it for ever.
+        // Whole and in order, but more than can be kept: the host must not send it forever.
         numbering_.accepted(line, now_);
         drop_owed_resend();
         return notify(Notice::too_long);

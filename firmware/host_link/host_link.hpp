@@ -63,7 +63,7 @@ class HostLink {
 
   // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
   // each while the user is waited for, since its host may be one that has just come; and M105 from
-  // a person in the midst of a job.
+  // a person in the middle of a job.
   std::optional<std::uint8_t> query() const;
   // Sends its ok; as finished().
   bool query_answered(std::string_view report = {});

@@ -123,7 +123,7 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   return refuse_or_ignore(now);
 }
 
-// In the midst of a job it is rather a host that was sent back, or a fault that the XOR missed.
+// In the middle of a job it is rather a host that was sent back, or a fault that the XOR missed.
 Judgement LineNumbering::judge_after_lost_start(units::Milliseconds now) {
   if (established_ && now - last_taken_ < restart_pause) return refuse_or_ignore(now);
   const bool asked_for_it = asked_for() == 0;

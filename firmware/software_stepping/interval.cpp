@@ -73,7 +73,7 @@ std::int32_t positive_root(std::int32_t a, std::int32_t b) {
 }
 
 // 2^63 / divisor without a division: where ticks leave the program fewer clocks than one takes, it
-// would start over after each, for ever. 2^33 <= divisor < 2^47.
+// would start over after each, forever. 2^33 <= divisor < 2^47.
 std::uint64_t quotient_of_2_63(std::uint64_t divisor) {
   const auto upper = static_cast<std::uint32_t>(divisor >> 15);
   const auto shift = static_cast<unsigned>(std::countl_zero(upper));

@@ -30,7 +30,7 @@ class Axis {
   void step(double seconds, int direction);
   // A step() that the driver did not take after all (its pulse was too short).
   void undo_step(int direction);
-  // The driver lets go of the motor: nothing moves until the next step.
+  // The driver releases the motor: nothing moves until the next step.
   void release();
 
   std::int64_t position() const { return position_; }

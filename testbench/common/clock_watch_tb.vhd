@@ -38,7 +38,7 @@ begin
       closes : assert closed = '1' report "does not close" severity error;
       for i in 1 to 1_000 loop
         wait for 1 us;
-        bears_a_running_clock : assert closed = '1' and veto = '0' report "opens" severity error;
+        accepts_a_running_clock : assert closed = '1' and veto = '0' report "opens" severity error;
       end loop;
       runs <= false;
       stopped_at := now;

@@ -55,7 +55,7 @@ begin
       a_pulse_is_work : assert outputs.working = '1' severity failure;
     end if;
     if quiet_clocks > 30 and inputs.guard.direction_setup < 10 and inputs.guard.high < 10 then
-      work_has_an_end : assert outputs.working = '0' report "works for ever" severity failure;
+      work_has_an_end : assert outputs.working = '0' report "works forever" severity failure;
     end if;
   end process;
 

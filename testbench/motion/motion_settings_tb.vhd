@@ -116,7 +116,7 @@ begin
     step <= "00";
     write(pulse_guard + 4, pulse(5, 5), false);
     assert guards(1).high = 5 and both_edges = "01" severity failure;
-    -- To both edges as little as from both to one.
+    -- Nor from one edge to both.
     step <= "11";
     write(pulse_guard + 4, pulse(6, 6, edges => '1'), true);
     assert guards(1).high = 5 and both_edges = "01" severity failure;

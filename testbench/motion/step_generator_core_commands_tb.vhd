@@ -114,7 +114,7 @@ begin
       assert seen.snapshot_positions = expected_positions severity failure;
     end loop;
 
-    -- The watchdog: fed it lets motion be, then it ends it.
+    -- The watchdog: motion runs on while it is fed, then it stops.
     drive.watchdog_limit <= 100;
     pulse(clk, drive.feed_watchdog);
     for i in 1 to 4 loop

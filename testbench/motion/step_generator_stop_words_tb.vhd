@@ -104,7 +104,7 @@ begin
     expect(master, step_generator_snapshot_position_address + 8, 0);
     write(master, step_generator_override_address, 65536);
 
-    -- The watchdog: fed it lets motion be.
+    -- The watchdog: motion runs on while it is fed.
     write(master, step_generator_command_address, feed_command);
     for i in 1 to 3 loop
       wait_clocks(clk, 300);

@@ -206,7 +206,7 @@ begin
       wait_clocks(clk, 4);
       assert outputs.moving = '1' severity failure;
       wait_until_idle(clk, outputs.idle);
-      -- It rests all the same.
+      -- It rests anyway.
       other := clocks_left_out;
       wait_clocks(clk, 30);
       assert clocks_left_out - other > 10 severity failure;
@@ -217,7 +217,7 @@ begin
     write(master, step_generator_command_address, flush_command);
     expect(master, step_generator_status_address, depth * one_free + idle_status);
 
-    -- A reset forgets all of it, and rest was worth the trouble.
+    -- A reset clears all of it; many edges were left out by then.
     write(master, step_generator_motor_enable_address, 3);
     write(master, step_generator_position_address, 77);
     write(master, step_generator_position_address, 78);

@@ -67,7 +67,7 @@ begin
     assert counts.ticks = ticks_before + 10 severity failure;
     assert outputs.underruns = 1 report "the end of motion was not intended" severity failure;
 
-    -- What is left of the phase goes over to the next segment: 10 ticks at 0.3 take 34 clocks in all.
+    -- What is left of the phase carries over to the next segment: 10 ticks at 0.3 take 34 clocks in all.
     ticks_before := counts.ticks;
     offer(clk, inputs, outputs, 1, x"4CCCCCCCCCCCCCCD", '0');
     began := counts.clocks;

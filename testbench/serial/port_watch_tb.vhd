@@ -114,7 +114,7 @@ begin
     wait for 3 * break_clocks * period;
     none_was_made : assert breaks = 2 report to_string(breaks) & " breaks" severity error;
 
-    -- Opened in the midst of the break: it ends at once.
+    -- Opened in the middle of the break: it ends at once.
     closed <= '1';
     break_allowed <= true;
     wait for break_clocks / 2 * period;

@@ -135,7 +135,7 @@ begin
     present_count <= 4_813;
     wait_clocks(clk, 2 * conversion);
     feed_watchdog(master);
-    bears_a_little : assert outputs.supply = '1' report "open" severity error;
+    tolerates_a_little : assert outputs.supply = '1' report "open" severity error;
     present_count <= 4_812;
     wait_clocks(clk, 2 * conversion);
     expect_trip(master, outputs.interrupt, heater_control_status_heats_unasked_trip_bit);

@@ -44,7 +44,7 @@ TEST(file_commands, executes_nothing_between_m28_and_m29) {
   EXPECT_EQ(printer.counters.commands_refused, 4u);
 }
 
-// A host that comes into the midst of it gets online.
+// A host that comes into the middle of it gets online.
 TEST(file_commands, says_what_it_is_between_m28_and_m29) {
   Printer printer;
   printer.talk(R"(

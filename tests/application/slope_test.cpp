@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t most_lines = 20;
 
-// What the largest slope is that a line bears, in 1/s: along the path, and of each axis.
+// What the largest slope is that a line allows, in 1/s: along the path, and of each axis.
 double slope_of(const motion::Limits& limits, std::int32_t feedrate) {
   double highest = 0;
   double slope = 1e9;

@@ -30,7 +30,7 @@ static_assert(counting::has_counts<Vprinter_core___024root>);
 static_assert(counting::has_counts<Vchip_without_processor___024root>);
 static_assert(counting::has_processor<Vprinter_core___024root>);
 
-// A chip whose processor sleeps for ever, or is not there.
+// A chip whose processor sleeps forever, or is not there.
 template <class Model>
 class Sleeper {
  public:

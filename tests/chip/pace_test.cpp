@@ -25,7 +25,7 @@ struct Recorder : devices::StepListener {
   std::vector<devices::StepEdge> edges;
 };
 
-// What a person sends in the midst of the job, so long after its first step.
+// What a person sends in the middle of the job, so long after its first step.
 struct Remark {
   sim::Clock after;
   std::string text;

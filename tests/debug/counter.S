@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The program that the debuggers load: it counts for ever, in a register and in memory. */
+/* The program that the debuggers load: it counts forever, in a register and in memory. */
   .section .text.start, "ax"
   .globl _start, loop, counted, counter, stop
 _start:

@@ -25,7 +25,7 @@ TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
   start({});
   int host = open_port();
   EXPECT_TRUE(connect(host));
-  // Gone without reading what it has requested, in the midst of a line.
+  // Gone without reading what it has requested, in the middle of a line.
   write_text(host, "M115\nN1 G1 X5");
   close(host);
   std::this_thread::sleep_for(500ms);

@@ -142,7 +142,7 @@ TEST(thermistor_input, follows_a_capacitor_that_changes_or_is_lost) {
   EXPECT_NEAR(charge_time(input, 2, 1) / whole, 0.5, 1e-6);
   input.scale_capacitor(2, 3);
   EXPECT_NEAR(charge_time(input, 2, 2) / whole, 1.5, 1e-6);
-  // In the midst of charging the voltage stays, and the rest takes half as long.
+  // In the middle of charging the voltage stays, and the rest takes half as long.
   input.set_pins(3, 7, 0);
   input.set_pins(3.01, 4, 4);
   const double middle = 3.01 + whole / 2;

@@ -98,7 +98,7 @@ TEST_F(FileHostTest, gives_up_on_a_line_that_is_refused_again_and_again) {
 }
 
 TEST_F(FileHostTest, gives_up_where_the_chip_sends_it_back_to_an_old_line_for_ever) {
-  // As after M110 N1 in the midst of a job: every answer but a repeat requests line 1.
+  // As after M110 N1 in the middle of a job: every answer but a repeat requests line 1.
   const auto commands = devices::parse_gcode_text("G28\nG1 X1\nG1 X2\n", "test");
   host.emplace(*commands, line, rate);
   simulation.attach(*host, {});

@@ -37,7 +37,7 @@ TEST_F(PseudoTerminalTest, gives_a_new_host_nothing_that_was_said_to_the_one_bef
   chip.say("to no host\n");
   simulation.run_until(simulation.now() + rate.clocks(0.05));
   EXPECT_FALSE(terminal.connected());
-  // One that never reads, and is gone in the midst of a line.
+  // One that never reads, and is gone in the middle of a line.
   const int port = open(link.c_str(), O_RDWR | O_NOCTTY);
   ASSERT_EQ(write(port, "M105\nM10", 8), 8);
   simulation.run_until(simulation.now() + rate.clocks(0.05));

@@ -73,7 +73,7 @@ void add_options(CLI::App& app, PrintOptions& options) {
       ->needs(replay);
   add_printer_options(job, options.printer);
   job.footer(
-      R"(The file is sent as by a host program: without comments, with the host's own line numbers and
+      R"(The file is sent as by a host program: without comments, with the host's line numbers and
 checksums. M110 is not sent; line numbers and valid checksums in the file are removed.
 
 Exit status: 0 good: the whole file (with --until, the part sent by then) was executed to the

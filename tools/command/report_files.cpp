@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.json and report.html. Where one cannot be written, the other is tried all the same.
+// report.json and report.html. Where one cannot be written, the other is tried anyway.
 #include "tools/command/report_files.hpp"
 
 #include <fcntl.h>

@@ -135,7 +135,7 @@ std::string page() {
       "one of its\n  axes would stay where it is. Others take no notice of it.\n"
       "- *At rest*: as soon as all motion before it has ended. *With room*: in the planner. "
       "*On reception*: at once, ahead of the\n  lines that wait. *Ahead*: the same while the user "
-      "is waited for, M105 of a person also in the midst of a job.\n"
+      "is waited for, M105 of a person also in the middle of a job.\n"
       "- From M28 to M29 nothing is executed but {}, and what acts on reception.\n"
       "- Behind a refused M37 or M111 the same are executed, and {}.\n"
       "- M115 reports {}\n  (`ADVANCED_OK` as the machine description says).\n",

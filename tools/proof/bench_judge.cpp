@@ -95,7 +95,7 @@ Judged BenchJudge::ask(const std::string& bench, const Variant& variant, const f
   if (text.find("simulation failed") == std::string::npos) {
     return {Finding::refused, last_words(log)};
   }
-  // A value out of its range: a fault where the chip can be made all the same.
+  // A value out of its range: a fault where the chip can be made anyway.
   for (const std::string& entity : sources_.entities_of(variant.unit)) {
     if (!sources_.synthesize(entity, variant.unit, file.string(), {}, folder)) {
       return {Finding::refused, "refused by synthesis"};
