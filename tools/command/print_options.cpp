@@ -78,10 +78,10 @@ checksums. M110 is not sent; line numbers and valid checksums in the file are re
 
 Exit status: 0 good: the whole file (with --until, the part sent by then) was executed to the
 exact step. 1 bad: a fault; a line that moves or heats was refused or lost; X, Y, Z or E was not
-at its step at the end of a line; the queue ran empty; an illegal pulse or a lost step; a replay that
-differs. 2 bad usage, or a file that cannot be printed. 130 interrupted. From its start the job replaces an
-earlier report in the folder by one marked as unfinished; bad usage leaves it. Refused lines that
-neither move nor heat are warnings.)");
+at its step at the end of a line; the queue ran empty; an illegal pulse or a lost step; a replay
+that differs. 2 bad usage, or a file that cannot be printed. 130 interrupted. From its start the
+job replaces an earlier report in the folder by one marked as unfinished; bad usage leaves it.
+Refused lines that neither move nor heat are warnings.)");
 }
 
 }  // namespace command
