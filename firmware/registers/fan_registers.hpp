@@ -16,7 +16,7 @@ struct Duty {
   static constexpr std::uint32_t address = base + 0x0u;
   static constexpr unsigned slots_low = 0, slots_width = 8;
   static constexpr std::uint32_t slots_max = 0xFFu, slots_mask = slots_max << slots_low;
-  // On for so many of the 255 slots of a period: 0 is off, 255 is always on.
+  // Slots of the 255 of a period in which the fan is on: 0 is off, 255 is always on.
   std::uint32_t slots{};
 
   static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {

@@ -125,7 +125,7 @@ struct Duty {
   }
   static constexpr unsigned density_low = 0, density_width = 16;
   static constexpr std::uint32_t density_max = 0xFFFFu, density_mask = density_max << density_low;
-  // Open for so many of 65535 slots, spread evenly.
+  // Slots of 65535 in which the gate is open, spread evenly.
   std::uint32_t density{};
 
   static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {

@@ -26,7 +26,7 @@ struct Control {
   bool enable{};
   // The two reference resistors are there: discharge through them too and measure them.
   bool references{};
-  // Each charge is preceded by so many clocks more of charge through the high reference than the one before it.
+  // Clocks by which the precharge through the high reference grows from charge to charge.
   std::uint32_t dither_cycles{};
   // Charges per resistor and conversion, less one.
   std::uint32_t more_charges{};

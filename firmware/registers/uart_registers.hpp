@@ -170,11 +170,11 @@ struct Interrupts {
   static constexpr std::uint32_t on_line_end_mask = 1u << on_line_end_bit;
   static constexpr unsigned transmit_threshold_low = 16, transmit_threshold_width = 12;
   static constexpr std::uint32_t transmit_threshold_max = 0xFFFu, transmit_threshold_mask = transmit_threshold_max << transmit_threshold_low;
-  // Interrupt while at least so many bytes wait; 1 is for any, 0 never.
+  // Interrupt while at least this many bytes wait; 1: any, 0: never.
   std::uint32_t receive_threshold{};
   // Interrupt while `status.line_waits`, however few bytes wait.
   bool on_line_end{};
-  // Interrupt while at least so many bytes may be written; 0 never.
+  // Interrupt while at least this many bytes may be written; 0: never.
   std::uint32_t transmit_threshold{};
 
   static constexpr Interrupts decode([[maybe_unused]] std::uint32_t word) {

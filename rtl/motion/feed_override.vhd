@@ -72,7 +72,7 @@ architecture rtl of feed_override is
   -- Base clocks that are owed beyond the leap being done, in 2^-32.
   signal owed : unsigned(33 downto 0) := (others => '0');
 
-  -- What is done in the next clock of so many whole base clocks, and what stays owed.
+  -- Of this many whole base clocks: what is done in the next clock, and what stays owed.
   type share_t is record
     advance : std_ulogic;
     leap : leap_t;

@@ -9,7 +9,7 @@ use ieee.std_logic_1164.all;
 
 entity port_watch is
   generic (
-    -- The line must have rested for so long: what is still under way from the bridge is heard to its end.
+    -- The line must have been idle for this time: bytes still on their way from the bridge arrive.
     quiet_clocks : positive;
     -- Length of the break.
     break_clocks : positive
