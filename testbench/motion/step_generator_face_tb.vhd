@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, the queue's threshold and
--- highest level, the rate floor, drivers that stay on until the last pulse has ended, an emergency at rest, and interrupts that a reset withdraws. A second
--- generator, which gets no edge that may be left out, does the same.
+-- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, threshold and highest
+-- level of the queue, the rate floor, drivers that stay on until the last pulse has ended, an emergency at
+-- rest, and interrupts that a reset withdraws. A second generator, which gets no edge that may be left out,
+-- does the same.
 
 library ieee;
 use ieee.std_logic_1164.all;

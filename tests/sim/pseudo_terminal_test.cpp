@@ -163,7 +163,7 @@ TEST_F(PseudoTerminalTest, lets_a_host_write_behind_one_that_stopped_its_output)
   close(port);
   simulation.run_until(simulation.now() + rate.clocks(0.01));
   const int next = open(link.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
-  ASSERT_EQ(write(next, "\n", 1), 1);  // otherwise the one that asks would wait for ever
+  ASSERT_EQ(write(next, "\n", 1), 1);  // otherwise the one that asks would wait forever
   close(next);
   simulation.run_until(simulation.now() + rate.clocks(0.2));
   EXPECT_EQ(ask("M105\n"), "ok M105\n");

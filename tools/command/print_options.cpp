@@ -60,7 +60,8 @@ void add_options(CLI::App& app, PrintOptions& options) {
       job.add_option(
              "--replay",
              "replay N random intervals of the print, or all, on the netlist of the whole chip: "
-             "every pin in every clock, and all registers and the memory at their ends, must be equal")
+             "every pin in every clock, and all registers and the memory at their ends, must be "
+             "equal")
           ->type_name("N|all")
           ->each([&options](const std::string& word) {
             if (const std::string complaint = take_replay(word, options.replay);

@@ -33,7 +33,7 @@ constexpr unsigned most_attempts = 10;
 // machine takes that long for a block, and frames that are sent too early only make it later.
 constexpr unsigned most_doublings = 3;
 constexpr unsigned most_restarts = 3;
-// A line of 1 Mbaud that never rests must not be listened to for ever.
+// A line of 1 Mbaud that never rests must not be listened to forever.
 constexpr std::size_t most_bytes_per_ms = 100;
 
 void add_word(Bytes& bytes, std::uint32_t word) {

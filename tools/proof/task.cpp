@@ -105,7 +105,7 @@ Outcome solve_clocked(const SolverInput& input, const Proof& proof, const fs::pa
   return solve(input, {"induction", "-i", proof.depth}, folder, limit);
 }
 
-// Every value in turn: requested in each clock as the first that is not zero.
+// Every value in turn: asked for in each clock as the first that is not zero.
 Outcome sight(const SolverInput& input, const Proof& proof, const fs::path& folder,
               std::chrono::seconds limit) {
   std::string script =
@@ -170,7 +170,7 @@ Outcome solve_lemma(const fs::path& lemma, const fs::path& folder, std::chrono::
 Outcome turned_around(Outcome outcome, const std::string& proof) {
   if (outcome.verdict == Verdict::holds) {
     outcome.verdict = Verdict::fails;
-    outcome.explanation = fmt::format("survives: {} holds anyway", proof);
+    outcome.explanation = fmt::format("survives: {} holds all the same", proof);
   } else if (outcome.verdict == Verdict::fails) {
     outcome.verdict = Verdict::holds;
     outcome.failed = {proof};
@@ -261,8 +261,8 @@ Outcome try_mutation(const Folders& folders, const Mutation& mutation, const Pro
     outcome = solve(input, from_start(mutation.depth), folder, limit);
     if (outcome.verdict == Verdict::holds) {
       outcome.verdict = Verdict::fails;
-      outcome.explanation =
-          fmt::format("survives: {} holds for {} clocks anyway", mutation.property, mutation.depth);
+      outcome.explanation = fmt::format("survives: {} holds for {} clocks all the same",
+                                        mutation.property, mutation.depth);
     } else if (outcome.verdict == Verdict::fails) {
       outcome.verdict = Verdict::holds;
     }
