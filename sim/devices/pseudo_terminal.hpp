@@ -92,6 +92,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   std::string left_;  // that
   sim::Clock send_left_until_ = 0;
   sim::Clock rest_until_ = 0;  // of the line, after a host
+  sim::Clock settled_at_ = 0;  // the line is idle for long enough since the last byte
   std::string to_host_;
   std::uint64_t bytes_dropped_ = 0;
 };

@@ -25,14 +25,21 @@ constexpr double closing_seconds = 30;
 // than the firmware needs to know that from noise.
 constexpr double break_seconds = 0.02;
 constexpr double rest_seconds = 0.1;
+// As long the line is idle before that (as `port_watch` of the RTL waits): longer than the longest
+// pass of the firmware, which must have read the last byte before it counts the break.
+constexpr double quiet_seconds = 0.02;
 
 }  // namespace
 
 void PseudoTerminal::wake(sim::Clock now) {
   next_wake_ = now + poll_interval_;
+  if (!line_.quiet()) settled_at_ = now + rate_.clocks(quiet_seconds);
   const short events = look();
   if ((events & POLLHUP) == 0) {
-    if (leaving_) host_left(now);
+    if (leaving_) {
+      if (left_.empty() && line_.quiet() && now < settled_at_) return;
+      host_left(now);
+    }
     host_came(now);
     flush();
     take_from_host(now);
@@ -129,7 +136,7 @@ void PseudoTerminal::send_what_is_left(sim::Clock now) {
   if (held_back_ || now < rest_until_ || line_.waiting_bytes() >= line_buffer_bytes) return;
   send(now, std::string_view(left_).substr(0, line_buffer_bytes));
   left_.erase(0, line_buffer_bytes);
-  if (line_.quiet()) host_left(now);
+  if (line_.quiet() && now >= settled_at_) host_left(now);
 }
 
 void PseudoTerminal::host_came(sim::Clock now) {
