@@ -56,6 +56,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void remove_link();
   void renew();
   void release();
+  void note_traffic(sim::Clock now);
   short look() const;
   void take_from_host(sim::Clock now);
   std::string read_from_host();

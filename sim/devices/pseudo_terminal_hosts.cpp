@@ -33,7 +33,7 @@ constexpr double quiet_seconds = 0.02;
 
 void PseudoTerminal::wake(sim::Clock now) {
   next_wake_ = now + poll_interval_;
-  if (!line_.quiet()) settled_at_ = now + rate_.clocks(quiet_seconds);
+  note_traffic(now);
   const short events = look();
   if ((events & POLLHUP) == 0) {
     if (leaving_) {
@@ -51,6 +51,11 @@ void PseudoTerminal::wake(sim::Clock now) {
   if (!connected_) return;
   if (!leaving_) keep_what_is_left(now);
   send_what_is_left(now);
+}
+
+// A short line goes out between two looks, so this is called behind each send as well.
+void PseudoTerminal::note_traffic(sim::Clock now) {
+  if (!line_.quiet()) settled_at_ = now + rate_.clocks(quiet_seconds);
 }
 
 // POLLIN: something to read; POLLHUP: the port is not open.
@@ -104,6 +109,7 @@ void PseudoTerminal::send(sim::Clock now, std::string_view bytes) {
   if (bytes.empty()) return;
   in_line_ = bytes.back() != '\n';
   line_.send(now, bytes);
+  note_traffic(now);
 }
 
 // The new host has opened the port before it was seen that the old one had closed it.

@@ -198,5 +198,22 @@ TEST(misbehaving_hosts, one_that_is_killed_during_m109_leaves_a_printer_that_coo
   chip.expect_that_a_fresh_host_prints();
 }
 
+// As a port that is closed and opened again at once: the line is low for a while, wherever the
+// firmware is, and rests before the next host writes.
+TEST(misbehaving_hosts, ones_that_hang_up_within_an_answer_leave_the_next_one_s_line_whole) {
+  ServedChip chip;
+  for (int phase = 0; phase < 40; ++phase) {
+    chip.run(0.5);
+    chip.send("M105\n");
+    chip.run(0.0007 + 0.00023 * phase);
+    chip.printer->serial_line().hang_up(chip.simulation.now(), chip.rate.clocks(0.02));
+    chip.run(0.12);
+    chip.send("M118 here\n");
+    std::string said;
+    while (said != "here" && !said.starts_with("echo:")) said = chip.reply(1);
+    EXPECT_EQ(said, "here") << phase;
+  }
+}
+
 }  // namespace
 }  // namespace host_programs

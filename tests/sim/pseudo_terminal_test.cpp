@@ -83,6 +83,17 @@ TEST_F(PseudoTerminalTest, sends_what_a_host_has_written_after_it_has_closed) {
   EXPECT_FALSE(terminal.connected());
 }
 
+// Firmware that is busy must have read the line before it counts the break.
+TEST_F(PseudoTerminalTest, rests_between_the_last_byte_of_a_host_and_the_break) {
+  devices::PseudoTerminal terminal(link, line, rate, 250'000);
+  simulation.attach(terminal, {});
+  write_and_close("M118 here\n");
+  simulation.run_until(simulation.now() + rate.clocks(0.015));
+  EXPECT_EQ(chip.breaks, 0U);
+  simulation.run_until(simulation.now() + rate.clocks(0.015));
+  EXPECT_EQ(chip.breaks, 1U);
+}
+
 TEST_F(PseudoTerminalTest, discards_what_a_slow_host_has_left_when_the_next_one_comes) {
   devices::PseudoTerminal terminal(link, line, rate, 250'000);
   simulation.attach(terminal, {});
