@@ -3,6 +3,7 @@
 #include "tools/benchmark/model_speed.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <ctime>
@@ -12,9 +13,12 @@
 #include <stdexcept>
 
 #include "firmware/benchmark/processor.hpp"
+#include "sim/devices/private_folder.hpp"
+#include "sim/devices/pseudo_terminal.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/terminal_host.hpp"
 #include "tools/benchmark/window_host.hpp"
 
 namespace benchmarks {
@@ -26,6 +30,7 @@ constexpr std::uint32_t board_clock_hz = 50'000'000;
 // Simulated milliseconds: until the firmware has started; measured.
 constexpr sim::Clock start_ms = 250, measured_ms = 2500, quick_ms = 50;
 constexpr sim::Clock looks_clocks = 100'000;
+constexpr double patience_seconds = 60;  // of the chip
 constexpr int runs = 3;
 constexpr std::uint32_t computing_without_end = 1'000'000'000;
 
@@ -95,6 +100,37 @@ Measured run_firmware(const ModelScope& scope, ModelKind kind, bool prints,
   return measured;
 }
 
+// As `serve` has it, as fast as it goes: the host is another thread, whose time counts as well.
+Measured run_served(const ModelScope& scope, ModelKind kind) {
+  sim::VerilatedChip chip = made_chip(clock_hz, kind);
+  sim::load(scope.firmware, chip);
+  const sim::ClockRate rate(clock_hz);
+  sim::Simulation simulation(chip, rate);
+  machine::Printer printer(
+      scope.machine,
+      {.baud = scope.machine.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
+      simulation);
+  devices::PseudoTerminal terminal(
+      devices::PrivateFolder().path() / fmt::format("benchmark-{}", getpid()),
+      printer.serial_line(), rate, scope.machine.baud);
+  simulation.attach(terminal, {});
+  TerminalHost host(terminal.slave_path(), lines_of(scope.print_file));
+  // It runs in the time of this machine, not of the chip.
+  while (!host.greeted()) {
+    scope.look();
+    simulation.run_until(simulation.now() + looks_clocks);
+    if (simulation.now() > rate.clocks(patience_seconds)) {
+      throw std::runtime_error("the host was not greeted");
+    }
+  }
+  const Measured measured = measure(simulation, scope);
+  host.stop();
+  if (!host.complaint().empty()) {
+    throw std::runtime_error(fmt::format("a line was refused: {}", host.complaint()));
+  }
+  return measured;
+}
+
 Measured run_computing(const ModelScope& scope, ModelKind kind) {
   sim::VerilatedChip chip = made_chip(clock_hz, kind);
   sim::load(scope.computing, chip);
@@ -142,6 +178,7 @@ std::vector<ModelWork> measure_model(const ModelScope& scope,
       "printing at 50 MHz",
       [&](ModelKind kind) { return run_firmware(scope, kind, true, board_clock_hz); },
       board_clock_hz);
+  add("serving", [&](ModelKind kind) { return run_served(scope, kind); });
   add("computing", [&](ModelKind kind) { return run_computing(scope, kind); });
   return works;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the Verilated model of the chip runs on this machine: asleep, printing and computing.
+// How fast the Verilated model of the chip runs on this machine: asleep, printing, serving
+// a host and computing.
 #pragma once
 
 #include <array>
