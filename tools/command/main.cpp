@@ -123,7 +123,9 @@ int run_command(int count, char** arguments) {
       app.add_subcommand("test", "Build everything and run all tests, or those of some labels.");
   tests->add_option("labels", jobs.test.labels, "unit, testbench, repository, scenario, fuzz, ...")
       ->type_name("LABEL...");
-  tests->add_option("--costs", jobs.test.costs, "write what the tests have cost into this folder")
+  tests
+      ->add_option("--costs", jobs.test.costs,
+                   "run no test: write what each took in the last run into this folder")
       ->type_name("DIR");
   add_options(app, jobs.fuzz);
   proof::add_options(*app.add_subcommand(

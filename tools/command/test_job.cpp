@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of ctest.
+// Calls of ctest, and what the last one has measured.
 #include "tools/command/test_job.hpp"
 
 #include <fmt/format.h>
@@ -27,10 +27,25 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
+void write_costs(const std::filesystem::path& folder, const std::filesystem::path& last_run) {
+  if (!std::filesystem::exists(last_run)) {
+    throw std::runtime_error("all tests have not been run in this build: run `test` first");
+  }
+  const auto costs = figures::test_costs_of(files::text_of(last_run));
+  std::filesystem::create_directories(folder);
+  write(folder / "costs.md", figures::page_of(costs, shown_tests));
+  write(folder / "costs.json", figures::json_of(costs));
+}
+
 }  // namespace
 
 int test(const TestOptions& options) {
-  const std::filesystem::path junit = build_folder() / "tests.xml";
+  const bool all = options.labels.empty();
+  const std::filesystem::path junit = build_folder() / (all ? "tests.xml" : "labelled_tests.xml");
+  if (!options.costs.empty()) {
+    write_costs(options.costs, junit);
+    return success;
+  }
   fmt::print(stderr, "stepfabric: building everything that is tested, log in {}\n",
              (build_folder() / "build.log").string());
   build({"all"});
@@ -44,18 +59,11 @@ int test(const TestOptions& options) {
       junit.string(),
       "--parallel",
       std::to_string(std::max(1U, std::thread::hardware_concurrency()))};
-  if (!options.labels.empty()) {
+  if (!all) {
     arguments.insert(arguments.end(),
                      {"--label-regex", fmt::format("^({})$", fmt::join(options.labels, "|"))});
   }
-  const bool good = run_program(arguments) == 0;
-  if (!options.costs.empty()) {
-    const auto costs = figures::test_costs_of(files::text_of(junit));
-    std::filesystem::create_directories(options.costs);
-    write(options.costs / "costs.md", figures::page_of(costs, shown_tests));
-    write(options.costs / "costs.json", figures::json_of(costs));
-  }
-  return good ? success : failure;
+  return run_program(arguments) == 0 ? success : failure;
 }
 
 }  // namespace command
