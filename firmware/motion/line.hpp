@@ -54,7 +54,7 @@ struct Line {
 
 // A displacement as the G-code requests it, and in the steps that realise it.
 struct Displacement {
-  units::PerAxis<units::Nanometers> distance{};
+  units::PerAxis<units::Nanometers> distance{};  // not 0 where there are steps
   units::PerAxis<std::int32_t> steps{};
   units::PerAxis<StepParts> residual{};  // of the position at the start plus that at the end
 };

@@ -17,6 +17,14 @@ bool in_range(const units::PerAxis<units::Position>& target) {
   });
 }
 
+// Rounded, but not to 0 where a step is due: a displacement with steps has a length.
+units::Nanometers distance_between(const units::Position& from, const units::Position& to,
+                                   std::int64_t steps) {
+  const units::Nanometers distance = (to - from).nearest();
+  if (distance != units::Nanometers() || steps == 0) return distance;
+  return units::Nanometers(steps < 0 ? -1 : 1);
+}
+
 Direction change_between(const Direction& before, const Direction& after) {
   Direction change{};
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = after[i] - before[i];
@@ -49,7 +57,7 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
     }
     const std::int64_t steps = target.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
-    displacement.distance[i] = (move.target[i] - line_end_[i]).nearest();
+    displacement.distance[i] = distance_between(line_end_[i], move.target[i], steps);
     displacement.steps[i] = static_cast<std::int32_t>(steps);
     displacement.residual[i] = residual_[i] + target.residual;
     target_steps[i] = target.steps;

@@ -10,7 +10,7 @@ namespace exact_moves {
 
 namespace {
 
-constexpr double smallest_mm = 1e-6;
+constexpr double smallest_mm = 1e-8;
 constexpr double mm_per_inch = 25.4;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random G-code: moves of 1 nm to `largest_mm`, absolute and relative, in millimetres and inches,
-// with whatever else moves the origin or the scale.
+// Random G-code: moves of 0.01 nm to `largest_mm`, absolute and relative, in millimetres and
+// inches, and the commands that change origin or scale.
 #pragma once
 
 #include <random>
