@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures come from results into pages, and what is wrong is found.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -163,6 +164,21 @@ TEST_F(Project, puts_pictures_into_their_place) {
 TEST_F(Project, names_the_machine_where_the_figures_depend_on_it) {
   group("of_machine = true\n");
   EXPECT_THAT(measured().machine, HasSubstr(" cores"));
+}
+
+TEST_F(Project, fails_with_a_command_that_ends_with_a_higher_status_than_the_group_accepts) {
+  const auto measured_with = [this](int status, const std::string& accepted) {
+    folder.write("tools/figures/groups/echo.toml",
+                 fmt::format("about = \"x\"\nminutes = 1\n{}command = [\"sh\", \"-c\", \"echo 3; "
+                             "exit {}\"]\n[matches]\nx = \"(3)\"\n",
+                             accepted, status));
+    return measured().values.at("x");
+  };
+  EXPECT_EQ(measured_with(0, ""), 3);
+  EXPECT_THROW(measured_with(1, ""), std::runtime_error);
+  EXPECT_EQ(measured_with(0, "highest_status = 1\n"), 3);
+  EXPECT_EQ(measured_with(1, "highest_status = 1\n"), 3);
+  EXPECT_THROW(measured_with(2, "highest_status = 1\n"), std::runtime_error);
 }
 
 TEST_F(Project, gets_the_pages_right_and_nothing_else) {

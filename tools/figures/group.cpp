@@ -31,8 +31,9 @@ std::map<std::string, std::string> texts_of(const toml::table& table, const char
 }
 
 void refuse_unknown_entries(const toml::table& table) {
-  const std::set<std::string_view> known{"about",      "build",  "command", "result",  "minutes",
-                                         "of_machine", "values", "matches", "pictures"};
+  const std::set<std::string_view> known{"about",          "build",   "command",    "result",
+                                         "highest_status", "minutes", "of_machine", "values",
+                                         "matches",        "pictures"};
   for (const auto& [key, node] : table) {
     if (!known.contains(key.str())) {
       throw std::runtime_error(fmt::format("{} is no entry of a group", key.str()));
@@ -70,6 +71,7 @@ Group read_group(const std::filesystem::path& file) {
                 .build = words_of(table, "build"),
                 .command = words_of(table, "command"),
                 .result = table["result"].value_or(""),
+                .highest_status = table["highest_status"].value_or(0),
                 .minutes = table["minutes"].value<int>().value(),
                 .of_machine = table["of_machine"].value_or(false),
                 .paths = texts_of(table, "values"),

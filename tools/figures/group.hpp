@@ -15,6 +15,7 @@ struct Group {
   std::vector<std::string> build;  // what is built before
   std::vector<std::string> command;  // with {stepfabric}, {bin}, {build}, {folder}, {result}
   std::string result;  // a JSON file in {folder}; empty: what it says only
+  int highest_status{};  // of the command's exit; a higher one is a failure
   int minutes{};  // that it takes on a machine with nothing else to do
   bool of_machine{};  // another machine gives other figures
   std::map<std::string, std::string> paths;  // name of a value: where it is in the result
