@@ -8,6 +8,7 @@ project=$(cd "$environment/../.." && pwd -P)
 say() { printf 'stepfabric: %s\n' "$*" >&2; }
 
 . "$environment/native_tools.sh"
+. "$environment/host_packages.sh"
 . "$environment/tool_root.sh"
 
 # The host's folders that a command inside the root must see under their own names: everything that

@@ -13,19 +13,6 @@ package_list() {
   sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$environment/packages.txt"
 }
 
-# Installs host packages (root) or says how to (anybody else).
-need_host_packages() {
-  if [ "$(id -u)" != 0 ]; then
-    say "missing on this machine: $*. Install them once with: sudo apt-get install $*"
-    return 1
-  fi
-  command -v apt-get >/dev/null || { say "missing: $*, and there is no apt-get to install them"; return 1; }
-  say "installing on this machine: $*"
-  apt-get install -qq -y --no-install-recommends "$@" >/dev/null 2>&1 && return 0
-  apt-get update -qq >&2 || true
-  DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "$@" >&2
-}
-
 # The Debian mirror that this machine's own apt is configured for.
 debian_mirror() {
   local uri

@@ -19,8 +19,8 @@ struct Place {
 
 // Runs the group's command with a folder of its own, `<build>/figures/NAME`, reads its values,
 // and copies its pictures to their places.
-// Throws std::runtime_error where the command ends with a status above the group's highest, with the
-// end of its output, or where a value is missing.
+// Throws std::runtime_error where the command ends with a status above the group's highest (with
+// the end of its output), or where a value is missing.
 Record measure(const Group& group, const Place& place);
 
 }  // namespace figures
