@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "units/magnitude.hpp"
+
 namespace motion {
 
 namespace {
+
+using units::magnitude;
 
 constexpr std::size_t extruder = units::index_of(units::Axis::e);
 // Lines of so few ticks may count as long as their steps are: see make_line.
@@ -19,13 +23,6 @@ constexpr int extruder_leads_bits = 5;
 // Acceleration of a segment, in ticks per clock^2: format and some room for it, see Segment.
 constexpr int max_acceleration_exponent = -22;
 constexpr SpecificEnergy max_work{std::uint64_t{1} << 60};
-
-template <class Integer>
-constexpr auto magnitude(Integer value) {
-  using Unsigned = std::make_unsigned_t<Integer>;
-  const auto bits = static_cast<Unsigned>(value);
-  return value < 0 ? static_cast<Unsigned>(0 - bits) : bits;
-}
 
 units::MicrometersPerSecond at_least_slowest(Scaled speed) {
   return units::MicrometersPerSecond(

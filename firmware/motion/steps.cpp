@@ -3,6 +3,7 @@
 #include "motion/steps.hpp"
 
 #include "motion/limits.hpp"
+#include "units/magnitude.hpp"
 
 namespace motion {
 
@@ -26,11 +27,6 @@ Quotient divide_by_billion(std::uint64_t value) {
   const std::uint32_t last = middle % divisor << 11 | (lower & 0x7FF);
   return {(std::uint64_t{upper / divisor} << 22) + (middle / divisor << 11) + last / divisor,
           last % divisor};
-}
-
-std::uint64_t magnitude(std::int64_t value) {
-  const auto bits = static_cast<std::uint64_t>(value);
-  return value < 0 ? 0 - bits : bits;
 }
 
 std::int64_t with_sign_of(std::int64_t sign, std::uint64_t value) {
@@ -69,7 +65,7 @@ StepPosition steps_at(const units::Position& position, units::StepsPerMeter step
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter) {
   const auto divisor = static_cast<std::uint32_t>(steps_per_meter.count());
   if (divisor == 0) return {};
-  const std::uint64_t count = magnitude(steps);
+  const std::uint64_t count = units::magnitude(steps);
   const std::uint64_t meters = count / divisor;
   const std::uint64_t rest = count % divisor * nanometers_per_meter;
   const std::uint64_t distance = meters * nanometers_per_meter + (rest + divisor / 2) / divisor;

@@ -3,13 +3,14 @@
 #include "software_stepping/block_position.hpp"
 
 #include "platform/division.hpp"
+#include "units/magnitude.hpp"
 
 namespace software_stepping {
 namespace {
 
 // Steps of an axis after so many ticks of the line.
 std::int32_t steps_after(const Line& line, std::uint32_t ticks, std::size_t axis) {
-  const std::uint32_t steps = magnitude(line.plain_steps[axis]);
+  const std::uint32_t steps = units::magnitude(line.plain_steps[axis]);
   if (steps == 0) return 0;
   const std::uint64_t sum =
       std::uint64_t{ticks} * steps + first_error(line.plain_ticks, line.start, axis);
@@ -18,11 +19,6 @@ std::int32_t steps_after(const Line& line, std::uint32_t ticks, std::size_t axis
 }
 
 }  // namespace
-
-std::uint32_t magnitude(std::int32_t value) {
-  const auto word = static_cast<std::uint32_t>(value);
-  return value < 0 ? 0 - word : word;
-}
 
 std::uint32_t first_error(std::uint32_t ticks, motion::LineStart start, std::size_t axis) {
   const std::uint32_t half = ticks / 2;

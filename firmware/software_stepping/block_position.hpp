@@ -10,8 +10,6 @@
 
 namespace software_stepping {
 
-std::uint32_t magnitude(std::int32_t value);
-
 // Bresenham's error term with which an axis begins a line (see motion/segment.hpp).
 std::uint32_t first_error(std::uint32_t ticks, motion::LineStart start, std::size_t axis);
 

@@ -7,6 +7,7 @@
 
 #include "motion/scaled.hpp"
 #include "platform/division.hpp"
+#include "units/magnitude.hpp"
 
 namespace software_stepping {
 namespace {
@@ -19,11 +20,6 @@ constexpr int ramp_fraction_bits = 64;
 constexpr int root_fraction_bits = 28;
 constexpr std::int32_t one = 1 << root_fraction_bits;
 constexpr std::int32_t largest_root = 3 * one;
-
-std::uint64_t magnitude(std::int64_t value) {
-  const auto word = static_cast<std::uint64_t>(value);
-  return value < 0 ? 0 - word : word;
-}
 
 std::int32_t product(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>((std::int64_t{a} * b) >> root_fraction_bits);
@@ -104,7 +100,7 @@ Interval interval_at(std::uint64_t rate, Interval longest) {
 Interval first_interval(std::uint64_t rate, std::int64_t acceleration, Interval longest) {
   constexpr std::uint64_t least_short_rate = std::uint64_t{1} << 51;
   if (acceleration == 0 && rate >= least_short_rate) return interval_at(rate, longest);
-  const Scaled size = Scaled::of(magnitude(acceleration), -acceleration_fraction_bits);
+  const Scaled size = Scaled::of(units::magnitude(acceleration), -acceleration_fraction_bits);
   // What a constant rate would take, and the change of the rate in that time, as a part of it.
   const Scaled constant =
       Scaled::of(1) / Scaled::of(std::max<std::uint64_t>(rate, 1), -rate_fraction_bits);

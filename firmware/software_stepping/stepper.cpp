@@ -9,6 +9,7 @@
 #include "registers/end_stops_registers.hpp"
 #include "software_stepping/block_position.hpp"
 #include "software_stepping/interrupts.hpp"
+#include "units/magnitude.hpp"
 
 namespace software_stepping {
 namespace {
@@ -45,7 +46,9 @@ bool executable(const motion::Segment& segment, std::uint32_t ticks_left) {
   }
   if (segment.continues_line) return true;
   if (segment.line_ticks > most_line_ticks) return false;
-  const auto too_many = [&](std::int32_t steps) { return magnitude(steps) > segment.line_ticks; };
+  const auto too_many = [&](std::int32_t steps) {
+    return units::magnitude(steps) > segment.line_ticks;
+  };
   return std::ranges::none_of(segment.steps, too_many) &&
          (segment.start.ahead.bits() & segment.start.behind.bits()) == 0;
 }
@@ -115,7 +118,7 @@ void Stepper::prepare_line(const motion::Segment& segment, Block& block) {
   block.line.leader = 0;
   std::size_t followers = 0;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
-    const std::uint32_t steps = magnitude(segment.steps[axis]);
+    const std::uint32_t steps = units::magnitude(segment.steps[axis]);
     if (steps == 0) continue;
     planned_[axis] += segment.steps[axis];
     const std::uint32_t pin = 1u << axis;
