@@ -4,8 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "directories.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/proof/counter_folder.hpp"
 
 namespace {
 
@@ -81,13 +80,7 @@ end architecture;
 class Judging : public testing::Test {
  protected:
   Judging() {
-    folder_.write("rtl/counter.vhd", counter);
-    folder_.write("testbench/proofs/counter.psl", properties);
     folder_.write("testbench/counter_tb.vhd", bench);
-    std::filesystem::create_directories(folder_.path() / "tools" / "hardware");
-    std::filesystem::copy(
-        std::filesystem::path(PROJECT_DIRECTORY) / "tools" / "hardware" / "weave_properties.sh",
-        folder_.path() / "tools" / "hardware");
     std::filesystem::create_directories(folder_.path() / "work" / "trial");
     proof::Proof below;
     below.name = "below_six";
@@ -117,7 +110,7 @@ class Judging : public testing::Test {
     return judges_->proofs.ask(list_.proofs.front(), variant(from, to), trial_).finding;
   }
 
-  TemporaryFolder folder_;
+  CounterFolder folder_{counter, properties};
   proof::List list_;
   std::unique_ptr<proof::Judges> judges_;
   std::filesystem::path trial_ = folder_.path() / "work" / "trial";

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "directories.hpp"
+#include "tests/proof/counter_folder.hpp"
 #include "tools/files/file_text.hpp"
 
 namespace {
@@ -77,30 +78,6 @@ begin
   -- psl it_stays_set : assert always
   --   (is_set -> next is_set);
 
-end architecture;
-)";
-
-const char* const counter_bench = R"(library ieee;
-use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
-
-entity counter_tb is
-end entity;
-
-architecture tb of counter_tb is
-  signal clk : std_ulogic := '0';
-  signal count : unsigned(3 downto 0);
-begin
-  clk <= not clk after 5 ns;
-  uut : entity work.counter port map (clk => clk, count => count);
-  check : process
-  begin
-    for clock in 1 to 12 loop
-      wait until rising_edge(clk);
-      assert count = (clock - 1) mod 6 severity failure;
-    end loop;
-    std.env.finish;
-  end process;
 end architecture;
 )";
 
@@ -179,7 +156,7 @@ SmallProject::SmallProject() {
   write("rtl/limits_pkg.vhd", limits);
   write("rtl/counter.vhd", counter);
   write("rtl/latch.vhd", latch);
-  write("testbench/counter_tb.vhd", counter_bench);
+  write("testbench/counter_tb.vhd", counter_bench());
   write("testbench/proofs/parts/counter.psl", counter_properties);
   write("testbench/proofs/parts/limits_pkg.vhdl", limits);
   write("testbench/proofs/parts/sum.smt2",

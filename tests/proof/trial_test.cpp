@@ -3,8 +3,7 @@
 // not is reported.
 #include <gmock/gmock.h>
 
-#include "directories.hpp"
-#include "tests/temporary_folder.hpp"
+#include "tests/proof/counter_folder.hpp"
 #include "tools/proof/task.hpp"
 
 namespace {
@@ -50,41 +49,12 @@ const std::string properties = R"(vunit counter_properties (counter(rtl)) {
 }
 )";
 
-const std::string counter_bench = R"(library ieee;
-use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
-
-entity counter_tb is
-end entity;
-
-architecture tb of counter_tb is
-  signal clk : std_ulogic := '0';
-  signal count : unsigned(3 downto 0);
-begin
-  clk <= not clk after 5 ns;
-  uut : entity work.counter port map (clk => clk, advance => '1', count => count);
-  check : process
-  begin
-    for clock in 1 to 12 loop
-      wait until rising_edge(clk);
-      assert count = (clock - 1) mod 6 severity failure;
-    end loop;
-    std.env.finish;
-  end process;
-end architecture;
-)";
+// Counts in every clock.
+const std::string bench = counter_bench("advance => '1', ");
 
 class Trial : public testing::Test {
  protected:
-  Trial() {
-    folder_.write("rtl/counter.vhd", counter);
-    folder_.write("testbench/proofs/counter.psl", properties);
-    std::filesystem::create_directories(folder_.path() / "tools" / "hardware");
-    std::filesystem::copy(
-        std::filesystem::path(PROJECT_DIRECTORY) / "tools" / "hardware" / "weave_properties.sh",
-        folder_.path() / "tools" / "hardware");
-    std::filesystem::create_directories(folders_.work);
-  }
+  Trial() { std::filesystem::create_directories(folders_.work); }
 
   proof::Proof proof_of(const std::string& property, proof::Method method, int depth) const {
     proof::Proof proof;
@@ -113,7 +83,7 @@ class Trial : public testing::Test {
   }
 
   static constexpr std::chrono::seconds limit{60};
-  TemporaryFolder folder_;
+  CounterFolder folder_{counter, properties};
   proof::Folders folders_{folder_.path(), folder_.path() / "work"};
 };
 
@@ -194,26 +164,26 @@ TEST_F(Trial, a_bench_catches_a_mutation_that_it_can_see) {
   folder_.write("testbench/proofs/counter.psl",
                 "vunit counter_properties (counter(rtl)) {\n  default clock is rising_edge(clk);\n"
                 "  count_stays_below_six : assert always (count < 6);\n}\n");
-  folder_.write("testbench/counter_tb.vhd", counter_bench);
-  auto bench = proof_of("counter_bench", proof::Method::bench, 0);
-  bench.entity = "counter_tb";
-  const auto outcome = outcome_of(bench);
+  folder_.write("testbench/counter_tb.vhd", bench);
+  auto by_bench = proof_of("counter_bench", proof::Method::bench, 0);
+  by_bench.entity = "counter_tb";
+  const auto outcome = outcome_of(by_bench);
   EXPECT_EQ(outcome.verdict, Verdict::holds) << outcome.explanation;
-  EXPECT_EQ(try_mutation(folders_, mutation("", 0), bench, limit).verdict, Verdict::holds);
+  EXPECT_EQ(try_mutation(folders_, mutation("", 0), by_bench, limit).verdict, Verdict::holds);
   std::filesystem::remove_all(folders_.work / "mutations");
   auto unseen = mutation("", 0);
   unseen.from = "unsigned(3 downto 0) :=";
   unseen.to = "unsigned(3 downto 0)  :=";
-  EXPECT_THAT(try_mutation(folders_, unseen, bench, limit).explanation, HasSubstr("survives"));
+  EXPECT_THAT(try_mutation(folders_, unseen, by_bench, limit).explanation, HasSubstr("survives"));
 }
 
 TEST_F(Trial, a_mutation_that_does_not_compile_is_not_caught_by_a_bench) {
-  folder_.write("testbench/counter_tb.vhd", counter_bench);
-  auto bench = proof_of("counter_bench", proof::Method::bench, 0);
-  bench.entity = "counter_tb";
+  folder_.write("testbench/counter_tb.vhd", bench);
+  auto by_bench = proof_of("counter_bench", proof::Method::bench, 0);
+  by_bench.entity = "counter_tb";
   auto nonsense = mutation("", 0);
   nonsense.to = "count = ";
-  EXPECT_EQ(try_mutation(folders_, nonsense, bench, limit).verdict, Verdict::broken);
+  EXPECT_EQ(try_mutation(folders_, nonsense, by_bench, limit).verdict, Verdict::broken);
 }
 
 TEST_F(Trial, a_fault_by_which_a_value_is_not_taken_any_more_is_caught_by_a_sighting) {
