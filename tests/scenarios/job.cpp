@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "directories.hpp"
+#include "tools/files/write_text.hpp"
 #include "tools/process/process.hpp"
 
 namespace scenarios {
@@ -28,9 +29,7 @@ fs::path scratch_folder() {
   return folder;
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
+void write_file(const fs::path& file, const std::string& text) { files::write_text(file, text); }
 
 bool Print::said(const std::string& text) const {
   if (!report.contains("messages")) return false;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -14,6 +13,7 @@
 #include "tools/command/exit_status.hpp"
 #include "tools/figures/test_costs.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/files/write_text.hpp"
 
 namespace command {
 
@@ -21,20 +21,14 @@ namespace {
 
 constexpr std::size_t shown_tests = 10;
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
-}
-
 void write_costs(const std::filesystem::path& folder, const std::filesystem::path& last_run) {
   if (!std::filesystem::exists(last_run)) {
     throw std::runtime_error("all tests have not been run in this build: run `test` first");
   }
   const auto costs = figures::test_costs_of(files::text_of(last_run));
   std::filesystem::create_directories(folder);
-  write(folder / "costs.md", figures::page_of(costs, shown_tests));
-  write(folder / "costs.json", figures::json_of(costs));
+  files::write_text(folder / "costs.md", figures::page_of(costs, shown_tests));
+  files::write_text(folder / "costs.json", figures::json_of(costs));
 }
 
 }  // namespace

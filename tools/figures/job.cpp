@@ -6,11 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "tools/figures/measure.hpp"
 #include "tools/figures/project.hpp"
+#include "tools/files/write_text.hpp"
 
 namespace figures {
 
@@ -69,7 +69,7 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
     // What has been written meanwhile stays.
     Store store = read_store(store_file(project_folder));
     store[name] = record;
-    std::ofstream(store_file(project_folder)) << to_json(store);
+    files::write_text(store_file(project_folder), to_json(store));
   }
   if (names.empty()) list(project);
   return report(update_pages(read_project(project_folder)));

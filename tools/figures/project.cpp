@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "tools/files/file_text.hpp"
+#include "tools/files/write_text.hpp"
 
 namespace figures {
 
@@ -119,7 +119,7 @@ std::vector<std::string> problems_of(const Project& project) {
 
 std::vector<std::string> update_pages(const Project& project) {
   each_page(project, [&](const fs::path& file, const std::string& before, const Page& page) {
-    if (page.text != before) std::ofstream(project.folder / file, std::ios::binary) << page.text;
+    if (page.text != before) files::write_text(project.folder / file, page.text);
   });
   // What has been written is right; what is still wrong cannot be made.
   return problems_of(project);

@@ -9,6 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "tools/files/write_text.hpp"
 #include "tools/proof/process.hpp"
 
 namespace proof {
@@ -74,7 +75,7 @@ void BenchJudge::know_seconds(const std::string& bench, double seconds) {
 Judged BenchJudge::ask(const std::string& bench, const Variant& variant, const fs::path& folder) {
   const double usual = seconds(bench, folder);
   const fs::path file = folder / (variant.unit + ".vhd");
-  write(file, variant.simulated);
+  files::write_text(file, variant.simulated);
   std::vector<std::string> arguments{"ghdl", "-c", "--std=08", "-fpsl"};
   for (const std::string& name :
        sources_.files(sources_.simulated(), bench, variant.unit, file.string())) {

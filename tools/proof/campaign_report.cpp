@@ -5,12 +5,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 
+#include "tools/files/write_text.hpp"
 #include "tools/proof/campaign_summary.hpp"
 
 namespace proof {
@@ -52,12 +51,6 @@ double mean_seconds(const std::vector<MutantOutcome>& outcomes, const std::strin
     }
   }
   return number == 0 ? 0 : sum / number;
-}
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 }  // namespace
@@ -106,7 +99,7 @@ void write_campaign(const std::filesystem::path& file, const std::vector<MutantO
                                {"by", outcome.by},
                                {"seconds", outcome.seconds}});
   }
-  write(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  files::write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 namespace {
@@ -143,7 +136,7 @@ void record_campaign(const std::filesystem::path& folder,
                           found == tried.end() ? not_tried : name_of(found->second->fate),
                           found == tried.end() ? "" : recorded_by(*found->second), id);
     }
-    write(folder / (unit + ".tsv"), text);
+    files::write_text(folder / (unit + ".tsv"), text);
   }
   write_summary(folder);
 }

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tools/files/write_text.hpp"
 #include "tools/proof/campaign_report.hpp"
 
 namespace proof {
@@ -112,9 +113,7 @@ std::string summary_of(const fs::path& folder) {
 
 void write_summary(const fs::path& folder) {
   const fs::path file = folder / "RESULTS.md";
-  std::ofstream stream(file);
-  stream << summary_of(folder);
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
+  files::write_text(file, summary_of(folder));
 }
 
 }  // namespace proof

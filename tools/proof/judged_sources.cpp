@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 #include <stdexcept>
 
@@ -102,12 +101,6 @@ std::optional<std::string> JudgedSources::synthesize(
   const fs::path log = folder / (top + ".v");
   const ProcessResult result = run_process(arguments, folder, log, wall_limit, synthesis_limit);
   return result.exit_status == 0 ? std::optional(text_of(log)) : std::nullopt;
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 std::string last_words(const fs::path& log) {

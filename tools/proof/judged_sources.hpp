@@ -50,9 +50,6 @@ class JudgedSources {
   SourceTree synthesized_;
 };
 
-// Throws std::runtime_error where the file cannot be written.
-void write(const std::filesystem::path& file, const std::string& text);
-
 // The end of what a tool has written.
 std::string last_words(const std::filesystem::path& log);
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tools/files/write_text.hpp"
 #include "tools/proof/process.hpp"
 
 namespace proof {
@@ -89,7 +90,7 @@ std::string NetlistJudge::write_netlist(const std::string& verilog, const std::s
   const FormalNetlist formal = make_formal(verilog, entity, invariants.value_or(Choice{}));
   const fs::path source = folder / fmt::format("{}.v", name);
   const fs::path netlist = folder / fmt::format("{}.il", name);
-  write(source, formal.verilog);
+  files::write_text(source, formal.verilog);
   const std::string script = fmt::format(
       "read_verilog -formal -sv {0}; hierarchy -top {1}; proc; flatten; memory_map; "
       "rename -hide w:n*_o w:n*_q w:*.n*_o w:*.n*_q; opt_clean; "
@@ -136,7 +137,7 @@ Judged NetlistJudge::compare_in(const std::string& entity, const Variant& varian
                                 const fs::path& folder) {
   const Original& gold = original(entity);
   const fs::path file = folder / (variant.unit + ".vhd");
-  write(file, variant.synthesized);
+  files::write_text(file, variant.synthesized);
   const auto verilog =
       sources_.synthesize(entity, variant.unit, file.string(), compared_generics(entity), folder);
   if (!verilog) return {Finding::refused, "refused by synthesis"};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/files/write_text.hpp"
 #include "tools/proof/process.hpp"
 
 namespace proof {
@@ -51,7 +52,7 @@ std::string ProofJudge::key(const Proof& proof, const Variant& variant) const {
 
 Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::path& folder) const {
   const fs::path file = folder / (variant.unit + ".vhd");
-  write(file, variant.synthesized);
+  files::write_text(file, variant.synthesized);
   const auto verilog =
       sources_.synthesize(proof.entity, variant.unit, file.string(), proof.generics, folder);
   if (!verilog) return {Finding::passes, "not synthesized with these generics"};
@@ -62,7 +63,7 @@ Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::pat
   } catch (const std::runtime_error&) {
     return {Finding::passes, "a property is gone"};
   }
-  write(folder / "formal.v", formal.verilog);
+  files::write_text(folder / "formal.v", formal.verilog);
   std::string cuts;
   for (const std::string& entity : proof.free) {
     cuts += fmt::format("cutpoint t:{0} t:{0}_*; ", entity);

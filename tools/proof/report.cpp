@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "tools/files/write_text.hpp"
 
 namespace proof {
 
@@ -120,9 +120,7 @@ void write_json(const std::filesystem::path& file, const std::vector<Trial>& tri
       json["result"] = "fails";
     }
   }
-  std::ofstream stream(file);
-  stream << json.dump(2) << "\n";
-  if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
+  files::write_text(file, json.dump(2) + "\n");
 }
 
 }  // namespace proof

@@ -6,13 +6,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "sim/devices/path_lock.hpp"
+#include "tools/files/write_text.hpp"
 #include "tools/process/process.hpp"
 #include "tools/synthesis/device.hpp"
 #include "tools/synthesis/report.hpp"
@@ -149,7 +149,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   report.has_debug = options.debug;
   if (alone) report.memory_bytes = device.memory_bytes;
   report.placements = placements;
-  std::ofstream(directory / "synthesis.json") << as_json(report);
+  files::write_text(directory / "synthesis.json", as_json(report));
   fmt::print("{}", as_table(report));
   fmt::print("  report, logs and, for a board, the bitstream in {}\n", directory.string());
   if (!report.pins_are_good()) {
