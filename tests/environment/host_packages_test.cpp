@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(files, AptLock,
                          testing::Values("/var/lib/dpkg/lock-frontend", "/var/lib/apt/lists/lock",
                                          "/var/cache/apt/archives/lock"));
 
-TEST_F(HostPackages, do_not_wait_for_ever) {
+TEST_F(HostPackages, give_up_where_the_lock_stays) {
   const auto result =
       need("proot", "echo 'E: Could not get lock /var/lib/dpkg/lock' >&2; exit 100");
   EXPECT_NE(result.exit_status, 0);
