@@ -6,11 +6,9 @@
 #include <deque>
 #include <string>
 
-#include "directories.hpp"
-#include "sim/machine/printer.hpp"
 #include "sim/processor/encode.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tests/loaded_printer.hpp"
 #include "tools/loading/loading.hpp"
 
 namespace {
@@ -44,14 +42,8 @@ Program small_program(std::size_t bytes = 3000) {
 class Bench : public loading::ByteStream, public devices::ByteListener {
  public:
   explicit Bench(double corrupted_bytes = 0)
-      : description_(
-            machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml")) {
-    sim::load(sim::read_elf(FIRMWARE), chip_);
-    machine::PrinterOptions options{
-        .baud = description_.baud, .hotend_start_c = 40, .bed_start_c = 30, .faults = {}};
-    options.faults.corrupted_bytes = corrupted_bytes;
-    printer_.emplace(description_, options, simulation_);
-    printer_->serial_line().set_listener(*this);
+      : loaded_(chip_, clock_hz, 40, 30, faults(corrupted_bytes)) {
+    loaded_.printer.serial_line().set_listener(*this);
   }
 
   void byte_received(sim::Clock, std::uint8_t byte) override {
@@ -63,7 +55,7 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
     if (bytes.size() > vanishes_after) throw LoadFailed("the host is gone");
     vanishes_after -= bytes.size();
     send({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    while (printer_->serial_line().waiting_bytes() != 0) run(0.0005);
+    while (loaded_.printer.serial_line().waiting_bytes() != 0) run(0.0005);
   }
   std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) override {
     for (double waited = 0; to_read_.empty() && waited < 1e-3 * double(patience.count());
@@ -78,9 +70,10 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
     return count;
   }
 
-  void send(std::string_view text) { printer_->serial_line().send(chip_.now(), text); }
+  void send(std::string_view text) { loaded_.printer.serial_line().send(chip_.now(), text); }
   void run(double seconds) {
-    simulation_.run_until(simulation_.now() + simulation_.rate().clocks(seconds));
+    loaded_.simulation.run_until(loaded_.simulation.now() +
+                                 loaded_.simulation.rate().clocks(seconds));
     heated = heated || chip_.outputs().heater(0) || chip_.outputs().heater(1);
   }
   // Milliseconds until the text is heard, from now on.
@@ -99,10 +92,14 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
   bool heated = false;
 
  private:
+  static machine::FaultPlan faults(double corrupted_bytes) {
+    machine::FaultPlan faults;
+    faults.corrupted_bytes = corrupted_bytes;
+    return faults;
+  }
+
   sim::VerilatedChip chip_{clock_hz};
-  sim::Simulation simulation_{chip_, sim::ClockRate(clock_hz)};
-  machine::Description description_;
-  std::optional<machine::Printer> printer_;
+  tests::LoadedPrinter loaded_;
   std::deque<std::uint8_t> to_read_;
 };
 
@@ -161,7 +158,7 @@ TEST(boot_loader_chip, after_an_aborted_load_nothing_starts_until_a_whole_progra
   EXPECT_FALSE(bench.program_ran());
   bench.vanishes_after = ~std::size_t{0};
   // The firmware itself, as a user brings it back.
-  loading::load(bench, loading::read_program(FIRMWARE));
+  loading::load(bench, loading::read_program(tests::firmware_file));
   EXPECT_LT(bench.milliseconds_to("start\n", 1500), 1500u);
   bench.reset();
   EXPECT_LT(bench.milliseconds_to("start\n", 200), 200u);

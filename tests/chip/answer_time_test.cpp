@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "directories.hpp"
 #include "sim/machine/description.hpp"
 #include "sim/simulation/elf_image.hpp"
+#include "tests/loaded_printer.hpp"
 #include "tools/benchmark/urgent_run.hpp"
 
 namespace {
@@ -29,9 +29,8 @@ std::vector<std::string> arc() {
 }
 
 void expect_answers_in_time(bool numbered, std::size_t in_flight) {
-  const auto description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  const auto run = benchmarks::run_urgent(sim::read_elf(FIRMWARE), description,
+  const auto description = tests::default_machine();
+  const auto run = benchmarks::run_urgent(sim::read_elf(tests::firmware_file), description,
                                           {.lines = arc(),
                                            .questions = 50,
                                            .in_flight = in_flight,

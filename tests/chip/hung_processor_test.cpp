@@ -4,10 +4,8 @@
 
 #include <string>
 
-#include "directories.hpp"
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace {
 
@@ -31,22 +29,16 @@ void hang(sim::Chip& chip) {
 class HungProcessor : public testing::Test {
  protected:
   HungProcessor() {
-    sim::load(sim::read_elf(FIRMWARE), chip_);
-    printer_.add_step_listener(last_step_);
+    loaded_.printer.add_step_listener(last_step_);
     // Behind the boot loader's ear for a host, and the start of the firmware.
     simulation_.run_until(100 * millisecond);
     // 15 s at 10 mm/s, in one segment that would go on without a processor.
-    printer_.serial_line().send(simulation_.now(), "G91\nG1 X150 F600\n");
+    loaded_.printer.serial_line().send(simulation_.now(), "G91\nG1 X150 F600\n");
   }
 
   sim::VerilatedChip chip_{clock_hz};
-  sim::Simulation simulation_{chip_, sim::ClockRate(clock_hz)};
-  machine::Description description_{
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml")};
-  machine::Printer printer_{
-      description_,
-      {.baud = description_.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
-      simulation_};
+  tests::LoadedPrinter loaded_{chip_, clock_hz, 25, 25};
+  sim::Simulation& simulation_ = loaded_.simulation;
   LastStep last_step_;
 };
 

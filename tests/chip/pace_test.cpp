@@ -9,11 +9,9 @@
 #include <tuple>
 #include <vector>
 
-#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace {
 
@@ -33,14 +31,9 @@ struct Remark {
 
 std::vector<devices::StepEdge> print(const std::string& gcode, std::vector<Remark> remarks = {}) {
   sim::VerilatedChip chip(clock_hz);
-  sim::load(sim::read_elf(FIRMWARE), chip);
-  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
-  const auto description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  machine::Printer printer(
-      description,
-      {.baud = description.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
-      simulation);
+  tests::LoadedPrinter loaded(chip, clock_hz, 25, 25);
+  sim::Simulation& simulation = loaded.simulation;
+  machine::Printer& printer = loaded.printer;
   Recorder recorder;
   printer.add_step_listener(recorder);
   devices::FileHost host(devices::parse_gcode_text(gcode, "test").value(), printer.serial_line(),

@@ -8,10 +8,8 @@
 #include <random>
 #include <string_view>
 
-#include "directories.hpp"
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "tests/chip/resting_twins.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace {
 
@@ -71,30 +69,23 @@ class StepCounter : public devices::StepListener {
 
 TEST(rest, the_whole_chip_does_the_same_with_all_clock_edges_and_with_those_that_matter) {
   tests::RestingTwins chip(clock_hz);
-  sim::load(sim::read_elf(FIRMWARE), chip);
-  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
-  const machine::Description description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  machine::Printer printer(
-      description,
-      {.baud = description.baud, .hotend_start_c = 40.0, .bed_start_c = 30.0, .faults = {}},
-      simulation);
+  tests::LoadedPrinter loaded(chip, clock_hz, 40.0, 30.0);
   StepCounter counter;
-  printer.add_step_listener(counter);
-  Tormentor tormentor(printer.serial_line(), chip.inputs());
-  printer.serial_line().set_listener(tormentor);
-  simulation.attach(tormentor, {});
+  loaded.printer.add_step_listener(counter);
+  Tormentor tormentor(loaded.printer.serial_line(), chip.inputs());
+  loaded.printer.serial_line().set_listener(tormentor);
+  loaded.simulation.attach(tormentor, {});
 
-  ASSERT_NO_THROW(simulation.run_until(Tormentor::noise_from));
+  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from));
   ASSERT_NO_THROW(chip.compare_inside());
   // Something did happen, and the processor did rest.
   EXPECT_GT(counter.steps, 500u);
   EXPECT_GT(tormentor.bytes_heard, 100u);
   EXPECT_GT(chip.processor_statistics().sleeping_clocks, chip.now() / 4);
 
-  ASSERT_NO_THROW(simulation.run_until(Tormentor::noise_from + 100 * millisecond));
+  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from + 100 * millisecond));
   ASSERT_NO_THROW(chip.reset());
-  ASSERT_NO_THROW(simulation.run_until(Tormentor::noise_from + 200 * millisecond));
+  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from + 200 * millisecond));
   ASSERT_NO_THROW(chip.compare_inside());
 }
 

@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tests/exact_moves/random_lines.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace exact_moves {
 namespace {
@@ -72,24 +70,16 @@ Job random_job(const machine::Description& description, std::size_t sequences) {
 TEST(chip_exactness, random_sequences_make_the_edges_of_exact_arithmetic) {
   const char* wanted = std::getenv("CHIP_SEQUENCES");
   const std::size_t sequences = wanted == nullptr ? 60 : std::strtoul(wanted, nullptr, 10);
-  const auto description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  const Job job = random_job(description, sequences);
-
   sim::VerilatedChip chip(clock_hz);
-  sim::load(sim::read_elf(FIRMWARE), chip);
-  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
-  machine::Printer printer(
-      description,
-      {.baud = description.baud, .hotend_start_c = hotend_c, .bed_start_c = 22, .faults = {}},
-      simulation);
+  tests::LoadedPrinter loaded(chip, clock_hz, hotend_c, 22);
+  const Job job = random_job(loaded.description, sequences);
   EdgeCounter counter;
-  printer.add_step_listener(counter);
+  loaded.printer.add_step_listener(counter);
   devices::FileHost host(devices::parse_gcode_text(job.gcode, "random").value(),
-                         printer.serial_line(), simulation.rate());
+                         loaded.printer.serial_line(), loaded.simulation.rate());
   host.add_listener(counter);
-  simulation.attach(host, {});
-  while (!host.ended()) simulation.run_until(simulation.now() + clock_hz / 10);
+  loaded.simulation.attach(host, {});
+  while (!host.ended()) loaded.simulation.run_until(loaded.simulation.now() + clock_hz / 10);
 
   EXPECT_EQ(host.state(), devices::HostState::completed) << host.fault();
   EXPECT_EQ(counter.refused, std::vector<std::string>{});
@@ -99,7 +89,7 @@ TEST(chip_exactness, random_sequences_make_the_edges_of_exact_arithmetic) {
     ASSERT_EQ(counter.ends[i], job.ends[i]) << "sequence " << i << ":\n" << job.sequences[i];
   }
   std::printf("%zu sequences, %.0f s on the printer: no difference\n", job.ends.size(),
-              simulation.seconds());
+              loaded.simulation.seconds());
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "directories.hpp"
 #include "tests/host_link/dialogue.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace host_programs {
 namespace {
@@ -25,10 +25,9 @@ bool is_sign_of_life(const std::string& line) {
 }  // namespace
 
 ServedChip::ServedChip(double hotend_c, double bed_c)
-    : firmware(sim::read_elf(BUILD_DIRECTORY "/firmware/firmware.elf")) {
+    : firmware(sim::read_elf(tests::firmware_file)) {
   sim::load(firmware, chip);
-  const machine::Description description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
+  const machine::Description description = tests::default_machine();
   const machine::PrinterOptions options{.baud = description.baud,
                                         .seed = 1,
                                         .hotend_start_c = hotend_c,

@@ -9,9 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "directories.hpp"
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/elf_image.hpp"
+#include "tests/loaded_printer.hpp"
 #include "tests/netlist/netlist_twin.hpp"
 
 namespace {
@@ -62,23 +60,16 @@ class StepCounter : public devices::StepListener {
 
 TEST(ChipNetlist, boots_answers_heats_and_moves_as_the_model_does_in_every_clock) {
   tests::NetlistTwin chip(clock_hz);
-  sim::load(sim::read_elf(FIRMWARE), chip);
-  sim::Simulation simulation(chip, sim::ClockRate(clock_hz));
-  const machine::Description description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  machine::Printer printer(
-      description,
-      // Warm sensors are soon measured. M105 would wait for the first reading: too long here.
-      {.baud = description.baud, .hotend_start_c = 150.0, .bed_start_c = 100.0, .faults = {}},
-      simulation);
+  // Warm sensors are soon measured. M105 would wait for the first reading: too long here.
+  tests::LoadedPrinter loaded(chip, clock_hz, 150.0, 100.0);
   StepCounter counter;
-  printer.add_step_listener(counter);
+  loaded.printer.add_step_listener(counter);
   Dialogue dialogue(
-      simulation, printer.serial_line(),
+      loaded.simulation, loaded.printer.serial_line(),
       {"M115", "M106 S100", "M104 S180", "G91", "G1 X0.4 Y-0.2 F6000", "M400", "M114"});
-  printer.serial_line().set_listener(dialogue);
+  loaded.printer.serial_line().set_listener(dialogue);
 
-  ASSERT_NO_THROW(simulation.run_until(200 * millisecond)) << dialogue.heard;
+  ASSERT_NO_THROW(loaded.simulation.run_until(200 * millisecond)) << dialogue.heard;
   EXPECT_TRUE(dialogue.completed) << dialogue.heard;
   EXPECT_THAT(dialogue.heard, HasSubstr("FIRMWARE_NAME:StepFabric"));
   EXPECT_THAT(dialogue.heard, Not(HasSubstr("Error")));

@@ -2,20 +2,17 @@
 // Hotend and bed of the default machine's description, as the simulated printer has them.
 #pragma once
 
-#include "directories.hpp"
-#include "sim/machine/description.hpp"
+#include "tests/default_machine.hpp"
 
 namespace tests {
 
 inline plants::HeatedBlockProperties described_hotend() {
-  static const auto machine =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
+  static const auto machine = default_machine();
   return machine.hotend.block;
 }
 
 inline plants::HeatedBlockProperties described_bed() {
-  static const auto machine =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
+  static const auto machine = default_machine();
   return machine.bed.block;
 }
 

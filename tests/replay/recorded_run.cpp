@@ -5,11 +5,9 @@
 #include <random>
 #include <string_view>
 
-#include "directories.hpp"
-#include "sim/machine/printer.hpp"
 #include "sim/replay/interval_recorder.hpp"
-#include "sim/simulation/elf_image.hpp"
 #include "sim/simulation/verilated_chip.hpp"
+#include "tests/loaded_printer.hpp"
 
 namespace tests {
 
@@ -46,18 +44,11 @@ std::vector<replay::Interval> recorded_run(sim::Clock clocks, sim::Clock length)
   replay::IntervalRecorder recorder(
       length, [&](replay::Interval&& interval) { intervals.push_back(std::move(interval)); });
   sim::VerilatedChip chip(recorded_clock_hz);
-  sim::load(sim::read_elf(FIRMWARE), chip);
+  LoadedPrinter loaded(chip, recorded_clock_hz, 40.0, 30.0);
   chip.record(recorder);
-  sim::Simulation simulation(chip, sim::ClockRate(recorded_clock_hz));
-  const machine::Description description =
-      machine::read_description(PROJECT_DIRECTORY "/firmware/machines/prusa_mendel.toml");
-  machine::Printer printer(
-      description,
-      {.baud = description.baud, .hotend_start_c = 40.0, .bed_start_c = 30.0, .faults = {}},
-      simulation);
-  Host host(printer.serial_line(), chip.inputs());
-  simulation.attach(host, {});
-  simulation.run_until(clocks);
+  Host host(loaded.printer.serial_line(), chip.inputs());
+  loaded.simulation.attach(host, {});
+  loaded.simulation.run_until(clocks);
   recorder.finish(chip.now());
   return intervals;
 }

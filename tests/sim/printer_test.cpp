@@ -4,28 +4,22 @@
 
 #include <gmock/gmock.h>
 
-#include "directories.hpp"
 #include "sim/devices/file_host.hpp"
 #include "sim/machine/surroundings.hpp"
 #include "sim/report/recorder.hpp"
+#include "tests/default_machine.hpp"
 #include "tests/sim/fake_chip.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
 constexpr sim::ClockRate rate(4'000'000);
-
-machine::Description prusa() {
-  return machine::read_description(fs::path(PROJECT_DIRECTORY) /
-                                   "firmware/machines/prusa_mendel.toml");
-}
 
 class PrinterTest : public testing::Test {
  protected:
   void make(machine::PrinterOptions options = {}) {
     options.baud = 250'000;
     options.hotend_start_c = options.bed_start_c = machine::ambient_celsius;
-    printer.emplace(prusa(), options, simulation);
+    printer.emplace(tests::default_machine(), options, simulation);
   }
   // Plans slow steps of an axis from now on; returns the clock after them.
   sim::Clock steps(sim::Clock from, std::size_t axis, std::int64_t count) {
@@ -57,10 +51,10 @@ TEST_F(PrinterTest, stands_at_a_position_that_the_seed_decides) {
   tests::FakeChip other_chip;
   sim::Simulation other_simulation(other_chip, rate);
   options.baud = 250'000;
-  machine::Printer same(prusa(), options, other_simulation);
+  machine::Printer same(tests::default_machine(), options, other_simulation);
   EXPECT_EQ(same.axis(0).position(), first);
   options.seed = 2;
-  machine::Printer other(prusa(), options, other_simulation);
+  machine::Printer other(tests::default_machine(), options, other_simulation);
   EXPECT_NE(other.axis(0).position(), first);
 }
 
