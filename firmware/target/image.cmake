@@ -16,6 +16,7 @@ ExternalProject_Add(firmware_image
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DFIRMWARE_SOURCES=${sources}
     -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
+    -DCHIP_MEMORY_BYTES=${chip_memory_bytes}
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf

@@ -25,8 +25,6 @@ namespace sim {
 
 namespace {
 
-// As rtl/printer_core.vhd has it.
-constexpr std::uint32_t memory_bytes = 98'304;
 constexpr unsigned timer_interrupt_bit = 7, first_interrupt_bit = 16;
 // From reset at the pin to the processor's first clock without it.
 constexpr Clock clocks_of_reset = 2;
@@ -75,7 +73,7 @@ class JoinedModel : public ChipModel {
   std::unique_ptr<Model> model_ = std::make_unique<Model>(context_.get());
   std::unique_ptr<ModelClocks<Model>> clocks_;
   std::unique_ptr<processor::ProcessorModel> processor_ =
-      std::make_unique<processor::ProcessorModel>(memory_bytes, CHIP_HAS_ZBB);
+      std::make_unique<processor::ProcessorModel>(CHIP_MEMORY_BYTES, CHIP_HAS_ZBB);
   std::vector<replay::Register> registers_ = replay::registers_without_processor(*model_->rootp);
   InputPins set_inputs_;  // those that the model has
   std::uint32_t lines_ = 0;
@@ -229,7 +227,7 @@ std::optional<replay::Snapshot> JoinedModel::snapshot() const {
                             .registers = {},
                             .outputs = outputs_,
                             .statistics = processor_statistics()};
-  for (std::uint32_t place = 0; place < memory_bytes; place += 4) {
+  for (std::uint32_t place = 0; place < CHIP_MEMORY_BYTES; place += 4) {
     snapshot.memory.push_back(
         processor_->read_memory(processor::ProcessorModel::memory_start + place));
   }

@@ -8,7 +8,7 @@ namespace tests {
 
 namespace {
 
-constexpr std::uint32_t memory_start = 0x8000'0000, memory_bytes = 98304;
+constexpr std::uint32_t memory_start = 0x8000'0000;
 
 }  // namespace
 
@@ -25,7 +25,8 @@ void RestingTwins::write_memory(std::uint32_t address, std::uint32_t word) {
 }
 
 void RestingTwins::compare_inside() const {
-  for (std::uint32_t address = memory_start; address < memory_start + memory_bytes; address += 4) {
+  for (std::uint32_t address = memory_start; address < memory_start + CHIP_MEMORY_BYTES;
+       address += 4) {
     if (all_edges_.read_memory(address) != needed_edges_.read_memory(address)) {
       throw TwinsDiffer(fmt::format("the memories differ at {:#x}", address));
     }
