@@ -5,6 +5,11 @@
 set -euo pipefail
 project=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+. "$project/tools/environment/native_tools.sh"
+at_least clang-format 19.0 || {
+  echo "clang-format 19 or newer is needed: tools/environment/enter.sh $0 $*" >&2
+  exit 2
+}
 formatted=$(mktemp -d)
 trap 'rm -rf "$formatted"' EXIT
 cd "$project"
