@@ -37,7 +37,7 @@ inline constexpr auto gcode_table = [] {
       m(23, handler<&FileCommands::select>, "refused, there is no card", name,
         {.while_dry_run = true}),
       m(24, handler<&FileCommands::resume>,
-        "asks the host to resume; refused behind a refused M23 or M32"),
+        "asks the host to resume; refused after a refused M23 or M32"),
       m(25, handler<&HostCommands::request_pause>, "asks the host to pause"),
       m(28, handler<&FileCommands::begin_storing>,
         "refused, there is no card; what comes until M29 is not executed", name,
@@ -47,7 +47,7 @@ inline constexpr auto gcode_table = [] {
       m(32, handler<&FileCommands::select>, "refused, there is no card", name,
         {.while_dry_run = true}),
       m(37, handler<&DryRunCommands::simulate>,
-        "refused, there is no simulation; what comes behind an S other than 0 is not executed "
+        "refused, there is no simulation; what comes after an S other than 0 is not executed "
         "until S0",
         simulation, {.while_dry_run = true}),
       m(73, handler<&HostCommands::accept>, "accepted; there is no display"),
@@ -112,7 +112,7 @@ inline constexpr auto gcode_table = [] {
       m(205, handler<&SettingCommands::set_advanced>, "jerk; slowest print and travel move",
         advanced, {.report = handler<&SettingCommands::report>}),
       m(220, handler<&FactorCommands::set_speed>,
-        "speed of the lines behind it, or at once if a person sends it; B keeps the factor, R "
+        "speed of the lines after it, or at once if a person sends it; B keeps the factor, R "
         "restores it",
         speed_factor, {.report = handler<&FactorCommands::report_speed>}),
       m(221, handler<&FactorCommands::set_flow>, "flow", flow_factor,
@@ -131,7 +131,7 @@ inline constexpr auto gcode_table = [] {
       m(602, handler<&HostCommands::accept>, "ends the wait of M0, M600 or M601", {},
         {.on_reception = true}),
       m(808, handler<&HostCommands::refuse_repeats>,
-        "refused: no repeats, the lines behind it are executed once", repeats),
+        "refused: no repeats, the lines after it are executed once", repeats),
       m(876, nullptr, "the user's answer to M0, M600 and M601", answer, {.on_reception = true}),
       m(997, handler<&HostCommands::update_firmware>,
         "into the boot loader ([`../boot_loader`](../boot_loader)), for a new program", {},

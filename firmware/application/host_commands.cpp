@@ -123,7 +123,7 @@ Progress HostCommands::report_host_silence(ActiveCommand& command) {
 }
 
 Progress HostCommands::refuse_repeats(ActiveCommand& command) {
-  return command.refuse("No repeats, the lines behind it are executed once");
+  return command.refuse("No repeats, the lines after it are executed once");
 }
 
 // The loader answers from then on; control does not return here.

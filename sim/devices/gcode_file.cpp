@@ -95,8 +95,7 @@ std::expected<std::string_view, std::string> without_frame(std::string_view line
     const auto end = std::from_chars(behind.data(), behind.data() + behind.size(), given);
     const bool checksum = end.ec == std::errc{} && end.ptr == behind.data() + behind.size();
     if (!checksum && numbered) {
-      return std::unexpected(
-          fmt::format("what is behind its star is no checksum: \"*{}\"", behind));
+      return std::unexpected(fmt::format("what follows its star is no checksum: \"*{}\"", behind));
     }
     if (!checksum) return line;
     command = line.substr(0, star);

@@ -164,11 +164,11 @@ std::string_view fault_forms() {
   hotend-stuck-low@SECONDS hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down)
   hotend-detached@SECONDS
   hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-
-  hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS of its value, and the same with bed-
+  hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS, and the same with bed-
   x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with y- and z-
   serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001;
   replies=SHARE the same of the bytes from the chip
-  cable-pulled=SECONDS@SECONDS for so long, from then on: both directions are dead
+  cable-pulled=DURATION@SECONDS: for DURATION seconds no byte passes in either direction
 )";
 }
 

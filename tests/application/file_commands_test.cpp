@@ -66,7 +66,7 @@ TEST(file_commands, says_that_files_of_a_card_and_repeats_are_not_there) {
     <- echo:No SD card, not executed: "M24"
     <- ok
     -> M808 L5
-    <- echo:No repeats, the lines behind it are executed once, not executed: "M808 L5"
+    <- echo:No repeats, the lines after it are executed once, not executed: "M808 L5"
     <- ok
   )");
   EXPECT_EQ(printer.counters.commands_refused, 3u);

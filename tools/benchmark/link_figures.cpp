@@ -153,8 +153,8 @@ nlohmann::ordered_json json_of(const std::vector<UrgentFigure>& figures) {
 }
 
 std::string rows_of(const std::vector<UrgentFigure>& figures) {
-  std::string table = fmt::format("{:<24} {:>4} {:>9} {:>20} {:>20}\n", "behind a waiting G1",
-                                  "MHz", "numbered", "M105 us, longest", "M112 us, longest");
+  std::string table = fmt::format("{:<24} {:>4} {:>9} {:>20} {:>20}\n", "after a waiting G1", "MHz",
+                                  "numbered", "M105 us, longest", "M112 us, longest");
   for (const UrgentFigure& figure : figures) {
     table +=
         fmt::format("{:<24} {:>4} {:>9} {:>20} {:>20}\n", "", figure.clock_hz / 1'000'000,

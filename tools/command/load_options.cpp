@@ -19,7 +19,7 @@ void add_options(CLI::App& app, LoadOptions& options) {
   job.footer(
       R"(The running firmware gets M997; if it does not answer, reset the board: the boot loader
 listens for 10 ms after a reset. Exit status: 0 the chip has checked the program and starts it,
-1 it has not and starts none, 2 bad usage or not such a program.)");
+1 the transfer or the check failed and nothing is started, 2 bad usage or not such a program.)");
 }
 
 }  // namespace command

@@ -137,7 +137,7 @@ std::string page() {
       "*On reception*: at once, ahead of the\n  lines that wait. *Ahead*: the same while the user "
       "is waited for, M105 of a person also in the middle of a job.\n"
       "- From M28 to M29 nothing is executed but {}, and what acts on reception.\n"
-      "- Behind a refused M37 or M111 the same are executed, and {}.\n"
+      "- After a refused M37 or M111 the same are executed, and {}.\n"
       "- M115 reports {}\n  (`ADVANCED_OK` as the machine description says).\n",
       names_where([](const Entry& entry) { return entry.refuses_others; }),
       names_where([](const Entry& entry) { return entry.while_storing; }),

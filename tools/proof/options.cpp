@@ -12,7 +12,7 @@ void add_options(CLI::App& job, Options& options) {
       "--quick", options.quick,
       "only the proofs that take seconds, and no mutations; of --mutants only the bench of the "
       "file itself,\nthose that take less than 5 s, and the comparison of netlists");
-  job.add_flag("--all", options.all, "try also what has a valid record");
+  job.add_flag("--all", options.all, "also those that have a valid record");
   auto* only = job.add_flag_callback(
       "--mutations", [&options] { options.proofs = false; },
       "only the mutations: faults put into a copy of the sources, each of which must be found");
@@ -26,24 +26,26 @@ void add_options(CLI::App& job, Options& options) {
                    "and comparison of netlists; what was found is kept in <build>/mutants");
   mutants->excludes(only);
   job.add_option("--sample", options.sample,
-                 "try also about so many of those with a valid record, a part chosen by the seed;\n"
-                 "of --mutants: so many of them, chosen by the seed")
-      ->check(CLI::PositiveNumber);
-  job.add_option("--seed", options.seed,
-                 "of the sample; without it, the number of the day: all are tried in as many\n"
-                 "days as there are parts; of --mutants, one made of the files' contents");
+                 "also about N of those that have a valid record, chosen by the seed;\n"
+                 "with --mutants: only N of them, chosen by the seed")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  job.add_option(
+      "--seed", options.seed,
+      "of the sample. Default: the number of the day, so that every record is tried again\n"
+      "within some days; with --mutants, a hash of the files");
   job.add_flag("--recorded", options.campaign.recorded,
-               "without those of which testbench/proofs/mutants says that they were not tried")
+               "without those that testbench/proofs/mutants lists as not tried")
       ->needs(mutants);
-  job.add_flag("--record", options.record,
-               "write what holds and is caught into testbench/proofs/recorded.tsv; of --mutants, "
-               "the fate\n"
-               "of every one into testbench/proofs/mutants");
+  job.add_flag(
+      "--record", options.record,
+      "write what holds and is caught into testbench/proofs/recorded.tsv; with --mutants,\n"
+      "the result of each into testbench/proofs/mutants");
   job.add_option("--json", options.json, "write the outcome")->type_name("FILE.json");
-  job.add_option("--jobs", options.jobs, "how many at once; 0: one for each processor core")
+  job.add_option("--jobs", options.jobs,
+                 "number of parallel trials; 0: one for each processor core")
       ->capture_default_str();
-  job.add_option("--limit", options.limit_seconds,
-                 "seconds after which a call of the solver is given up")
+  job.add_option("--limit", options.limit_seconds, "time limit of a solver call, in seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   job.footer(
@@ -54,9 +56,8 @@ void add_options(CLI::App& job, Options& options) {
       "<build>/proofs/NAME.\n"
       "A record is valid as long as the tools' versions and all sources, settings and programs\n"
       "that the trial depends on are the same; comments in VHDL do not matter.\n"
-      "Of --mutants, 97 % of those that are not equivalent must be killed, and each survivor be "
-      "listed\n"
-      "in testbench/proofs/mutants.\n"
+      "With --mutants, 97 % of those that are not equivalent must be killed, and each survivor\n"
+      "must be listed in testbench/proofs/mutants.\n"
       "Exit status: 0 everything holds and every mutation was caught, 1 not, 2 bad usage.");
 }
 
