@@ -20,7 +20,7 @@ class FrameReceiver {
   // True where a frame is complete with this byte. After a damaged one everything is skipped until
   // the line is silent: what looks like a frame may be the inside of one.
   bool receive(std::uint8_t byte);
-  // The line was silent for a while. False where that was in a frame, or behind a damaged one.
+  // The line was silent for a while. False where that was in a frame, or after a damaged one.
   bool silence();
 
   Frame frame() const;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where the processor begins after a reset in an image with the boot loader: the loader first, which passes
-# on to _start behind this.
+# on to _start after this.
   .section .text.reset, "ax"
   .option norvc
   .globl reset

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hello, begin, blocks in order, start. Everything may be said twice: an answer may have been lost.
+// Hello, begin, blocks in order, start. Everything may be sent twice: an answer may have been lost.
 #include "boot_loader/session.hpp"
 
 #include "boot_loader/checksum.hpp"

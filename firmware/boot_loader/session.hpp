@@ -33,7 +33,7 @@ class Session {
 
   // The memory that may be loaded, and its address for the processor. `entry` is that of the
   // program which is there, nothing where there is none that may be started. `way_back` are
-  // instructions that lead into the loader: they stand at the begin of the memory until a program
+  // instructions that lead into the loader: they stand at the start of the memory until a program
   // is whole.
   Session(std::span<std::uint8_t> memory, std::uint32_t address, std::optional<std::uint32_t> entry,
           const ResetCode& way_back)

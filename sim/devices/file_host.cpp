@@ -184,7 +184,7 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   std::optional<std::size_t> number = first_number(reply);
   // A chip that has not got the M110 counts from elsewhere, and no line behind it goes out before.
   if (number && acknowledged_ == 0) number = 0;
-  // The next one may be requested, even behind the last: a copy of the one before came damaged.
+  // The next one may be requested, even after the last: a copy of the one before came damaged.
   if (!number || *number > next_) {
     fail(fmt::format("the chip asks for a line that was never sent: \"{}\"", reply));
     return;

@@ -19,7 +19,7 @@ namespace devices {
 // speed that the host chooses, right or wrong. What a host has written goes out after it has closed
 // the port, for 30 s at most as in Linux, unless the next one opens it before. Then the line is low
 // for some time, so that the chip can give up a line that is not finished. A host that opens right
-// behind another one is known by what the kernel notes of both; only where both have written
+// after another one is known by what the kernel notes of both; only where both have written
 // between two looks, half a millisecond apart, nothing says whose a byte is: a line that was begun
 // before is then dropped, whole ones are taken as if one host had written them.
 class PseudoTerminal : public sim::Device, public ByteListener {
@@ -86,7 +86,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   bool held_back_ = false;
   bool throttled_ = false;  // the host may have written more than was taken
   bool unread_ = false;  // something lay in the kernel at the last look
-  bool in_line_ = false;  // the chip has the begin of a line
+  bool in_line_ = false;  // the chip has the start of a line
   bool skips_line_ = false;  // up to its end: it may be a rest of the host before
   std::string early_;  // of the host, read before its turn
   bool leaving_ = false;  // the host has closed the port, and not all that it has written is sent

@@ -53,7 +53,7 @@ void PseudoTerminal::wake(sim::Clock now) {
   send_what_is_left(now);
 }
 
-// A short line goes out between two looks, so this is called behind each send as well.
+// A short line goes out between two looks, so this is called after each send as well.
 void PseudoTerminal::note_traffic(sim::Clock now) {
   if (!line_.quiet()) settled_at_ = now + rate_.clocks(quiet_seconds);
 }
@@ -72,7 +72,7 @@ void PseudoTerminal::take_from_host(sim::Clock now) {
   } else {
     came = read_from_host();
   }
-  // The notes are read behind the bytes: where no other host has come, all bytes are this one's.
+  // The notes are read after the bytes: where no other host has come, all bytes are this one's.
   const TerminalWatch::Change change = watch_->look();
   if (change.happened) return change_hosts(now, change, std::move(came));
   send(now, came);

@@ -93,8 +93,8 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
            }),
       extrusion_(std::make_unique<Extrusion>(description.axes[3].steps_per_mm, simulation.rate(),
                                              hotend_.block)),
-      saboteur_(std::make_unique<Saboteur>(options.faults, simulation.rate(), hotend_, bed_,
-                                           serial_line_)) {
+      fault_injector_(std::make_unique<FaultInjector>(options.faults, simulation.rate(), hotend_,
+                                                      bed_, serial_line_)) {
   make_axes(options);
   attach_all();
 }
@@ -132,7 +132,7 @@ void Printer::attach_all() {
   simulation_.attach(serial_line_, sim::OutputPins::transmit_pin());
   simulation_.attach(fan_, sim::OutputPins::fan_pin());
   simulation_.attach(*extrusion_, {});
-  simulation_.attach(*saboteur_, {});
+  simulation_.attach(*fault_injector_, {});
 }
 
 void Printer::add_step_listener(devices::StepListener& listener) {

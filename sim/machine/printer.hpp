@@ -54,7 +54,7 @@ class Printer {
     devices::HeaterGate gate;
     devices::SensorChannel sensor;
   };
-  class Saboteur;
+  class FaultInjector;
   class Extrusion;
 
   void make_axes(const PrinterOptions& options);
@@ -70,7 +70,7 @@ class Printer {
   HeatedPart bed_;
   devices::FanGate fan_;
   std::unique_ptr<Extrusion> extrusion_;
-  std::unique_ptr<Saboteur> saboteur_;
+  std::unique_ptr<FaultInjector> fault_injector_;
 };
 
 }  // namespace machine

@@ -44,10 +44,10 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
 };
 
 // Breaks parts when their time comes.
-class Printer::Saboteur : public sim::Device {
+class Printer::FaultInjector : public sim::Device {
  public:
-  Saboteur(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed,
-           devices::SerialLine& line)
+  FaultInjector(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed,
+                devices::SerialLine& line)
       : plan_(std::move(plan)), rate_(rate), hotend_(hotend), bed_(bed), line_(line) {
     wake(0);
   }

@@ -24,7 +24,7 @@ class AskedPath : public devices::HostListener {
  public:
   explicit AskedPath(sim::ClockRate rate) : rate_(rate) {}
 
-  // The lines are read when they are answered: what is refused changes nothing for those behind.
+  // The lines are read when they are answered: what is refused changes nothing for those after.
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
                             bool executed) override;
   // Forgets the lines before, which were not in the coordinates of the machine.

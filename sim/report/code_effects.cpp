@@ -35,7 +35,7 @@ constexpr std::array moving_m{
     Range{23, 24},  // selects and prints a file of the card
     Range{28, 29},  // what is between them is stored, not executed
     Range{32, 32},  // prints a file of the card
-    Range{37, 37},  // simulates what is behind it (RepRapFirmware)
+    Range{37, 37},  // simulates what is after it (RepRapFirmware)
     Range{44, 46},  // calibration (Prusa)
     Range{48, 48},  // tries the probe
     Range{82, 83},  // meaning of E

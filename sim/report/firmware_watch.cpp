@@ -36,7 +36,7 @@ std::uint32_t block_of(const sim::ElfImage& firmware) {
 FirmwareWatch::FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chip)
     : chip_(chip), block_(block_of(firmware)) {
   for (const sim::ElfConstants& constants : firmware.constants) {
-    // Behind the block lies the boot loader, which is no part of the program.
+    // After the block lies the boot loader, which is no part of the program.
     if (constants.address >= block_) continue;
     for (const sim::ElfSegment& segment : firmware.segments) {
       const std::uint64_t end =

@@ -11,7 +11,7 @@ namespace report {
 
 inline constexpr std::int64_t billionths = 1'000'000'000;
 
-// A letter in upper case and the number behind it in billionths. More than nine decimals are
+// A letter in upper case and the number after it in billionths. More than nine decimals are
 // rounded, halves away from zero; beyond 10^9 the number stays there.
 struct GcodeWord {
   char letter{};
@@ -26,7 +26,7 @@ class GcodeWords {
   // Whether the line is this command; G1.1 is not G1.
   bool is(char letter, int code) const;
   bool has(char letter) const { return find(letter) != nullptr; }
-  // The number behind the first such letter that is not the command's own.
+  // The number after the first such letter that is not the command's own.
   std::optional<std::int64_t> value(char letter) const;
   // The command first; empty for a line that does not begin with a letter.
   const std::vector<GcodeWord>& all() const { return words_; }

@@ -22,7 +22,7 @@ namespace report {
 
 // The end of a G0 or G1 is reached where X, Y, Z and E stand at the same time at the steps that are
 // nearest to it, halves away from zero. What a refused line requests is not expected; a prevented
-// extrusion is a miss, and the lines behind it are judged from where E then stands. Homing is free
+// extrusion is a miss, and the lines after it are judged from where E then stands. Homing is free
 // until it is acknowledged.
 //
 // Whether a line was refused is known only with its answer, when it may have been executed already:

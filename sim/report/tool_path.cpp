@@ -119,7 +119,7 @@ void ToolPath::extruder_stepped(int direction) {
   way_since_extruded_mm_ = 0;
 }
 
-// Up to the latest step of the extruder, if the next one may still change what is behind it.
+// Up to the latest step of the extruder, if the next one may still change what is after it.
 void ToolPath::thin() {
   const bool open = way_since_extruded_mm_ <= longest_way_between_extruder_steps_mm;
   const std::size_t end =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chip as the co-simulation needs it: pins, clocks, memory and counters, whatever model is
-// behind it.
+// after it.
 #pragma once
 
 #include <cstdint>

@@ -158,7 +158,7 @@ void read_section(ElfFile& file, Elf_Scn* section, ElfImage& image) {
 
 constexpr std::uint32_t memory_start = 0x8000'0000;
 
-// The first address behind the chip's memory, the size of which is a multiple of this.
+// The first address after the chip's memory, the size of which is a multiple of this.
 constexpr std::uint32_t memory_unit = 1024;
 
 std::uint64_t memory_end(const Chip& chip) {

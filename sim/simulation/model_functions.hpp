@@ -12,7 +12,7 @@ struct ModelFunctions;
 
 }  // namespace sim
 
-// To be written behind the header of the model.
+// To be written after the header of the model.
 #define STEPFABRIC_MODEL_FUNCTIONS(Name)                                            \
   [[gnu::weak]] void Name##___024root___eval_triggers__act(Name##___024root* root); \
   [[gnu::weak]] void Name##___024root___eval_nba(Name##___024root* root);           \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fast model's answer to the wish for a waveform.
+// The fast model refuses to write a waveform.
 #include <stdexcept>
 
 #include "sim/simulation/trace.hpp"

@@ -44,7 +44,7 @@ begin
     expect_register(jtag, x"0340", x"80000801");
     expect_register(jtag, x"0301", x"40001104", x"fff01f04");
 
-    -- What cannot be done is refused, and harms nothing.
+    -- What cannot be done is refused, and changes nothing.
     write_dmi(jtag, command_address, x"00220123");
     expect_error(jtag, command_error_exception, "no such CSR");
     write_dmi(jtag, command_address, x"00230123");

@@ -18,9 +18,9 @@ constexpr sim::Clock millisecond = clock_hz / 1000;
 
 // Sends a line now and then, whether it is requested or not, and disturbs the pins that the
 // printer's other devices leave alone: bouncing switches, a noisy serial line, the emergency stop.
-class Tormentor : public sim::Device, public devices::ByteListener {
+class RandomInputs : public sim::Device, public devices::ByteListener {
  public:
-  Tormentor(devices::SerialLine& line, sim::InputPins& inputs) : line_(line), inputs_(inputs) {
+  RandomInputs(devices::SerialLine& line, sim::InputPins& inputs) : line_(line), inputs_(inputs) {
     next_wake_ = 1;
   }
 
@@ -72,20 +72,20 @@ TEST(rest, the_whole_chip_does_the_same_with_all_clock_edges_and_with_those_that
   tests::LoadedPrinter loaded(chip, clock_hz, 40.0, 30.0);
   StepCounter counter;
   loaded.printer.add_step_listener(counter);
-  Tormentor tormentor(loaded.printer.serial_line(), chip.inputs());
-  loaded.printer.serial_line().set_listener(tormentor);
-  loaded.simulation.attach(tormentor, {});
+  RandomInputs random_inputs(loaded.printer.serial_line(), chip.inputs());
+  loaded.printer.serial_line().set_listener(random_inputs);
+  loaded.simulation.attach(random_inputs, {});
 
-  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from));
+  ASSERT_NO_THROW(loaded.simulation.run_until(RandomInputs::noise_from));
   ASSERT_NO_THROW(chip.compare_inside());
   // Something did happen, and the processor did rest.
   EXPECT_GT(counter.steps, 500u);
-  EXPECT_GT(tormentor.bytes_heard, 100u);
+  EXPECT_GT(random_inputs.bytes_heard, 100u);
   EXPECT_GT(chip.processor_statistics().sleeping_clocks, chip.now() / 4);
 
-  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from + 100 * millisecond));
+  ASSERT_NO_THROW(loaded.simulation.run_until(RandomInputs::noise_from + 100 * millisecond));
   ASSERT_NO_THROW(chip.reset());
-  ASSERT_NO_THROW(loaded.simulation.run_until(Tormentor::noise_from + 200 * millisecond));
+  ASSERT_NO_THROW(loaded.simulation.run_until(RandomInputs::noise_from + 200 * millisecond));
   ASSERT_NO_THROW(chip.compare_inside());
 }
 

@@ -23,7 +23,7 @@ unsigned exclusive_or(std::string_view text) {
   return sum;
 }
 
-// What is in front of the last star, where the digits behind it are its XOR.
+// What is in front of the last star, where the digits after it are its XOR.
 std::optional<std::string_view> checked(std::string_view line) {
   const std::size_t star = line.rfind('*');
   if (star == std::string_view::npos) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<std::string_view> checked(std::string_view line) {
   return line.substr(0, star);
 }
 
-// The number behind an N at the begin, modulo 2^32, which is then taken off.
+// The number after an N at the start, modulo 2^32, which is then taken off.
 std::optional<std::uint32_t> take_number(std::string_view& text) {
   if (!text.starts_with('N')) return std::nullopt;
   std::string_view rest = text.substr(1);

@@ -77,7 +77,7 @@ class Print : public devices::HostListener {
   std::vector<std::string> wanted_;
   std::size_t arrived_ = 0;
   bool lied_ = false;
-  bool waited_ = false;  // the host's M400 behind the file has been taken
+  bool waited_ = false;  // the host's M400 after the file has been taken
   std::string last_sent_;
   std::size_t lines_ = 0, place_ = 0;  // on the wire
   unsigned flips_ = 0;
@@ -123,7 +123,7 @@ void Print::receive(std::uint8_t byte) {
   }
 }
 
-// A flip has made a line end of one byte, and what is behind it begins with the line's own number,
+// A flip has made a line end of one byte, and what is after it begins with the line's own number,
 // perhaps after blanks, and has the right checksum, since all in front has the XOR 0: no receiver
 // can know.
 bool Print::lies(std::string_view text) const {

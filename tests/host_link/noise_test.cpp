@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over a line that harms bytes in both directions, every host's lines are taken exactly once
+// Over a line that corrupts bytes in both directions, every host's lines are taken exactly once
 // and in order.
 #include <gtest/gtest.h>
 

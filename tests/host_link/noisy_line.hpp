@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One direction of a serial line: bytes take time, and some of them come to harm.
+// One direction of a serial line: bytes take time, and some of them are corrupted.
 #pragma once
 
 #include <cstdint>

@@ -59,7 +59,7 @@ Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& li
     if (!line.number || line.text.starts_with("M110")) continue;
     const auto place = static_cast<std::size_t>(*line.number - first);
     if (place < taken.lines.size()) {
-      // What was no command has been requested again, with the lines behind it.
+      // What was no command has been requested again, with the lines after it.
       EXPECT_FALSE(gcode::parse(taken.lines[place]).has_value()) << taken.lines[place];
       taken.lines.resize(place);
     }
@@ -95,7 +95,7 @@ TEST(noisy_line, cura_makes_the_pulses_of_a_clean_one) {
 }
 
 // One byte in a hundred: a fault in every fourth line or reply.
-void expect_that_only_checksums_that_lie_harm(const MakeHost& make) {
+void expect_only_corruption_that_checksums_miss(const MakeHost& make) {
   const std::vector<std::string> lines = job(lines_of_job(150));
   // printcore does not hear a Resend for its last lines.
   constexpr std::size_t unguarded_lines = 2;
@@ -109,21 +109,21 @@ void expect_that_only_checksums_that_lie_harm(const MakeHost& make) {
     EXPECT_TRUE(eavesdropper.could_not_be_seen(noisy.lines[i]))
         << noisy.lines[i] << " taken for " << lines[i];
     EXPECT_TRUE(gcode::parse(noisy.lines[i]).has_value()) << noisy.lines[i];
-    std::printf("  the checksum of \"%s\" lies, sent was \"%s\"\n", noisy.lines[i].c_str(),
+    std::printf("  the checksum of \"%s\" matches, sent was \"%s\"\n", noisy.lines[i].c_str(),
                 lines[i].c_str());
   }
 }
 
-TEST(very_noisy_line, harms_printcore_only_where_a_checksum_lies) {
-  expect_that_only_checksums_that_lie_harm(host_link::test::printcore);
+TEST(very_noisy_line, corrupts_lines_of_printcore_only_where_the_checksum_matches) {
+  expect_only_corruption_that_checksums_miss(host_link::test::printcore);
 }
 
-TEST(very_noisy_line, harms_octoprint_only_where_a_checksum_lies) {
-  expect_that_only_checksums_that_lie_harm(host_link::test::octoprint);
+TEST(very_noisy_line, corrupts_lines_of_octoprint_only_where_the_checksum_matches) {
+  expect_only_corruption_that_checksums_miss(host_link::test::octoprint);
 }
 
-TEST(very_noisy_line, harms_cura_only_where_a_checksum_lies) {
-  expect_that_only_checksums_that_lie_harm(host_link::test::cura);
+TEST(very_noisy_line, corrupts_lines_of_cura_only_where_the_checksum_matches) {
+  expect_only_corruption_that_checksums_miss(host_link::test::cura);
 }
 
 TEST(misbehaving_hosts, one_that_is_gone_in_the_midst_of_a_numbered_line) {
@@ -209,7 +209,7 @@ TEST(misbehaving_hosts, ones_that_hang_up_within_an_answer_leave_the_next_one_s_
     chip.printer->serial_line().hang_up(chip.simulation.now(), chip.rate.clocks(0.02));
     chip.run(0.12);
     chip.send("M118 here\n");
-    // Behind what is left of the answer.
+    // After what is left of the answer.
     std::string said = chip.reply(1);
     while (said.starts_with("ok") || said.starts_with("T:")) said = chip.reply(1);
     EXPECT_EQ(said, "here") << phase;

@@ -35,7 +35,7 @@ class Chip {
   // Whether this processor implements Zbb.
   static const bool has_zbb;
 
-  // Starts after reset with the image at the begin of the memory and zeros behind it.
+  // Starts after reset with the image at the start of the memory and zeros after it.
   explicit Chip(const std::vector<std::uint8_t>& image);
   ~Chip();
   Chip(const Chip&) = delete;
@@ -51,7 +51,7 @@ class Chip {
   std::uint32_t word(std::uint32_t address) const;
   std::vector<std::uint8_t> memory() const;
   TestDevice& device() { return device_; }
-  // Clocks from the begin of a bus request to its response; 1 as the chip's peripherals.
+  // Clocks from the start of a bus request to its response; 1 as the chip's peripherals.
   void set_bus_wait(unsigned clocks) { bus_wait_ = clocks; }
 
  private:

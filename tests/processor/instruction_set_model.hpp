@@ -52,7 +52,7 @@ class InstructionSetModel {
     std::uint32_t value;
   };
 
-  // `next`: the address behind the instruction on entry, of the one to go on with on return.
+  // `next`: the address after the instruction on entry, of the one to go on with on return.
   std::optional<Exception> execute(std::uint32_t instruction, std::uint32_t& next, Step& step);
   std::optional<Exception> execute_system(std::uint32_t instruction, std::uint32_t& next,
                                           Step& step);

@@ -19,7 +19,7 @@ std::string describe(const Event& event) {
   return text;
 }
 
-// An interrupt must be taken at once behind an instruction that allows it, and within three
+// An interrupt must be taken at once after an instruction that allows it, and within three
 // instructions where the request itself is new.
 class InterruptWatch {
  public:

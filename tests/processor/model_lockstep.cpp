@@ -63,7 +63,7 @@ class Run {
   void clock() {
     request();
     const Clock now = chip_.clocks();
-    // Behind edge `now` the lines are as the device has them.
+    // After edge `now` the lines are as the device has them.
     model_.set_interrupts(now, chip_.device().interrupts());
     if (model_.complete() <= now) model_.mark();
     if (!model_.accesses()) {

@@ -68,7 +68,7 @@ TEST(ModelLockstep, instructions_of_all_rows_of_the_table_with_interrupts_in_any
   EXPECT_GT(sum.traps, 20'000U);
   EXPECT_GT(sum.accesses, 20'000U);
   EXPECT_GT(sum.sleeping_clocks, 5'000U);
-  // An interrupt came instead of each instruction, and behind each.
+  // An interrupt came instead of each instruction, and after each.
   for (const Kind& kind : kinds_of_instructions()) {
     const std::string row = kind.row;
     const Operation operation = decode(kind.word, Chip::memory_base, Chip::has_zbb).operation;

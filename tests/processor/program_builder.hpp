@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts long and short instructions one behind the other and fills in the distances of jumps.
+// Puts long and short instructions one after the other and fills in the distances of jumps.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t first_address = 0x80000000;
 
-// The number behind a name such as " mepc     80000004".
+// The number after a name such as " mepc     80000004".
 std::uint32_t number_at(const char* text) {
   return static_cast<std::uint32_t>(std::strtoul(text, nullptr, 16));
 }

@@ -29,7 +29,7 @@ struct QemuState {
 // RV32IMC with machine mode only, its memory where the chip's is, without the chip's peripherals.
 class QemuMachine {
  public:
-  // Starts it with the image at the begin of the memory, for RV32IMC with or without Zbb. Throws
+  // Starts it with the image at the start of the memory, for RV32IMC with or without Zbb. Throws
   // std::runtime_error where it cannot.
   QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb);
   ~QemuMachine();

@@ -26,7 +26,7 @@ bool is_answered(Word address) {
          address - TestDevice::base < 0x100;
 }
 
-// Addresses behind the upper 20 bits that lui sets; a store changes only where nothing else is.
+// Addresses whose upper 20 bits lui sets; a store changes only where nothing else is.
 struct Place {
   Word address;
   bool may_be_written;

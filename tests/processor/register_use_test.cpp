@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every register as destination and as either operand of every kind of instruction, also of one
-// that stands right behind the writer: random programs keep some registers for themselves.
+// that stands right after the writer: random programs keep some registers for themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class Line {
     add(encode::add_immediate(index, index, static_cast<std::int32_t>(value - upper)), index,
         value);
   }
-  // What is behind a jump or branch and is not executed.
+  // What is after a jump or branch and is not executed.
   void add_skipped() { program_.add(encode::add_immediate(1, 1, 1)); }
 
   void check() {

@@ -87,7 +87,7 @@ class TimedProgram {
     emit(encode::csr(6, 0, mstatus, 8));
   }
 
-  // The address of the instruction so many bytes behind.
+  // The address of the instruction so many bytes further on.
   void add_place(std::int32_t bytes) {
     emit(encode::add_upper_to_pc(place_address, 0));
     emit(encode::add_immediate(place_address, place_address, bytes));
@@ -95,7 +95,7 @@ class TimedProgram {
 
   void add_piece() {
     switch (below(14)) {
-      case 0: {  // To behind the return, perhaps with interrupts off up to it.
+      case 0: {  // To after the return, perhaps with interrupts off up to it.
         if (below(2) == 0) emit(encode::csr(7, 0, mstatus, 8));
         emit(encode::add_immediate(scratch, 0, 0x80));
         emit(encode::csr(2, 0, mstatus, scratch));

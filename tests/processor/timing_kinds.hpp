@@ -25,11 +25,11 @@ namespace timed {
 // Registers with a meaning in these programs.
 inline constexpr encode::Word data_base = 31, bus_base = 30, late_result = 15, place_address = 28;
 inline constexpr encode::Word short_data_base = 8, stack_pointer = 2;
-// Where the instructions under test begin, from the begin of the memory.
+// Where the instructions under test begin, from the start of the memory.
 inline constexpr encode::Word program_bytes = 256;
 }  // namespace timed
 
-// Where the instructions under test lie, and what is behind them.
+// Where the instructions under test lie, and what is after them.
 struct Placed {
   std::vector<std::uint8_t> image;
   encode::Word before = 0;
@@ -37,9 +37,9 @@ struct Placed {
   encode::Word next = 0;
 };
 
-// The first of them lies at the begin of a word or, `in_the_middle`, at its second half.
+// The first of them lies at the start of a word or, `in_the_middle`, at its second half.
 // With a handler interrupts are let through, and traps go there; otherwise they go
-// behind the instructions.
+// after the instructions.
 Placed place(const std::vector<encode::Word>& tested, bool in_the_middle, encode::Word handler = 0);
 
 }  // namespace processor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every instruction takes the clocks that the table in rtl/processor/timing.md says, behind every
+// Every instruction takes the clocks that the table in rtl/processor/timing.md says, after every
 // other and at both places in a word.
 #include <gtest/gtest.h>
 

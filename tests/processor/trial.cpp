@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs of instructions to try, with a handler that goes on behind each that traps.
+// Programs of instructions to try, with a handler that goes on after each that traps.
 #include "tests/processor/trial.hpp"
 
 #include <algorithm>

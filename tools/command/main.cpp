@@ -156,8 +156,8 @@ int main(int count, char** arguments) {
   command::open_standard_streams();
   try {
     return command::run_command(count, arguments);
-  } catch (const command::Interrupted& wish) {
-    command::say_to(stderr, "stepfabric: {}\n", wish.what());
+  } catch (const command::Interrupted& error) {
+    command::say_to(stderr, "stepfabric: {}\n", error.what());
     return command::interrupted;
   } catch (const std::exception& error) {
     std::fflush(stdout);

@@ -127,7 +127,7 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devi
   return outcome;
 }
 
-// Commands that were never acknowledged, where the print was not ended by wish; and those that the
+// Commands that were never acknowledged, unless the user stopped the print; and those that the
 // host believes done, but the firmware has not counted.
 std::uint64_t lost_lines(report::Outcome outcome, const devices::FileHost& host,
                          const report::FirmwareWatch& watch) {
@@ -245,8 +245,8 @@ int print(const PrintOptions& options) {
                             options.printer.clock_hz);
   try {
     return print_and_report(options, reports);
-  } catch (const Interrupted& wish) {
-    reports.write_refusal(wish.what());
+  } catch (const Interrupted& error) {
+    reports.write_refusal(error.what());
     throw;
   } catch (const std::exception& error) {
     return refuse(reports, error.what());

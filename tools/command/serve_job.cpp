@@ -84,8 +84,8 @@ int serve(ServeOptions options) {
   const ReportFiles reports(options.report, {}, options.clock_hz.value_or(0));
   try {
     return serve_and_report(options, reports);
-  } catch (const Interrupted& wish) {
-    reports.write_refusal(wish.what());
+  } catch (const Interrupted& error) {
+    reports.write_refusal(error.what());
     throw;
   } catch (const std::exception& error) {
     reports.write_refusal(error.what());

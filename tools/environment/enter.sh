@@ -48,7 +48,7 @@ inner_environment() {
 }
 
 # The program that enters the root would die of Ctrl-C or `kill` at once and take the command with it,
-# before it can write its report. So it is deaf to them, and the command gets them.
+# before it can write its report. So it ignores them, and the command gets them.
 enter_and_pass_signals() {
   local enterer inner status passed
   (trap '' INT TERM HUP; exec "$@") <&0 &

@@ -50,7 +50,7 @@
   csrci mstatus, 8
   request 1 << 20
   check s5, 0
-  # At once when allowed; and not any more behind the instruction that forbids.
+  # At once when allowed; and not any more after the instruction that forbids.
   csrsi mstatus, 8
   nop
   check s5, 20
@@ -92,7 +92,7 @@
   la t0, handler
   csrw mtvec, t0
 
-  # wfi waits for what mie lets through, also where mstatus forbids, and goes on behind itself.
+  # wfi waits for what mie lets through, also where mstatus forbids, and goes on after itself.
   li a0, 1 << 20
   csrw mie, a0
   csrci mstatus, 8

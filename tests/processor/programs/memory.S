@@ -104,7 +104,7 @@ back:
   jalr ra, 0(t0)
   check_address t1, after
 after:
-  # The instruction behind a store to it is the new one after fence.i.
+  # The instruction after a store to it is the new one after fence.i.
   la t0, changed
   li t1, 0x05800513
   sw t1, 0(t0)

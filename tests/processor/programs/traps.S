@@ -199,7 +199,7 @@ outside:
   check s3, 0x90000002
   check s4, 0x90000002
   check_address a0, outside
-  # The last half word of the memory: a short instruction fits, behind it nothing does.
+  # The last half word of the memory: a short instruction fits, after it nothing does.
   la s9, end_reached
   li s10, 0x8000fffe
   li a0, 0x00010505
