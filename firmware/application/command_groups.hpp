@@ -54,7 +54,7 @@ using Handler = Progress (*)(CommandGroups&, ActiveCommand&);
 template <class Group, class... Constants>
 Group group_of(Progress (Group::*)(ActiveCommand&, Constants...));
 
-// The method of a group, with constants behind the command.
+// The method of a group, with constants after the command.
 template <auto method, auto... constants>
 Progress handler(CommandGroups& groups, ActiveCommand& command) {
   using Group = decltype(group_of(method));

@@ -28,7 +28,7 @@ Progress report(ActiveCommand& command, const char* name, std::int32_t percent) 
 
 }  // namespace
 
-// For the lines behind it, as in Marlin. They are planned with all of it, so a person's stretch
+// For the lines after it, as in Marlin. They are planned with all of it, so a person's stretch
 // ends with the first of them.
 Progress FactorCommands::set_speed(ActiveCommand& command) {
   const std::int32_t before = coordinates_.speed();

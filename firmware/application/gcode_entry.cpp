@@ -24,7 +24,7 @@ class LimitList {
   constexpr const ArgumentLimit* begin() const { return limits_.data(); }
   constexpr const ArgumentLimit* end() const { return limits_.data() + count_; }
   constexpr std::size_t size() const { return count_; }
-  // Where those of `part` stand one behind the other; size() where they do not.
+  // Where those of `part` stand one after the other; size() where they do not.
   constexpr std::size_t place_of(const LimitList& part) const {
     return static_cast<std::size_t>(std::ranges::search(*this, part).begin() - begin());
   }

@@ -84,7 +84,7 @@ struct Conduct {
   bool on_reception{};  // acted on ahead of the lines that wait (host_link/emergency)
   bool answered_ahead{};  // a query that need not wait for them (HostLink::query)
   bool while_storing{};  // executed between M28 and M29
-  bool while_dry_run{};  // decides what lines behind it mean, also behind a refused M37 or M111
+  bool while_dry_run{};  // decides what lines after it mean, also after a refused M37 or M111
 
   // Questions are answered wherever they are.
   constexpr bool executed_in_dry_run() const { return while_dry_run || while_storing; }

@@ -15,7 +15,7 @@ class HeatCommands {
 
   Progress set_temperature(ActiveCommand& command, Heater heater);
   Progress set_and_wait(ActiveCommand& command, Heater heater);
-  // M149: only °C. Behind F or K no number is taken for a temperature until C, but 0.
+  // M149: only °C. After F or K no number is taken for a temperature until C, but 0.
   Progress set_units(ActiveCommand& command);
   Progress report_units(ActiveCommand& command);
   Progress set_fan(ActiveCommand& command);

@@ -24,7 +24,7 @@ constexpr units::Millicelsius cut_off_margin{10'000};
 // Hot enough that no neighbour makes it so is a part below so many times the count of its cut-off:
 // above 150 degrees with the hotend's limit, above 60 with the bed's.
 constexpr std::uint32_t hot_factor = 8;
-// Behind the heat that was still on its way to the sensor; a bed is slow.
+// After the heat that was still on its way to the sensor; a bed is slow.
 constexpr units::Milliseconds hotend_settle{15'000};
 constexpr units::Milliseconds bed_settle{60'000};
 // Heat is requested and the supply does not close: what vetoes it at its start is not latched.
@@ -174,7 +174,7 @@ void HeatTask::update(Part& part, Now now) {
   const thermal::Duty duty = part.loop.update(part.sensor.temperature(reading), now.milliseconds);
   if (const auto temperature = part.loop.temperature()) part.temperature = *temperature;
   // What tripped while nothing was requested (before the first conversion, say) is forgotten with
-  // the first wish for heat; what still holds trips again at once.
+  // the first request for heat; what still holds trips again at once.
   if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
   control_.set_duty(gate, part.limits_locked && supply_closed_ ? duty : thermal::Duty{0});
 }

@@ -98,7 +98,7 @@ class MotionTask {
   motion::Planner planner_;
   motion::Homing homing_;
   Pace pace_;
-  std::optional<Stretch> stretch_behind_;  // of the lines behind the next `lines_before_`
+  std::optional<Stretch> stretch_behind_;  // of the lines after the next `lines_before_`
   std::size_t lines_before_{};
   std::optional<motion::Fault> homing_fault_;
   units::Axis homing_axis_{};

@@ -38,7 +38,7 @@ struct HeaterLimits {
 // The power of all heaters.
 struct SupplyStatus {
   bool closed{};
-  bool refused{};  // the last wish to close it
+  bool refused{};  // the last request to close it
   // What has opened it since it was closed last.
   bool trip_opened{};
   bool watchdog_opened{};
@@ -63,7 +63,7 @@ class HeaterControl {
   [[nodiscard]] bool lock_limits(std::size_t channel, const HeaterLimits& limits);
 
   // The software is alive. `first` at least a sixteenth of the watchdog's time-out after the last
-  // `first`, `second` once behind each `first`; anything else trips all channels. What counts as
+  // `first`, `second` once after each `first`; anything else trips all channels. What counts as
   // fed is the second.
   void feed(FeedKey key);
 

@@ -28,7 +28,7 @@ std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
   return std::unexpected(ParseError{fault, static_cast<std::uint32_t>(position)});
 }
 
-// Reads the digits behind the point. False if rounding reaches a whole unit.
+// Reads the digits after the point. False if rounding reaches a whole unit.
 bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& billionths) {
   unsigned decimals = 0;
   while (position < line.size() && is_digit(line[position]) && decimals < kept_decimals) {

@@ -17,7 +17,7 @@ using units::is_digit;
 // Whether a number, well formed or not, starts with this character.
 constexpr bool starts_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 
-// Reads at `position` and moves it behind the number. Beyond nine decimals it rounds half
+// Reads at `position` and moves it after the number. Beyond nine decimals it rounds half
 // away from zero.
 std::expected<Number, ParseError> read_number(std::string_view line, std::size_t& position);
 

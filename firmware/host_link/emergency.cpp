@@ -27,7 +27,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// "//action:pause", perhaps with blanks behind the slashes.
+// "//action:pause", perhaps with blanks after the slashes.
 std::optional<EmergencyCommand> action_in(std::string_view text) {
   text.remove_prefix(2);
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -39,7 +39,7 @@ std::optional<EmergencyCommand> action_in(std::string_view text) {
   return std::nullopt;
 }
 
-// S<n> anywhere behind the command; a prompt has few buttons, so one or two digits count.
+// S<n> anywhere after the command; a prompt has few buttons, so one or two digits count.
 std::uint8_t button_in(std::string_view parameters) {
   const std::size_t letter = parameters.find_first_of("Ss");
   if (letter == std::string_view::npos) return 0;

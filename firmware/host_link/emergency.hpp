@@ -23,7 +23,7 @@ struct EmergencyCommand {
   std::uint16_t value{};  // of M220 and M876: its S, otherwise 0
 };
 
-// The code of the M command at the start of `text`, which is then moved behind it; 0 if
+// The code of the M command at the start of `text`, which is then moved after it; 0 if
 // there is none. `m 0112` is 112, as for the parser.
 std::uint32_t take_m_code(std::string_view& text);
 

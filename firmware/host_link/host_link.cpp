@@ -33,7 +33,7 @@ bool trusted(const ReceivedLine& line) {
   return !line.corrupted && !line.too_long && (!line.framed() || line.checksum == Checksum::right);
 }
 
-// Typed by hand: `M117 5 * 3 = 15`. What is behind the last star cannot be a checksum.
+// Typed by hand: `M117 5 * 3 = 15`. What is after the last star cannot be a checksum.
 bool has_star_in_message(const ReceivedLine& line) {
   if (line.starts_with_n || line.checksum != Checksum::wrong) return false;
   if (!line.text.starts_with("M117") && !line.text.starts_with("M118")) return false;
@@ -41,7 +41,7 @@ bool has_star_in_message(const ReceivedLine& line) {
   return rest.empty() || rest.find_first_not_of("0123456789 ") != std::string_view::npos;
 }
 
-// The same line with the star and all behind it as text.
+// The same line with the star and all after it as text.
 ReceivedLine without_checksum(ReceivedLine line) {
   line.text = {line.text.data(), line.behind_star.data() + line.behind_star.size()};
   line.checksum = Checksum::none;

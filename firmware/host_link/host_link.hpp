@@ -36,7 +36,7 @@ class HostLink {
   // From the uart. `now` is the time of the last of the bytes.
   void receive(std::span<const char> bytes, units::Milliseconds now);
   // Something was lost between the bytes received so far and the next, which is received right
-  // behind this call, at the same time: the line that it belongs to is broken.
+  // after this call, at the same time: the line that it belongs to is broken.
   void receive_fault(units::Milliseconds now);
   // The host is gone, and the next byte is another one's: a line that is not finished never will
   // be, and no answer is awaited.
@@ -57,7 +57,7 @@ class HostLink {
   bool finished(std::string_view report = {});
 
   // The line in hand is no command, though its checksum is right: it was damaged twice, or the host
-  // means it so. A numbered one is requested again once, and so are the lines behind it; it is then
+  // means it so. A numbered one is requested again once, and so are the lines after it; it is then
   // no longer in hand and wants no ok. False where it is to be answered.
   bool ask_again();
 

@@ -18,7 +18,7 @@ constexpr std::int64_t written(LineNumber number) {
   return number == before_first ? -1 : std::int64_t{number};
 }
 
-// A number of -2^31 .. 2^32 - 1 at the start of `text`, which is then moved behind it; empty, and
+// A number of -2^31 .. 2^32 - 1 at the start of `text`, which is then moved after it; empty, and
 // `text` unchanged, if there is none or it does not fit.
 std::optional<LineNumber> take_line_number(std::string_view& text);
 

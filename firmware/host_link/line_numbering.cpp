@@ -70,7 +70,7 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
       return judge_broken(line, LineError::unprintable, now);
     }
   }
-  // While a line is awaited again, one without a number may be its second half, behind a line end
+  // While a line is awaited again, one without a number may be its second half, after a line end
   // that noise has made: one of 256 has the right XOR.
   if (!line.starts_with_n) return {within_patience(now) ? Verdict::ignore : Verdict::accept};
   if (!line.number) return judge_broken(line, LineError::wrong_number, now);

@@ -59,7 +59,7 @@ class LineNumbering {
   void accepted(const ReceivedLine& line, units::Milliseconds now);
   // M110 N<last> without number and checksum.
   void restart_after(LineNumber last);
-  // The last `count` lines taken begin with this one, which is no command: it and those behind it
+  // The last `count` lines taken begin with this one, which is no command: it and those after it
   // are wanted again. False, and nothing is changed, where the same has been wanted again before,
   // or where others were taken since.
   bool take_back(LineNumber number, std::string_view text, std::size_t count);

@@ -32,7 +32,7 @@ class LineQueue {
   AcceptedLine front() const;
   void drop();
 
-  // The numbered lines, if each has the number behind the one before it, and none has been acted on
+  // The numbered lines, if each has the number after the one before it, and none has been acted on
   // or sets the numbering; otherwise 0.
   std::size_t numbered_in_sequence() const;
   // They will not be executed: each is to be dropped when it comes to the front.

@@ -29,7 +29,7 @@ struct ReceivedLine {
   bool too_long{};  // more than max_line_length: text is its beginning
   bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
   bool corrupted{};  // the uart saw an error in it
-  bool torn{};  // behind a line that was given up: it may be the rest of that
+  bool torn{};  // after a line that was given up: it may be the rest of that
   // Number or checksum is there: the host keeps it for a resend.
   bool framed() const { return starts_with_n || checksum != Checksum::none; }
 };

@@ -48,11 +48,11 @@ struct FirmwareDescription {
   std::span<const Capability> capabilities;
 };
 
-// M115, line by line: index 0 is the firmware, then one "Cap:NAME:1" each; empty behind the last.
+// M115, line by line: index 0 is the firmware, then one "Cap:NAME:1" each; empty after the last.
 std::optional<TextLine> firmware_line(const FirmwareDescription& firmware, std::size_t index);
 
 // M119, line by line: a heading, then "x_min: open" or "x_min: TRIGGERED" each; empty
-// behind the last.
+// after the last.
 struct EndStopState {
   std::string_view name;  // "x_min"
   bool triggered;

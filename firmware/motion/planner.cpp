@@ -152,7 +152,7 @@ bool Planner::may_hand_over(units::Microseconds now) const {
   // Asked many times for each line, and mostly answered here.
   const units::Microseconds ahead = busy_until_ - now;
   if (count_ == 0 || ahead >= horizon) return false;
-  // No more than is left to plan with: what is behind may yet make the ring's end faster.
+  // No more than is left to plan with: later lines may yet make the ring's end faster.
   if (ahead >= std::max(planned_time_, timing_.longest_pass)) return false;
   if (!resting_ || flush_) return true;
   return !has_room() || planned_time_ >= start_delay || now - waiting_since_ >= start_delay;

@@ -25,7 +25,7 @@ inline constexpr int interval_fraction_shift = 32 - interval_fraction_bits;
 
 // What is the same in all segments of a line.
 struct Line {
-  std::uintptr_t rest{};  // how a tick goes on behind its edge
+  std::uintptr_t rest{};  // how a tick goes on after its edge
   std::uint32_t leader{};  // pins that step at each tick
   // Of the axes that step at some ticks; their error terms count from -ticks up to -1.
   std::int32_t ticks{};

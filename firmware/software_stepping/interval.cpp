@@ -77,7 +77,7 @@ std::uint64_t quotient_of_2_63(std::uint64_t divisor) {
   const auto high = [](std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
   };
-  // 1 / d for 1/2 <= d < 1 by Newton's method, from 48/17 - 32/17 d; with 30 bits behind the point.
+  // 1 / d for 1/2 <= d < 1 by Newton's method, from 48/17 - 32/17 d; with 30 bits after the point.
   constexpr auto constant = static_cast<std::uint32_t>((48ull << 30) / 17);
   constexpr auto slope = static_cast<std::uint32_t>((32ull << 30) / 17);
   std::uint32_t inverse = constant - high(slope, normal);

@@ -8,7 +8,7 @@
   .globl tick_code_begins, tick_code_ends
 tick_code_begins:
 
-# The processor enters at the trap base for exceptions and 28 bytes behind it for the timer, its only
+# The processor enters at the trap base for exceptions and 28 bytes after it for the timer, its only
 # interrupt: what lies between is room for a tick that is late. The name of the base is \name.
 .macro trap_base name
   .balign 4
@@ -56,7 +56,7 @@ tick_code_begins:
   .endif
 .endm
 
-# Ticks at a constant rate, and what every tick does behind its edge.
+# Ticks at a constant rate, and what every tick does after its edge.
 .macro ticks_of followers
   trap_base even_\followers
 late_\followers:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What only counts clocks, as the entities of the same name do. `quiet()` is the number of clocks
-// that can be carried over: behind them, and not before, something else may happen than counting.
+// that can be carried over: after them, and not before, something else may happen than counting.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Timer {
   bool operator==(const Timer&) const = default;
 };
 
-// A counter of clocks that starts over behind its last value, where something happens:
+// A counter of clocks that starts over after its last value, where something happens:
 // `tick_phase` and `slot_phase` in rtl/thermal.
 struct Phase {
   std::uint32_t phase{};

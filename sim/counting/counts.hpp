@@ -23,7 +23,7 @@ struct Counts {
   TimeBase time_base;
   Fan fan;
 
-  // Up to `most` clocks, none if they are fewer than `least`; ends behind the first clock that
+  // Up to `most` clocks, none if they are fewer than `least`; ends after the first clock that
   // changes more than counts. Returns the clocks carried over.
   sim::Clock carry(sim::Clock most, sim::Clock least);
 

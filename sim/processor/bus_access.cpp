@@ -11,7 +11,7 @@ void ProcessorModel::begin_access(const Instruction& instruction, std::uint32_t 
                                   Clock clock) {
   accessing_ = instruction;
   const bool is_store = instruction.operation >= Operation::store_byte;
-  // Behind the three signed loads come the two unsigned ones.
+  // After the three signed loads come the two unsigned ones.
   const auto size = is_store ? static_cast<unsigned>(instruction.operation) -
                                    static_cast<unsigned>(Operation::store_byte)
                              : (static_cast<unsigned>(instruction.operation) -

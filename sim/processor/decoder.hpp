@@ -74,7 +74,7 @@ struct Instruction {
   std::uint32_t immediate = 0;
   std::uint32_t word = 0;  // as it lies in memory: of a compressed one the upper half is 0
   std::uint8_t bytes = 4;
-  // Of branches: clocks in which nothing executes behind them.
+  // Of branches: clocks in which nothing executes after them.
   std::uint8_t behind_taken = 0;
   std::uint8_t behind_not_taken = 0;
 };

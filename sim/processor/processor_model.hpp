@@ -23,7 +23,7 @@ struct BusAccess {
   bool write{};
 };
 
-// Clock n is the time before rising edge n, and what happens in it is there behind this edge.
+// Clock n is the time before rising edge n, and what happens in it is there after this edge.
 //
 // The model runs ahead of the rest of the chip: run() assumes that the interrupt lines stay as they
 // are. Where set_interrupts() says later that they did not, what has been executed since the last

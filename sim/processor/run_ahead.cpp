@@ -146,7 +146,7 @@ bool ProcessorModel::take_interrupt(Clock limit) {
 std::uint64_t ProcessorModel::sleeping_clocks(Clock now) const {
   std::uint64_t clocks = state_.slept_clocks;
   if (state_.asleep) {
-    // The output is seen behind the edge before.
+    // The output is seen after the edge before.
     Clock end = now + 2;
     if ((state_.lines & state_.interrupts_enabled) != 0) {
       end = std::min(end, std::max(state_.begins, state_.lines_seen));

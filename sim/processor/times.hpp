@@ -7,7 +7,7 @@
 
 namespace processor::times {
 
-// Clocks in which nothing executes, behind an instruction or a trap.
+// Clocks in which nothing executes, after an instruction or a trap.
 inline constexpr std::uint8_t predicted_taken = 1;  // branch that is predicted taken, and is
 inline constexpr std::uint8_t mispredicted = 2;
 inline constexpr std::uint8_t jump = 1;

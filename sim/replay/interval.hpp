@@ -11,7 +11,7 @@
 namespace replay {
 
 struct InputChange {
-  sim::Clock clock{};  // sampled by the edge behind it
+  sim::Clock clock{};  // sampled by the edge after it
   sim::InputPins pins;
 };
 

@@ -94,7 +94,7 @@ TEST(dry_run_commands, executes_nothing_in_a_simulation) {
   EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
-// A file's simulation ends with the file, and the lines behind it are meant.
+// A file's simulation ends with the file, and the lines after it are meant.
 TEST(dry_run_commands, goes_on_behind_a_refused_simulation_of_a_file) {
   Printer printer;
   printer.talk(R"(
@@ -159,7 +159,7 @@ TEST(dry_run_commands, does_not_end_by_a_line_of_a_file_to_be_stored) {
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
-// These hold on behind it.
+// These hold on after it.
 TEST(dry_run_commands, follows_units_and_files_in_a_dry_run) {
   Printer printer;
   printer.talk(R"(

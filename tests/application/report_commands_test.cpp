@@ -72,7 +72,7 @@ TEST(report_commands, reports_none_by_itself_before_there_is_one) {
   EXPECT_EQ(said.find("B:0."), std::string::npos) << said;
 }
 
-// A host that comes while the user is waited for, right behind a reset.
+// A host that comes while the user is waited for, right after a reset.
 TEST(report_commands, reports_none_ahead_of_the_queue_before_there_is_one) {
   Printer printer;
   printer.send("M0");

@@ -16,7 +16,7 @@ using benchmarks::Waiting;
 
 constexpr std::uint32_t start = 0x80000000;
 
-// Instructions one behind the other, or at an address of their own, each with its clocks.
+// Instructions one after the other, or at an address of their own, each with its clocks.
 class Executed {
  public:
   Executed() { then(encode::nop(), 1); }

@@ -30,7 +30,7 @@ class HungProcessor : public testing::Test {
  protected:
   HungProcessor() {
     loaded_.printer.add_step_listener(last_step_);
-    // Behind the boot loader's ear for a host, and the start of the firmware.
+    // After the time in which the boot loader listens for a host, and the start of the firmware.
     simulation_.run_until(100 * millisecond);
     // 15 s at 10 mm/s, in one segment that would go on without a processor.
     loaded_.printer.serial_line().send(simulation_.now(), "G91\nG1 X150 F600\n");

@@ -150,7 +150,7 @@ class DebugAdapterTest : public testing::Test {
     debugger.send(requests);
     return hear(debugger, static_cast<std::size_t>(std::ranges::count(requests, 'R')));
   }
-  // `count` bits of TDO behind the two clocks and the select that lead to them.
+  // `count` bits of TDO after the two clocks and the select that lead to them.
   std::uint64_t scanned(Debugger& debugger, const std::string& select, std::uint64_t bits,
                         unsigned count) {
     const std::string levels = ask(debugger, scan(select, bits, count));

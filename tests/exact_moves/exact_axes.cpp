@@ -11,7 +11,7 @@ constexpr std::int64_t parts_per_billionth_mm = 500;
 constexpr std::int64_t parts_per_billionth_inch = 12'700;
 constexpr Wide parts_per_meter = Wide{parts_per_billionth_mm} * 1'000'000'000 * 1'000;
 
-// The text behind `letter`, which stands behind a blank.
+// The text after `letter`, which stands after a blank.
 std::optional<std::string_view> word(std::string_view line, char letter) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (line[i - 1] != ' ' || line[i] != letter) continue;

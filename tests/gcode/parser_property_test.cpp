@@ -19,7 +19,7 @@ int between(Random& random, int low, int high) {
   return std::uniform_int_distribution<int>(low, high)(random);
 }
 
-// An error must point into the line (or just behind it), a text must lie in it.
+// An error must point into the line (or just after it), a text must lie in it.
 void check_result(const std::string& line) {
   const auto command = parse(line);
   if (!command) {

@@ -29,7 +29,7 @@ std::vector<std::string> job() {
 }
 
 struct Outcome {
-  std::string answer;  // to the damaged line, until the ok behind its Resend, as it was sent
+  std::string answer;  // to the damaged line, until the ok after its Resend, as it was sent
   bool ended = false;  // the host has given up
   std::vector<std::string> taken;
 };
@@ -142,7 +142,7 @@ class DamagedReply : public testing::TestWithParam<Case> {};
 
 // The host reads a number here, and there is only one: a digit that has become another one, or one
 // more next to it, requests another line. OctoPrint ends a print that it cannot send again from
-// there, Cura one of which it is behind the end.
+// there, Cura one of which it is after the end.
 bool may_change_number(const std::string& answer, std::size_t position) {
   const std::size_t line = answer.find("Resend");
   const std::size_t first = answer.find_first_of("0123456789", line);

@@ -16,12 +16,12 @@ namespace host_link::test {
 // happen:
 //   ~> N5 G1\x00     the host sends these bytes, without a line end; \n \r \t \xhh
 //   => 5 G1 X1       the firmware takes line 5 ("-" for a line without number)   => nothing
-//   done T:20.00     the firmware has finished it, with this report behind the ok
+//   done T:20.00     the firmware has finished it, with this report after the ok
 //   again                 it cannot read the line in hand, and that is requested again
 //   not again             it cannot read it, and is to answer it
 //   say text         the firmware sends a line
 //   ?? 105           M105 is to be answered ahead of the lines that wait    ?? nothing
-//   answer T:20.00   the firmware does, with this report behind the ok
+//   answer T:20.00   the firmware does, with this report after the ok
 //   !! kill          an emergency command is signalled   (kill, cancel, stop, prompt 3,
 //                    action pause, action resume, action cancel, speed 50)
 //   idle 300         milliseconds pass; also: busy 300, paused 300

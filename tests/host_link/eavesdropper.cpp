@@ -9,7 +9,7 @@
 namespace host_link::test {
 namespace {
 
-// As a receiver may read it: up to three digits behind the last '*', perhaps blanks behind them.
+// As a receiver may read it: up to three digits after the last '*', perhaps blanks after them.
 bool has_right_checksum(const std::string& line) {
   const std::size_t star = line.rfind('*');
   if (star == std::string::npos) return false;
@@ -47,7 +47,7 @@ void Eavesdropper::hear(const std::string& bytes) {
       continue;
     }
     if (has_right_checksum(line_) && !sent_.contains(line_)) unseen_faults_.push_back(line_);
-    // The receiver may have begun behind the line's start: it gives up what stays unfinished.
+    // The receiver may have begun after the line's start: it gives up what stays unfinished.
     for (std::size_t n = line_.find('N', 1); n != std::string::npos; n = line_.find('N', n + 1)) {
       const std::string line = line_.substr(n);
       if (has_right_checksum(line) && !sent_.contains(line)) unseen_faults_.push_back(line);

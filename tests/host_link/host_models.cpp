@@ -184,7 +184,7 @@ class Cura : public HostModel {
     if (line.starts_with("!!")) ended_ = true;
     if (line.find("ok") != std::string::npos) ++allowed_;
     if (asks_for_resend(line)) {
-      // A line behind the last of the job is the job's end.
+      // A line after the last of the job is the job's end.
       const auto number = number_in(line, true);
       if (number && *number <= static_cast<int>(job_.size())) {
         next_ = *number;

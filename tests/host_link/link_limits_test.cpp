@@ -139,7 +139,7 @@ TEST_F(Link, does_not_run_a_line_that_the_uart_found_damaged) {
   EXPECT_EQ(read(), "echo:serial line disturbed, asked for again\nResend: 1\nok\n");
 }
 
-// An old half line is given up there, and the damage is that of the line behind it, whose XOR
+// An old half line is given up there, and the damage is that of the line after it, whose XOR
 // is right.
 TEST_F(Link, does_not_run_a_damaged_line_behind_an_old_half_line) {
   hear("G1 X1");

@@ -25,7 +25,7 @@ NetlistTwin::NetlistTwin(std::uint32_t clock_hz)
   compare();
 }
 
-// To the first clock in which a pin of the model changes, or to the one behind it.
+// To the first clock in which a pin of the model changes, or to the one after it.
 void NetlistTwin::advance(sim::Clock limit) {
   earlier_ = model_.outputs();
   const bool changed = ((earlier_.word ^ outputs_.word) & pins_with_registers().word) != 0;

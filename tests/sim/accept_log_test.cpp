@@ -152,7 +152,7 @@ TEST(FirmwareWatch, is_silent_while_another_program_is_in_the_memory) {
   EXPECT_EQ(lines, 1u);
 }
 
-// Words that contradict each other, behind the firmware's own code: a debugger, or a wild store.
+// Words that contradict each other, written by a debugger or a wild store.
 TEST(FirmwareWatch, outlives_words_that_cannot_be) {
   Firmware firmware;
   report::FirmwareWatch watch(firmware.image, firmware.chip);

@@ -15,7 +15,7 @@ constexpr double steps_per_mm = 80;
 constexpr double h = report::AxisCourses::half_window_seconds;
 // Worst of an axis whose edges are late by up to one tick: 2 steps / h^2.
 constexpr double noise_mm_s2 = 2 / steps_per_mm / (h * h);
-// Where an axis stops half a step behind its last edge.
+// Where an axis stops half a step after its last edge.
 constexpr double half_step_mm_s2 = noise_mm_s2 / 4;
 
 class AxisCoursesTest : public testing::Test {

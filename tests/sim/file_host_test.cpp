@@ -183,7 +183,7 @@ TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_several_were
   EXPECT_EQ(host->state(), HostState::completed);
 }
 
-// And then one of the copies comes damaged, so that the lines behind it go out twice, too.
+// And then one of the copies comes damaged, so that the lines after it go out twice, too.
 TEST_F(FileHostTest, ends_only_when_the_last_line_is_answered_where_a_copy_was_asked_for_again) {
   options.window = 2;
   print("G1 X1\nG1 X2\nG1 X3\n",

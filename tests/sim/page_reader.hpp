@@ -15,7 +15,7 @@ std::string fault_in_page(std::string_view page);
 // The text between the tags.
 std::string text_without_tags(std::string_view html);
 
-// What stands between the first `begin` and the next `end` behind it; empty where they are not.
+// What stands between the first `begin` and the next `end` after it; empty where they are not.
 std::string between(std::string_view page, std::string_view begin, std::string_view end);
 
 }  // namespace tests

@@ -139,7 +139,7 @@ TEST_F(PointCheckTest, stays_right_over_more_points_than_it_keeps_in_mind) {
   send("G28 X Y");
   for (int i = 0; i < 5000; ++i) {
     send(i % 2 == 0 ? "G1 X1 Y1" : "G1 X0 Y1");
-    // Every tenth line is left out, and the one behind it with it.
+    // Every tenth line is left out, and the one after it with it.
     if (i % 20 < 18) go_to(i % 2 == 0 ? 1 : 0, 1);
   }
   send("M400");

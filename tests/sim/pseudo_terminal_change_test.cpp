@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host that opens the port right behind another one, before the pseudo-terminal has looked.
+// A host that opens the port right after another one, before the pseudo-terminal has looked.
 #include <string>
 #include <vector>
 

@@ -57,7 +57,7 @@ class ToolPathTest : public testing::Test {
 TEST_F(ToolPathTest, makes_of_a_staircase_the_line_that_it_was) {
   line(4000, 1234, 200);
   const auto points = path.points();
-  // A line, and the ends of it before the first and behind the last step of the extruder.
+  // A line, and the ends of it before the first and after the last step of the extruder.
   ASSERT_LE(points.size(), 4U);
   EXPECT_FLOAT_EQ(points.back().x, 50);
   EXPECT_FLOAT_EQ(points.back().y, 15.425F);

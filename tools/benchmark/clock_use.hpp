@@ -33,8 +33,8 @@ enum class Event : std::uint8_t {
   jump_register,
   late_result_read_next,
   late_result_read_second,  // by the instruction after the next
-  result_is_next_address,  // an early result is the base of a load, store or jump behind it
-  result_is_next_condition,  // or is compared by a branch behind it
+  result_is_next_address,  // an early result is the base of a load, store or jump after it
+  result_is_next_condition,  // or is compared by a branch after it
   compressed
 };
 inline constexpr std::size_t event_kinds = 14;

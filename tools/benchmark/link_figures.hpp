@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `bench link` measures: how many lines a second go through the serial line, how soon a line
-// is answered, and how long a print of short segments takes behind it.
+// is answered, and how long a print of short segments takes after it.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ class NumberedLines {
   NumberedLines() { add("M110 N0"); }
 
   void add(const std::string& command) { lines_.push_back(framed(command)); }
-  // `G1` to X and Y in a line of exactly `length` characters: with zeros behind the decimals.
+  // `G1` to X and Y in a line of exactly `length` characters: with zeros after the decimals.
   void add_move(double x_mm, double y_mm, std::size_t length);
 
   const std::vector<std::string>& lines() const { return lines_; }

@@ -9,7 +9,7 @@
 
 namespace figures {
 
-// GROUP.VALUE, numbers, + - * / and parentheses; behind a colon the number of decimals:
+// GROUP.VALUE, numbers, + - * / and parentheses; after a colon the number of decimals:
 // "washer.max_deviation_mm * 80 : 2". Without it the value must be whole. Thousands are set apart
 // by a space from 10 000 on. Adds "GROUP.VALUE" of each figure to `used`. Throws
 // std::runtime_error, with the expression, where it names no figure or cannot be read.

@@ -89,7 +89,7 @@ class TokenOperators {
     }
   }
 
-  // The name behind a `&`; the first one of a chain where it is a name alone.
+  // The name after a `&`; the first one of a chain where it is a name alone.
   void zero_parts(std::size_t i, const Expression& expression) {
     if (const auto name = text_.name_from(i + 1, expression.tokens)) zero_part(*name, expression);
     if (i > expression.tokens.first && text_.token(i - 1).kind == Kind::word &&

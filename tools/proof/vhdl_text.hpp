@@ -37,7 +37,7 @@ class VhdlText {
   // The name that begins at a token, with fields, indices and attributes; nothing where
   // no name begins.
   std::optional<Span> name_from(std::size_t i, Span within) const;
-  // The token behind the parenthesis that closes the one at `i`.
+  // The token after the parenthesis that closes the one at `i`.
   std::size_t past_parentheses(std::size_t i) const;
 
  private:

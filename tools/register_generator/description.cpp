@@ -101,7 +101,7 @@ Register read_register(const Reader& reader, const toml::table& table, unsigned&
   return result;
 }
 
-// Adds registers to a peripheral, each behind the one before.
+// Adds registers to a peripheral, each after the one before.
 class RegisterList {
  public:
   explicit RegisterList(Peripheral& peripheral) : peripheral_(peripheral) {}

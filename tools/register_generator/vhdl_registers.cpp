@@ -20,7 +20,7 @@ struct Element {
   unsigned index;
   // Of its signals.
   std::string name;
-  // Behind a name that is an array where the register is one.
+  // After a name that is an array where the register is one.
   std::string suffix;
 
   bool notes_write() const { return r.has_written() && r.stored(); }
