@@ -31,9 +31,8 @@ std::string bits_of(const Field& field) {
 std::string markdown_file(const Peripheral& peripheral, const std::string& source) {
   std::string text = fmt::format(
       "# `{}` registers\n\n{}\n\nBase address `0x{:08X}`. Generated from `{}`: do not edit.\n"
-      "Registers are written as whole words; anything else is a bus error. A read is one of the "
-      "whole word, whatever "
-      "part of it is loaded.\n",
+      "Registers are written as whole words; anything else is a bus error. A load of a "
+      "byte or half word reads the whole word.\n",
       peripheral.name, peripheral.summary, peripheral.address, source);
   if (!peripheral.constants.empty()) text += "\n| constant | value | meaning |\n|---|---|---|\n";
   for (const Constant& constant : peripheral.constants) {
