@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/simulation.hpp"
-#include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/cold_printer.hpp"
 #include "tools/benchmark/pin_watch.hpp"
 #include "tools/benchmark/window_host.hpp"
 
@@ -18,7 +16,6 @@ namespace benchmarks {
 
 namespace {
 
-constexpr double room_c = 25;
 constexpr sim::Clock looks_clocks = 20'000;
 // A line that is not answered for so long will not be.
 constexpr double patience_seconds = 5;
@@ -60,23 +57,20 @@ void NumberedLines::add_move(double x_mm, double y_mm, std::size_t length) {
 
 LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& description,
                  const LinkOrder& order, const std::function<void()>& look) {
-  sim::VerilatedChip chip(order.clock_hz);
-  sim::load(firmware, chip);
-  const sim::ClockRate rate(order.clock_hz);
-  sim::Simulation simulation(chip, rate);
-  machine::Printer printer(
-      description,
-      {.baud = order.baud, .hotend_start_c = room_c, .bed_start_c = room_c, .faults = {}},
-      simulation);
+  ColdPrinter cold(firmware, description, order.clock_hz, order.baud);
+  sim::Simulation& simulation = cold.simulation;
+  const sim::ClockRate rate = simulation.rate();
   PinWatch pins;
   simulation.attach(pins, PinWatch::watched());
-  WindowHost host(order.lines, printer.serial_line(), order.window);
+  WindowHost host(order.lines, cold.printer.serial_line(), order.window);
 
   // Looks are rarer than lines: what is counted between two looks is put down to whole lines.
   sim::Clock measured_from = 0, awake_from = 0;
   sim::Clock last_answer = 0;
   std::size_t answered = 0;
-  const auto awake = [&] { return simulation.now() - chip.processor_statistics().sleeping_clocks; };
+  const auto awake = [&] {
+    return simulation.now() - cold.chip.processor_statistics().sleeping_clocks;
+  };
   while (!host.done()) {
     look();
     simulation.run_until(simulation.now() + looks_clocks);
@@ -108,7 +102,7 @@ LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& desc
     run.longest_latency_us = std::max(run.longest_latency_us, latency_us);
   }
   run.motion_seconds = motion_seconds(pins, rate);
-  run.underruns = chip.queue_statistics().underruns;
+  run.underruns = cold.chip.queue_statistics().underruns;
   return run;
 }
 

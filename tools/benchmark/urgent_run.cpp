@@ -9,15 +9,12 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/machine/printer.hpp"
-#include "sim/simulation/simulation.hpp"
-#include "sim/simulation/verilated_chip.hpp"
+#include "tools/benchmark/cold_printer.hpp"
 
 namespace benchmarks {
 
 namespace {
 
-constexpr double room_c = 25;
 constexpr std::size_t lines_between_questions = 10;
 // A pass of the loop at 4 MHz and more.
 constexpr double longest_pause_seconds = 0.04;
@@ -113,15 +110,10 @@ class Host : public sim::Device, public devices::ByteListener {
 
 UrgentRun run_urgent(const sim::ElfImage& firmware, const machine::Description& description,
                      const UrgentOrder& order, const std::function<void()>& look) {
-  sim::VerilatedChip chip(order.clock_hz);
-  sim::load(firmware, chip);
-  const sim::ClockRate rate(order.clock_hz);
-  sim::Simulation simulation(chip, rate);
-  machine::Printer printer(
-      description,
-      {.baud = order.baud, .hotend_start_c = room_c, .bed_start_c = room_c, .faults = {}},
-      simulation);
-  Host host(order, printer.serial_line());
+  ColdPrinter cold(firmware, description, order.clock_hz, order.baud);
+  sim::Simulation& simulation = cold.simulation;
+  const sim::ClockRate rate = simulation.rate();
+  Host host(order, cold.printer.serial_line());
   simulation.attach(host, sim::OutputPins::motor_pins(0));
   while (!host.stopped()) {
     look();
