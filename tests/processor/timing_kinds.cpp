@@ -13,7 +13,7 @@ using encode::Word;
 using namespace timed;
 namespace compressed = encode::compressed;
 
-// Functions: a vector of this file could be requested before it is made.
+// A function: a vector of this file could be used before it is initialised.
 std::vector<Kind> kinds_of_all() {
   return {
       {"arithmetic and logic", encode::add_immediate(1, 4, 3)},
