@@ -2,9 +2,9 @@
 // Machine descriptions with a mistake in them, and what a reader says of it.
 #pragma once
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
-#include <iterator>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +34,20 @@ std::string complaint_of(Read read, const std::string& text) {
     return error.what();
   }
   return "";
+}
+
+// `from` replaced by `to` makes a description of which `complaint` is said.
+struct Mistake {
+  std::string from, to, complaint;
+};
+
+template <typename Read>
+void expect_complaints_of(Read read, std::initializer_list<Mistake> mistakes) {
+  for (const Mistake& mistake : mistakes) {
+    EXPECT_THAT(complaint_of(read, changed_description(mistake.from, mistake.to)),
+                testing::HasSubstr(mistake.complaint))
+        << mistake.from << " replaced by " << mistake.to;
+  }
 }
 
 }  // namespace tests

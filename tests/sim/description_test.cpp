@@ -19,6 +19,10 @@ std::string complaint(const std::string& from, const std::string& to) {
   return complaint(tests::changed_description(from, to));
 }
 
+void expect_complaints(std::initializer_list<tests::Mistake> mistakes) {
+  tests::expect_complaints_of(machine::read_description, mistakes);
+}
+
 TEST(Description, takes_the_given_machine_and_one_without_jerk) {
   EXPECT_EQ(complaint("", ""), "");
   EXPECT_EQ(complaint("jerk_mm_s = 10.0", "jerk_mm_s = 0.0"), "");
@@ -31,38 +35,36 @@ TEST(Description, names_what_is_missing) {
 
 // Each of these was simulated, or ended the program by a signal.
 TEST(Description, names_what_the_chip_cannot_be_or_has_not) {
-  EXPECT_THAT(complaint("baud = 250_000", "baud = 0"),
-              HasSubstr("line 9: serial.baud: is 0, but must be 1200 to"));
-  EXPECT_THAT(complaint("heater_channel = 0", "heater_channel = 40"),
-              HasSubstr("hotend.heater_channel: is 40, but must be 0 to 3"));
-  EXPECT_THAT(complaint("sensor_channel = 0", "sensor_channel = 9"),
-              HasSubstr("hotend.sensor_channel: is 9, but must be 0 to 3"));
-  EXPECT_THAT(complaint("endstop = 2", "endstop = 77"),
-              HasSubstr("axes.z.endstop: is 77, but must be 0 to 7"));
+  expect_complaints(
+      {{"baud = 250_000", "baud = 0", "line 9: serial.baud: is 0, but must be 1200 to"},
+       {"heater_channel = 0", "heater_channel = 40",
+        "hotend.heater_channel: is 40, but must be 0 to 3"},
+       {"sensor_channel = 0", "sensor_channel = 9",
+        "hotend.sensor_channel: is 9, but must be 0 to 3"},
+       {"endstop = 2", "endstop = 77", "axes.z.endstop: is 77, but must be 0 to 7"}});
 }
 
 TEST(Description, names_what_it_does_not_know) {
-  EXPECT_THAT(complaint("baud = 250_000", "baud = 250_000\nparity = 1"),
-              HasSubstr("line 10: serial.parity: is not an entry"));
+  expect_complaints({{"baud = 250_000", "baud = 250_000\nparity = 1",
+                      "line 10: serial.parity: is not an entry"}});
 }
 
 // A chip may have four, the simulated one has two.
 TEST(Description, names_channels_that_the_simulated_chip_does_not_have) {
-  EXPECT_THAT(complaint("heater_channel = 0", "heater_channel = 2"),
-              HasSubstr("hotend.heater_channel: is 2, but the simulated chip has 0 to 1"));
-  EXPECT_THAT(complaint("sensor_channel = 1", "sensor_channel = 3"),
-              HasSubstr("bed.sensor_channel: is 3, but the simulated chip has 0 to 1"));
+  expect_complaints({{"heater_channel = 0", "heater_channel = 2",
+                      "hotend.heater_channel: is 2, but the simulated chip has 0 to 1"},
+                     {"sensor_channel = 1", "sensor_channel = 3",
+                      "bed.sensor_channel: is 3, but the simulated chip has 0 to 1"}});
 }
 
 TEST(Description, may_hold_any_language_in_comments_and_ascii_elsewhere) {
   EXPECT_EQ(complaint("jerk_mm_s = 10.0", "jerk_mm_s = 10.0 # \xC3\xBC \xF0\x9F\x98\x80 \"'"), "");
-  EXPECT_THAT(complaint("name = \"Prusa Mendel\"", "name = \"M\xC3\xBCller\""),
-              HasSubstr("line 5: holds a character outside ASCII"));
-  EXPECT_THAT(complaint("baud = 250_000", "\xC3\xA9 = 1"), HasSubstr("outside ASCII"));
-  EXPECT_THAT(complaint("baud = 250_000", "baud = \xC2\xA1"), HasSubstr("outside ASCII"));
+  expect_complaints({{"name = \"Prusa Mendel\"", "name = \"M\xC3\xBCller\"",
+                      "line 5: holds a character outside ASCII"},
+                     {"baud = 250_000", "\xC3\xA9 = 1", "outside ASCII"},
+                     {"baud = 250_000", "baud = \xC2\xA1", "outside ASCII"}});
   // What looks like a comment in a text of several lines is none.
-  EXPECT_THAT(complaint("baud = 250_000", "baud = '''\n# ''' \xC3\xA9"),
-              HasSubstr("text of several lines"));
+  expect_complaints({{"baud = 250_000", "baud = '''\n# ''' \xC3\xA9", "text of several lines"}});
 }
 
 }  // namespace
