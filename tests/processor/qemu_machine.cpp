@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starts QEMU with its log on a pipe and reads the blocks that `-d cpu` writes.
+// Starts QEMU with the plugin, whose records come through a pipe.
 #include "tests/processor/qemu_machine.hpp"
 
 #include <signal.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace processor {
-namespace {
-
-constexpr std::uint32_t first_address = 0x80000000;
-
-// The number after a name such as " mepc     80000004".
-std::uint32_t number_at(const char* text) {
-  return static_cast<std::uint32_t>(std::strtoul(text, nullptr, 16));
-}
-
-}  // namespace
 
 QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb) {
   std::string name = (std::filesystem::temp_directory_path() / "stepfabric_qemu_XXXXXX").string();
@@ -35,48 +26,55 @@ QemuMachine::QemuMachine(const std::vector<std::uint8_t>& image, bool has_zbb) {
 
   const std::string loader = "loader,file=" + name + ",addr=0x80000000,force-raw=on";
   const std::string base = "rv32i,m=on,c=on,zicsr=on,zifencei=on";
-  process_.emplace(process::Start{
-      .arguments = {"qemu-system-riscv32", "-machine", "virt", "-cpu",
-                    has_zbb ? base + ",zbb=on" : base, "-m", "1M", "-bios", "none", "-display",
-                    "none", "-monitor", "none", "-serial", "none", "-accel",
-                    "tcg,one-insn-per-tb=on", "-device", loader, "-d", "cpu,nochain",
-                    // As a file it is written line by line, otherwise number by number.
-                    "-D", "/dev/stderr"},
-      .to_pipe = true});
-  log_ = fdopen(dup(process_->pipe()), "r");
+  process_.emplace(process::Start{.arguments = {"qemu-system-riscv32",
+                                                "-machine",
+                                                "virt",
+                                                "-cpu",
+                                                has_zbb ? base + ",zbb=on" : base,
+                                                "-m",
+                                                "1M",
+                                                "-bios",
+                                                "none",
+                                                "-display",
+                                                "none",
+                                                "-monitor",
+                                                "none",
+                                                "-serial",
+                                                "none",
+                                                "-accel",
+                                                "tcg",
+                                                "-device",
+                                                loader,
+                                                "-plugin",
+                                                QEMU_PLUGIN},
+                                  .to_pipe = true});
+  records_ = fdopen(dup(process_->pipe()), "r");
+  find_first_record();
 }
 
 QemuMachine::~QemuMachine() {
   process_->signal(SIGKILL);
-  if (log_ != nullptr) std::fclose(log_);
+  if (records_ != nullptr) std::fclose(records_);
   std::filesystem::remove(image_file_);
 }
 
-bool QemuMachine::read_line() {
-  return std::fgets(line_.data(), static_cast<int>(line_.size()), log_) != nullptr;
+void QemuMachine::find_first_record() {
+  std::string text;
+  const std::uint32_t mark = QemuRecord::mark;
+  const std::string_view wanted(reinterpret_cast<const char*>(&mark), sizeof mark);
+  while (!text.ends_with(wanted)) {
+    const int next = std::fgetc(records_);
+    if (next == EOF) throw std::runtime_error("QEMU does not run: " + text);
+    text += static_cast<char>(next);
+  }
+  for (auto byte = wanted.rbegin(); byte != wanted.rend(); ++byte) std::ungetc(*byte, records_);
 }
 
-std::optional<QemuState> QemuMachine::next() {
-  QemuState state;
-  while (read_line()) {
-    const std::string_view line(line_.data());
-    const char* const number = line_.data() + 10;
-    if (line.starts_with(" pc ")) state.program_counter = number_at(number);
-    if (line.starts_with(" mtvec ")) state.mtvec = number_at(number);
-    if (line.starts_with(" mepc ")) state.mepc = number_at(number);
-    if (line.starts_with(" mcause ")) state.mcause = number_at(number);
-    if (line.starts_with(" mtval ")) state.mtval = number_at(number);
-    if (line.starts_with(" mscratch ")) state.mscratch = number_at(number);
-    if (!line.starts_with(" x")) continue;
-    // Four of " x12/a2   00001028" in a line.
-    const unsigned index = static_cast<unsigned>(std::strtoul(line_.data() + 2, nullptr, 10));
-    for (unsigned column = 0; column < 4; ++column) {
-      state.registers.at(index + column) = number_at(line_.data() + 10 + 18 * column);
-    }
-    // Before the program its loader runs.
-    if (index == 28 && state.program_counter >= first_address) return state;
-  }
-  return std::nullopt;
+std::optional<QemuRecord> QemuMachine::next() {
+  QemuRecord record;
+  if (std::fread(&record, sizeof record, 1, records_) != 1) return std::nullopt;
+  if (record.begin != QemuRecord::mark) throw std::runtime_error("QEMU writes other text");
+  return record;
 }
 
 }  // namespace processor

@@ -33,7 +33,7 @@ class Registers {
     if (!event.trap && event.destination != 0) values_.at(event.destination) = event.value;
   }
   // Which differ; empty where none does.
-  std::string difference(const QemuState& state) const {
+  std::string difference(const QemuRecord& state) const {
     std::ostringstream text;
     for (std::size_t index = 0; index < values_.size(); ++index) {
       if (values_.at(index) == state.registers.at(index)) continue;
@@ -43,7 +43,7 @@ class Registers {
     return text.str();
   }
   // After the chip's reset they hold anything: those of QEMU's loader are taken over.
-  void start_from(const QemuState& state) { values_ = state.registers; }
+  void start_from(const QemuRecord& state) { values_ = state.registers; }
 
  private:
   std::array<std::uint32_t, 32> values_{};
