@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 #include "directories.hpp"
 #include "firmware/benchmark/checksum.hpp"
@@ -24,6 +26,16 @@ TEST(processor_works, the_checksum_is_crc_16) {
     sum = benchmark::add_byte(sum, static_cast<std::uint8_t>(character));
   }
   EXPECT_EQ(sum, 0xBB3D);  // the check value of CRC-16/ARC
+}
+
+TEST(processor_works, that_do_not_exist_are_named_before_anything_is_measured) {
+  const auto say = [](const std::string& what) { ADD_FAILURE() << what << " is measured"; };
+  try {
+    benchmarks::measure_processor({.programs = {}, .examples = {}, .works = {"core", "foo"}}, say);
+    FAIL() << "nothing was said of foo";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "there is no work foo: name core, record, parser or planner");
+  }
 }
 
 TEST(processor_works, the_list_keeps_its_records_and_sorts_them) {

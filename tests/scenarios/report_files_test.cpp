@@ -117,9 +117,9 @@ TEST_F(ReportFiles, are_written_where_the_output_is_not_read) {
 
 // The status is that of a job whose words are read, and its files are the same.
 TEST_F(ReportFiles, of_bench_are_written_where_the_output_is_not_read) {
-  const std::string bench = "\"$stepfabric\" bench processor --quick --report " + report.string() +
-                            " --json " + (folder / "figures.json").string() + " 2> " +
-                            (folder / "said").string();
+  const std::string bench = "\"$stepfabric\" bench processor --quick --work record --report " +
+                            report.string() + " --json " + (folder / "figures.json").string() +
+                            " 2> " + (folder / "said").string();
   for (const std::string unread : {"exec true", "head -1 > /dev/null"}) {
     fs::remove(folder / "figures.json");
     EXPECT_EQ(shell(bench + " > >(" + unread + "); exit $?"), 0) << files::text_of(folder / "said");

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "benchmark/core_work.hpp"
 #include "benchmark/parser_work.hpp"
@@ -29,7 +31,7 @@ ProcessorResult on_this_machine(std::uint32_t iterations, const std::string& tex
 
 struct Work {
   const char* name;
-  const char* program;
+  std::string_view program;
   const char* unit;
   const char* file;
   std::uint32_t iterations;
@@ -66,6 +68,19 @@ CompiledWork run_compiled(const Work& work, const char* suffix, std::uint32_t it
   return compiled;
 }
 
+void check_names(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (std::ranges::find(works, name, &Work::program) == works.end()) {
+      throw std::runtime_error(
+          fmt::format("there is no work {}: name core, record, parser or planner", name));
+    }
+  }
+}
+
+bool is_wanted(const Work& work, const std::vector<std::string>& names) {
+  return names.empty() || std::ranges::find(names, work.program) != names.end();
+}
+
 }  // namespace
 
 std::string moves_of(const std::filesystem::path& file, std::size_t most_bytes) {
@@ -88,7 +103,9 @@ std::string moves_of(const std::filesystem::path& file, std::size_t most_bytes) 
 ProcessorFigures measure_processor(const ProcessorScope& scope,
                                    const std::function<void(const std::string&)>& say) {
   ProcessorFigures figures;
+  check_names(scope.works);
   for (const Work& work : works) {
+    if (!is_wanted(work, scope.works)) continue;
     say(work.name);
     const std::string file = work.file;
     const std::string text =

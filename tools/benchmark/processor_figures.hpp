@@ -49,10 +49,11 @@ struct ProcessorScope {
   std::filesystem::path programs;  // the folder of the .elf files
   std::filesystem::path examples;  // the folder of the G-code files
   bool quick = false;  // one iteration of each, to see that all works
+  std::vector<std::string> works;  // core, record, parser, planner; none: all
 };
 
 // Throws std::runtime_error where a program computes other results than the same code on this
-// machine. `say` is called with what is measured now.
+// machine, or a work is unknown. `say` is called with what is measured now.
 ProcessorFigures measure_processor(const ProcessorScope& scope,
                                    const std::function<void(const std::string&)>& say);
 

@@ -26,6 +26,7 @@ int main(int count, char** arguments) {
   app.add_option("--examples", scope.examples, "folder of the G-code files")->required();
   app.add_option("--json", json, "write the figures");
   app.add_option("--report", report, "folder for processor.html");
+  app.add_option("--work", scope.works, "only this work; may be repeated; default: all");
   app.add_flag("--quick", scope.quick, "one iteration of each");
   CLI11_PARSE(app, count, arguments);
   std::signal(SIGPIPE, SIG_IGN);

@@ -136,6 +136,7 @@ int bench_processor(const BenchOptions& options) {
                                  options.report.string()};
   if (!options.json.empty()) words.insert(words.end(), {"--json", options.json.string()});
   if (options.quick) words.push_back("--quick");
+  for (const std::string& work : options.works) words.insert(words.end(), {"--work", work});
   return run_program(words);
 }
 

@@ -25,6 +25,9 @@ void add_options(CLI::App& app, BenchOptions& options) {
                  "stepping: a tick is punctual up to this long after its exact instant")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  job.add_option("--work", options.works,
+                 "processor: only core, record, parser or planner; may be repeated; default: all")
+      ->type_name("NAME");
   job.add_flag("--quick", options.quick, "few and short runs, as a smoke test");
 }
 
