@@ -24,6 +24,26 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+// A line of Quartus' assignments.
+bool read_assignment(const std::string& line, Constraints& constraints) {
+  static const std::regex place(R"re(set_location_assignment PIN_(\w+) -to \{([^}]+)\})re");
+  static const std::regex assignment(
+      R"re(set_instance_assignment -name (\w+) "([^"]+)" -to \{([^}]+)\})re");
+  std::smatch match;
+  if (std::regex_match(line, match, place)) {
+    ConstrainedPin& pin = constraints.pins[match[2]];
+    if (!pin.site.empty()) constraints.refusal = "two places: " + line;
+    pin.site = match[1];
+  } else if (std::regex_match(line, match, assignment)) {
+    std::string& value = constraints.pins[match[3]].attributes[match[1]];
+    if (!value.empty()) constraints.refusal = "said twice: " + line;
+    value = match[2];
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void read_line(const std::string& line, Constraints& constraints) {
   static const std::regex place(R"re(LOCATE COMP "([^"]+)" SITE "(\w+)";)re");
   static const std::regex buffer(R"re(IOBUF PORT "([^"]+)"(( \w+=\w+)+);)re");
@@ -41,7 +61,7 @@ void read_line(const std::string& line, Constraints& constraints) {
       const std::size_t equals = word.find('=');
       pin.attributes[word.substr(0, equals)] = word.substr(equals + 1);
     }
-  } else {
+  } else if (!read_assignment(line, constraints)) {
     constraints.refusal = "not understood: " + line;
   }
 }

@@ -16,7 +16,7 @@ std::vector<Row> read_table(const std::filesystem::path& file);
 // One pin of the generated constraints.
 struct ConstrainedPin {
   std::string site;
-  // IO_TYPE, PULLMODE, DRIVE, SLEWRATE.
+  // For nextpnr IO_TYPE, PULLMODE, DRIVE, SLEWRATE; for Quartus the names of its assignments.
   std::map<std::string, std::string> attributes;
 };
 

@@ -22,7 +22,8 @@ class Mistake : public testing::Test {
  protected:
   void SetUp() override {
     fs::remove_all(folder_);
-    for (const char* part : {"constraints", "boards/ulx3s", "tools/hardware"}) {
+    for (const char* part :
+         {"constraints", "boards/ulx3s", "boards/de2_115", "boards/de2_70", "tools/hardware"}) {
       fs::create_directories(folder_ / part);
       fs::copy(fs::path(PROJECT_DIRECTORY) / part, folder_ / part, fs::copy_options::recursive);
     }
@@ -38,7 +39,9 @@ class Mistake : public testing::Test {
     text.replace(place, old_text.size(), new_text);
     std::ofstream(folder_ / file) << text;
   }
-  std::vector<std::string> shortcomings() const { return shortcomings_of(folder_, "ulx3s"); }
+  std::vector<std::string> shortcomings(const char* board = "ulx3s") const {
+    return shortcomings_of(folder_, board);
+  }
 
   static constexpr const char* signals = "constraints/signals.csv";
   static constexpr const char* connections = "boards/ulx3s/connections.csv";
@@ -114,7 +117,7 @@ TEST_F(Mistake, a_gate_on_a_pin_of_the_radio_module_is_found) {
 }
 
 TEST_F(Mistake, a_resistor_that_is_missing_or_too_weak_outside_is_found) {
-  replace(signals, "heater_gate,out,down,8,slow,pad,3.3,down,4700",
+  replace(signals, "heater_gate,out,down,8,slow,pad,3.3,down,1500",
           "heater_gate,out,down,8,slow,pad,3.3,down,10000");
   replace(signals, "motor_enable_n,out,up,4,slow,pad,3.3,up,4700",
           "motor_enable_n,out,up,4,slow,pad,3.3,,");
@@ -127,6 +130,44 @@ TEST_F(Mistake, an_output_without_its_register_in_the_pad_is_found) {
   EXPECT_THAT(shortcomings(), Contains("step[3] has its register elsewhere"));
   replace(signals, "sensor_sense,in,none,,,", "sensor_sense,in,none,,,pad");
   EXPECT_THAT(shortcomings(), Contains(HasSubstr("a register is in the pad of an output")));
+}
+
+// What holds a gate against an ECP5 does not against a Cyclone, which pulls up with 7 kOhm.
+TEST_F(Mistake, a_resistor_that_is_too_weak_for_a_cyclone_is_found) {
+  replace(signals, "heater_gate,out,down,8,slow,pad,3.3,down,1500",
+          "heater_gate,out,down,8,slow,pad,3.3,down,4700");
+  EXPECT_THAT(shortcomings(), IsEmpty());
+  EXPECT_THAT(shortcomings("de2_115"), Contains("heater_gate[0] has a wrong resistor outside"));
+}
+
+TEST_F(Mistake, a_bank_that_contradicts_a_pins_standard_is_found) {
+  ASSERT_THAT(shortcomings("de2_115"), IsEmpty());
+  replace("boards/de2_115/banks.csv", "7,2.5", "7,3.3");
+  EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("LEDG[0] is 2.5 V in the table")));
+  replace("boards/de2_115/banks.csv", "7,3.3", "7,2.5");
+  replace("boards/de2_115/banks.csv", "4,3.3", "4,2.5");
+  EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("needs 3.3 V, bank 4 has 2.5")));
+}
+
+TEST_F(Mistake, an_output_or_a_pull_on_a_clock_input_is_found) {
+  ASSERT_THAT(shortcomings("de2_70"), IsEmpty());
+  const char* table = "boards/de2_70/connections.csv";
+  replace(table, "sensor_sense[0],GPIO_CLKIN_N0", "sensor_sense[0],GPIO_0[28]");
+  replace(table, "fan_gate,GPIO_0[28]", "fan_gate,GPIO_CLKIN_N0");
+  EXPECT_THAT(shortcomings("de2_70"), Contains(HasSubstr("GPIO_CLKIN_N0 is a clock input")));
+  replace(table, "fan_gate,GPIO_CLKIN_N0", "fan_gate,GPIO_0[6]");
+  replace(table, "end_stop[0],GPIO_0[6]", "end_stop[0],GPIO_CLKIN_N0");
+  EXPECT_THAT(shortcomings("de2_70"), Contains(HasSubstr("GPIO_CLKIN_N0 is a clock input")));
+}
+
+TEST_F(Mistake, an_input_that_a_cyclone_cannot_hold_low_is_found) {
+  replace("boards/de2_115/connections.csv", "tck,EX_IO[0]", "motion_start,EX_IO[0]");
+  EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("no pull-down for motion_start")));
+}
+
+TEST_F(Mistake, a_pin_that_the_table_does_not_have_is_found) {
+  replace("boards/de2_115/connections.csv", "tck,EX_IO[0]", "tck,EX_IO[7]");
+  EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("no pin for EX_IO[7]")));
 }
 
 }  // namespace

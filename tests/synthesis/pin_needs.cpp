@@ -16,9 +16,11 @@ namespace synthesis {
 namespace {
 
 constexpr double supply_volts = 3.3;
-// The FPGA's own pulls at 3.3 V: 30 to 150 uA (FPGA-DS-02012). Before it is configured they may
+// An ECP5's own pulls at 3.3 V: 30 to 150 uA (FPGA-DS-02012). Before it is configured they may
 // pull either way.
-constexpr double strongest_pull_ohms = 22e3;
+constexpr double strongest_ecp5_pull_ohms = 22e3;
+// A Cyclone's, which pull up only: from 7 kOhm on (Cyclone IV device data sheet, R_PU).
+constexpr double strongest_cyclone_pull_ohms = 7e3;
 // A logic-level MOSFET may begin to conduct at 1 V.
 constexpr double gate_off_volts = 0.8;
 // A4988, DRV8825 and TMC2209 read 0.7 of their logic supply as high.
@@ -36,6 +38,8 @@ struct Kind {
   // What drives power, or must keep its distance to another signal, comes from a register
   // in its pad.
   bool registered = false;
+  // Of a lamp on the board: 2.5 V will do.
+  bool any_volts = false;
 };
 
 constexpr Kind oscillator{"in", "NONE"};
@@ -43,6 +47,7 @@ constexpr Kind rests_high{"in", "UP"};
 constexpr Kind rests_low{"in", "DOWN"};
 constexpr Kind fail_safe{"in", "UP", 0, 0, "up"};
 constexpr Kind on_the_board{"out", "NONE", 4, 8};
+constexpr Kind lamp{"out", "NONE", 4, 8, "", false, true};
 constexpr Kind over_a_cable{"out", "NONE", 8, 8, "", true};
 constexpr Kind held_high{"out", "UP", 4, 8, "up", true};
 constexpr Kind held_low{"out", "DOWN", 8, 8, "down", true};
@@ -57,11 +62,16 @@ struct Need {
 };
 
 constexpr std::array needs{Need{"clk_25mhz", oscillator},
+                           Need{"clock_50mhz", oscillator},
+                           Need{"clock_25mhz", oscillator},
+                           Need{"clock_28mhz", oscillator},
+                           Need{"uart_rxd", rests_high},
+                           Need{"uart_txd", on_the_board},
                            Need{"ftdi_txd", rests_high},
                            Need{"ftdi_rxd", on_the_board},
                            Need{"ftdi_ndtr", rests_high},
                            Need{"wifi_gpio0", on_the_board},
-                           Need{"led", on_the_board},
+                           Need{"led", lamp},
                            Need{"emergency_stop", fail_safe},
                            Need{"motion_start", rests_low},
                            Need{"end_stop", rests_high},
@@ -91,7 +101,8 @@ class Check {
         ports_(ports_of(project / "boards" / board / (board + ".vhd"))),
         signals_(read_table(project / "constraints/signals.csv")),
         pins_(read_table(project / "boards" / board / "pins.csv")),
-        banks_(read_table(project / "boards" / board / "banks.csv")) {}
+        banks_(read_table(project / "boards" / board / "banks.csv")),
+        is_cyclone_(std::filesystem::exists(project / "boards" / board / "device.csv")) {}
 
   std::vector<std::string> run() {
     if (!constraints_.refusal.empty()) return {constraints_.refusal};
@@ -111,8 +122,8 @@ class Check {
     const auto entity_port = ports_.find(port);
     if (entity_port == ports_.end()) return say(port, "is no port of the top entity");
     if (entity_port->second != need->kind.direction) say(port, "has the wrong direction");
-    check_buffer(port, pin, need->kind);
-    check_place(port, pin);
+    is_cyclone_ ? check_cyclone_buffer(port, pin, need->kind) : check_buffer(port, pin, need->kind);
+    check_place(port, pin, need->kind);
     check_table(port, need->kind.outside, need->kind.registered);
   }
 
@@ -127,22 +138,49 @@ class Check {
       if (!drive.empty() || !attributes["SLEWRATE"].empty()) say(port, "is driven");
       return;
     }
+    check_drive(port, drive, kind);
+    // The fastest signal is a step's pulse of a microsecond: nothing here needs a fast edge.
+    if (attributes["SLEWRATE"] != "SLOW") say(port, "has edges that ring");
+  }
+
+  // An output is driven from the configuration on, and has no pull; there is no choice of slew.
+  void check_cyclone_buffer(const std::string& port, const ConstrainedPin& pin, const Kind& kind) {
+    std::map<std::string, std::string> attributes = pin.attributes;
+    const std::string standard = attributes["IO_STANDARD"];
+    if (standard != "3.3-V LVTTL" && !(kind.any_volts && standard == "2.5 V")) {
+      say(port, "is not at 3.3 V");
+    }
+    const bool is_input = kind.direction == "in", is_pulled = is_input && kind.pull != "NONE";
+    const std::string pull = attributes["WEAK_PULL_UP_RESISTOR"];
+    if (kind.pull == "DOWN" && is_input) say(port, "needs a pull-down, which there is not");
+    if (pull != (is_pulled ? "ON" : "")) say(port, "has pull-up " + pull);
+    if ((attributes["FAST_OUTPUT_REGISTER"] == "ON") != kind.registered) {
+      say(port, "has its register elsewhere");
+    }
+    const std::string drive = attributes["CURRENT_STRENGTH_NEW"];
+    if (!is_input) return check_drive(port, drive, kind);
+    if (!drive.empty()) say(port, "is driven");
+  }
+
+  void check_drive(const std::string& port, const std::string& drive, const Kind& kind) {
     const int drive_ma = drive.empty() ? 0 : std::stoi(drive);
     if (drive_ma < kind.least_drive_ma || drive_ma > kind.most_drive_ma) {
       say(port, fmt::format("drives {} mA, needs {} to {}", drive_ma, kind.least_drive_ma,
                             kind.most_drive_ma));
     }
-    // The fastest signal is a step's pulse of a microsecond: nothing here needs a fast edge.
-    if (attributes["SLEWRATE"] != "SLOW") say(port, "has edges that ring");
   }
 
-  void check_place(const std::string& port, const ConstrainedPin& pin) {
+  void check_place(const std::string& port, const ConstrainedPin& pin, const Kind& kind) {
     if (!sites_.insert(pin.site).second) say(port, "shares its pin with another port");
     const Row* place = row_with(pins_, "pin", pin.site);
     if (place == nullptr) return say(port, "lies on no pin of the board");
     const Row* bank = row_with(banks_, "bank", place->at("bank"));
-    if (bank == nullptr || std::stod(bank->at("volts")) != supply_volts) {
+    if (bank == nullptr || (std::stod(bank->at("volts")) != supply_volts && !kind.any_volts)) {
       say(port, "lies in a bank of another voltage");
+    }
+    const bool is_clock_input = place->at("shared_with") == "clock_input";
+    if (is_clock_input && (kind.direction != "in" || kind.pull != "NONE")) {
+      say(port, "lies on a clock input, which neither drives nor pulls");
     }
     if (place->at("shared_with") == "wifi") say(port, "can be driven by the radio module too");
   }
@@ -154,7 +192,10 @@ class Check {
     if (signal->at("outside") != wanted) return say(port, "needs another resistor outside");
     if (wanted.empty()) return;
     const double ohms = std::stod("0" + signal->at("outside_ohms"));
-    const double error_volts = supply_volts * ohms / (ohms + strongest_pull_ohms);
+    const double strongest_pull_ohms =
+        is_cyclone_ ? strongest_cyclone_pull_ohms : strongest_ecp5_pull_ohms;
+    const double error_volts =
+        wanted == "up" && is_cyclone_ ? 0 : supply_volts * ohms / (ohms + strongest_pull_ohms);
     const bool holds = wanted == "down" ? error_volts < gate_off_volts
                                         : supply_volts - error_volts > driver_high_volts;
     if (!holds || ohms < 1'000) say(port, "has a wrong resistor outside");
@@ -164,6 +205,7 @@ class Check {
   std::map<std::string, std::string> ports_;
   std::vector<Row> signals_, pins_, banks_;
   std::set<std::string> sites_;
+  bool is_cyclone_;
   std::vector<std::string> said_;
 };
 

@@ -33,10 +33,10 @@ TEST(Pins, of_every_board_are_as_their_signals_need) {
     EXPECT_THAT(shortcomings_of(project, board), IsEmpty()) << board;
     ++boards;
   }
-  EXPECT_GE(boards, 1);
+  EXPECT_GE(boards, 3);
 }
 
-// A row of the wiring table of boards/ulx3s: the signals, their places on the header,
+// A row of a page's wiring table: the signals, their places on the header,
 // what to connect.
 struct Wiring {
   std::vector<std::string> header;
@@ -44,7 +44,7 @@ struct Wiring {
 };
 
 std::map<std::string, Wiring> wiring_of(const fs::path& page) {
-  static const std::regex row(R"(\| ((`\w+` ?)+) \|(( G[PN]\d+)+) \| (.*) \|)");
+  static const std::regex row(R"(\| ((`\w+` ?)+) \|(( (G[PN])?\d+)+) \| (.*) \|)");
   std::map<std::string, Wiring> wirings;
   std::ifstream stream(page);
   std::string line;
@@ -58,21 +58,15 @@ std::map<std::string, Wiring> wiring_of(const fs::path& page) {
     std::istringstream words(names);
     const std::vector<std::string> signals{std::istream_iterator<std::string>(words), {}};
     for (std::size_t i = 0; i < signals.size(); ++i) {
-      wirings[signals[i]] = {signals.size() == 1 ? header : std::vector{header.at(i)}, match[5]};
+      wirings[signals[i]] = {signals.size() == 1 ? header : std::vector{header.at(i)}, match[6]};
     }
   }
   return wirings;
 }
 
-TEST(Pins, of_the_ulx3s_are_wired_as_its_page_says) {
-  const auto wirings = wiring_of(project / "boards/ulx3s/README.md");
-  std::map<std::string, std::vector<std::string>> headers;
-  for (const Row& row : read_table(project / "boards/ulx3s/connections.csv")) {
-    static const std::regex place(R"(g([pn])\[(\d+)\])");
-    std::smatch match;
-    if (!std::regex_match(row.at("signal"), match, place)) continue;
-    headers[signal_of(row.at("port"))].push_back((match[1] == "p" ? "GP" : "GN") + match[2].str());
-  }
+using Headers = std::map<std::string, std::vector<std::string>>;
+
+void expect_wired(const std::map<std::string, Wiring>& wirings, const Headers& headers) {
   EXPECT_EQ(wirings.size(), headers.size());
   for (const auto& [signal, header] : headers) {
     ASSERT_TRUE(wirings.contains(signal)) << signal;
@@ -84,6 +78,39 @@ TEST(Pins, of_the_ulx3s_are_wired_as_its_page_says) {
     const double kiloohms = std::stod(row.at("outside_ohms")) / 1'000;
     EXPECT_THAT(connect, HasSubstr(fmt::format("{:g} kΩ to {}", kiloohms,
                                                row.at("outside") == "up" ? "3.3 V" : "ground")));
+  }
+}
+
+TEST(Pins, of_the_ulx3s_are_wired_as_its_page_says) {
+  Headers headers;
+  for (const Row& row : read_table(project / "boards/ulx3s/connections.csv")) {
+    static const std::regex place(R"(g([pn])\[(\d+)\])");
+    std::smatch match;
+    if (!std::regex_match(row.at("signal"), match, place)) continue;
+    headers[signal_of(row.at("port"))].push_back((match[1] == "p" ? "GP" : "GN") + match[2].str());
+  }
+  expect_wired(wiring_of(project / "boards/ulx3s/README.md"), headers);
+}
+
+// Both at the same positions of the 40-pin header, so that one interface board serves both.
+TEST(Pins, of_the_boards_with_a_cyclone_are_wired_as_their_page_says) {
+  const auto wirings = wiring_of(project / "boards/cyclone/README.md");
+  for (const auto& [board, column] :
+       {std::pair{"de2_115", "de2_115_JP5_GPIO"}, std::pair{"de2_70", "de2_70_J4_pin"}}) {
+    const fs::path folder = project / "boards" / board;
+    std::map<std::string, std::string> pins, positions;
+    for (const Row& row : read_table(folder / "pins.csv")) pins[row.at("signal")] = row.at("pin");
+    for (const Row& row : read_table(project / "boards/header40.csv")) {
+      positions[row.at(column)] = row.at("header_pin");
+    }
+    Headers headers;
+    for (const Row& row : read_table(folder / "connections.csv")) {
+      const auto position = positions.find(pins.at(row.at("signal")));
+      if (position == positions.end()) continue;
+      headers[signal_of(row.at("port"))].push_back(position->second);
+    }
+    SCOPED_TRACE(board);
+    expect_wired(wirings, headers);
   }
 }
 

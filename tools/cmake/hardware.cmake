@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# add_testbench(NAME [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a self-checking GHDL test
-#   bench, NAME.vhd of the current folder unless BENCH says otherwise, run against all of rtl/.
+# add_testbench(NAME [WITHOUT_PROPERTIES] [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a
+#   self-checking GHDL test bench, NAME.vhd of the current folder unless BENCH says otherwise, run against all of rtl/ and
+#   boards/.
 # add_verilated_model(TARGET TOP entity [PREFIX name] [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
 #   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with the
 #   header <name>.h, which is V<entity>.h where no other is given.
@@ -11,7 +12,11 @@ execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
   OUTPUT_VARIABLE verilator_root OUTPUT_STRIP_TRAILING_WHITESPACE)
 
 function(add_testbench name)
-  cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT;BENCH" "GENERICS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 argument "WITHOUT_PROPERTIES" "TIMEOUT;BENCH" "GENERICS;LABELS")
+  set(options)
+  if(argument_WITHOUT_PROPERTIES)
+    set(options --without-properties)
+  endif()
   if(NOT argument_TIMEOUT)
     set(argument_TIMEOUT 300)
   endif()
@@ -20,7 +25,7 @@ function(add_testbench name)
   endif()
   list(TRANSFORM argument_GENERICS PREPEND -g)
   file(GLOB_RECURSE bench_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/*.vhd)
-  add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh
+  add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh ${options}
     ${CMAKE_BINARY_DIR}/testbench/${name} ${argument_BENCH} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT}
     LABELS "testbench;${argument_LABELS}" SKIP_RETURN_CODE 77)

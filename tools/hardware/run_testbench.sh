@@ -20,7 +20,7 @@ if [ $properties = yes ]; then
   rtl=$work/rtl
   "$project/tools/hardware/weave_properties.sh" "$project/rtl" "$project/testbench/proofs" "$rtl" simulation
 fi
-mapfile -t files < <(find "$rtl" "$project/testbench" -name '*.vhd' | sort)
+mapfile -t files < <(find "$rtl" "$project/boards" "$project/testbench" -name '*.vhd' | sort)
 ghdl -i "${options[@]}" "${files[@]}"
 ghdl -m "${options[@]}" "$bench" > make.log || { cat make.log; exit 1; }
 exec ghdl -r "${options[@]}" "$bench" "$@" --assert-level=error --backtrace-severity=error

@@ -14,7 +14,7 @@ rm -f work/*
 # A board has a folder; another top entity is one of those in testbench.
 folder=$project/boards/$top
 [ -d "$folder" ] || folder=$(dirname "$(find "$project/testbench" -name "$top.vhd" | grep .)")
-mapfile -t files < <(find "$project/rtl" -name '*.vhd' | sort)
+mapfile -t files < <(find "$project/rtl" "$project/boards/cyclone" -name '*.vhd' | sort)
 step ghdl.log ghdl -i --std=08 --workdir=work "${files[@]}" "$folder"/*.vhd
 step ghdl.log ghdl -m --std=08 --workdir=work "$top"
 ghdl synth --std=08 --workdir=work --out=verilog "$@" "$top" > work/vhdl.v 2> ghdl.log ||

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: Apache-2.0
+# Clocks of the DE2-115; the chip's 50 MHz follow from the first through the phase-locked loop.
+create_clock -name clock_50mhz -period 20.000 [get_ports {clock_50mhz}]
+create_clock -name clock_25mhz -period 40.000 [get_ports {clock_25mhz}]
+derive_pll_clocks
+derive_clock_uncertainty
+# The clock watch has its own oscillator, and synchronizes what comes from the chip's clock.
+set_clock_groups -asynchronous -group [get_clocks {clock_25mhz}]

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What boards/cyclone uses of the vendor's cells, for tools other than Quartus: Yosys takes the ports, a simulator the model.
+
+module altsyncram #(
+  parameter lpm_type = "altsyncram",
+  parameter operation_mode = "BIDIR_DUAL_PORT",
+  parameter width_a = 8,
+  parameter widthad_a = 1,
+  parameter numwords_a = 2,
+  parameter width_b = 8,
+  parameter widthad_b = 1,
+  parameter numwords_b = 2,
+  parameter init_file = "UNUSED",
+  parameter power_up_uninitialized = "FALSE",
+  parameter address_reg_b = "CLOCK1",
+  parameter indata_reg_b = "CLOCK1",
+  parameter wrcontrol_wraddress_reg_b = "CLOCK1",
+  parameter clock_enable_input_a = "NORMAL",
+  parameter clock_enable_input_b = "NORMAL",
+  parameter clock_enable_output_a = "BYPASS",
+  parameter clock_enable_output_b = "BYPASS",
+  parameter outdata_reg_a = "UNREGISTERED",
+  parameter outdata_reg_b = "UNREGISTERED",
+  parameter read_during_write_mode_mixed_ports = "DONT_CARE"
+) (
+  input clock0,
+  input clocken0,
+  input [widthad_a - 1:0] address_a,
+  input wren_a,
+  input [width_a - 1:0] data_a,
+  output reg [width_a - 1:0] q_a,
+  input clock1,
+  input clocken1,
+  input [widthad_b - 1:0] address_b,
+  input wren_b,
+  input [width_b - 1:0] data_b,
+  output reg [width_b - 1:0] q_b
+);
+
+  reg [width_a - 1:0] words [0:numwords_a - 1];
+
+  // Port A is used for reading only.
+  always @(posedge clock0) if (clocken0) q_a <= words[address_a];
+
+  always @(posedge clock1) if (clocken1) begin
+    if (wren_b) words[address_b] <= data_b;
+    q_b <= wren_b ? data_b : words[address_b];
+  end
+
+endmodule
+
+// Multiplies by one.
+module altpll #(
+  parameter intended_device_family = "Cyclone IV E",
+  parameter lpm_type = "altpll",
+  parameter operation_mode = "NORMAL",
+  parameter compensate_clock = "CLK0",
+  parameter pll_type = "AUTO",
+  parameter width_clock = 5,
+  parameter inclk0_input_frequency = 20000,
+  parameter clk0_multiply_by = 1,
+  parameter clk0_divide_by = 1,
+  parameter clk0_duty_cycle = 50,
+  parameter clk0_phase_shift = "0",
+  parameter port_clk0 = "PORT_USED",
+  parameter port_inclk0 = "PORT_USED",
+  parameter port_locked = "PORT_USED"
+) (
+  input [1:0] inclk,
+  output [width_clock - 1:0] clk,
+  output locked
+);
+
+  assign clk = {{width_clock - 1{1'b0}}, inclk[0]};
+  assign locked = 1'b1;
+
+endmodule
