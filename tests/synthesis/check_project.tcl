@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs make_project.tcl and the .sdc of a Quartus project with stand-ins for Quartus' commands, each of which checks its
 # arguments against the board's tables, and says what is wrong or left out, a line for each.
-# Usage: tcl check_project.tcl DIRECTORY BOARD_FOLDER
+# For Yosys' Tcl, with argv set: DIRECTORY BOARD_FOLDER
 lassign $argv directory board_folder
 set board [file tail $board_folder]
 set complaints {}
