@@ -8,7 +8,7 @@ use work.clocks_pkg.all;
 
 entity clock_gating is
   generic (
-    -- A debugger may come at any time: the processor's clock is never at rest.
+    -- A debugger may connect at any time: the processor's clock is never gated.
     has_debug : boolean := false
   );
   port (
@@ -60,8 +60,8 @@ begin
   at_rest.axes <= axes_rest and not chip_reset;
   at_rest.peripherals <= peripherals_rest and not chip_reset;
 
-  -- What an access sets off is over, in the registers themselves and in what watches for accesses, before as
-  -- many clocks have passed.
+  -- All activity that an access starts, in the registers and in what watches accesses, has ended
+  -- after this many clocks.
   watch_bus : entity work.rest_watch
     generic map (settling_clocks => 6)
     port map (

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What moves: the step generator, the end stops that stop it, and the step pins, which software may take.
+-- Motion: the step generator, the end stops that stop it, and the step pins, which software may
+-- take over.
 
 library ieee;
 use ieee.std_logic_1164.all;

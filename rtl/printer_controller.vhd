@@ -48,11 +48,11 @@ entity printer_controller is
     sensor_discharging : out std_ulogic_vector(heaters - 1 downto 0);
     sensor_sense : in std_ulogic_vector(heaters - 1 downto 0);
     heater_gate : out std_ulogic_vector(heaters - 1 downto 0);
-    -- Relay or contactor in front of all heaters, active high; something outside forbids it, asynchronous.
+    -- Relay or contactor in front of all heaters, active high; veto from outside the chip, asynchronous.
     heater_supply : out std_ulogic;
     heater_supply_veto : in std_ulogic := '0';
     fan_gate : out std_ulogic;
-    -- A lamp: heat has been cut off until software clears the cause.
+    -- Indicator lamp: the heaters are cut off until software clears the cause.
     fault : out std_ulogic;
     -- JTAG, asynchronous; of no effect without `has_debug`.
     tck : in std_ulogic := '0';

@@ -111,7 +111,7 @@ architecture rtl of printer_core is
   signal processor_rests, timer_alarm, axes_rest : std_ulogic;
   signal uart_rests, end_stops_rest, thermal_rests : std_ulogic;
 
-  -- Nothing but a register stands behind an input pin: timing is simple on a board, and the model has no
+  -- Every input pin leads to registers only: timing is simple on a board, and the model has no
   -- logic to evaluate when an input changes between clocks.
   signal clock_frequency : unsigned(31 downto 0) := (others => '0');
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What measures and makes heat: sensors, the heaters that they guard, and the fan.
+-- Heat: the temperature sensors, the heaters that they guard, and the fan.
 
 library ieee;
 use ieee.std_logic_1164.all;

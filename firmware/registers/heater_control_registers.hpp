@@ -23,7 +23,7 @@ struct Feed {
     second = 24301,
     first = 65261,
   };
-  // `first` not before a sixteenth of the watchdog's time since the last `first`; `second`, which restarts the watchdog, at any time behind it.
+  // `first` not before a sixteenth of the watchdog's time since the last `first`; `second`, which restarts the watchdog, at any time after it.
   Key key{};
 
   static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
@@ -364,7 +364,7 @@ struct Supply {
   bool watchdog_opened{};
   // The emergency stop opened it.
   bool emergency_stop_opened{};
-  // The watch over the clock, or whatever else the board has, opened it.
+  // The clock watch, or another veto on the board, opened it.
   bool veto_opened{};
   // Written: `close` closes it where all duties are 0 and no cause lasts, `open` opens it; anything else is ignored. Read: 0.
   Key key{};

@@ -90,7 +90,7 @@ struct Status {
   static constexpr std::uint32_t permitted_mask = 1u << permitted_bit;
   static constexpr unsigned refused_bit = 1;
   static constexpr std::uint32_t refused_mask = 1u << refused_bit;
-  // 1: the input software_stepping of the chip is high, as only a co-simulation has it. 0: the pins are the step generator's, whatever is written.
+  // 1: the input software_stepping of the chip is high, as only a co-simulation has it. 0: the pins are the step generator's, and writes have no effect on them.
   bool permitted{};
   // 1: a change of control was refused; a write of 1 clears it.
   bool refused{};

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Leads every access of the one master to the slave in whose 4 KiB window it lies; none stays unanswered.
+-- Routes each access of the one master to the slave in whose 4 KiB window it lies; every access
+-- is answered.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,8 +12,8 @@ entity bus_interconnect is
   generic (
     -- Where the window of each slave begins, multiples of 4096.
     base_addresses : bus_address_array_t := (0 => x"F0000000", 1 => x"F0001000");
-    -- Clocks that an access may take; a slave that takes longer is given up with an error. It must
-    -- be what the slowest slave takes at least.
+    -- Clocks that an access may take; after that it ends with an error. Not less than the slowest
+    -- slave needs.
     answer_limit_cycles : positive := 16
   );
   port (
@@ -68,10 +69,10 @@ begin
   end process;
 
   answered <= joined.acknowledge or joined.error;
-  -- A slave's answer in the clock in which it is given up comes too late.
+  -- A response in the clock of the time-out is too late.
   response <= (acknowledge => '0', error => '1', data => (others => '0')) when given_up else joined;
 
-  -- An access to nothing is given up in the clock after the strobe, as if a slave had refused it.
+  -- An access to no slave gets an error in the clock after the strobe, like a refusal by a slave.
   watch : process
   begin
     wait until rising_edge(clk);

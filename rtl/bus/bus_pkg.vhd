@@ -7,8 +7,9 @@ use ieee.numeric_std.all;
 
 package bus_pkg is
 
-  -- From the master. With one master CYC and STB are the same wire: `strobe`. It stays high, and all else
-  -- stays as it is, until the clock in which the response is seen; then it is low for one clock at least.
+  -- From the master. With one master CYC and STB are the same wire: `strobe`. It stays high, with
+  -- the other signals unchanged, until the clock in which the response is seen; then it is low for
+  -- at least one clock.
   type bus_request_t is record
     strobe : std_ulogic;
     write : std_ulogic;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Says to software what this chip is: constants that the composition of the chip passes in.
+-- Reports to software what this chip is: constants given by the entity that composes the chip.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,7 +17,7 @@ entity identity is
     heaters : natural := 2
   );
   port (
-    -- Edges may be left out while no access is made.
+    -- May be gated while no access is made.
     clk : in std_ulogic;
     -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);

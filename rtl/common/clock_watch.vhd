@@ -1,15 +1,16 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Opens the heaters' supply when the chip's clock stands still, as an oscillator of its own sees it.
+-- Opens the heaters' supply when the chip's clock stops, as seen by an independent oscillator.
 
 library ieee;
 use ieee.std_logic_1164.all;
 
--- Without its clock the chip keeps every output as it is, an open gate too. For boards with a second clock.
+-- Without its clock the chip keeps every output, also a heater that is on. For boards with a second clock.
 entity clock_watch is
   generic (
-    -- Clocks of `clk` in which it shows once that it runs.
+    -- Clocks of `clk` between two beats, by which it shows that it runs.
     beat_clocks : positive := 256;
-    -- Clocks of `watch_clk` without that after which it is lost: some beats, at the widest ratio of the two.
+    -- Clocks of `watch_clk` without a beat after which `clk` is lost: several beats, at the largest
+    -- ratio of the two.
     patience_clocks : positive range 4 to 4095 := 64
   );
   port (
@@ -18,7 +19,8 @@ entity clock_watch is
     watch_clk : in std_ulogic;
     -- Of `clk`: the chip wants the supply closed.
     wanted : in std_ulogic;
-    -- To the relay. Opens at once when it is not wanted; after a loss stays open until it was not wanted.
+    -- To the relay. Opens at once when it is not requested; after a loss it stays open until the
+    -- request has ended once.
     closed : out std_ulogic;
     -- Of `watch_clk`: it is held open.
     veto : out std_ulogic

@@ -6,14 +6,14 @@ use ieee.std_logic_1164.all;
 
 package clocks_pkg is
 
-  -- One clock. Each part that is often at rest has it for itself, so that it can be gated: a model leaves the
-  -- edges out that change nothing. On a board all are the same.
+  -- One clock. Each part that is often at rest has its own copy, so that a model can gate it. On a
+  -- board all are the same net.
   type clocks_t is record
     -- Never gated: what counts or integrates in every clock.
     free_running : std_ulogic;
-    -- Processor, memory, and what they wake up by.
+    -- Processor, memory, and what wakes them.
     processor : std_ulogic;
-    -- The registers on the bus, but for the timer's.
+    -- The registers on the bus, except those of the timer.
     registers : std_ulogic;
     -- Step generator and step pins.
     axes : std_ulogic;
@@ -21,7 +21,7 @@ package clocks_pkg is
     peripherals : std_ulogic;
   end record;
 
-  -- Each gated clock is at rest: its next edge changes nothing, but for the one after an input has changed.
+  -- For each gated clock: its next edge changes nothing, except for the edge after a change of an input.
   type clocks_at_rest_t is record
     processor : std_ulogic;
     registers : std_ulogic;
@@ -29,8 +29,8 @@ package clocks_pkg is
     peripherals : std_ulogic;
   end record;
 
-  -- A synchronous reset for each clock, so that nothing behind the registers of a clock at rest is driven by
-  -- another. The registers have the processor's.
+  -- A synchronous reset for each clock, so that no logic of a gated clock is driven by another one.
+  -- The bus registers use that of the processor.
   type resets_t is record
     free_running : std_ulogic;
     processor : std_ulogic;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- First in, first out: a queue of words in block RAM whose oldest word stands ready at the output.
+-- First in, first out: a queue of words in block RAM, with the oldest word at the output
+-- (first-word fall-through).
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -76,7 +77,7 @@ begin
       write_address <= write_address + 1;
     end if;
     read_address <= next_read_address;
-    -- A word that is written in this very clock is not yet in what the memory reads out.
+    -- A word written in this clock is not yet in the memory's read data.
     read_valid <= '1' when level_after_take /= 0 else '0';
     if reset then
       level <= 0;

@@ -27,7 +27,7 @@ architecture rtl of input_filter is
 
   -- Clocks for which `level` has differed from `filtered` so far.
   signal differing_cycles : unsigned(width - 1 downto 0) := (others => '0');
-  -- That many without the one that is enough: a clock after `stable_cycles`, so that no sum is compared.
+  -- `stable_cycles` less one, registered, so that no sum is compared.
   signal last_cycle : unsigned(width - 1 downto 0) := (others => '0');
 
 begin

@@ -13,7 +13,7 @@ entity pulse_density is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- The output is settled again in clocks with '1' only: one pulse slot lasts from one to the next.
+    -- The output changes only after clocks with '1': a slot lasts from one of them to the next.
     advance : in std_ulogic;
     -- Ones per 2**width - 1 slots: 0 is never on, all ones is always on.
     density : in unsigned(width - 1 downto 0);

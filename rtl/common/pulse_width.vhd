@@ -15,7 +15,7 @@ entity pulse_width is
     reset : in std_ulogic;
     -- '1' in the last clock of every slot.
     advance : in std_ulogic;
-    -- Slots of a period in which the output is on: 0 is never, all ones is always. Looked at when a
+    -- Slots of a period in which the output is on: 0 is never, all ones is always. Sampled when a
     -- period begins.
     duty : in unsigned(width - 1 downto 0);
     level : out std_ulogic := '0'

@@ -1,29 +1,31 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Says when a block is at rest: the next edge of its clock would change nothing, and may be left out.
+-- Reports when a block is at rest: the next edge of its clock would change nothing, so the clock
+-- may be gated.
 
 library ieee;
 use ieee.std_logic_1164.all;
 
--- Nothing has to be at rest on a board. A model saves the evaluation of a block that is, so what is reported
--- here must be certain: at rest stays what has had `settling_clocks` edges without any reason to work, so
--- that whatever a reason has set off has come to its end.
+-- On a board no clock has to be gated. A model does not evaluate a block at rest, so the report
+-- must be exact: a block is at rest after `settling_clocks` edges without a reason to work, so that
+-- all activity which a reason started has ended.
 entity rest_watch is
   generic (
-    -- Edges after the last reason: more than the registers that one lies behind the other in the block.
+    -- Edges after the last reason: more than the longest chain of registers in the block.
     settling_clocks : positive := 4
   );
   port (
-    -- The clock whose edges may be left out while `at_rest` is high.
+    -- The clock that may be gated while `at_rest` is high.
     clk : in std_ulogic;
     -- The clock of the block's registers.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Software's access to the block begins or goes on.
+    -- An access of software to the block begins or is in progress.
     strobe : in std_ulogic;
-    -- The block has work that lasts: looked at in the edges that are not left out.
+    -- The block has work of several clocks; sampled at the edges that are not gated.
     working : in std_ulogic;
-    -- The very next edge counts. All of it must come from registers, and for one that counts while `clk`
-    -- rests a clock early, if what acts upon it sees it only through a register.
+    -- The very next edge is needed. It must come from registers only. From a register that
+    -- counts while `clk` is gated it must come a clock early if it is used only through a
+    -- further register.
     alarm : in std_ulogic;
     at_rest : out std_ulogic
   );

@@ -32,7 +32,7 @@ entity axis_stepper is
     -- They come a quarter of a step early or late, not both.
     ahead : in std_ulogic;
     behind : in std_ulogic;
-    -- Of the line that is executed: already the new value in the clock after begin_line.
+    -- Of the line being executed; new from the clock after begin_line on.
     line_ticks : in ticks_t;
 
     -- The base has come to a tick. If the next tick brings a step which is not yet legal, `ready` is low.
@@ -108,7 +108,7 @@ begin
   working <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 or direction_left /= 0 or
     direction /= wanted_direction else '0';
 
-  -- Works out the next tick in the clock after a tick.
+  -- Computes the next tick in the clock after a tick.
   share_ticks : process
     variable sum : unsigned(31 downto 0);
   begin

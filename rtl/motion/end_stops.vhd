@@ -10,9 +10,9 @@ use work.end_stops_registers_pkg.all;
 
 entity end_stops is
   port (
-    -- Edges may be left out while `at_rest` is high, but for the one after a change of `switches`.
+    -- May be gated while `at_rest` is high, except for the edge after a change of `switches`.
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;

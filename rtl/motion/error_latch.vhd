@@ -11,7 +11,7 @@ entity error_latch is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Forget them; those of segments stay in a clock in which one is refused.
+    -- Clears them; a segment refused in the same clock is still recorded.
     clear : in std_ulogic;
     -- Refused in this clock: a segment, a position, a setting.
     segment_refused : in refusal_t;

@@ -7,11 +7,11 @@ use ieee.numeric_std.all;
 
 use work.step_generator_pkg.all;
 
--- In each clock the base is owed `scale` base clocks (0 = hold, 1 = as segments ask, below 4), and `scale`
--- moves towards its target by the slope. Owed base clocks are done as leaps of 1, 2 or 4 at a time: what the
--- base does in a leap of n is shifted left, not multiplied, and without a leap it stands still. So
--- no multiplier is needed, a scale of exactly 1 is as if this entity were not there, and the ticks with
--- their order stay the same at any scale, since they are counted by the base.
+-- In each clock the base is owed `scale` base clocks (0 = hold, 1 = as segments ask, below 4), and
+-- `scale` moves towards its target by the slope. Owed base clocks are executed in leaps of 1, 2 or
+-- 4: the base's increments are shifted left for a leap of n, and without a leap the base stands
+-- still. So no multiplier is needed, a scale of exactly 1 leaves the base as it is, and the ticks
+-- and their order are the same at any scale, since the base counts them.
 --
 -- Bounds. Up to a scale of 1 leaps are of 1, and the base's own arithmetic is exact; a tick is late by less
 -- than a base clock, that is 1/scale clocks: against the stretched distance of steps the same part as at
@@ -19,20 +19,21 @@ use work.step_generator_pkg.all;
 -- uses the rate of its first base clock for all, which is wrong by (n-1)/2 of the change of rate in it:
 -- over a ramp by at most 3/2 * 7/64 + 1/2 * 8/64, less than a quarter of a tick.
 --
--- Two ticks stay two clocks apart: the base says which leap leaves its rate below 1/2 tick per clock.
--- What cannot be leapt is forgotten beyond 3 base clocks, so that motion runs on at the longest leap and
--- nothing is caught up later: from 7/64 tick per clock on the scale is at most 2, from 15/64 on at most 1.
+-- Two ticks stay two clocks apart: the base says which leap leaves its rate below 1/2 tick per
+-- clock. Base clocks that cannot be executed are dropped beyond 3, so that motion goes on at the
+-- longest leap and nothing is caught up later: from 7/64 tick per clock on the scale is at most 2,
+-- from 15/64 on at most 1.
 --
--- Accelerations. At a scale of s the base's acceleration a and tick rate r become s^2*a + (ds/dt)*r. Where
--- |ds/dt|*r is not more than the largest |a|, the sum exceeds it only where both terms have one sign: where
--- the scale rises while the base accelerates, or falls while it decelerates. Then the slope is cut to what
--- s^2 leaves of 1: a half of it for s below 1/2 (1/4 + 1/2), a quarter below 3/4 (9/16 + 1/4), an eighth
--- below 7/8 (49/64 + 1/8), and nothing from there on. A scale of 7/8 and more so waits until the ramp of the
--- base is over; a lower one always gets on, however slowly the base comes to the end of its ramp. The brake
--- does not wait.
+-- Accelerations. At a scale of s the base's acceleration a and tick rate r become s^2*a +
+-- (ds/dt)*r. Where |ds/dt|*r is not more than the largest |a|, the sum exceeds it only where both
+-- terms have one sign: where the scale rises while the base accelerates, or falls while it
+-- decelerates. Then the slope is cut to what s^2 leaves of 1: a half of it for s below 1/2 (1/4 +
+-- 1/2), a quarter below 3/4 (9/16 + 1/4), an eighth below 7/8 (49/64 + 1/8), and nothing from there
+-- on. So a scale of 7/8 or more waits until the ramp of the base is over; a lower one always
+-- changes, however long the base takes to end its ramp. The brake does not wait.
 entity feed_override is
   port (
-    -- Edges may be left out while the inputs stay and not `working`, from 3 clocks on.
+    -- May be gated while the inputs stay and not `working`, from 3 clocks on.
     clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -72,7 +73,7 @@ architecture rtl of feed_override is
   -- Base clocks that are owed beyond the leap being done, in 2^-32.
   signal owed : unsigned(33 downto 0) := (others => '0');
 
-  -- Of this many whole base clocks: what is done in the next clock, and what stays owed.
+  -- For this many whole base clocks: what is executed in the next clock, and what stays owed.
   type share_t is record
     advance : std_ulogic;
     leap : leap_t;
@@ -119,8 +120,8 @@ architecture rtl of feed_override is
     return total(36);
   end function;
 
-  -- One clock nearer to the target. Both ways are worked out before it is known which is taken and whether
-  -- the target is passed: nothing but one sum lies behind the slope.
+  -- One clock nearer to the target. Both directions are computed before it is known which one is
+  -- taken and whether the target is passed: only one sum follows the slope.
   signal to_target : scale_t;
   signal rises : std_ulogic;
   signal slope_up, slope_down : slope_t;
@@ -129,8 +130,8 @@ architecture rtl of feed_override is
 
 begin
 
-  -- At scale 1 one base clock is owed and done in every clock; at rest nothing is owed that is not forgotten.
-  -- But a scale may have to wait with its way to the target.
+  -- At scale 1 one base clock is owed and done in every clock; at rest nothing is owed that is not
+  -- forgotten. But a change of scale may have to wait.
   working <= '1' when moving = '1' and (scale /= scale_of_one or owed /= 0 or target /= unity) else '0';
 
   to_target <= (others => '0') when braking = '1' else target & x"0000";

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Keeps what must not change in motion: guard times, kind of edges, rate floor. Refuses it otherwise.
+-- Holds what must not change in motion: guard times, edge mode, rate floor. Refuses writes in motion.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,14 +13,14 @@ entity motion_settings is
     axes : positive range 1 to axis_limit := 5
   );
   port (
-    -- Edges may be left out while no access is made.
+    -- May be gated while no access is made.
     clk : in std_ulogic;
     reset : in std_ulogic;
     from_software : in step_generator_from_software_t;
 
-    -- Nothing moves or is queued, and all pulses and guard times are over.
+    -- Nothing moves or is queued, and all pulses and guard times have ended.
     idle : in std_ulogic;
-    -- The step pins: where one is high the kind of its edges stays, or an edge would be made or lost.
+    -- The step pins: while one is high its edge mode stays, as a change would add or lose an edge.
     step : in std_ulogic_vector(axes - 1 downto 0);
 
     guards : out guard_array_t(axes - 1 downto 0) := (others => guard_after_reset);
@@ -59,7 +59,7 @@ begin
 
   each_axis : for axis in 0 to axes - 1 generate
     signal guard : guard_t := guard_after_reset;
-    -- Apart from the record: what each clock looks at is quicker to model as a bit of its own.
+    -- Outside the record: a bit that is used in every clock simulates faster on its own.
     signal falling_too : std_ulogic := '0';
     signal edges_may_change : std_ulogic;
   begin

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Finds when motion has gone on for too long without a sign of life from software.
+-- Watchdog: detects that motion has gone on for too long without being fed by software.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -9,7 +9,7 @@ entity motor_switch is
     axes : positive := 5
   );
   port (
-    -- Edges may be left out while nothing is written and not `alarm`.
+    -- May be gated while nothing is written and not `alarm`.
     clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -30,8 +30,8 @@ entity motor_switch is
     enabled : out std_ulogic_vector(axes - 1 downto 0) := (others => '0');
     -- The drivers' pins.
     pins : out std_ulogic_vector(axes - 1 downto 0);
-    -- The motors had no current since software last said that it knows:
-    -- they need not be where they are counted.
+    -- The motors had no current since software last acknowledged it: they need not be where the
+    -- counters say.
     positions_lost : out std_ulogic := '0';
     -- In the clock of the write.
     refused : out std_ulogic;

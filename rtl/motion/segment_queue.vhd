@@ -16,11 +16,11 @@ entity segment_queue is
   );
   port (
     clk : in std_ulogic;
-    -- The same clock for words written; edges may be left out while none are.
+    -- The same clock for words written; may be gated while none is written.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- Words of the segment behind the last one; lost while the queue is full.
+    -- Words of the segment after the last one; lost while the queue is full.
     write : in lane_write_t;
     -- The segment that was written counts from now on.
     append : in std_ulogic;
@@ -128,7 +128,7 @@ begin
       head_valid <= '1';
     end if;
     count <= next_count;
-    -- A clock later: what a tick takes out comes late in a clock.
+    -- A clock later: `take` settles late in the clock.
     if count > highest_count then
       highest_count <= count;
     end if;

@@ -27,7 +27,7 @@ begin
       write <= (valid => '1', lane => lane, data => data);
     end procedure;
   begin
-    -- The data of most words are the same wires, so that no choice is made where nothing is written.
+    -- Most words share the same data wires: no multiplexer where nothing is written.
     write <= (
       valid => '0', lane => 0, data => std_ulogic_vector(from_software.segment_ticks.ticks));
     if from_software.segment_flags_written then

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Judges the segment that software is writing: only a whole and executable one passes its commit.
+-- Checks the segment that software writes: a commit passes only if it is complete and executable.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -16,10 +16,11 @@ entity segment_writer is
     clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- The words: flags first, line_ticks before ticks and steps, the others in any order. Each may be
-    -- written again, and the last one counts; but line_ticks forgets ticks and steps, so that those from
-    -- before it do not count. A word out of its range makes the segment illegal until the next flags, also
-    -- where another is written over it. Ticks and steps before the first line_ticks have no range.
+    -- The words: flags first, line_ticks before ticks and steps, the others in any order. Each may
+    -- be written again, and the last value counts; but a write of line_ticks discards ticks and
+    -- steps written before it. A word out of its range makes the segment illegal until the next
+    -- flags, also where another is written over it. Ticks and steps before the first line_ticks
+    -- have no range.
     write : in lane_write_t;
     -- All words are written, the last of them two clocks ago at least: append the segment.
     commit : in std_ulogic;
@@ -52,15 +53,15 @@ architecture rtl of segment_writer is
     return lanes;
   end function;
 
-  -- The word of the clock before, which is judged now: comparing it is a clock's work of its own. A bus
-  -- access takes longer, so that software does not see the difference.
+  -- The word of the clock before, which is checked now: the comparison takes a clock of its own. A
+  -- bus access takes longer, so software sees no difference.
   signal word : lane_write_t := (valid => '0', lane => 0, data => (others => '0'));
-  -- It came when the queue was full.
+  -- It was written while the queue was full.
   signal word_is_lost : std_ulogic := '0';
   signal written : lane_set_t := (others => '0');
   signal illegal : std_ulogic := '0';
   signal continues_line : std_ulogic := '0';
-  -- Most that ticks and steps may be, once that is known.
+  -- Upper bound of ticks and steps, once it is known.
   signal limit : ticks_t := (others => '0');
   signal limit_known : std_ulogic := '0';
   signal ticks : ticks_t := (others => '0');

@@ -16,11 +16,11 @@ entity step_generator is
     queue_depth : positive range 2 to 255 := 32
   );
   port (
-    -- Edges may be left out while `at_rest` is high.
+    -- May be gated while `at_rest` is high.
     clk : in std_ulogic;
-    -- The same clock, never left out.
+    -- The same clock, never gated.
     always_clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
 

@@ -13,11 +13,11 @@ entity step_generator_core is
     queue_depth : positive range 2 to 255 := 32
   );
   port (
-    -- Edges may be left out while neither `working` nor `alarm` nor a command is high, from 3 clocks on.
+    -- May be gated while neither `working` nor `alarm` nor a command is high, from 3 clocks on.
     clk : in std_ulogic;
-    -- The same clock for what moves between ticks, never left out.
+    -- The same clock for what moves between ticks, never gated.
     always_clk : in std_ulogic;
-    -- The same clock for segments being written; edges may be left out while none are.
+    -- The same clock for segments being written; may be gated while none is written.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -98,12 +98,12 @@ architecture rtl of step_generator_core is
   signal now : time_t := (others => '0');
   signal forget : std_ulogic;
   signal writer_forgets : std_ulogic;
-  -- Modulo 2.
+  -- Modulo 2 only.
   signal forgettings, forgettings_seen : std_ulogic := '0';
   signal append : std_ulogic;
   signal full : std_ulogic;
-  -- In the clock before. Nothing but a commit fills the queue, and no write follows in the next clock; so
-  -- the writer may look at this, and rests with bus_clk.
+  -- In the clock before. Only a commit fills the queue, and no write follows in the next clock; so
+  -- the writer may use this value, and is gated with bus_clk.
   signal was_full : std_ulogic := '0';
 
   signal head_valid : std_ulogic;
@@ -134,14 +134,15 @@ architecture rtl of step_generator_core is
   signal stop_begins : std_ulogic;
   signal hit : std_ulogic;
   signal closed : std_ulogic;
-  -- Of the clock before, so that no long path hangs on the slope.
+  -- Of the clock before, to keep the slope off the critical path.
   signal no_ramp : std_ulogic := '0';
 
 begin
 
   forget <= flush or stop_begins;
 
-  -- A stop may come while bus_clk rests: the writer forgets then too, before it is written to again.
+  -- A stop may come while bus_clk is gated: the writer then discards its words before it is written
+  -- to again.
   writer_forgets <= forget or (forgettings xor forgettings_seen);
 
   count_forgettings : process

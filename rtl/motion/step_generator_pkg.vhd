@@ -47,7 +47,7 @@ package step_generator_pkg is
   constant scale_of_one : scale_t := (32 => '1', others => '0');
   -- By which the scale changes in a clock.
   subtype slope_t is unsigned(31 downto 0);
-  -- How often the base clocks of one clock are doubled: 1, 2 or 4 of them are done as one leap.
+  -- Base clocks executed in one clock, as a power of two: a leap of 1, 2 or 4.
   subtype leap_t is unsigned(1 downto 0);
 
   -- What ends a segment.

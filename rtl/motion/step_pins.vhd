@@ -12,9 +12,9 @@ entity step_pins is
     axes : positive range 1 to 8 := 5
   );
   port (
-    -- Edges may be left out while `at_rest` is high.
+    -- May be gated while `at_rest` is high.
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -89,7 +89,7 @@ begin
   step <= written_step when selects_software = '1' else generated_step;
   direction <= written_direction when selects_software = '1' else generated_direction;
 
-  -- No edge is made or lost by it.
+  -- This adds and loses no edge.
   may_change <= software_stepping and generator_idle when written_step = generated_step else '0';
 
   select_pins : process
@@ -116,7 +116,7 @@ begin
     wait until rising_edge(clk);
     written_direction <= from_software.direction.pins(axes - 1 downto 0);
     written_step <= from_software.step.pins(axes - 1 downto 0);
-    -- A pulse that is out keeps its width: software ends it.
+    -- A pulse that has begun keeps its width: software ends it.
     if stopped or emergency_stop then
       written_step <= from_software.step.pins(axes - 1 downto 0) and written_step;
     end if;

@@ -10,7 +10,7 @@ use work.step_generator_pkg.all;
 
 entity stop_latch is
   port (
-    -- Edges may be left out while neither `hit`,
+    -- May be gated while neither `hit`,
     -- `stop_begins` nor `watching` is high and nothing is acknowledged.
     clk : in std_ulogic;
     reset : in std_ulogic;
@@ -55,9 +55,9 @@ architecture rtl of stop_latch is
 
   signal end_stops_before : std_ulogic_vector(7 downto 0) := x"00";
   signal wanted, changed : std_ulogic_vector(7 downto 0);
-  -- End stops that are as the segment does not want them.
+  -- End stops in the state that stops the segment.
   signal met : std_ulogic_vector(7 downto 0);
-  -- Those that began the brake that is on, and have kept their level since.
+  -- Those that started the present brake, and have kept their level since.
   signal began_brake : std_ulogic_vector(7 downto 0) := x"00";
   signal hits : std_ulogic_vector(7 downto 0);
   signal end_stop_hit : std_ulogic;
@@ -97,7 +97,7 @@ begin
         end_stops => hits, emergency_input => emergency_stop, software => software_stop,
         watchdog => watchdog_expired, software_brake => software_brake);
     elsif stop_begins then
-      -- What cuts a ramp short is a cause as well.
+      -- A stop that cuts the ramp short is a cause as well.
       braking <= '0';
       cause.end_stops <= cause.end_stops or hits;
       cause.emergency_input <= cause.emergency_input or emergency_stop;

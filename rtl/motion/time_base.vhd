@@ -24,9 +24,9 @@ use work.step_generator_pkg.all;
 -- 2000 ticks/s and 50 MHz. The number of ticks is counted, and exact.
 entity time_base is
   port (
-    -- Edges may be left out without `due`, `take` and `stop`, but for the one after `due` or `take`.
+    -- May be gated without `due`, `take` and `stop`, except for the edge after `due` or `take`.
     clk : in std_ulogic;
-    -- The same clock for what moves between ticks, never left out.
+    -- The same clock for what moves between ticks, never gated.
     always_clk : in std_ulogic;
     reset : in std_ulogic;
 
@@ -55,7 +55,7 @@ entity time_base is
     axes_ready : in std_ulogic;
     tick : out std_ulogic;
 
-    -- It does stand still for an axis.
+    -- It stands still for an axis.
     stalled : out std_ulogic;
 
     -- A clock later: the rate rises, falls, as far as the segment says.
@@ -130,7 +130,7 @@ architecture rtl of time_base is
     return other;
   end function;
 
-  -- The longest leap that a change can be shifted by. What is too large for it is far beyond any machine.
+  -- The longest leap by which a change can be shifted. Larger changes are far beyond any machine.
   function longest(change : signed(63 downto 0)) return leap_t is
   begin
     if change(62) /= change(63) then
@@ -185,7 +185,7 @@ begin
   longest_leap <= shorter(leap_of_head, leap_of_floor) when take = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
-  -- The carry is the last to be known in a clock: all else is made ready for it.
+  -- The carry settles last in the clock: everything else is computed before it.
   may_tick <= active and advance and not stop and axes_ready;
   due <= active and advance and not stop and carry;
   tick <= may_tick and carry;

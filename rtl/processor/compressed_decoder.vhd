@@ -11,7 +11,7 @@ entity compressed_decoder is
     -- The lowest two bits are never "11".
     instruction : in std_ulogic_vector(15 downto 0);
     decoded : out control_t;
-    -- Don't care for jumps, branches and whatever has none.
+    -- Don't care for jumps, branches and instructions without an immediate.
     immediate : out word_t
   );
 end entity;

@@ -27,7 +27,7 @@ entity control_status_registers is
     interrupts : in std_ulogic_vector(15 downto 0);
     -- An interrupt enabled in mie is pending, combinational.
     interrupt_requested : out std_ulogic;
-    -- The same in the previous clock: wakes wfi, whatever mstatus.MIE.
+    -- The same in the previous clock: wakes wfi regardless of mstatus.MIE.
     wake_request : out std_ulogic;
     -- ... and mstatus.MIE is set: take the interrupt.
     interrupt_pending : out std_ulogic;
@@ -182,7 +182,7 @@ begin
     end if;
   end process;
 
-  -- The cause is gated before the adder: faster than a multiplexer behind it.
+  -- The cause is gated before the adder: faster than a multiplexer after it.
   trap_target <= (trap_base + (unsigned(trap.cause) and (4 downto 0 => trap_vectored and trap.interrupt))) &
                  "00";
   return_address <= exception_address & '0';

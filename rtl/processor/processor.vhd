@@ -84,7 +84,7 @@ architecture rtl of processor is
   signal data_misaligned, data_in_memory : std_ulogic;
   signal bus_active, bus_done, bus_error : std_ulogic;
   signal asleep, interrupt_requested : std_ulogic;
-  -- Asleep in each of the previous clocks: when all are set, the stages behind execute are empty.
+  -- Asleep in each of the previous clocks: when all are set, the stages after execute are empty.
   signal asleep_before : std_ulogic_vector(3 downto 0) := (others => '0');
   signal csr_request : csr_request_t;
   signal csr_data : word_t;

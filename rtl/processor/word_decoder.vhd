@@ -14,7 +14,7 @@ entity word_decoder is
   port (
     instruction : in word_t;
     decoded : out control_t;
-    -- Don't care for jal, branches, auipc and whatever has none.
+    -- Don't care for jal, branches, auipc and instructions without an immediate.
     immediate : out word_t
   );
 end entity;

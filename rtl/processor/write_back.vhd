@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Write-back: the pipeline register behind execute, and the multiplexer of results, of which the late ones
+-- Write-back: the pipeline register after execute, and the multiplexer of results, of which the late ones
 -- (loads, products, Zbb) are available only here.
 
 library ieee;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Makes a break of a port that a host has closed, which its USB bridge says by DTR: software then forgets
--- the host's half line (`firmware/host_link`, rule 9).
+-- Inserts a break when a host closes its port, which the USB bridge signals by DTR: software then
+-- discards the host's incomplete line (`firmware/host_link`, rule 9).
 --
 -- Only the change to "closed" counts, not the level: a host that never raises DTR is heard like any other.
 
@@ -28,7 +28,7 @@ architecture rtl of port_watch is
 
   type state_t is (
     open_or_unknown,
-    -- Closed, and bytes may still come.
+    -- Closed, but bytes may still arrive.
     waiting,
     breaking
   );
@@ -75,7 +75,7 @@ begin
           state <= open_or_unknown;
         end if;
     end case;
-    -- The next host is there: not a bit of it is held back.
+    -- The next host has opened the port: none of its bits is held back.
     if not samples(1) then
       hold <= '0';
       state <= open_or_unknown;

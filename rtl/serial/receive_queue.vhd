@@ -22,7 +22,7 @@ entity receive_queue is
     read_data : out std_ulogic_vector(8 downto 0);
     read_valid : out std_ulogic;
     level : out natural range 0 to depth;
-    -- The bytes that end a line; what a byte is, is settled when it comes.
+    -- The bytes that end a line; each byte is classified on arrival.
     first_line_end : in std_ulogic_vector(7 downto 0);
     second_line_end : in std_ulogic_vector(7 downto 0);
     -- A byte that ends a line is in the queue.
@@ -37,8 +37,8 @@ end entity;
 architecture rtl of receive_queue is
 
   signal ends_line, written, taken : std_ulogic;
-  -- How many bytes must be taken until no line end is left: the newest one is the last of them. No mark in
-  -- the memory is needed, and none has to be read.
+  -- Bytes to be read until no line end is left in the queue; the last of them is the newest line
+  -- end. So the memory needs no marks.
   signal to_last_line_end : natural range 0 to depth := 0;
 
 begin

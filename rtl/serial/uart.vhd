@@ -15,9 +15,9 @@ entity uart is
     transmit_depth : positive := uart_transmit_depth
   );
   port (
-    -- Edges may be left out while `at_rest` is high, but for the one after a change of `receive`.
+    -- May be gated while `at_rest` is high, except for the edge after a change of `receive`.
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;
@@ -88,7 +88,7 @@ begin
     signal overrun : std_ulogic;
     signal received_data : std_ulogic_vector(7 downto 0);
     signal full : std_ulogic;
-    -- Something was lost since the last byte that went into the FIFO: the next one is marked.
+    -- Something was lost since the last byte was written to the FIFO: the next one is marked.
     signal gap : std_ulogic := '0';
     signal oldest : std_ulogic_vector(8 downto 0);
     signal oldest_valid : std_ulogic;
@@ -133,8 +133,8 @@ begin
       );
 
     overrun <= byte_received and full;
-    -- The read event comes a clock after software's look at the data: a byte that arrived in
-    -- between was not seen and stays.
+    -- The read event comes a clock after software has read the data: a byte that arrived in between
+    -- was not read and stays.
     take <= from_software.data_read and oldest_was_valid;
     to_software.data <=
       (byte => unsigned(oldest(7 downto 0)), valid => oldest_valid, gap => oldest(8));

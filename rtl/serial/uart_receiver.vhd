@@ -17,8 +17,8 @@ entity uart_receiver is
     -- Each of these is '1' for one clock: a byte in `data`, one that had no stop bit and is
     -- dropped, or a frame that was low from end to end.
     valid : out std_ulogic := '0';
-    -- With `valid`: the looks at a bit of this byte differed. Below 16 clocks per bit a difference of
-    -- the clocks alone can be the reason.
+    -- With `valid`: the samples of a bit of this byte differed. Below 16 clocks per bit a deviation
+    -- of the baud rate alone can cause this.
     noisy : out std_ulogic := '0';
     framing_error : out std_ulogic := '0';
     break_condition : out std_ulogic := '0';
@@ -41,10 +41,10 @@ architecture rtl of uart_receiver is
   signal earlier : std_ulogic_vector(1 downto 0) := (others => '1');
   -- Time since the start bit began, in bits, without the whole ones.
   signal phase : unsigned(31 downto 0) := (others => '0');
-  -- The last tick was the one nearest to the middle of a bit.
+  -- The last tick was the nearest to the middle of a bit.
   signal middle_passed : std_ulogic := '0';
   signal bit_index : natural range 0 to 7 := 0;
-  -- Looks at a bit of the frame that is under way differed.
+  -- Samples of a bit of the current frame differed.
   signal looks_differed : std_ulogic := '0';
 
 begin
@@ -123,11 +123,11 @@ begin
                 noisy <= looks_differed or looks_differ;
                 state <= idle;
                 if not received then
-                  -- A fast sender's next start bit is already there.
+                  -- The next start bit of a fast sender has already begun.
                   begin_frame;
                 end if;
               elsif state = stop_bit then
-                -- A slow sender's stop bit may come a tick later.
+                -- The stop bit of a slow sender may come a tick later.
                 state <= late_stop_bit;
               else
                 framing_error <= '1' when data /= x"00" else '0';

@@ -21,15 +21,15 @@ use work.thermal_pkg.all;
 
 entity capacitor_timer is
   port (
-    -- Edges may be left out while nothing but time passes, if none is from `wake_cycles` on.
+    -- May be gated while nothing but time passes, if none is from `wake_cycles` on.
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Clocks since any time, modulo 2^24; may stand still behind edges that were left out.
+    -- Free-running time in clocks, modulo 2^24; may stand still after edges that were gated.
     seen_cycles : in cycles_t;
     -- Convert without end; otherwise all pins are high-impedance.
     enable : in std_ulogic;
     settings : in converter_settings_t;
-    -- The settings are new: forget what has been measured, and begin once more.
+    -- The settings have changed: discard what has been measured and start over.
     restart : in std_ulogic;
     -- Per resistor (bit numbers in thermal_pkg): high-impedance where not enabled.
     drive_enable : out std_ulogic_vector(resistors - 1 downto 0) := (others => '0');
@@ -60,7 +60,7 @@ architecture rtl of capacitor_timer is
   subtype pins_t is std_ulogic_vector(resistors - 1 downto 0);
   subtype resistor_t is natural range 0 to resistors - 1;
 
-  -- Through which charges go now: low reference, high reference, thermistor.
+  -- The resistor of the present charges: low reference, high reference, thermistor.
   signal resistor : resistor_t := thermistor;
   signal charges_left : unsigned(7 downto 0) := (others => '0');
   -- The present phase: its first clock, the clocks since, and after how many of them it ends.
@@ -220,7 +220,7 @@ begin
         end if;
 
       when publishing =>
-        -- Nothing new without `updated`, which is not said while disabled.
+        -- Nothing is new without `updated`, which is low while disabled.
         if enable then
           updated <= '1';
           state <= to_unsigned(outcome, state'length);

@@ -21,7 +21,7 @@ entity converter_settings is
     from_software : in temperature_converter_from_software_t;
     enable : out std_ulogic := '0';
     settings : out converter_settings_t := converter_settings_none;
-    -- What has been converted until now does not count: the settings are new, or have just been locked.
+    -- Conversions so far are void: the settings have changed, or have just been locked.
     restart : out std_ulogic;
     -- A write would have changed what is locked; remembered until software forgets it.
     refused : out std_ulogic := '0'

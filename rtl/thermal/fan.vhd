@@ -11,7 +11,7 @@ use work.fan_registers_pkg.all;
 entity fan is
   port (
     clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     reset : in std_ulogic;
     request : in bus_request_t;

@@ -7,8 +7,8 @@ use ieee.numeric_std.all;
 
 use work.thermal_pkg.all;
 
--- The keys come from different places of the program, so a loop that goes on without one of them is noticed;
--- the window finds one that runs wild and feeds as fast as it can.
+-- The keys are sent from different places of the program, so a loop that misses one of them is
+-- detected; the window detects a runaway program that feeds as fast as it can.
 entity feed_watchdog is
   port (
     clk : in std_ulogic;
@@ -32,7 +32,7 @@ architecture rtl of feed_watchdog is
   -- The window opens after so large a part of the time-out: a sixteenth.
   constant window_shift : natural := 4;
 
-  -- Until the watchdog barks; 0 from reset on.
+  -- Ticks until the watchdog expires; 0 after reset.
   signal ticks_left : tick_count_t := (others => '0');
   -- Since the last first key, or the last violation; stays at its largest value.
   signal ticks_since_first : tick_count_t := (others => '1');

@@ -65,7 +65,7 @@ begin
       most_count => most_count,
       least_hot_count => shift_left(least_count, 3),
       longest_settle => longest_settle,
-      -- One word goes to all registers.
+      -- All registers share one word of write data.
       written => from_software.minimum_count(channel).cycles,
       minimum_written => from_software.minimum_count_written(channel),
       maximum_written => from_software.maximum_count_written(channel),

@@ -25,11 +25,11 @@ entity heater_control is
     maximum_settle_s : positive range 1 to 150 := 120
   );
   port (
-    -- Edges may be left out while `at_rest` is high, but for the one after a change of `emergency_stop`.
+    -- May be gated while `at_rest` is high, except for the edge after a change of `emergency_stop`.
     clk : in std_ulogic;
-    -- The same clock, never left out.
+    -- The same clock, never gated.
     always_clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     -- Of `clk`: a constant on a board, chosen for each run in co-simulation.
     clock_frequency_hz : in unsigned(31 downto 0);
@@ -44,7 +44,7 @@ entity heater_control is
     limits_locked : out std_ulogic;
     -- Closes all gates and trips all channels. Asynchronous.
     emergency_stop : in std_ulogic;
-    -- Something outside the chip forbids the supply, as a watch over its clock does. Asynchronous.
+    -- Veto on the supply from outside the chip, for example by a clock watch. Asynchronous.
     veto : in std_ulogic;
     gates : out std_ulogic_vector(channels - 1 downto 0);
     -- The heaters' power is on: a relay or contactor in front of all gates.
@@ -109,7 +109,7 @@ begin
 
   alarm <= time_alarm or reading_comes or pins_settling;
 
-  -- A tick may end the watchdog's patience, which trips a channel, which interrupts.
+  -- A tick may let the watchdog expire, which trips a channel, which interrupts.
   watch_rest : entity work.rest_watch
     generic map (settling_clocks => 9)
     port map (
@@ -165,7 +165,7 @@ begin
   to_software.watchdog.ticks <= watchdog_timeout;
   to_software.sensor_timeout.ticks <= sensor_timeout;
 
-  -- What it shows before real samples have come through makes no difference: the watchdog is not fed yet.
+  -- Its value before the first real sample makes no difference: the watchdog is not fed yet.
   stop_pins : entity work.synchronizer
     generic map (width => 2)
     port map (

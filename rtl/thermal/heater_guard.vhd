@@ -21,7 +21,7 @@ entity heater_guard is
     watchdog_alive : in std_ulogic;
     -- For one clock: it has been fed wrongly.
     watchdog_violated : in std_ulogic;
-    -- For one clock: it gets hotter though the gate has long been closed.
+    -- For one clock: it gets hotter although the gate has long been closed.
     heats_unasked : in std_ulogic;
     -- Of this heater's own sensor.
     reading : in sensor_reading_t;

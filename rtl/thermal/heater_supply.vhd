@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The relay that gives all heaters their power: software closes it,
--- any danger opens it until it does so again.
+-- The relay in the supply of all heaters: software closes it, any danger opens it until software
+-- closes it again.
 
 library ieee;
 use ieee.std_logic_1164.all;
 
--- A second way to cut off: a gate that is closed helps nothing where its transistor conducts by itself.
+-- A second cut-off: closing a gate does not help where its transistor conducts by itself.
 entity heater_supply is
   port (
     clk : in std_ulogic;
     reset : in std_ulogic;
-    -- Software's wishes, for one clock each.
+    -- Requests of software, for one clock each.
     close : in std_ulogic;
     open_again : in std_ulogic;
     -- No channel is asked to heat.
@@ -26,7 +26,7 @@ entity heater_supply is
     watchdog_opened : out std_ulogic := '0';
     emergency_stop_opened : out std_ulogic := '0';
     veto_opened : out std_ulogic := '0';
-    -- The last wish to close it was refused.
+    -- The last request to close it was refused.
     refused : out std_ulogic := '0'
   );
 end entity;

@@ -9,9 +9,9 @@ use work.thermal_pkg.all;
 
 entity heater_timing is
   port (
-    -- Edges may be left out but for the one after `alarm`.
+    -- May be gated, except for the edge after `alarm`.
     clk : in std_ulogic;
-    -- The same clock, never left out: the one that counts.
+    -- The same clock, never gated: the one that counts.
     always_clk : in std_ulogic;
     -- The same clock for the registers.
     bus_clk : in std_ulogic;
@@ -31,7 +31,7 @@ architecture rtl of heater_timing is
   signal tick_phase : natural range 0 to tick_cycles - 1 := 0;
   signal tick_ends : std_ulogic;
   signal slot_phase : unsigned(23 downto 0) := (others => '0');
-  -- Of a slot, a clock after software sets it, so that no sum is compared.
+  -- Of a slot, registered, so that no sum is compared.
   signal last_phase : unsigned(23 downto 0) := (others => '0');
   signal slot_ends : std_ulogic;
 

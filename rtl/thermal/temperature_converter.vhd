@@ -16,12 +16,12 @@ entity temperature_converter is
     channels : positive range 1 to 4 := 2
   );
   port (
-    -- Edges may be left out while `at_rest` is high,
+    -- May be gated while `at_rest` is high,
     -- but for those after a change of `sense` or `limits_locked`.
     clk : in std_ulogic;
-    -- The same clock, never left out.
+    -- The same clock, never gated.
     always_clk : in std_ulogic;
-    -- The same clock for the registers; edges may be left out while no access is made.
+    -- The same clock for the registers; may be gated while no access is made.
     bus_clk : in std_ulogic;
     -- Of `clk`; constant.
     clock_frequency_hz : in unsigned(31 downto 0);
@@ -56,7 +56,7 @@ architecture rtl of temperature_converter is
   signal sense_synchronized : std_ulogic_vector(channels - 1 downto 0);
 
   signal now_cycles : cycles_t := (others => '0');
-  -- The same in all clocks before which no edge of `clk` was left out, otherwise a time that has passed.
+  -- Equal to the time in every clock that follows an edge of `clk`, otherwise an earlier value.
   signal seen_cycles : cycles_t := (others => '0');
 
   signal tick : std_ulogic := '0';

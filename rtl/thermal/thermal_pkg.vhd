@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What temperature converter and heater control have in common, and what runs between them without software.
+-- Types that temperature converter and heater control share, and the signals between them.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -49,7 +49,7 @@ package thermal_pkg is
     discharge_cycles => (others => '0'), timeout_cycles => (others => '0'),
     pause_cycles => (others => '0'), short_limit => (others => '0'));
 
-  -- How long a gate has been closed, and must have been before rising heat is not its own.
+  -- How long a gate has been closed; how long it must have been before a rise is not residual heat.
   subtype settle_t is unsigned(23 downto 0);
 
   type sensor_reading_array_t is array (natural range <>) of sensor_reading_t;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Finds a heater that heats though its gate is closed: a transistor or a wire that conducts by itself.
+-- Detects a heater that heats although its gate is closed: a transistor or wire that conducts
+-- by itself.
 
 library ieee;
 use ieee.std_logic_1164.all;
