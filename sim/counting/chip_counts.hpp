@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the Verilated chip keeps what counts: the only file that knows the names of
-// these registers.
+// The counters of the Verilated chip: the only file that knows the names of these registers.
 #pragma once
 
 #include "sim/counting/counts.hpp"
@@ -85,8 +84,8 @@ Counts read_counts(const Root& root) {
                   .level = FAN(level) != 0}};
 }
 
-// All of them, also those that only software changes. What depends on them in the model is stale
-// until it is settled.
+// All of them, also those that only software changes. Logic that depends on them is stale until the
+// model is settled.
 template <class Root>
 void write_counts(const Counts& counts, Root& root) {
   REGISTER(machine_timer, now_cycles) = counts.timer.now;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What only counts clocks, as the entities of the same name do. `quiet()` is the number of clocks
-// that can be carried over: after them, and not before, something else may happen than counting.
+// Counters of clocks, like the entities of the same name. `quiet()` is the number of clocks that
+// can be skipped: in these nothing but counting happens.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ struct Timer {
   bool operator==(const Timer&) const = default;
 };
 
-// A counter of clocks that starts over after its last value, where something happens:
-// `tick_phase` and `slot_phase` in rtl/thermal.
+// A counter that starts over after its last value and then triggers an event: `tick_phase` and
+// `slot_phase` in rtl/thermal.
 struct Phase {
   std::uint32_t phase{};
   std::uint32_t last{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// As far as all blocks only count, all of them.
+// Advances all counters as far as every block only counts.
 #include "sim/counting/counts.hpp"
 
 #include <algorithm>

@@ -139,7 +139,7 @@ void DebugAdapter::send_replies() {
   while (sent < replies_.size()) {
     const ssize_t count =
         send(debugger_, replies_.data() + sent, replies_.size() - sent, MSG_NOSIGNAL);
-    // A debugger that does not read its few answers has gone, which receive() finds out.
+    // A debugger that does not read its few answers has disconnected, which receive() detects.
     if (count < 0 && errno != EAGAIN && errno != EINTR) break;
     sent += count > 0 ? static_cast<std::size_t>(count) : 0;
   }

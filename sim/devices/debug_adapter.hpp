@@ -33,7 +33,7 @@ class DebugAdapter : public sim::Device {
   void disconnect(sim::Clock now);
   // False where nothing has come.
   bool receive(sim::Clock now);
-  // Does what was asked up to the next movement of a pin. False where nothing is left to do.
+  // Executes requests up to the next change of a pin. False if nothing is left to do.
   bool move_pins();
   bool obey(char request);
   void send_replies();

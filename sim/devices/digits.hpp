@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every reader of G-code on the host's side asks of a character.
+// Tests of characters for all readers of G-code on the host's side.
 #pragma once
 
 namespace devices {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The switch's contact, and what a broken one does.
+// The switch's contact, intact or broken.
 #include "sim/devices/end_stop.hpp"
 
 #include <algorithm>

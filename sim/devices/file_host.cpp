@@ -13,14 +13,14 @@ namespace devices {
 
 namespace {
 
-// Marlin says `start` after reset; a firmware that does not is spoken to after this time.
+// Marlin sends `start` after reset; to a firmware that does not, lines are sent after this time.
 constexpr double start_patience_seconds = 1.0;
 // A chip that works on a long command says `busy` every 2 s, so this silence means that it is dead.
 constexpr double reply_patience_seconds = 20.0;
 // A host sends the line again by itself where `Resend` is not followed by `ok` (OctoPrint: 0.5 s).
 constexpr double resend_patience_seconds = 0.5;
-// A host gives up where the chip asks so often for one line (OctoPrint: 10), or for any lines
-// without that one more is done.
+// A host gives up after this many resend requests for one line (OctoPrint: 10), or for any lines
+// without progress.
 constexpr unsigned most_resends_of_line = 10;
 constexpr unsigned most_resends_without_progress = 100;
 
@@ -62,7 +62,7 @@ void FileHost::wake(sim::Clock now) {
   watch();
 }
 
-// Asks for the next time at which the host must act although nothing comes from the chip.
+// Requests the next time at which the host must act although nothing comes from the chip.
 void FileHost::watch() {
   next_wake_ = silent_since_ + rate_.clocks(reply_patience_seconds);
   if (resend_asked_) {
@@ -117,7 +117,7 @@ void FileHost::take_reply(sim::Clock now, const std::string& reply) {
   }
 }
 
-// What Marlin's firmware asks the host itself to do.
+// Action commands with which Marlin's firmware controls the host.
 void FileHost::take_action(sim::Clock now, std::string_view action) {
   if (action.contains("action:prompt_show")) {
     answer_prompt(now);
@@ -182,7 +182,8 @@ void FileHost::acknowledge_line(sim::Clock now, std::size_t index) {
 
 void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   std::optional<std::size_t> number = first_number(reply);
-  // A chip that has not got the M110 counts from elsewhere, and no line behind it goes out before.
+  // A chip that has not received the M110 has another numbering, so no line after it is
+  // sent before.
   if (number && acknowledged_ == 0) number = 0;
   // The next one may be requested, even after the last: a copy of the one before came damaged.
   if (!number || *number > next_) {

@@ -24,7 +24,7 @@ struct HostOptions {
   std::size_t window = 1;
   // M0 and M1 are answered with M108, as by a user who presses Continue at once.
   bool answers_prompts = true;
-  // Called with what a user should know: one sentence each, with the line of the file.
+  // Called with notes for the user: one sentence each, with the line of the file.
   std::function<void(const std::string& note)> note = [](const std::string&) {};
 };
 

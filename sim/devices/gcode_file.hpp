@@ -18,7 +18,7 @@ struct FileCommand {
 
 // Comments are `; ...` to the end of the line and `( ... )`. A line's own number and checksum are
 // taken off, since the host numbers the lines itself. Characters beyond ASCII become `?`, since no
-// firmware of the field reads them. The error is a sentence for a person: the file is missing,
+// firmware of the field reads them. The error is a sentence for the user: the file is missing,
 // unreadable, binary (a NUL or another control character, or a command that is not UTF-8), holds a
 // line whose own checksum is wrong, or no command.
 std::expected<std::vector<FileCommand>, std::string> read_gcode_file(

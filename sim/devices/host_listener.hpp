@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who sends commands to the chip, and what is noticed of them, passed to the recorder.
+// Interfaces of hosts that send commands to the chip, and of listeners to them, such as
+// the recorder.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +22,7 @@ class HostListener {
   // `file_line` counts from 1; 0 stands for a command that the host adds itself.
   virtual void command_sent([[maybe_unused]] sim::Clock now, [[maybe_unused]] std::size_t file_line,
                             [[maybe_unused]] std::string_view command) {}
-  // `executed` is false where the chip said that it does not know or refuses the command.
+  // `executed` is false if the chip answered that it does not know or refuses the command.
   virtual void command_acknowledged([[maybe_unused]] sim::Clock now,
                                     [[maybe_unused]] std::size_t file_line,
                                     [[maybe_unused]] std::string_view command,

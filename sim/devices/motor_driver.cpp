@@ -68,7 +68,7 @@ void MotorDriver::fall(sim::Clock now) {
   if (now - rose_at_ < high_) take_back_step();
 }
 
-// What a violation after the rising edge spoils: that pulse is illegal, once, and its step is lost.
+// A violation after the rising edge makes that pulse illegal, once, and its step is lost.
 void MotorDriver::take_back_step() {
   if (!step_taken_) return;
   step_taken_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// flock() on a file that is removed again. Its lines: the process, and what that has noted.
+// flock() on a file that is removed again. Its lines: the process, and its note.
 #include "sim/devices/path_lock.hpp"
 
 #include <fcntl.h>

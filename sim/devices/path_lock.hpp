@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps what lies at a path to one process at a time.
+// Locks a path for one process at a time.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What counts is asked of the open folder, not of its name, which a neighbour may exchange.
+// All checks are made on the open folder, not on its name, which another user could replace.
 #include "sim/devices/private_folder.hpp"
 
 #include <fcntl.h>

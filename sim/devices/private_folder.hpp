@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder in which this user's processes keep what no other user may touch.
+// The folder for files of this user's processes that no other user may access.
 #pragma once
 
 #include <filesystem>

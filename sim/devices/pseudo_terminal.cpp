@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Making the terminal pair and its symlink, and what the chip says.
+// Creates the terminal pair and its symlink, and transmits the chip's bytes.
 #include "sim/devices/pseudo_terminal.hpp"
 
 #include <fcntl.h>
@@ -23,8 +23,8 @@ namespace {
 
 // Looking for bytes from the host costs a system call, and a byte at 250 kbaud takes 40 us.
 constexpr double poll_interval_seconds = 0.0005;
-// What the kernel does not take because the host does not read is kept up to this
-// size, then dropped.
+// Bytes that the kernel does not accept because the host does not read are kept up to this size,
+// then dropped.
 constexpr std::size_t host_buffer_bytes = 65'536;
 
 // Which symlink of this user it is: file system, inode, time of its making, target. Empty where
@@ -73,7 +73,7 @@ void PseudoTerminal::make_slave() {
   std::array<char, 128> name{};
   if (ptsname_r(master_, name.data(), name.size()) != 0) fail("cannot name the pseudo-terminal");
   slave_path_ = name.data();
-  // Only after its first use does a terminal show that it is not open.
+  // A terminal reports that it is not open only after its first use.
   const int slave = open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave < 0) fail("cannot open the pseudo-terminal");
   close(slave);

@@ -34,7 +34,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   // A host has opened the port (an adapter would raise DTR), or the last one has closed it.
   std::function<void(sim::Clock now)> on_open;
   std::function<void(sim::Clock now)> on_close;
-  // Every byte of the chip, whether a host is there or not.
+  // Every byte of the chip, whether a host is connected or not.
   std::function<void(sim::Clock now, char byte)> on_byte;
 
   const std::string& slave_path() const { return slave_path_; }
@@ -44,7 +44,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
   void hold_back(bool held) { held_back_ = held; }
   // What the host has chosen, or the chip's own.
   std::uint32_t host_baud() const { return host_baud_; }
-  // Said by the chip and not read by a host that was there.
+  // Sent by the chip while a host was connected, but not read by it.
   std::uint64_t bytes_dropped() const { return bytes_dropped_; }
 
   void wake(sim::Clock now) override;

@@ -46,7 +46,7 @@ void PseudoTerminal::wake(sim::Clock now) {
     return;
   }
   watch_->start_over(false);
-  // It may have come and gone since the last look.
+  // It may have connected and disconnected since the last poll.
   if ((events & POLLIN) != 0) host_came(now);
   if (!connected_) return;
   if (!leaving_) keep_what_is_left(now);
@@ -151,13 +151,13 @@ void PseudoTerminal::host_came(sim::Clock now) {
   if (on_open) on_open(now);
 }
 
-// Perhaps the next one is there already, with a speed of its own.
+// The next host may have connected already, with a speed of its own.
 void PseudoTerminal::host_left(sim::Clock now) {
   connected_ = leaving_ = throttled_ = unread_ = in_line_ = skips_line_ = false;
   early_.clear();
   left_.clear();
   to_host_.clear();
-  // The next host finds neither this one's settings nor what was said to it.
+  // The next host finds neither the settings of this one nor bytes meant for it.
   if ((look() & POLLHUP) != 0) set_raw(master_, chip_baud_);
   const int slave = open(slave_path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (slave >= 0) {

@@ -39,7 +39,7 @@ void SerialLine::set_baud(sim::Clock now, std::uint32_t baud) {
   receive_at_ = sim::never;
   waiting_.clear();
   if (sending_ && sent_bits_ != rest) {
-    // The line rests for a frame, in which the chip finds its way again.
+    // The line is idle for a frame, so that the chip can resynchronise.
     inputs_.receive = true;
     rest_until(after_half_bits(now, 2 * frame_bits));
   }
@@ -54,7 +54,7 @@ void SerialLine::hang_up(sim::Clock now, sim::Clock low_for) {
   schedule();
 }
 
-// Then it begins with the bytes that wait by then.
+// Then it begins with the bytes queued until then.
 void SerialLine::rest_until(sim::Clock end) {
   sent_bits_ = rest;
   send_at_ = end;

@@ -61,7 +61,7 @@ void TerminalWatch::note(unsigned event, Change& change) {
   if ((event & IN_OPEN) == 0) return;
   ++open_;
   if (closed_) {
-    // Of several changes the hosts before the last one are one.
+    // If several hosts came and went, those before the last one count as one.
     change.old_host_wrote = change.old_host_wrote || change.new_host_wrote;
     change.new_host_wrote = false;
     change.happened = true;

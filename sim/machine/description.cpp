@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes from a machine description what the simulation needs, after the judgement that the
-// firmware's generator passes on it.
+// Takes from a machine description what the simulation needs, after the checks of the
+// firmware's generator.
 #include "sim/machine/description.hpp"
 
 #include <fmt/format.h>

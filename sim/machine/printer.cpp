@@ -14,8 +14,8 @@ namespace machine {
 
 namespace {
 
-// A printer is switched on wherever the last print left it; not far from the end stops, so that
-// homing does not take longer than it teaches.
+// A printer is switched on wherever the last print left it; here not far from the end stops, so
+// that homing does not take long.
 constexpr double least_start_mm = 2.0;
 constexpr std::array<double, 3> most_start_mm{40.0, 40.0, 8.0};
 // How far an axis can go beyond its end stop and beyond its travel.

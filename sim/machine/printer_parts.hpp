@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inner parts of the printer that follow no pin: filament that takes heat along,
-// and planned faults.
+// Parts of the printer that are connected to no pin: filament that carries heat away, and
+// planned faults.
 #pragma once
 
 #include <cmath>
@@ -43,7 +43,7 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
   std::int64_t position_ = 0, position_before_ = 0;
 };
 
-// Breaks parts when their time comes.
+// Injects faults at their times.
 class Printer::FaultInjector : public sim::Device {
  public:
   FaultInjector(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed,

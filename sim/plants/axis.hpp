@@ -38,7 +38,7 @@ class Axis {
   // Microsteps lost for want of torque, and at the frame.
   std::uint64_t slipped_steps() const { return slipped_steps_; }
   std::uint64_t frame_steps() const { return frame_steps_; }
-  // Largest distance between rotor and field so far, as a part of what makes it slip.
+  // Largest lag of the rotor so far, as a part of the lag at which it slips.
   double peak_load() const { return peak_load_; }
 
  private:

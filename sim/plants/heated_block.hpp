@@ -18,7 +18,7 @@ struct HeatedBlockProperties {
 
 enum class HeaterFault : std::uint8_t { none, stuck_on, stuck_off };
 
-// What the thermistor's bead feels instead of the block, from the time of the fault on.
+// The temperature at the thermistor's bead instead of the block's, from the time of the fault on.
 enum class BeadFault : std::uint8_t {
   none,
   frozen,  // stays as warm as it was
@@ -26,8 +26,8 @@ enum class BeadFault : std::uint8_t {
   detached  // hangs in still air and cools down to the surroundings
 };
 
-// Times are in seconds since the start and never go back. A look at a temperature changes nothing,
-// so the course does not depend on how often one looks.
+// Times are in seconds since the start and never go back. Reading a temperature changes nothing, so
+// the course does not depend on how often it is read.
 class HeatedBlock {
  public:
   static constexpr double drift_kelvin_per_second = 1.0;
@@ -44,7 +44,7 @@ class HeatedBlock {
   void set_fan(double seconds, double speed);
   // Plastic that comes in cold and leaves hot.
   void set_extrusion(double seconds, double cubic_mm_per_second);
-  // What the transistor does from now on, whatever its gate says.
+  // The state of the transistor from now on, regardless of its gate.
   void set_fault(double seconds, HeaterFault fault);
   void set_bead_fault(double seconds, BeadFault fault);
 

@@ -62,7 +62,7 @@ enum class Operation : std::uint8_t {
   trap_return,
 };
 
-// What takes the place of x0 as a destination, and stands for no register where one is looked for.
+// Replaces x0 as a destination, and means "no register" in comparisons.
 inline constexpr std::uint8_t no_register = 32;
 
 struct Instruction {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that the processor keeps between two instructions but its memory, and the lines to it.
+// The state of the processor between two instructions, without its memory, and its interrupt lines.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct RunningCounter {
 };
 
 struct MachineState {
-  // x0 is 0; what is written to it goes to the last one.
+  // x0 is 0; writes to it go to the last one.
   std::array<std::uint32_t, no_register + 1> registers{};
   std::uint32_t program_counter = 0x8000'0000;
 

@@ -26,8 +26,8 @@ struct BusAccess {
 // Clock n is the time before rising edge n, and what happens in it is there after this edge.
 //
 // The model runs ahead of the rest of the chip: run() assumes that the interrupt lines stay as they
-// are. Where set_interrupts() says later that they did not, what has been executed since the last
-// mark() is taken back and done again.
+// are. If set_interrupts() later reports a change, execution since the last mark() is rolled back
+// and repeated.
 class ProcessorModel {
  public:
   static constexpr std::uint32_t memory_start = 0x8000'0000;
@@ -43,7 +43,7 @@ class ProcessorModel {
   // is so: less than `limit` where the list of stores that could be taken back is full. Stops at
   // an access of the bus and goes on when that is complete.
   Clock run(Clock limit);
-  // What the last run() returned, or less where something has been taken back since.
+  // What the last run() returned, or less after a rollback.
   Clock complete() const { return complete_; }
 
   // An access waits for, or is under way since, its clock: request from the edge of that clock on.
@@ -58,7 +58,7 @@ class ProcessorModel {
   // An interrupt could be taken if its line rose.
   bool interrupts_matter() const { return state_.interrupt_enable; }
 
-  // From now on nothing before is taken back.
+  // Nothing before this point is rolled back any more.
   void mark();
   // To this clock, forward or back; back not beyond the last mark().
   void bring_to(Clock clock);
@@ -95,8 +95,8 @@ class ProcessorModel {
   void take_back(Clock clock);
   Clock run_with_these_lines(Clock limit);
   void apply_change();
-  // As far as no interrupt is taken. `single`: one instruction. Returns false where it cannot go
-  // on now.
+  // As far as no interrupt is taken. `single`: one instruction. Returns false if it cannot
+  // continue now.
   template <bool single>
   bool execute(Clock limit);
   bool sleep(Clock limit);

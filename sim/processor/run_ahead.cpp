@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sleep and interrupts, and what is taken back where an interrupt line changes.
+// Sleep and interrupts, and the rollback when an interrupt line changes.
 #include <algorithm>
 
 #include "sim/processor/processor_model.hpp"
@@ -34,7 +34,7 @@ void ProcessorModel::bring_to(Clock clock) {
 }
 
 Clock ProcessorModel::run(Clock limit) {
-  // Up to its edge the change changes nothing, and nothing later may be done.
+  // Up to its edge the change has no effect, and nothing later may be executed.
   if (change_waits_ && limit > change_->now) apply_change();
   return run_with_these_lines(limit);
 }
@@ -54,7 +54,7 @@ void ProcessorModel::set_interrupts(Clock now, std::uint32_t lines) {
   const Clock seen = now + 1 + times::interrupt_seen;
   if (sensitive_) take_back(now);
   if (complete_ < now) run(now);
-  // Asleep, it has done nothing since the sleep began, and may be woken now.
+  // Asleep, it has executed nothing since the sleep began, and may be woken now.
   if (state_.asleep) complete_ = std::min(complete_, std::max(now, state_.begins - 1));
   if (complete_ <= now) {
     mark();

@@ -31,7 +31,7 @@ struct CheckPlan {
   std::optional<std::size_t> count;  // so many at random; all where there is none
   std::uint64_t seed = 0;
   unsigned threads = 1;
-  // Asked before each replay, on any thread: what waits is dropped.
+  // Checked before each replay, on any thread: if true, the waiting intervals are dropped.
   std::function<bool()> cancelled = [] { return false; };
 };
 
@@ -53,7 +53,7 @@ class IntervalCheck {
   // before finish().
   void take(Interval interval);
 
-  // Replays what waits. Nothing is taken afterwards.
+  // Replays the waiting intervals. No further ones are accepted.
   CheckResult finish();
 
  private:

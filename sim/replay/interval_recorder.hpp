@@ -15,7 +15,7 @@ class IntervalRecorder {
   IntervalRecorder(sim::Clock length, std::function<void(Interval&&)> take)
       : length_(length), take_(std::move(take)) {}
 
-  // A snapshot is welcome now.
+  // A snapshot can be taken now.
   bool wants_snapshot(sim::Clock now) const {
     return !open_ || now >= interval_.start->clock + length_;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seam to the model that replays, for those who know no model.
+// The interface to the model that replays, for code that does not depend on a model.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the netlist of the whole chip keeps what a program sees of the processor: the only file
-// that knows the names of these registers.
+// The architectural registers of the processor in the netlist of the whole chip: the only file that
+// knows their names.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ ProcessorSnapshot processor_registers(const Root& root) {
   return snapshot;
 }
 
-// All but the program counter. What depends on them in the model is stale until it is settled.
+// All except the program counter. Logic that depends on them is stale until the model is settled.
 template <class Root>
 void put_processor_registers(Root& root, const ProcessorSnapshot& snapshot) {
   for (std::size_t i = 0; i < half_of_registers; ++i) {

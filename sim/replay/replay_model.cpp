@@ -102,7 +102,7 @@ void ReplayModel::put(const Snapshot& snapshot, const sim::InputPins& inputs) {
     }
     clocks_->clock_processor();
   }
-  // These clocks have not been.
+  // These clocks do not count.
   put_registers(snapshot);
 }
 
@@ -180,7 +180,7 @@ std::optional<Difference> ReplayModel::replay(const Interval& interval) {
     }
     difference = pin_difference(now_, recorded, outputs_);
   }
-  // As nothing more has come, what was recorded beyond has not.
+  // No further change came, so the recorded ones beyond are missing.
   if (!difference && !outputs.empty()) {
     difference = pin_difference(outputs.front().clock, outputs.front().pins, outputs_);
   }

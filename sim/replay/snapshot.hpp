@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that lasts in the chip from one clock to the next, at a clock in which its processor sleeps.
+// The complete state of the chip at a clock in which its processor sleeps.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of the accept log.
+// Writes the rows of the accept log.
 #include "sim/report/accept_log.hpp"
 
 #include <fmt/format.h>

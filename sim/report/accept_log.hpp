@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes every line that the firmware has really taken: `<number or ->TAB<command>`.
+// Writes every line that the firmware has accepted: `<number or ->TAB<command>`.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class AcceptLog {
 
   // Into the file at once: a program may read it while the printer runs, and a kill leaves it.
   void put(const AcceptedLine& line);
-  // The disk has not taken everything.
+  // True after a write error.
   bool failed() const { return !stream_; }
   // Throws std::runtime_error where the disk did not take all rows.
   void close();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading of the answered lines, executed or refused.
+// Reads the answered lines, executed or refused.
 #include "sim/report/asked_path.hpp"
 
 namespace report {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Regular looks at the statistics of the chip.
+// Samples the statistics of the chip.
 #include "sim/report/chip_record.hpp"
 
 #include <algorithm>

@@ -6,9 +6,9 @@
 
 namespace report {
 
-// Of the whole line, whatever the firmware makes of it. Macros of other firmwares
-// (START_PRINT BED=60), coordinates without a code (X10 Y5) and G-codes that stand in no table
-// count as moves; M-codes that stand in none do not.
+// Of the whole line, whatever the firmware makes of it. Macros of other firmwares (START_PRINT
+// BED=60), coordinates without a code (X10 Y5) and unknown G-codes count as moves; unknown M-codes
+// do not.
 bool moves_or_heats(std::string_view command);
 
 }  // namespace report

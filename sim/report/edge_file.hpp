@@ -23,9 +23,9 @@ class EdgeFile : public devices::StepListener {
   void stepped(const devices::StepEdge& edge) override;
   // All rows so far are in the file.
   void flush();
-  // The disk has not taken everything.
+  // True after a write error.
   bool failed() const { return error_ != 0; }
-  // Throws std::runtime_error where the disk did not take everything.
+  // Throws std::runtime_error after a write error.
   void close();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a print did otherwise than its file asks, line by line, as plain values.
+// Differences between a print and its file, line by line, as plain values.
 #pragma once
 
 #include <array>

@@ -91,7 +91,8 @@ void FirmwareWatch::compare_some(sim::Clock now) {
     equal = is_unchanged(code_[next_compared_]);
     next_compared_ = (next_compared_ + 1) % code_.size();
   }
-  // One difference is enough to lose it; to have it again takes all of the code.
+  // One difference is enough to lose the firmware; finding it again takes a comparison of all of
+  // the code.
   const bool there = firmware_is_there_ ? equal : equal && firmware_is_in_memory();
   if (there == firmware_is_there_) return;
   firmware_is_there_ = there;
@@ -139,7 +140,7 @@ void FirmwareWatch::wake(sim::Clock now) {
   try {
     report_accepted(now);
   } catch (const std::out_of_range&) {
-    // The ring is where no memory is: a wild store, or a debugger.
+    // The ring's address is outside the memory: a stray store, or a debugger.
     ++gaps_;
     accepted_ = word(Word::lines_accepted);
   }

@@ -28,7 +28,7 @@ class FirmwareWatch : public sim::Device {
   // Throws std::runtime_error where the firmware has no such block.
   FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chip);
 
-  // Called for each accepted line, once, in order; and with what became of each. (Of several that
+  // Called for each accepted line, once, in order; and with its outcome. (Of several that
   // are done between two looks, the executed ones come first.)
   std::function<void(sim::Clock now, const AcceptedLine& line)> on_accepted;
   std::function<void(sim::Clock now, bool executed)> on_finished;
@@ -37,7 +37,7 @@ class FirmwareWatch : public sim::Device {
   // Another program has come into the memory, or the firmware again.
   std::function<void(sim::Clock now, bool firmware)> on_program;
 
-  // Asked of the host, since the last reset.
+  // Resend requests, since the last reset.
   std::uint64_t resends() const { return resends_; }
   // Carried out by the firmware, since the last reset.
   std::uint64_t commands_executed() const { return word(Word::commands_executed); }

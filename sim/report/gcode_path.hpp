@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a G-code file asks of the motion, read apart from the firmware so that it can judge it.
+// The motion that a G-code file requests, by an interpreter independent of the firmware, which
+// it judges.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a G-code line with their numbers in integers, read apart from the firmware.
+// The words of a G-code line with their numbers as integers, by a reader independent of
+// the firmware.
 #pragma once
 
 #include <cstdint>

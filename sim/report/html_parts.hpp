@@ -7,7 +7,7 @@
 
 namespace report {
 
-// What a person sees in ten seconds: good or not, why, and the first numbers.
+// The summary at the top: good or not, why, and the main figures.
 void add_verdict(Page& page, const Results& results);
 void add_facts(Page& page, const Results& results);
 // Refused lines, missed points and underruns, with links to their time and place.

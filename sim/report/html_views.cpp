@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scripts of the page fill, and the picture for readers without scripts.
+// Containers that the page's scripts fill, and the picture for readers without scripts.
 #include "sim/report/axis_courses.hpp"
 #include "sim/report/html_parts.hpp"
 #include "sim/report/path_picture.hpp"

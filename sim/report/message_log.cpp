@@ -8,7 +8,7 @@ namespace report {
 
 namespace {
 
-// A print that goes wrong line by line shall not fill the memory.
+// Bounds the memory of a print that fails in every line.
 constexpr std::size_t most_messages = 1000;
 
 bool starts_with_any(std::string_view line, std::initializer_list<std::string_view> beginnings) {
@@ -32,7 +32,7 @@ void MessageLog::reply(sim::Clock now, std::string_view line) {
     ++dropped_;
     return;
   }
-  // The chip's bytes are not under our control, and a report is text.
+  // The chip may send any bytes, and a report is text.
   std::string text(line);
   std::ranges::replace_if(
       text,

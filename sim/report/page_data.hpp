@@ -15,8 +15,8 @@ std::string page_data(const Results& results, const Courses& courses);
 // What is wrong at a missed point, in words: a line for each axis.
 std::string words_of(const MissedPoint& point);
 
-// When the chip refused this line of the file, and where the nozzle should have gone; nothing of it
-// where the line is not known.
+// When the chip refused this line of the file, and where the nozzle should have gone; empty if the
+// line is not known.
 struct RefusalPlace {
   bool known{};
   double seconds{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the XY steps leave the lines that the G-code requests, and whether Z and E go along.
+// How far the XY steps deviate from the lines that the G-code requests, and whether Z and E follow.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class PathCheck {
   void ask_homing() { items_.push_back({.homing = true}); }
   // The axes stand here now, mechanical.
   void at(const std::array<std::int64_t, 4>& position);
-  // Everything requested has been made, or will not be made.
+  // All requested motion is complete, or will not be made.
   void finish();
   void forget() { items_.clear(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds the lines of the file against the steps of all axes.
+// Compares the lines of the file with the steps of all axes.
 #pragma once
 
 #include <array>

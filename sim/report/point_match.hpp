@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the points requested the machine was at, in their order, whatever it did in between.
+// Which of the requested points the machine reached, in their order, regardless of the steps
+// in between.
 #pragma once
 
 #include <array>
@@ -44,14 +45,14 @@ class PointMatch {
 
   // The file requests this place, from now on.
   void ask(const Steps& target, AskedLine line);
-  // The machine is here now.
+  // The machine's present position.
   void at(const MachineState& state);
   // Everything requested must have been made: what was not reached is missed. Where the machine is
   // said to rest since then, the last point is missed too unless it stands there.
   void settle(bool rests);
   // Nothing more comes, but lines may have been under way: they are neither reached nor missed.
   void abandon();
-  // The machine has been moved here by other means than lines.
+  // The machine has been moved here by something other than lines.
   void restart(const MachineState& here, const Steps& meant);
 
   // Every line requested is decided on, and the last one known to be made.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A quantity over the whole print in bounded memory: no peak of it is ever lost.
+// A quantity over the whole print in bounded memory, with all its peaks.
 #pragma once
 
 #include <cstddef>

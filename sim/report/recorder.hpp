@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that listens to a print, and the results at its end.
+// All recorders of a print, and the results at its end.
 #pragma once
 
 #include <filesystem>
@@ -36,11 +36,11 @@ class Recorder : public devices::HostListener {
   // print's end are the caller's, and then the verdict.
   Results results(const sim::ElfImage& firmware) const;
   Courses courses() const;
-  // All edges so far are in their file: a job that is killed leaves them.
+  // Writes all edges so far to their file, so that a killed job leaves them.
   void flush_edges();
-  // Throws std::runtime_error where the disk did not take all edges.
+  // Throws std::runtime_error after a write error.
   void close_edges();
-  // The disk has not taken all edges; close_edges() says why.
+  // True after a write error, which close_edges() reports.
   bool edges_failed() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remarks of the chip, put to the lines that they are about.
+// Assigns messages of the chip to the lines that they refer to.
 #include "sim/report/refusal_log.hpp"
 
 #include <utility>

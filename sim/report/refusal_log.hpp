@@ -28,7 +28,7 @@ class RefusalLog : public devices::HostListener {
   Findings findings_;
 };
 
-// The chip's words without what only repeats the line.
+// The chip's message without its quotation of the line.
 std::string reason_of(std::string_view remark);
 
 }  // namespace report

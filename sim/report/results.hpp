@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that a print's report says, as plain values.
+// The contents of a print's report, as plain values.
 #pragma once
 
 #include <array>
@@ -80,11 +80,11 @@ struct Results {
   std::uint64_t messages_dropped{};
   Findings findings;
 
-  // Everything that the file requests was made, and nothing else.
+  // Exactly the motion that the file requests was made.
   bool good() const { return findings.problems.empty(); }
 };
 
-// What the machine's description permits an axis.
+// The limits of an axis by the machine description.
 struct AxisLimits {
   double steps_per_mm{};
   double speed_mm_s{};
@@ -92,7 +92,7 @@ struct AxisLimits {
   double jerk_mm_s{};  // a jump of speed at a corner
 };
 
-// What only the pictures need.
+// Data for the pictures only.
 struct Courses {
   std::vector<ToolPoint> path;
   std::vector<AskedMove> asked;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host program that is known only by what the firmware accepts from it and answers to it.
+// A host program that is observed only through the lines that the firmware accepts and answers.
 #pragma once
 
 #include <deque>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of what makes a print bad.
+// The criteria by which a print is bad.
 #include "sim/report/verdict.hpp"
 
 #include <fmt/format.h>
@@ -72,7 +72,7 @@ void judge(Results& results) {
         fmt::format("lines that the firmware took are not known ({} gap{} in its counts)", count,
                     plural(count)));
   }
-  // Where a print was stopped on its way, what it was on its way to cannot be known.
+  // Where a print was stopped in mid-move, its target is not known.
   const bool stopped = results.outcome == Outcome::stopped;
   if (const std::uint64_t count = results.points_missed; count > 0 && !stopped) {
     problems.push_back(fmt::format("{} of {} points missed ({})", count,
@@ -111,8 +111,9 @@ void judge(Results& results) {
         fmt::format("{} line{} of the file lost: never carried out", count, plural(count)));
   }
   if (const std::uint64_t count = results.underruns; count > 0) {
-    problems.push_back(fmt::format("{} underrun{}: the motion stopped dead for want of lines",
-                                   count, plural(count)));
+    problems.push_back(
+        fmt::format("{} underrun{}: the motion stopped abruptly because no line was queued", count,
+                    plural(count)));
   }
   const std::string illegal =
       by_axis(results, [](const AxisResult& axis) { return axis.illegal_pulses; });

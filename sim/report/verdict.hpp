@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a print is good, and in which sentences it is not.
+// Whether a print is good, and sentences that explain why not.
 #pragma once
 
 #include "sim/report/results.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The new file has a name of its own, which nothing else has: O_EXCL.
+// The new file gets a unique name: O_EXCL.
 #include "sim/report/write_file.hpp"
 
 #include <fcntl.h>

@@ -7,8 +7,7 @@
 
 namespace report {
 
-// Whether it is a symlink that another user has made, but not root: what is behind it was
-// not meant.
+// Whether it is a symlink of another user, except root, whose target must not be overwritten.
 bool is_foreign_link(const std::filesystem::path& file);
 // Throws std::runtime_error where it is.
 void refuse_foreign_link(const std::filesystem::path& file);

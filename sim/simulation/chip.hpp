@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip as the co-simulation needs it: pins, clocks, memory and counters, whatever model is
-// after it.
+// The chip as the co-simulation needs it: pins, clocks, memory and counters, independent of
+// the model.
 #pragma once
 
 #include <cstdint>

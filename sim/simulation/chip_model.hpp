@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model behind VerilatedChip, and who makes it.
+// A model used by VerilatedChip, and the functions that create it.
 #pragma once
 
 #include <cstdint>

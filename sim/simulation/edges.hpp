@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clock edges of the chip are evaluated, and what stands for the processor.
+// Which clock edges of the chip are evaluated, and how the processor is simulated.
 #pragma once
 
 #include <cstdint>

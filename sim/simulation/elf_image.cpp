@@ -173,7 +173,7 @@ std::uint64_t memory_end(const Chip& chip) {
   return std::uint64_t{memory_start} + size;
 }
 
-// What is too large needs another remedy than what lies elsewhere.
+// A program that is too large needs another message than one at a wrong address.
 void check_place(const ElfSegment& segment, const Chip& chip) {
   const std::uint64_t end = std::uint64_t{segment.address} + segment.bytes.size();
   const std::uint64_t limit = memory_end(chip);

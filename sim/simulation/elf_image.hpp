@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bare-metal program for the chip: what it loads where, its sizes and its symbols.
+// A bare-metal program for the chip: its segments, sizes and symbols.
 #pragma once
 
 #include <cstdint>

@@ -28,9 +28,9 @@ namespace {
 constexpr unsigned timer_interrupt_bit = 7, first_interrupt_bit = 16;
 // From reset at the pin to the processor's first clock without it.
 constexpr Clock clocks_of_reset = 2;
-// With interrupts enabled so much may have to be done again.
+// With interrupts enabled this much may have to be repeated.
 constexpr Clock longest_lead = 400;
-// What a sleep, or a line that changes, does in the netlist of the processor is over by then.
+// The effects of a sleep or a changed line in the netlist have ended after this time.
 constexpr Clock settling_clocks = 8;
 
 // The processor runs ahead to its next access of the bus, or to where the simulation looks at it;
@@ -133,7 +133,7 @@ Clock JoinedModel::next_stop(Clock limit) const {
   return std::min(limit, processor_->complete());
 }
 
-// What the processor gives to the bus with this edge. Says whether that is something new.
+// Applies the processor's outputs to the bus at this edge. Returns whether they changed.
 bool JoinedModel::serve_bus(Clock edge) {
   Model& model = *model_;
   if (bus_is_busy_) {
@@ -211,7 +211,7 @@ ProcessorStatistics JoinedModel::processor_statistics() const {
           .instructions = processor_->instructions()};
 }
 
-// For some clocks, and for longer.
+// After some clocks, and permanently.
 bool JoinedModel::sleeps() const {
   const processor::MachineState& state = processor_->state();
   return state.asleep && state.begins + settling_clocks <= now_ && state.lines == lines_ &&

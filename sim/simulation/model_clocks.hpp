@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clocks of the Verilated chip: evaluates the edges that change something, and no more.
+// The clocks of the Verilated chip: evaluates only edges that change something.
 #pragma once
 
 #include <array>
@@ -91,7 +91,7 @@ class ModelClocks {
   using Functions = ModelFunctions<Model>;
   using Root = std::remove_pointer_t<decltype(std::declval<Model&>().rootp)>;
 
-  // Fewer clocks are sooner done one by one.
+  // Fewer clocks are faster one by one.
   static constexpr Clock least_leap = 12;
 
   // Bits of a set of clocks.

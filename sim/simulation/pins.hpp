@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip's pins as the world around it sees them: one word of outputs, one struct of inputs.
+// The chip's pins as seen from outside: one word of outputs, one struct of inputs.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets the chip and the devices around it live in one time, counted in clocks.
+// Runs the chip and the devices around it on one time scale, in clocks.
 #pragma once
 
 #include <vector>

@@ -93,16 +93,18 @@ function follow(link) {
 // What an address asks for: report.html?in-space&by-speed&t=83.5&from=80&to=90&only=speeds. Names of
 // buttons press them; `only` shows one section.
 function followAddress() {
-  const wishes = new URLSearchParams(location.search);
-  const only = at(wishes.get('only'))?.closest('section');
+  const parameters = new URLSearchParams(location.search);
+  const only = at(parameters.get('only'))?.closest('section');
   if (only) {
     document.querySelectorAll('main > *').forEach((part) => part.hidden = part !== only);
   }
-  for (const name of wishes.keys()) {
+  for (const name of parameters.keys()) {
     if (at(name)?.hasAttribute('aria-pressed')) at(name).click();
   }
-  if (wishes.has('t')) setTime(Number(wishes.get('t')));
-  if (wishes.has('from')) showSpan(Number(wishes.get('from')), Number(wishes.get('to')));
+  if (parameters.has('t')) setTime(Number(parameters.get('t')));
+  if (parameters.has('from')) {
+    showSpan(Number(parameters.get('from')), Number(parameters.get('to')));
+  }
 }
 
 function drawAll() {
