@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole chip is given programs over its simulated serial line, and comes through
-// what goes wrong.
+// The whole chip is loaded over its simulated serial line, with all kinds of errors.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -57,8 +56,8 @@ class Bench : public loading::ByteStream, public devices::ByteListener {
     send({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     while (loaded_.printer.serial_line().waiting_bytes() != 0) run(0.0005);
   }
-  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) override {
-    for (double waited = 0; to_read_.empty() && waited < 1e-3 * double(patience.count());
+  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override {
+    for (double waited = 0; to_read_.empty() && waited < 1e-3 * double(timeout.count());
          waited += 0.001) {
       run(0.001);
     }
@@ -157,7 +156,7 @@ TEST(boot_loader_chip, after_an_aborted_load_nothing_starts_until_a_whole_progra
   EXPECT_EQ(bench.milliseconds_to("start\n", 300), 300u);
   EXPECT_FALSE(bench.program_ran());
   bench.vanishes_after = ~std::size_t{0};
-  // The firmware itself, as a user brings it back.
+  // The firmware itself, as a user restores it.
   loading::load(bench, loading::read_program(tests::firmware_file));
   EXPECT_LT(bench.milliseconds_to("start\n", 1500), 1500u);
   bench.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's end against the loader's, with everything between them that goes wrong.
+// The host's end against the loader's, with errors on the line between them.
 #include "tools/loading/loading.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Program random_program(std::size_t bytes) {
   return program;
 }
 
-// A chip that listens once it has heard M997, or has been reset while somebody knocks.
+// A chip that listens once it has heard M997, or has been reset while the host knocks.
 class Chip : public loading::ByteStream {
  public:
   // What arrives of a byte; nothing where it is lost.
@@ -45,10 +45,10 @@ class Chip : public loading::ByteStream {
     }
   }
 
-  std::size_t read(std::span<std::uint8_t> bytes, milliseconds patience) override {
+  std::size_t read(std::span<std::uint8_t> bytes, milliseconds timeout) override {
     if (to_read_.empty()) stay_silent();
-    if (to_read_.empty() || to_read_.front().second > now_ + patience) {
-      now_ += patience;
+    if (to_read_.empty() || to_read_.front().second > now_ + timeout) {
+      now_ += timeout;
       return 0;
     }
     now_ = std::max(now_, to_read_.front().second);
@@ -105,7 +105,7 @@ class Chip : public loading::ByteStream {
   milliseconds now_{0}, ready_{0};
 };
 
-// Spoils or loses one byte in so many.
+// Corrupts or loses one byte in this many.
 Chip::Wire bad_wire(unsigned one_in, unsigned seed) {
   return [one_in, random = std::mt19937(seed)](std::uint8_t byte) mutable {
     if (random() % one_in != 0) return std::optional(byte);

@@ -21,8 +21,8 @@ namespace {
 
 constexpr sim::ClockRate rate(4'000'000);
 constexpr std::uint32_t identity = 0x15f0'1001;
-// Of the wall.
-constexpr std::chrono::seconds patience{60};
+// In real time.
+constexpr std::chrono::seconds timeout{60};
 
 // Nothing of the chip but its access port.
 class TapChip : public sim::Chip {
@@ -50,7 +50,7 @@ class TapChip : public sim::Chip {
 
   unsigned writes = 0;
   std::uint32_t last_address = 0, last_written = 0;
-  // What every register of the debug module holds.
+  // The contents of every register of the debug module.
   std::uint32_t register_value = 0;
 
  private:
@@ -127,11 +127,10 @@ class DebugAdapterTest : public testing::Test {
  protected:
   DebugAdapterTest() { simulation.attach(adapter, sim::OutputPins::jtag_pin()); }
 
-  // Runs until that is so: how soon bytes get through the machine's network is not for a
-  // test to say.
+  // Runs until the condition holds: the time that bytes take through the network is not tested.
   template <typename Predicate>
   void run_until(Predicate holds) {
-    const auto end = std::chrono::steady_clock::now() + patience;
+    const auto end = std::chrono::steady_clock::now() + timeout;
     do {
       simulation.run_until(simulation.now() + 100'000);
     } while (!holds() && std::chrono::steady_clock::now() < end);
@@ -229,7 +228,7 @@ TEST_F(DebugAdapterTest, serves_one_debugger_after_the_other) {
     EXPECT_EQ(hear(second, reset_tap.size()).size(), reset_tap.size());
     EXPECT_EQ(came, 2U);
   }
-  // The second goes without a word.
+  // The second disconnects without sending anything.
   run_until([&left] { return left == 2; });
   Debugger third(adapter.port());
   ask(third, walk(reset_tap));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a person does with OpenOCD, and what must come of it. Set before: program, and the addresses loop,
+# What a person does with OpenOCD, and the expected results. Set before: program, and the addresses loop,
 # counted, counter and stop of its symbols.
 
 proc fail {what} {

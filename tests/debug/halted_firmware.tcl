@@ -16,7 +16,7 @@ proc fail {what} {
 
 proc word {address} { return [lindex [read_memory $address 32 1] 0] }
 
-# Until the expression is true; the simulation is slower than the clock on the wall.
+# Until the expression is true; the simulation is slower than real time.
 proc wait_until {what condition} {
   for {set tries 0} {$tries < 1200} {incr tries} {
     if {[uplevel 1 [list expr $condition]]} { return }

@@ -20,7 +20,7 @@ using Damage = std::function<std::string(const std::string&)>;
 constexpr std::size_t job_lines = 14;
 // Two digits, so that a damaged number may be greater or smaller by much.
 constexpr std::string_view damaged_line = "N11";
-constexpr Milliseconds patience = 60'000;
+constexpr Milliseconds timeout = 60'000;
 
 std::vector<std::string> job() {
   std::vector<std::string> lines;
@@ -42,7 +42,7 @@ class Conversation {
   Outcome run(std::size_t position, char byte) {
     position_ = position;
     byte_ = byte;
-    for (Milliseconds quiet = 0; quiet < patience && !over();) {
+    for (Milliseconds quiet = 0; quiet < timeout && !over();) {
       quiet = exchange() ? 0 : quiet + step;
       now_ += step;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a written dialogue between host, link and firmware, and says where it goes differently.
+// Plays a written dialogue between host, link and firmware, and reports where it differs.
 #pragma once
 
 #include <deque>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What no receiver can know for corrupted: lines with a right checksum that the host never sent.
+// Finds lines that no receiver can recognise as corrupted: with a correct checksum, but never sent
+// by the host.
 #pragma once
 
 #include <set>

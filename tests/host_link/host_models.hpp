@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts as far as they differ on the line: when each sends the next line, and what it
-// makes of replies.
+// Models of hosts: when each sends the next line, and how it reacts to replies.
 #pragma once
 
 #include <memory>
@@ -25,7 +24,7 @@ class HostModel {
   virtual bool done() const = 0;
   // The number of the job's first line.
   virtual int first_number() const = 0;
-  // It has heard something for which the real host gives up its print.
+  // It has received something at which the real host ends its print.
   bool ended() const { return ended_; }
 
  protected:

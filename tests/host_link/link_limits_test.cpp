@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a flood, a silent reader and random bytes do to the link: nothing that outlasts them.
+// Floods, a silent reader and random bytes have no lasting effect on the link.
 #include <gtest/gtest.h>
 
 #include <random>

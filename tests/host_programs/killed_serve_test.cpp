@@ -22,7 +22,7 @@ class KilledServe : public host_programs::Serve {
  protected:
   KilledServe() {
     fs::create_directories(file_path("report"));
-    // Of yesterday.
+    // From an earlier job.
     for (const char* name : {"report/report.json", "report/report.html"}) {
       std::ofstream(file_path(name)) << "\"result\": \"completed\"";
     }
@@ -32,7 +32,7 @@ class KilledServe : public host_programs::Serve {
   void print_until_edges_have(int host, std::uintmax_t bytes) {
     write_text(host, "G28 X\n");
     ASSERT_THAT(read_until(host, "ok"), HasSubstr("ok"));
-    const auto end = std::chrono::steady_clock::now() + host_programs::patience;
+    const auto end = std::chrono::steady_clock::now() + host_programs::timeout;
     write_text(host, "G1 X20 F6000\n");
     for (int line = 0; fs::file_size(file_path("edges")) < bytes; ++line) {
       ASSERT_LT(std::chrono::steady_clock::now(), end) << "too few edges";
@@ -75,7 +75,7 @@ TEST_F(KilledServe, leaves_whole_rows_no_stale_report_and_a_port_for_the_next_on
   print_until_edges_have(host, bytes);
   kill_at_once();
 
-  // The host learns that it is over.
+  // The host sees that the port is closed.
   char byte = 0;
   ssize_t count = 1;
   while (count > 0) count = read(host, &byte, 1);
@@ -89,7 +89,7 @@ TEST_F(KilledServe, leaves_whole_rows_no_stale_report_and_a_port_for_the_next_on
     EXPECT_THAT(file(name), Not(HasSubstr("completed"))) << name;
   }
 
-  // The next one takes the port over, and leaves nothing of both.
+  // The next one takes over the port, and removes the files of both.
   ASSERT_TRUE(fs::is_symlink(fs::symlink_status(port)));
   start(options);
   EXPECT_EQ(locks().size(), 1u);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A bad cable: a port between a host program and the printer's port that harms bytes, from a seed.
+"""A bad cable: a port between a host program and the printer that corrupts bytes, from a seed.
 
 Faults hit single bytes in both directions: a flipped bit, another byte, a lost, doubled or inserted
 one. Stalls stop everything for half a second. A disconnect is a plug that is out for a second: both ports stay
@@ -39,7 +39,7 @@ class Noise:
         self.random = random.Random(seed)
         self.faults = 0
 
-    def spoil(self, data):
+    def corrupt(self, data):
         result = bytearray()
         for byte in data:
             if self.random.random() >= self.share:
@@ -95,7 +95,7 @@ class Cable:
             direction, target = ("down", self.printer) if source == self.host else ("up", self.host)
             before = self.passed
             self.passed += len(data)
-            os.write(target, self.noise[direction].spoil(data))
+            os.write(target, self.noise[direction].corrupt(data))
             # Once in so many bytes, at a place that the seed decides.
             if self.due(self.arguments.stall_every, before):
                 self.stalls += 1

@@ -18,7 +18,7 @@ write_job "$moves"
 lines_of_job | awk '{ print NR - 1 "\t" $0 }' > wanted
 begin_to_serve very_noisy --faults 0.01 --ascii-up --seed "$seed"
 # printcore calls a resend an error, so its status does not count here; the lines taken do.
-python3 -W ignore "$here/print_with_printcore.py" "$job" "$port" --patience 300 --summary very_noisy.json \
+python3 -W ignore "$here/print_with_printcore.py" "$job" "$port" --timeout 300 --summary very_noisy.json \
   > client.log 2>&1 || true
 end_serving very_noisy
 grep -q '"ended": true' very_noisy.json || fail "printcore did not get to the end, see $folder/very_noisy.json"

@@ -96,7 +96,7 @@ def main():
     parser.add_argument("port")
     parser.add_argument("--plugin", required=True, help="Cura's folder plugins/USBPrinting")
     parser.add_argument("--baud", type=int, default=250000)
-    parser.add_argument("--patience", type=float, default=900, help="for the print, in seconds")
+    parser.add_argument("--timeout", type=float, default=900, help="for the print, in seconds")
     parser.add_argument("--summary", required=True)
     arguments = parser.parse_args()
 
@@ -108,7 +108,7 @@ def main():
     if online:
         with open(arguments.file, encoding="ascii") as file:
             device._printGCode(file.read())
-        ended = wait_for(lambda: not device._is_printing, arguments.patience)
+        ended = wait_for(lambda: not device._is_printing, arguments.timeout)
         device.sendCommand("M400")
         # Without a number: a bad line may damage it or what it says.
         end = time.monotonic() + 300

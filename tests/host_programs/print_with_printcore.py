@@ -19,7 +19,7 @@ def main():
     parser.add_argument("file")
     parser.add_argument("port")
     parser.add_argument("--baud", type=int, default=250000)
-    parser.add_argument("--patience", type=float, default=60, help="longest silence, in seconds")
+    parser.add_argument("--timeout", type=float, default=60, help="longest silence, in seconds")
     parser.add_argument("--summary", required=True)
     arguments = parser.parse_args()
 
@@ -45,18 +45,18 @@ def main():
     core.onlinecb = online.set
     core.endcb = ended.set
     core.connect(arguments.port, arguments.baud)
-    seen["online"] = online.wait(arguments.patience)
+    seen["online"] = online.wait(arguments.timeout)
     if seen["online"]:
         with open(arguments.file, encoding="ascii") as file:
             job = gcoder.LightGCode([line.rstrip("\n") for line in file])
         core.startprint(job)
-        while not ended.wait(0.2) and time.monotonic() - heard_at[0] < arguments.patience:
+        while not ended.wait(0.2) and time.monotonic() - heard_at[0] < arguments.timeout:
             pass
         seen["ended"] = ended.is_set()
         # The last line has been sent, not yet answered, and moves may be under way.
         core.send_now("M400")
         replies = seen["replies"]
-        while seen["replies"] == replies and time.monotonic() - heard_at[0] < arguments.patience:
+        while seen["replies"] == replies and time.monotonic() - heard_at[0] < arguments.timeout:
             time.sleep(0.2)
         time.sleep(1)
     core.disconnect()

@@ -64,7 +64,7 @@ def main():
     parser.add_argument("file")
     parser.add_argument("port")
     parser.add_argument("--baud", type=int, default=250000)
-    parser.add_argument("--patience", type=float, default=3600, help="for the print, in seconds")
+    parser.add_argument("--timeout", type=float, default=3600, help="for the print, in seconds")
     parser.add_argument("--summary", required=True)
     arguments = parser.parse_args()
 
@@ -77,7 +77,7 @@ def main():
             pronsole.type(f"load {arguments.file}")
             pronsole.wait_for("Loaded ", 60)
             pronsole.type("print")
-            ended = pronsole.wait_for("Print ended at", arguments.patience)
+            ended = pronsole.wait_for("Print ended at", arguments.timeout)
             # M114 is answered when the moves before it are planned; M400 when they are made.
             pronsole.type("M400")
             pronsole.type("M114")

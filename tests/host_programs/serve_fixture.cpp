@@ -50,7 +50,7 @@ void Serve::start(const std::vector<std::string>& options, const char* speed) {
   const std::string output = file_path("output");
   fs::remove(output);
   job_.emplace(process::Start{.arguments = words, .output = output});
-  const auto end = std::chrono::steady_clock::now() + patience;
+  const auto end = std::chrono::steady_clock::now() + timeout;
   while (file("output").find("serving ") == std::string::npos && !job_->ending() &&
          std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(50ms);

@@ -14,8 +14,8 @@
 
 namespace host_programs {
 
-// Of the wall, on a machine that does other things as well.
-inline constexpr std::chrono::seconds patience{120};
+// In real time, on a machine under load.
+inline constexpr std::chrono::seconds timeout{120};
 
 class Serve : public testing::Test {
  protected:
@@ -37,7 +37,7 @@ class Serve : public testing::Test {
   int open_port() const;
   // All that is read until `wanted` comes, or nothing within the time.
   static std::string read_until(int descriptor, const std::string& wanted,
-                                std::chrono::seconds time = patience);
+                                std::chrono::seconds time = timeout);
   // As hosts do: what is said while the chip starts is lost, so they ask again.
   static bool connect(int descriptor);
   static void write_text(int descriptor, const std::string& text);

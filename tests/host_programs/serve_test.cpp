@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `stepfabric serve` as a host program meets it: a port that may be opened, left and opened again,
-// and a job that ends well on Ctrl-C.
+// `stepfabric serve` as seen by host programs: a port that may be opened, closed and opened again,
+// and a job that ends cleanly on Ctrl-C.
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -29,7 +29,7 @@ TEST_F(Serve, hosts_come_and_go_and_ctrl_c_ends_it_with_the_report) {
   write_text(host, "M115\nN1 G1 X5");
   close(host);
   std::this_thread::sleep_for(500ms);
-  // One at another speed is not understood, and does no harm.
+  // A host at another baud rate is not understood, and has no effect.
   host = open_port();
   devices::set_raw(host, 115'200);
   write_text(host, "M105\nM105\n");
@@ -195,7 +195,7 @@ TEST_F(Serve, outlives_another_program_and_serves_the_firmware_again) {
   close(host);
   EXPECT_EQ(stop(), 0);
   EXPECT_NE(file("report/report.json").find("\"result\": \"stopped\""), std::string::npos);
-  // What lies in the memory was never taken for a line.
+  // The memory's contents were never taken for a line.
   EXPECT_EQ(file("accepted").find("o\\x00\\x00\\x00"), std::string::npos) << file("accepted");
 }
 

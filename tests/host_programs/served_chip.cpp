@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Putting the chip together, and the ways of talking to it.
+// Sets up the chip, and sends and receives on its serial line.
 #include "tests/host_programs/served_chip.hpp"
 
 #include <gtest/gtest.h>

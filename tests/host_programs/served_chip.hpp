@@ -25,7 +25,7 @@ struct Edge {
   bool operator==(const Edge&) const = default;
 };
 
-// Listens to everything that a host and a person at the printer could notice.
+// Records everything that a host and a person at the printer can observe.
 class ServedChip : public devices::ByteListener, public devices::StepListener {
  public:
   // The heaters start at these temperatures.
@@ -40,7 +40,7 @@ class ServedChip : public devices::ByteListener, public devices::StepListener {
   std::string reply(double seconds = 20);
   // Sends a numbered line and waits for its ok; what was said before the ok.
   std::vector<std::string> ask(int number, const std::string& text);
-  // A host that comes after whatever has happened: it greets as OctoPrint does, homes X and moves.
+  // A fresh host: it connects as OctoPrint does, homes X and moves.
   void expect_that_a_fresh_host_prints();
 
   // Host model and noise on both ways; returns whether the host had everything acknowledged.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hosts of every kind, and what they do wrong, against the whole chip: every line is taken once and
-// in order, and after whatever has happened a fresh host prints.
+// All kinds of hosts and their errors against the whole chip: every line is accepted once and in
+// order, and afterwards a fresh host can print.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -50,8 +50,8 @@ Taken print_over_a_line(const MakeHost& make, const std::vector<std::string>& li
                         std::uint64_t seed, Eavesdropper& eavesdropper) {
   ServedChip chip;
   const auto host = make(lines);
-  const double patience = 30 + 0.5 * static_cast<double>(lines.size());
-  EXPECT_TRUE(chip.converse(*host, faults, seed, patience, eavesdropper)) << "the host hangs";
+  const double timeout = 30 + 0.5 * static_cast<double>(lines.size());
+  EXPECT_TRUE(chip.converse(*host, faults, seed, timeout, eavesdropper)) << "the host hangs";
   EXPECT_LE(chip.longest_wait(), faults == 0 ? 2.0 : 5.0);
   Taken taken{{}, std::move(chip.edges), chip.watch->resends()};
   const int first = host->first_number();

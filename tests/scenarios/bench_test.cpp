@@ -57,7 +57,7 @@ TEST(bench, stepping_measures_hardware_and_software) {
   for (const auto& train : figures["hardware"]["train_10_khz"]) EXPECT_EQ(train["hertz"], 10'000);
   for (const auto& train : figures["software"]["train_10_khz"]) {
     EXPECT_NEAR(train["hertz"], 10'000, 0.5);
-    // Interrupts kept out, and what is on the bus: not more than that.
+    // Masked interrupts and a bus access, but not more.
     EXPECT_LE(train["max_clocks"].get<int>() - train["min_clocks"].get<int>(), 200);
   }
   const auto& rates = figures["highest_clean_rate"];

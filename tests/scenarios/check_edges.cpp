@@ -3,7 +3,7 @@
 //
 // Replays the edges and walks the G-code along with them: every point of the file is reached to
 // the step, in order, and between two points the path stays within a step of the straight line.
-// Homing (G28) may move as it likes as long as it ends with its axes at 0. Also looks at the
+// Homing (G28) may move freely, but must end with its axes at 0. Also looks at the
 // rising edges' spacing.
 #include <fmt/format.h>
 

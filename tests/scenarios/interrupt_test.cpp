@@ -16,9 +16,9 @@
 namespace {
 
 using namespace std::chrono_literals;
-// Of the wall, for what takes a second on a machine with nothing else to do. The benchmarks in full
-// take many minutes.
-constexpr auto patience = 300s;
+// In real time, for jobs that take a second on an idle machine. The benchmarks in full take
+// many minutes.
+constexpr auto timeout = 300s;
 
 class StartedJob {
  public:
@@ -47,7 +47,7 @@ class StartedJob {
  private:
   template <class Condition>
   static bool comes_true(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + patience;
+    const auto end = std::chrono::steady_clock::now() + timeout;
     while (std::chrono::steady_clock::now() < end) {
       if (condition()) return true;
       std::this_thread::sleep_for(20ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds by an instruction and its neighbours why it took longer than a clock.
+// Attributes the extra clocks of an instruction to a cause, by the instruction and its neighbours.
 #include "tools/benchmark/clock_use.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ bool manipulates_bits(std::uint32_t word) {
   const bool rotates = code == 0x30 && (funct3_of(word) == 5 || opcode_of(word) == operation);
   return processor::bit_manipulation(word, 0, 0).has_value() && !rotates && code != 0x20;
 }
-// Who reads its result next waits a clock.
+// An instruction that reads its result next stalls for a clock.
 bool is_late(std::uint32_t word) {
   const bool reads_csr = opcode_of(word) == system && funct3_of(word) != 0;
   return opcode_of(word) == load || multiplies(word) || manipulates_bits(word) || reads_csr;
@@ -91,8 +91,8 @@ bool ClockUse::reads(std::uint32_t word, const std::optional<Executed>& writer) 
          (writer->destination == first_source(word) || writer->destination == second_source(word));
 }
 
-// What is more than one clock, to the first cause that there is; a division comes last, and has its
-// own (rtl/processor/timing.md).
+// The clocks beyond the first, attributed to the first cause that applies; a division comes last,
+// with its own clocks (rtl/processor/timing.md).
 void ClockUse::divide_clocks(std::uint32_t word, std::uint32_t address, std::uint64_t clock) {
   if (!last_) {
     clocks_ = 1;

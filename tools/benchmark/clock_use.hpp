@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the processor's clocks go, found from nothing but its completed instructions.
+// Where the processor's clocks go, derived from its retired instructions alone.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr std::size_t waiting_kinds = 5;
 inline constexpr std::array<const char*, waiting_kinds> waiting_names{"late_result", "branch",
                                                                       "jump", "division", "other"};
 
-// How often something is there that a change of the pipeline would cost or save.
+// How often a situation occurs that a change of the pipeline would make slower or faster.
 enum class Event : std::uint8_t {
   load,
   store,
@@ -55,7 +55,7 @@ inline constexpr std::array<const char*, event_kinds> event_names{"loads",
 
 class ClockUse {
  public:
-  // One after the other: its address, its bits, and the clock of its completion.
+  // In order: the address of each instruction, its bits, and the clock in which it retires.
   void add(std::uint32_t address, std::uint32_t instruction, std::uint64_t clock);
 
   std::uint64_t instructions() const { return instructions_; }
@@ -64,7 +64,7 @@ class ClockUse {
   std::uint64_t count(Event kind) const { return counts_[static_cast<std::size_t>(kind)]; }
 
  private:
-  // What of an instruction matters here.
+  // The properties of an instruction that matter here.
   struct Executed {
     std::uint32_t address{};
     std::uint32_t opcode{};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What motor drivers want of their step and direction pins, in clocks of 50 MHz, from
-// their data sheets.
+// Step and direction timing of motor drivers from their data sheets, in clocks of 50 MHz.
 #pragma once
 
 #include <array>

@@ -11,8 +11,8 @@
 
 namespace benchmarks {
 
-// A tick is punctual up to so long after its exact instant, by default: what an A4988
-// wants between two edges, and a hundredth of the interval at 10 000 steps/s.
+// By default a tick is punctual up to this time after its exact instant: the least time that an
+// A4988 needs between two edges, and a hundredth of the interval at 10 000 steps/s.
 inline constexpr double default_tolerance_us = 1.0;
 
 // The clocks in which any axis steps, in order, each once: axes that step at one tick do
@@ -27,7 +27,7 @@ class RunningLateness {
  public:
   explicit RunningLateness(double interval_clocks) : interval_clocks_(interval_clocks) {}
 
-  // All ticks from the first one on; those of the calls before are not looked at again.
+  // All ticks from the first one on; those of earlier calls are not examined again.
   void add(std::span<const sim::Clock> ticks);
   double clocks() const { return latest_ - earliest_; }
 

@@ -28,7 +28,7 @@ struct LinkFigure {
   LinkRun run;
 };
 
-// Of what is urgent, while lines of a job wait.
+// Of urgent commands, while lines of a job wait.
 struct UrgentFigure {
   std::uint32_t clock_hz{};
   bool numbered{};

@@ -17,7 +17,7 @@ namespace benchmarks {
 namespace {
 
 constexpr sim::Clock looks_clocks = 20'000;
-// A line that is not answered for so long will not be.
+// A line without an answer after this time is taken to be lost.
 constexpr double patience_seconds = 5;
 // A byte has been heard in the middle of its stop bit.
 constexpr double bits_until_heard = 9.5;
@@ -64,7 +64,8 @@ LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& desc
   simulation.attach(pins, PinWatch::watched());
   WindowHost host(order.lines, cold.printer.serial_line(), order.window);
 
-  // Looks are rarer than lines: what is counted between two looks is put down to whole lines.
+  // The counters are sampled less often than lines come: counts between two samples are attributed
+  // to whole lines.
   sim::Clock measured_from = 0, awake_from = 0;
   sim::Clock last_answer = 0;
   std::size_t answered = 0;

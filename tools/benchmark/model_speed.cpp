@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times runs of the chip's model, by the time that this process has had of its machine.
+// Times runs of the chip's model in processor time of this process.
 #include "tools/benchmark/model_speed.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ Measured run_firmware(const ModelScope& scope, ModelKind kind, bool prints,
   return measured;
 }
 
-// As `serve` has it, as fast as it goes: the host is another thread, whose time counts as well.
+// As in `serve`, at full speed: the host is another thread, whose time counts as well.
 Measured run_served(const ModelScope& scope, ModelKind kind) {
   sim::VerilatedChip chip = made_chip(clock_hz, kind);
   sim::load(scope.firmware, chip);
@@ -115,7 +115,7 @@ Measured run_served(const ModelScope& scope, ModelKind kind) {
       printer.serial_line(), rate, scope.machine.baud);
   simulation.attach(terminal, {});
   TerminalHost host(terminal.slave_path(), lines_of(scope.print_file));
-  // It runs in the time of this machine, not of the chip.
+  // It runs in real time, not in the chip's.
   while (!host.greeted()) {
     scope.look();
     simulation.run_until(simulation.now() + looks_clocks);
@@ -149,7 +149,7 @@ ModelWork measure_work(const std::string& name, std::uint32_t clock, const Model
   for (int i = 0; i < (scope.quick ? 1 : runs); ++i) {
     for (const ModelKind kind :
          {ModelKind::usual, ModelKind::whole_netlist, ModelKind::resting, ModelKind::all_edges}) {
-      // Many times more clocks would take minutes.
+      // With many more clocks this would take minutes.
       if (clock != clock_hz && kind == ModelKind::all_edges) continue;
       const Measured measured = run(kind);
       const auto clocks = static_cast<double>(measured.clocks);

@@ -35,14 +35,14 @@ struct ModelWork {
   std::uint64_t clocks{};  // measured ones
   double awake{};  // share of these in which the processor does not sleep
   double instructions_per_clock{};
-  // Clocks per second of processor time, the best of some runs, by kind of model; 0 where
-  // that was not measured.
+  // Clocks per second of processor time, the best of several runs, by kind of model; 0 if
+  // not measured.
   std::array<double, 4> clocks_per_second{};
 
   double speed(ModelKind kind) const { return clocks_per_second[static_cast<std::size_t>(kind)]; }
 };
 
-// Runs of all kinds alternate, so that a busy machine is unfair to none. Throws
+// Runs of all kinds alternate, so that load on the machine affects all alike. Throws
 // std::runtime_error where a program does not do what it should.
 std::vector<ModelWork> measure_model(const ModelScope& scope,
                                      const std::function<void(const std::string&)>& say);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notes every rising edge of the step pins in its clock, and the shortest times on
-// step and direction.
+// Records every rising edge of the step pins with its clock, and the shortest times on step
+// and direction.
 #pragma once
 
 #include <algorithm>

@@ -13,11 +13,11 @@ namespace {
 constexpr std::uint32_t cruise_ticks = 10'000;
 // Ticks of a line are whole hundreds, so that all axes have whole steps.
 constexpr std::uint32_t hundred = 100;
-// To which part of itself an interval is searched: a run takes seconds.
+// Relative precision of the search for an interval: a run takes seconds.
 constexpr double fine = 1.0 / 50, coarse = 1.0 / 8;
 
-// `printing_at` gives what to print at an interval; `start` is what the maker of the steps can do
-// with nothing else to do.
+// `printing_at` gives what to print at an interval; `start` is the interval that the bare stepping
+// loop reaches.
 template <class PrintingAt>
 Limits limits_of(const PrintingFirmware& firmware, const Scope& scope, std::uint32_t start,
                  PrintingAt printing_at) {

@@ -24,7 +24,7 @@ constexpr double most_acceleration_mm_s2 = 50'000;
 constexpr double least_ramp_ticks = 5'000;
 constexpr double hotend_c = 205;
 constexpr double bed_c = 60;
-// So long until the temperatures are known and controlled, before the lines come.
+// Time until the temperatures are known and controlled, before the lines come.
 constexpr unsigned settle_ms = 250;
 constexpr sim::Clock start_clocks = 30'000'000;
 constexpr sim::Clock looks_clocks = 20'000;
@@ -103,7 +103,7 @@ class Counters {
   std::optional<std::uint32_t> stepper_;  // address, where software makes the steps
 };
 
-// Of what is there, the half around the middle.
+// The middle half.
 std::span<const sim::Clock> middle_half(std::span<const sim::Clock> rises) {
   const std::size_t first = rises.size() / 4;
   const std::size_t last = rises.size() * 3 / 4;
@@ -138,7 +138,7 @@ std::string_view PrintingRun::fault(const Printing& printing) const {
   for (std::size_t i = 0; i < axes; ++i) {
     if (pins[i].rises.size() != asked[i]) return "pulses missing";
   }
-  // The guard of one clock is kept by any pulse that is seen.
+  // Any pulse that is seen keeps a guard of one clock.
   if (middle_interval_clocks > printing.interval_clocks * (1 + rate_tolerance)) {
     return "rate not reached";
   }
@@ -161,7 +161,7 @@ PrintingRun run_printing(const sim::ElfImage& firmware, const machine::Descripti
   const Counters counters(firmware, chip);
 
   PrintingRun run;
-  // Ramps take twice their way at speed.
+  // Ramps take twice as long as the same distance at full speed.
   const double motion_clocks =
       4 * printing.interval_clocks * printing.ticks_per_line * printing.lines;
   const auto limit = static_cast<sim::Clock>(motion_clocks) + start_clocks;

@@ -13,7 +13,7 @@
 
 namespace {
 
-// Whether somebody reads it or not.
+// Whether the output is read or not.
 void say_to(std::FILE* stream, const std::string& text) { std::fputs(text.c_str(), stream); }
 
 }  // namespace

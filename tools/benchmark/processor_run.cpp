@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills the order, clocks the processor, and listens between the marks.
+// Writes the workload into memory, clocks the processor, and records what retires between
+// the marks.
 #include "tools/benchmark/processor_run.hpp"
 
 #include <fmt/format.h>

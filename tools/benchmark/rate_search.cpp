@@ -14,7 +14,7 @@ namespace {
 
 // 500 steps/s at 50 MHz: slower than that is another fault.
 constexpr std::uint32_t longest_interval = 100'000;
-// By which part of itself an interval is lengthened to see that the rule still holds.
+// Relative lengthening of an interval, to see that the rule still holds.
 constexpr double longer_part = 0.02;
 constexpr const char* not_punctual = "ticks beyond the tolerance";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for the highest rate at which the ticks are as they should be.
+// The search for the highest rate at which all ticks meet a rule.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace benchmarks {
 
-// What is asked of the ticks. Clean: every pulse is made, the guard kept, no tick is so
-// late that the next one is due. Punctual: clean, and each tick comes within the tolerance
-// of its exact instant.
+// The rule for the ticks. Clean: every pulse is made, the guard is kept, and no tick is so late
+// that the next one is due. Punctual: clean, and each tick comes within the tolerance of its
+// exact instant.
 enum class Rule : std::uint8_t { clean, punctual };
 
 // What a run has shown.
@@ -33,14 +33,13 @@ struct Limits {
   Limit clean, punctual;
 
   const Limit& of(Rule rule) const { return rule == Rule::clean ? clean : punctual; }
-  // In words, for the person who waits.
+  // In words, for the progress display.
   std::string text() const;
 };
 
 class RateSearch {
  public:
-  // A run may end early once it is not clean, or, without another fault, once a tick is later than
-  // so many clocks.
+  // A run may end early once it is not clean, or once a tick is later than this number of clocks.
   using Run = std::function<Trial(std::uint32_t interval_clocks, double late_enough_clocks)>;
 
   // Intervals are searched to within `fineness`, a part of them, but at least to one clock.

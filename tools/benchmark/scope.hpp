@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all measurements of `bench stepping` have in common.
+// Settings that all measurements of `bench stepping` share.
 #pragma once
 
 #include <cstdint>

@@ -83,7 +83,7 @@ class Measurement {
     const auto trial = [&](std::uint32_t clocks, double late_enough_clocks) -> Trial {
       motion.interval_clocks = clocks;
       const Run result = run(motion, {.clean = true, .latest_clocks = late_enough_clocks});
-      // Such a run has not been to its end.
+      // Such a run has not reached its end.
       if (result.largest_lateness_clocks > late_enough_clocks) {
         return {.fault = {}, .largest_lateness_clocks = result.largest_lateness_clocks};
       }
@@ -104,7 +104,7 @@ Figures measure(Stepping stepping, const sim::ElfImage& program, const Scope& sc
   const Measurement measurement(program, scope);
   Figures figures;
   figures.stepping = stepping;
-  // What people have comes first.
+  // The most common drivers come first.
   std::vector<DriverGuard> guards(real_drivers.begin(), real_drivers.end());
   guards.push_back(no_driver);
   for (const std::size_t count : {std::size_t{1}, axes}) {

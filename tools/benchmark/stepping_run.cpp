@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order goes into the chip's memory before it starts; the answer is read from there.
+// The workload is written into the chip's memory before it starts, and the result is read
+// from there.
 #include "tools/benchmark/stepping_run.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Order order_of(const Motion& motion) {
   order.guard_setup = motion.guard.setup;
   order.guard_hold = motion.guard.hold;
   order.baud = motion.baud;
-  // A quarter of the time that eight lines take, which is what the shorter queue holds.
+  // A quarter of the time that eight lines take; the shorter queue holds eight.
   const double queue_clocks = 8 * motion.interval_clocks * motion.ticks_per_line;
   order.wake_clocks = static_cast<std::uint32_t>(std::clamp(queue_clocks / 4, 500.0, 400'000.0));
   order.piece_count = motion.lines == 1 ? 1 : 2;

@@ -47,7 +47,7 @@ struct Run {
   std::string_view fault(const Motion& motion) const;
 };
 
-// What a run must show; when it is known that it does not, the run ends.
+// The rule that a run must meet; once it is broken, the run ends.
 struct Demand {
   bool clean = false;
   double latest_clocks = std::numeric_limits<double>::infinity();  // after its exact instant

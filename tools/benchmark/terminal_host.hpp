@@ -26,7 +26,7 @@ class TerminalHost {
   void stop();
   // The firmware has greeted, and the first lines are sent.
   bool greeted() const { return greeted_; }
-  // Of a host that was stopped: what the chip has said against a line.
+  // After stop(): error messages of the chip about a line.
   const std::string& complaint() const { return complaint_; }
 
  private:

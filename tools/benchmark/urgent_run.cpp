@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host that prints with some lines in flight, and pauses now and then to ask something.
+// A host that prints with several lines in flight and sends queries now and then.
 #include "tools/benchmark/urgent_run.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long what is urgent waits while lines of a job do: questions for temperatures, then M112.
+// How long urgent commands wait while lines of a job are queued: temperature queries, then M112.
 #pragma once
 
 #include <cstddef>

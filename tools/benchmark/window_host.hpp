@@ -15,7 +15,7 @@ namespace benchmarks {
 // Sends lines as they are from the firmware's greeting on, a few of them ahead of their `ok`.
 class WindowHost : public devices::ByteListener {
  public:
-  // As many as the firmware takes (firmware/host_link/line_queue.hpp).
+  // As many as the firmware queues (firmware/host_link/line_queue.hpp).
   static constexpr std::size_t largest_window = 8;
 
   struct Answer {
@@ -48,7 +48,7 @@ class WindowHost : public devices::ByteListener {
   bool done() const { return answers_.size() == lines_.size(); }
   // One for each line that was answered, in their order.
   const std::vector<Answer>& answers() const { return answers_; }
-  // What the chip has said against a line.
+  // Error messages of the chip about a line.
   const std::string& complaint() const { return complaint_; }
 
  private:

@@ -54,8 +54,8 @@ function(add_verilated_model target)
     get_filename_component(file ${file} ABSOLUTE)
     list(APPEND extra ${file})
   endforeach()
-  # The headers are named so that what includes them is compiled again in the same build: with a header of
-  # yesterday a program would read the model's variables in the wrong places.
+  # The headers are named as outputs, so that files which include them are recompiled in the same
+  # build: with a stale header a program would read the model's variables at wrong offsets.
   add_custom_command(OUTPUT ${library}
     BYPRODUCTS ${directory}/verilated/${prefix}.h
       ${directory}/verilated/${prefix}___024root.h

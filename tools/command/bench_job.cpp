@@ -28,7 +28,7 @@ namespace {
 
 using benchmarks::Stepping;
 
-// A print's clock: at 50 MHz a second of it takes the simulation half a minute.
+// The clock of the print: at 50 MHz the simulation needs half a minute for each second.
 constexpr std::uint32_t print_clock_hz = 16'000'000;
 
 struct PrintOfBench {
@@ -114,7 +114,7 @@ int bench_stepping(const BenchOptions& options) {
         comparison.figures[index], {image("printing_benchmark", stepping), description}, scope,
         note);
   }
-  // The print takes longest: what is known is reported before it, too.
+  // The print takes longest, so results so far are reported before it.
   show(options, comparison);
   if (!options.print_file.empty()) {
     print_both(options, comparison);

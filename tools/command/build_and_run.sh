@@ -8,7 +8,7 @@ log=$build/build.log
 mkdir -p "$build"
 export STEPFABRIC_BUILD_DIR=$build
 
-# Two calls at once must not build into one folder at once.
+# Two concurrent calls must not build into the same folder.
 exec 8>"$build/lock"
 flock 8
 started=$SECONDS
@@ -21,7 +21,7 @@ fresh=$([ -f "$build/bin/stepfabric" ] || echo yes)
 } > "$log" 2>&1 || {
   tail -n 40 "$log" >&2
   echo "stepfabric: the build failed; the whole log is in $log" >&2
-  # Lower ones are those of the program that `run` runs.
+  # Lower statuses are those of the program executed by `run`.
   [ "${1-}" != run ] || exit 125
   exit 1
 }

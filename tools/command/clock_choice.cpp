@@ -18,9 +18,9 @@ using Time = std::chrono::steady_clock;
 
 constexpr std::uint32_t trial_clock_hz = 4'000'000;
 constexpr std::chrono::milliseconds trial_time{1000};
-// Between two looks at the wall's clock.
+// Between two readings of the real-time clock.
 constexpr double chunk_seconds = 0.01;
-// The host's program and everything else on this machine want some of it too.
+// The host program and everything else on this machine need processor time too.
 constexpr double usable_share = 0.75;
 constexpr std::uint32_t round_clocks_hz[] = {50'000'000, 25'000'000, 16'000'000, 12'000'000,
                                              8'000'000,  6'000'000,  5'000'000,  4'000'000,

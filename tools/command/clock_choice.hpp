@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which clock the simulated chip may have so that its printer keeps up with the clock on the wall.
+// The clock frequency at which the simulated chip keeps up with real time.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,14 @@
 
 namespace command {
 
-// A slow chip that keeps up with the wall's clock serves a host better than a fast one that does
-// not: it makes the same pulses, and hosts wait for signs of life in wall time.
+// A slow chip that keeps up with real time serves a host better than a fast one that does not: it
+// makes the same pulses, and the time-outs of hosts run in real time.
 inline constexpr std::uint32_t lowest_serve_clock_hz = 2'000'000;
 
 struct ClockChoice {
   std::uint32_t clock_hz{};
-  // Of this machine, for the chip while it prints short moves as fast as it can plan them.
+  // Speed of the model on this machine, while the chip prints short moves as fast as it can
+  // plan them.
   double model_clocks_per_second{};
 };
 

@@ -6,7 +6,7 @@ namespace command {
 
 inline constexpr int success = 0;
 inline constexpr int failure = 1;  // the job was done and its outcome is bad
-inline constexpr int bad_input = 2;  // bad usage, or a file that is missing or no good
+inline constexpr int bad_input = 2;  // bad usage, or a file that is missing or invalid
 inline constexpr int interrupted = 130;  // Ctrl-C
 
 // `run` ends with the status of its program, 1 to 123, so its own failures lie above them, where

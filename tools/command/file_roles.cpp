@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that exist are compared by what they are, others by where they would be.
+// Files that exist are compared by identity, others by path.
 #include "tools/command/file_roles.hpp"
 
 #include <fmt/format.h>

@@ -56,7 +56,7 @@ bool run(const std::string& target, const FuzzOptions& options, const fs::path& 
   return good;
 }
 
-// The fewest inputs that go wherever all of them go, however often, take the kept ones' place.
+// Replaces the corpus by the fewest inputs with the same coverage.
 bool minimise(const std::string& target, const fs::path& found) {
   const fs::path kept = kept_corpus(target);
   const fs::path fewest = fuzz_folder() / "minimised" / target;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the program before the port is touched, and reports how far it is.
+// Reads the program before it opens the port, and reports progress.
 #include "tools/command/load_job.hpp"
 
 #include <fmt/format.h>

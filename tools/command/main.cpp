@@ -45,7 +45,8 @@ struct Jobs {
   TestOptions test;
 };
 
-// Waveforms and the debug port need other builds of the chip's model, which slow nothing else down.
+// Waveforms and the debug port need other builds of the chip's model, so that they do not slow down
+// the default one.
 [[noreturn]] void become_other_program(const std::string& name, const char* model, int count,
                                        char** arguments) {
   fmt::print(stderr, "stepfabric: building the model that {}\n", model);
@@ -95,7 +96,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
              : failure;
 }
 
-// What is opened while one of these is closed gets its number, and what is then said on the stream
+// A file opened while one of these is closed would get its descriptor, and messages to the stream
 // would be written into that file.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Saying something to somebody who may have left: a job does not end because its words
-// are not read.
+// Output to a terminal or pipe that may be closed: a job does not end because its output is
+// not read.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace command {
 // that writes, and no signal.
 void let_writes_fail();
 
-// As fmt::print, which throws where the stream takes nothing.
+// As fmt::print, which throws on a write error.
 template <class... Values>
 void say_to(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
   const std::string words = fmt::format(text, std::forward<Values>(values)...);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps simulated time in step with the clock on the wall, and says how well that goes.
+// Keeps simulated time in step with real time, and reports how well it does.
 #pragma once
 
 #include <chrono>

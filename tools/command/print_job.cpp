@@ -34,9 +34,9 @@ namespace {
 
 using Time = std::chrono::steady_clock;
 
-// Between looks at the keyboard and at the progress line.
+// Between polls of Ctrl-C and updates of the progress line.
 constexpr double chunk_seconds = 0.02;
-// After the last answer: pulses end, and after a fault one sees whether the heat is off.
+// After the last answer: pulses end, and after a fault the heaters must be off.
 constexpr double after_completion_seconds = 0.05;
 constexpr double after_fault_seconds = 0.5;
 
@@ -60,7 +60,7 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
           printer.bed_c()};
 }
 
-// How long anything moves, and how much of that the processor hardly sleeps: then it is what limits
+// How long anything moves, and for how much of that time the processor hardly sleeps and so limits
 // the print.
 class Saturation {
  public:
@@ -127,8 +127,8 @@ report::Outcome run_print(const PrintOptions& options, PrinterSetup& setup, devi
   return outcome;
 }
 
-// Commands that were never acknowledged, unless the user stopped the print; and those that the
-// host believes done, but the firmware has not counted.
+// Commands that were never acknowledged, unless the user stopped the print; and those acknowledged
+// to the host that the firmware has not counted.
 std::uint64_t lost_lines(report::Outcome outcome, const devices::FileHost& host,
                          const report::FirmwareWatch& watch) {
   std::uint64_t lost = 0;
@@ -151,7 +151,7 @@ void show_note(const std::string& note) {
   say_to(stderr, "{}stepfabric: {}\n", terminal ? "\r\x1b[K" : "", note);
 }
 
-// Both files are closed; the first complaint, or nothing.
+// Closes both files; returns the first error, or nothing.
 std::string close_files(report::Recorder& recorder, std::optional<report::AcceptLog>& accept_log) {
   std::string complaint;
   const auto close = [&complaint](const std::function<void()>& closing) {

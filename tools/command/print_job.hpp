@@ -29,7 +29,7 @@ struct PrinterChoices {
   std::filesystem::path accept_log;
 };
 
-// The netlist of the whole chip does intervals of the print again.
+// The netlist of the whole chip replays intervals of the print.
 struct ReplayChoices {
   bool asked = false;
   std::optional<std::size_t> count;  // so many at random; all where there is none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The summary of a print on the terminal: verdict, figures, and the lines that are to blame.
+// The summary of a print on the terminal: verdict, figures, and the faulty lines.
 #include "tools/command/print_summary.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr const char* red = "\x1b[31m";
 constexpr const char* green = "\x1b[32m";
 constexpr const char* plain = "\x1b[0m";
 
-// What a person can read; the report has all of it.
+// As much as fits a screen; the report has everything.
 template <class Line>
 void show_lines(const char* title, const std::vector<Line>& lines, std::uint64_t count,
                 void (*show)(const Line& line)) {
@@ -55,7 +55,7 @@ void show_verdict(const report::Results& results) {
   for (const std::string& problem : results.findings.problems) say("  ! {}\n", problem);
 }
 
-// Names a clock that boards have where the processor held the motion up.
+// Suggests a clock of real boards where the processor limited the motion.
 void show_clock_advice(const report::Results& results) {
   constexpr double worth_a_word = 0.1;
   constexpr std::array round_clocks_hz{8'000'000U, 16'000'000U, 25'000'000U, 50'000'000U};

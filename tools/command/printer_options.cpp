@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the simulated printer is, and what of it is broken.
+// Options for the machine, the clock and the faults of the simulated printer.
 #include "tools/command/printer_options.hpp"
 
 #include <map>

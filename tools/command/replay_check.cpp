@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recorder, threads and what is said of them.
+// Recorder, threads and messages.
 #include "tools/command/replay_check.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `print --replay`: the netlist of the whole chip does parts of the print again, or all of it.
+// `print --replay`: the netlist of the whole chip replays parts of the print, or all of it.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ class ReplayCheck {
   ReplayCheck(const ReplayChoices& choices, const PrinterChoices& printer,
               sim::VerilatedChip& chip);
 
-  // At the end of the print. Says what came out; returns whether all that was replayed is the same.
+  // At the end of the print. Prints the outcome; returns whether every replayed interval was
+  // the same.
   bool finish();
 
  private:

@@ -31,7 +31,7 @@ bool written(const std::filesystem::path& file, const std::function<std::string(
   }
 }
 
-// Of a symlink the file behind it, which would have been written.
+// For a symlink its target, which would have been written.
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   if (report::is_foreign_link(file) || !std::filesystem::is_regular_file(file, ignored)) return;
@@ -71,7 +71,7 @@ ReportFiles::ReportFiles(std::filesystem::path folder, std::string file, std::ui
     report::write_file(folder_ / "report.json", report::to_json(beginning));
     report::write_file(page(), report::to_html(beginning, {}));
   } catch (const std::runtime_error&) {
-    // On a full disk, say: what stands there is of an earlier job.
+    // On a full disk, for example: the file there is from an earlier job.
     remove_file(folder_ / "report.json");
     remove_file(page());
     throw;

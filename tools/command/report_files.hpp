@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a job's report, which are about this job from its begin on.
+// The files of a job's report, which belong to this job from its start.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ class ReportFiles {
   // where another job has the folder, until that ends.
   ReportFiles(std::filesystem::path folder, std::string file, std::uint32_t clock_hz);
 
-  // A job that ended for this reason before anything was simulated. Returns whether both files
-  // are written; where not, it has said so on standard error.
+  // For a job that ended for this reason before anything was simulated. Returns whether both files
+  // are written; errors go to standard error.
   bool write_refusal(const std::string& reason) const;
   // The same of a whole job.
   bool write(const report::Results& results, const report::Courses& courses) const;

@@ -33,7 +33,7 @@ class PrintedBytes : public devices::ByteListener {
   void byte_received(sim::Clock, std::uint8_t byte) override { std::putchar(byte); }
 };
 
-// The chip's memory is looked at by words.
+// The chip's memory is read by words.
 void check_place(std::uint32_t tohost, const sim::Chip& chip) {
   if (tohost % 4 != 0) {
     throw std::runtime_error(
@@ -78,7 +78,7 @@ std::uint32_t wait_for_store(sim::Simulation& simulation, std::uint32_t tohost,
   return 0;
 }
 
-// Why a program may not have ended, seen from what the processor does now.
+// Why a program may not have ended, from the present state of the processor.
 std::string_view what_goes_on(sim::Simulation& simulation) {
   constexpr sim::Clock clocks_to_watch = 1'000;
   const sim::ProcessorStatistics before = simulation.chip().processor_statistics();

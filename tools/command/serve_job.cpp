@@ -34,7 +34,7 @@ void choose_clock(ServeOptions& options) {
   }
 }
 
-// What is written to the port would be lines of a host.
+// Anything written to the port would be taken for lines of a host.
 void check_files(const ServeOptions& options) {
   const std::array<NamedFile, 1> read{{{"--machine", options.printer.machine}}};
   const std::array<NamedFile, 5> written{{{"--report", options.report / "report.json"},

@@ -22,8 +22,8 @@ struct ServeOptions {
   std::filesystem::path report = "report";
   std::filesystem::path edges;
   std::optional<double> until_seconds;
-  // Of the chip. Nothing: one with which this machine keeps up with real time, or that of `printer`
-  // where it need not.
+  // Of the chip. If empty: one at which this machine keeps up with real time, or that of `printer`
+  // where this is not needed.
   std::optional<std::uint32_t> clock_hz;
   PrinterChoices printer;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Host, chip and the clock on the wall in step; what a user should know is said.
+// Keeps host, chip and real time in step, and reports to the user.
 #include "tools/command/service.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr double chunk_seconds = 0.005;
 // Typical of PLA, for a warm start.
 constexpr StartTemperatures warm_start{.hotend_c = 200.0, .bed_c = 57.0};
-// A model that is slower than this for so long is worth a word.
+// A model slower than this for this long is reported.
 constexpr double slow_ratio = 0.9;
 constexpr double slow_seconds = 10.0;
 constexpr double longest_start_seconds = 1.0;
@@ -181,7 +181,7 @@ void Service::complain_if_disk_is_full() {
     return;
   }
   disk_is_full_ = true;
-  say("the disk does not take the edges or the accepted lines any more");
+  say("cannot write the edges or the accepted lines any more");
 }
 
 void Service::complain_if_slow(double ratio, double seconds) {

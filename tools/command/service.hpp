@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The printer at the service of host programs: its serial line on a pseudo-terminal.
+// Serves host programs: the printer's serial line on a pseudo-terminal.
 #pragma once
 
 #include <filesystem>
@@ -22,21 +22,21 @@ class Service {
   // `options` must outlive this, with its terminal and clock chosen.
   explicit Service(const ServeOptions& options);
 
-  // Says where to connect, and which page will hold the report.
+  // Prints where to connect, and the path of the report.
   void greet(const std::filesystem::path& page);
   // Until interrupted, or until the time of the options.
   void run();
 
   report::Results results();
   report::Courses courses() const { return recorder_.courses(); }
-  // What the disk did not take of the edges and the accepted lines; the first
-  // complaint, or nothing.
+  // The first error in writing the edges or the accepted lines, or nothing.
   std::string close_files();
 
  private:
   void listen();
   void opened();
-  // A chip that starts hears nothing. A program that does not greet gets its bytes in the end.
+  // A chip that is starting does not receive. A program that never greets gets its bytes after
+  // a time-out.
   void hold_back();
   void reset();
   void say(const std::string& text);
@@ -44,7 +44,7 @@ class Service {
   std::string connection() const;
   // The host prints, so the service goes on.
   void complain_if_disk_is_full();
-  // Hosts wait for a sign of life in wall time.
+  // The time-outs of hosts run in real time.
   void complain_if_slow(double ratio, double seconds);
 
   const ServeOptions& options_;

@@ -12,7 +12,8 @@ void catch_interrupts();
 bool interrupt_requested();
 // Again the first one ends the program at once: for a job that has nothing to finish.
 void end_at_interrupts();
-// In its life a signal also ends a call that waits: to open a pipe that has no reader, say.
+// While it exists, a signal also interrupts a blocking call, such as opening a pipe that has
+// no reader.
 class WaitsEndAtInterrupts {
  public:
   WaitsEndAtInterrupts();
@@ -27,7 +28,7 @@ struct Interrupted : std::runtime_error {
 };
 void end_if_interrupted();
 
-// What `open` gives, which may wait in it for somebody at the other end of a pipe.
+// The result of `open`, which may block until the other end of a pipe is opened.
 template <class Open>
 auto opened(const Open& open) {
   const WaitsEndAtInterrupts ending;

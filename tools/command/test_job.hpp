@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `test`: builds everything and runs the tests, or says what they cost.
+// `test`: builds everything and runs the tests, or reports what they cost.
 #pragma once
 
 #include <filesystem>

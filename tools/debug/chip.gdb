@@ -5,7 +5,7 @@
 set osabi none
 # There are triggers for instructions, none for data: gdb watches data by steps.
 set can-use-hw-watchpoints 0
-# The simulation may be slower than the clock on the wall.
+# The simulation may be slower than real time.
 set remotetimeout 60
 # Behind `monitor reset halt` the registers are others than gdb has read.
 define hookpost-monitor

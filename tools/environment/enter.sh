@@ -47,8 +47,8 @@ inner_environment() {
   return 0
 }
 
-# The program that enters the root would die of Ctrl-C or `kill` at once and take the command with it,
-# before it can write its report. So it ignores them, and the command gets them.
+# On Ctrl-C or `kill` the program that enters the root would end at once and end the command with
+# it, before that can write its report. So it ignores them, and the command gets them.
 enter_and_pass_signals() {
   local enterer inner status passed
   (trap '' INT TERM HUP; exec "$@") <&0 &

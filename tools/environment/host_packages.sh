@@ -15,7 +15,7 @@ apt_get() {
   return 1
 }
 
-# Installs packages (root) or says how to (anybody else).
+# Installs packages as root; other users get the command to run.
 need_host_packages() {
   if [ "$(id -u)" != 0 ]; then
     say "missing on this machine: $*. Install them once with: sudo apt-get install $*"

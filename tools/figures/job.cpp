@@ -66,7 +66,7 @@ bool run(const Options& options, const std::filesystem::path& project_folder,
                group.minutes);
     if (!group.build.empty()) build(group.build);
     const Record record = measure(group, {project_folder, build_folder, look});
-    // What has been written meanwhile stays.
+    // Groups measured so far stay written.
     Store store = read_store(store_file(project_folder));
     store[name] = record;
     files::write_text(store_file(project_folder), to_json(store));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over the pages, with what they share.
+// Reads or rewrites all pages.
 #include "tools/figures/project.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Folders of the project's root that hold what is made, not written.
+// Folders of the project's root that hold build products.
 bool is_made(const fs::path& relative) {
   const std::string first = relative.begin()->string();
   return first.starts_with('.') || first == "build" || first == "report" || first == "synthesis";
@@ -121,7 +121,7 @@ std::vector<std::string> update_pages(const Project& project) {
   each_page(project, [&](const fs::path& file, const std::string& before, const Page& page) {
     if (page.text != before) files::write_text(project.folder / file, page.text);
   });
-  // What has been written is right; what is still wrong cannot be made.
+  // Figures that were written are right; what still differs cannot be generated.
   return problems_of(project);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number out of what a command has left.
+// Selects one number from the output of a command.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

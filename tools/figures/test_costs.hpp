@@ -10,7 +10,7 @@ namespace figures {
 
 struct TestCost {
   std::string name;
-  double seconds{};  // by the clock on the wall, with what ran at the same time
+  double seconds{};  // wall time, with other tests at the same time
 };
 
 // Those that were run, the most expensive first. Throws std::runtime_error where there are none.

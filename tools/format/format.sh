@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Writes all C++ of the project as .clang-format and the brace rule (braces.awk) have it; with --check it only
-# says where a file is not so, and fails. Usage: format.sh PROJECT [--check]
+# Formats all C++ of the project by .clang-format and the brace rule (braces.awk); with --check it
+# only lists files that differ, and fails. Usage: format.sh PROJECT [--check]
 set -euo pipefail
 project=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
@@ -18,7 +18,8 @@ files() {
   find firmware sim tests tools -path firmware/registers -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print
 }
 files | tar -cf - -T - | tar -xf - -C "$formatted"
-# Braces everywhere first, so that the rule has one form to begin with; and no editor gets this setting.
+# Braces everywhere first, so that the rule starts from one form. The setting is here and not in
+# .clang-format, so that editors do not use it.
 { cat .clang-format; echo 'InsertBraces: true'; } > "$formatted/.clang-format"
 (cd "$formatted" && files | xargs clang-format -i)
 

@@ -132,7 +132,7 @@ std::string page() {
       "\n- Lengths, also those in mm/s and mm/s², are in inches after G20. Of a number out of a "
       "range \"0 to 60\" the\n  nearest within counts; beyond \"up to\" the line is refused.\n"
       "- A letter without a unit is a flag. {} refuse a line with a letter that they do not have: "
-      "one of its\n  axes would stay where it is. Others take no notice of it.\n"
+      "one of its\n  axes would stay where it is. Others ignore it.\n"
       "- *At rest*: as soon as all motion before it has ended. *With room*: in the planner. "
       "*On reception*: at once, ahead of the\n  lines that wait. *Ahead*: the same while the user "
       "is waited for, M105 of a person also in the middle of a job.\n"

@@ -16,7 +16,7 @@ cd "$directory"
 yosys -q -p "read_json $netlist; hierarchy -top $entity; delete t:\$scopeinfo; splitnets; rename -hide;
   rename -enumerate -pattern block_ram_% t:DP16KD;
   rename -enumerate -pattern oscillator_% t:OSCG; rename -enumerate; write_verilog -noattr pins.v" > cells.log 2>&1 || { tail -n 20 cells.log; exit 1; }
-# Of Yosys' models those that simulate fast.
+# The Yosys models that simulate fast.
 awk '/^module (PFUMX|L6MUX21|CCU2C|TRELLIS_FF|TRELLIS_DPR16X4) *\(/ { inside = 1 }
   inside { print }
   /^endmodule/ { inside = 0 }' "$(dirname "$(command -v yosys)")/../share/yosys/ecp5/cells_sim.v" > cells.v

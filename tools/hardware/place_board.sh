@@ -8,14 +8,14 @@ project=$1 board=$2 netlist=$3/netlist.json device=$4 seed=$5 directory=$6
 
 . "$project/tools/hardware/steps.sh"
 
-# What the clock's length hangs on counts for more than the length of all wires (10 is nextpnr's own).
+# Timing-critical nets weigh more than total wire length (nextpnr's default is 10).
 weights=(--placer-heap-timingweight 80)
 
 mkdir -p "$directory"
 cd "$directory"
 rm -f report.json pins.json "$board.bit"
 
-# A board that is none has no pins.
+# A pseudo-board has no pins.
 if [ ! -f "$project/boards/$board/connections.csv" ]; then
   place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
     --lpf "$project/constraints/$board.lpf" --lpf-allow-unconstrained --report report.json \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# How the scripts of a synthesis call a tool: its words go to a log, and where it fails the last of them are shown.
-# Sourced, with `directory` set and entered.
+# How the scripts of a synthesis call a tool: its output goes to a log, and if it fails the end of
+# the log is shown. Sourced, with `directory` set and entered.
 
 # step LOG COMMAND [ARGUMENT...]
 step() {
@@ -9,8 +9,8 @@ step() {
   "$@" > "$log" 2>&1 || { tail -n 20 "$log" >&2; echo "failed: $1; log in $directory/$log" >&2; exit 1; }
 }
 
-# place NEXTPNR [ARGUMENT...]: the same; what the device has too little of is reported in place of nextpnr's words, which
-# name one cell that finds no room.
+# place NEXTPNR [ARGUMENT...]: the same; if the device is too small, the resource that runs out is
+# reported in place of nextpnr's message, which names a single cell.
 place() {
   "$@" > nextpnr.log 2>&1 && return
   awk '/[0-9]+\/ *[0-9]+ +[0-9]+%$/ {

@@ -20,7 +20,7 @@ od -An -v -tx1 -w4 work/firmware.bin |
     bank = NR <= lower + 1 ? "" : "upper_"
     for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/" bank "lane" lane ".hex"
   }'
-# A memory of one bank has none of the upper one.
+# A memory of one bank has no upper bank.
 for lane in 1 2 3 4; do touch "work/upper_lane$lane.hex"; done
 sed -E -e 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
   -e 's/^( *)reg \[7:0\] (two_banks_(upper_lane)s_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/\3\4.hex", \2);/' \
@@ -29,9 +29,9 @@ banks=$(grep -cE 'reg \[7:0\] (two_banks_upper_)?lanes_n1_bytes' work/chip.v)
 [ "$(grep -c readmemh work/synthesis.v)" = $((4 * banks)) ] ||
   { echo "failed: the memory has other names than rtl/memory/README.md says" >&2; exit 1; }
 
-# Yosys knows no delays of the block RAM, and so makes logic short where it need not be. In the netlist that
-# is mapped each wire to and from the memory passes a cell that is nothing but delay (ps, with what nextpnr's
-# routes to it usually take).
+# Yosys has no delays for the block RAM, so it would optimise the wrong paths. For mapping, each
+# wire to and from the memory passes a cell that only adds delay (ps, with the usual delay of
+# nextpnr's routes).
 cat > work/ways.v <<'END'
 (* blackbox, abc9_box *) module way_from_block_ram (input I, output O);
   specify
@@ -72,7 +72,8 @@ awk '
 [ "$(grep -c 'way_\(to\|from\)_block_ram' work/with_ways.v)" = 9 ] ||
   { echo "failed: the memory has other ports than this script knows" >&2; exit 1; }
 
-# Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: here with them, ps.
+# Nor does it count the wires to carry chains and distributed memory, which it maps as boxes: these
+# delays include them, in ps.
 wire=900
 awk -v wire=$wire '
   /^\(\*/ { attributes = $0 }

@@ -33,7 +33,7 @@ constexpr unsigned most_attempts = 10;
 // machine takes that long for a block, and frames that are sent too early only make it later.
 constexpr unsigned most_doublings = 3;
 constexpr unsigned most_restarts = 3;
-// A line of 1 Mbaud that never rests must not be listened to forever.
+// Reading must end also on a line of 1 Mbaud that is never idle.
 constexpr std::size_t most_bytes_per_ms = 100;
 
 void add_word(Bytes& bytes, std::uint32_t word) {
@@ -84,10 +84,10 @@ class Host {
     Bytes payload;
   };
 
-  std::optional<Reply> next_reply(milliseconds patience);
-  bool answers(const Bytes& greeting, milliseconds patience);
+  std::optional<Reply> next_reply(milliseconds timeout);
+  bool answers(const Bytes& greeting, milliseconds timeout);
   void exchange(Kind kind, const Bytes& payload, std::uint32_t received_then,
-                milliseconds patience = answer_time);
+                milliseconds timeout = answer_time);
   void transfer(const Program& program);
 
   ByteStream& stream_;
@@ -98,14 +98,14 @@ class Host {
   std::uint32_t memory_end_{};
 };
 
-// A refusal that a repetition of the frame does not mend.
+// A refusal that repeating the frame does not resolve.
 struct Refused {
   Refusal reason;
 };
 
-std::optional<Host::Reply> Host::next_reply(milliseconds patience) {
+std::optional<Host::Reply> Host::next_reply(milliseconds timeout) {
   const std::size_t most_bytes =
-      most_bytes_per_ms * static_cast<std::size_t>(patience.count()) + most_bytes_per_ms;
+      most_bytes_per_ms * static_cast<std::size_t>(timeout.count()) + most_bytes_per_ms;
   for (std::size_t bytes_read = 0;;) {
     while (!unread_.empty()) {
       const std::uint8_t byte = unread_.front();
@@ -115,7 +115,7 @@ std::optional<Host::Reply> Host::next_reply(milliseconds patience) {
       return Reply{frame.kind, {frame.payload.begin(), frame.payload.end()}};
     }
     std::array<std::uint8_t, 256> bytes;
-    const std::size_t count = stream_.read(bytes, patience);
+    const std::size_t count = stream_.read(bytes, timeout);
     bytes_read += count;
     if (count == 0 || bytes_read > most_bytes) {
       receiver_.silence();
@@ -125,9 +125,9 @@ std::optional<Host::Reply> Host::next_reply(milliseconds patience) {
   }
 }
 
-bool Host::answers(const Bytes& greeting, milliseconds patience) {
+bool Host::answers(const Bytes& greeting, milliseconds timeout) {
   stream_.write(greeting);
-  while (const auto reply = next_reply(patience)) {
+  while (const auto reply = next_reply(timeout)) {
     if (reply->kind != Kind::identity || reply->payload.size() != 12) continue;
     if (word_at(reply->payload, 0) != version) {
       throw LoadFailed("the chip's boot loader is of another version");
@@ -162,12 +162,12 @@ void Host::connect(const Program& program) {
 
 // Until this kind of frame is accepted and the chip has so many bytes.
 void Host::exchange(Kind kind, const Bytes& payload, std::uint32_t received_then,
-                    milliseconds patience) {
+                    milliseconds timeout) {
   const Bytes frame = frame_of(kind, payload);
   for (unsigned attempt = 0; attempt < most_attempts; ++attempt) {
     if (attempt != 0) ++figures_.repeated_frames;
     stream_.write(frame);
-    const milliseconds time = patience * (1U << std::min(attempt, most_doublings));
+    const milliseconds time = timeout * (1U << std::min(attempt, most_doublings));
     while (const auto reply = next_reply(time)) {
       if (reply->kind == Kind::accepted && reply->payload.size() == 5 &&
           reply->payload[0] == static_cast<std::uint8_t>(kind) &&

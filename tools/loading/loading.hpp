@@ -22,7 +22,7 @@ class ByteStream {
 
   virtual void write(std::span<const std::uint8_t> bytes) = 0;
   // Waits so long for at least one byte; returns how many came, 0 after the time.
-  virtual std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) = 0;
+  virtual std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) = 0;
 };
 
 class LoadFailed : public std::runtime_error {
@@ -41,7 +41,7 @@ struct Figures {
   unsigned restarts{};  // of the whole
 };
 
-// Brings the chip into its boot loader (M997, then knocking until somebody resets it), loads, has
+// Brings the chip into its boot loader (M997, then knocking until it is reset), loads, has
 // it checked and started. Throws LoadFailed; then what is in memory is not started.
 Figures load(ByteStream& stream, const Program& program, const Progress& progress = {});
 

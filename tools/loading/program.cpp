@@ -38,7 +38,7 @@ Program joined(const sim::ElfImage& image) {
   return program;
 }
 
-// Of an ELF file most is for the debugger. A file may be endless, as a device.
+// Most of an ELF file is for the debugger. A device file may be endless.
 constexpr std::size_t most_file_bytes = std::size_t{64} << 20;
 
 // Instructions have zeros and control characters among them, G-code and other texts have none,

@@ -44,9 +44,9 @@ void SerialPort::write(std::span<const std::uint8_t> bytes) {
   }
 }
 
-std::size_t SerialPort::read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) {
+std::size_t SerialPort::read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) {
   pollfd wanted{.fd = file_, .events = POLLIN, .revents = 0};
-  const int ready = poll(&wanted, 1, static_cast<int>(patience.count()));
+  const int ready = poll(&wanted, 1, static_cast<int>(timeout.count()));
   if (ready == 0 || (ready < 0 && errno == EINTR)) return 0;
   if (ready < 0) fail("cannot wait for the serial port");
   const ssize_t count = ::read(file_, bytes.data(), bytes.size());

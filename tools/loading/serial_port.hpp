@@ -15,7 +15,7 @@ class SerialPort : public ByteStream {
   ~SerialPort() override;
 
   void write(std::span<const std::uint8_t> bytes) override;
-  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds patience) override;
+  std::size_t read(std::span<std::uint8_t> bytes, std::chrono::milliseconds timeout) override;
 
  private:
   int file_;

@@ -28,7 +28,7 @@ constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr std::int64_t two_billion = 2'000'000'000;
 constexpr std::int64_t max_milliwatts = 10'000'000;
 
-// M115 says it in a line with more.
+// M115 reports it in a line with other fields.
 constexpr std::size_t longest_name = 64;
 constexpr bool may_stand_in_name(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
@@ -178,8 +178,7 @@ std::string heater(Reader& reader, Reader& thermistors) {
       model(reader.table("model"), milliwatts));
 }
 
-// The line between two references that are alike says nothing, and a capacitor never
-// reaches the supply.
+// Two equal references define no line, and a capacitor never reaches the supply.
 std::string converter(Reader reader) {
   if (reader.scaled("reference_low_ohms", thousand, 1, max_milliohms) >=
       reader.scaled("reference_high_ohms", thousand, 1, max_milliohms)) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 20;  // no machine needs a tenth of it
 
-// What stands before the comment; of a text in quotes a # is a part.
+// The part before the comment; a # within quotes belongs to the text.
 std::string_view without_comment(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -115,7 +115,7 @@ std::int64_t Reader::scaled(const std::string& key, std::int64_t scale, std::int
                             std::int64_t most) {
   const toml::node& found = node(key);
   if (!found.is_number()) fail(key, "must be a number");
-  // Of an integer that no double equals, value<double>() is empty.
+  // value<double>() is empty for an integer that no double equals.
   const auto* integer = found.as_integer();
   const double value =
       integer != nullptr ? static_cast<double>(integer->get()) : found.as_floating_point()->get();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the mutants, tries them on several processor cores, keeps what was found.
+// Generates the mutants, tries them on several processor cores, and caches the verdicts.
 #include "tools/proof/campaign.hpp"
 
 #include <fmt/format.h>
@@ -113,8 +113,8 @@ bool run_campaign(const CampaignOptions& options, const fs::path& project, const
       const Task& task = tasks[chosen[i]];
       const auto judgement = judgements.find(task.mutant.id);
       try {
-        // A sample is to be quick, and what is listed may survive: the rest is for
-        // a whole campaign.
+        // A sample is to be quick, and listed mutants may survive: the other checks are for a
+        // whole campaign.
         const bool quick = options.quick || (is_sample && judgement != judgements.end());
         outcomes[i] = cascade.try_mutant(*task.unit, task.mutant, folder, quick);
       } catch (const std::exception& error) {

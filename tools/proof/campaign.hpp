@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `prove --mutants`: tries systematic faults on everything that could find them, cheapest first.
+// `prove --mutants`: tries systematic faults on all judges that could detect them, cheapest first.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace proof {
 
 enum class Fate {
   killed,
-  refused,  // by compiler or synthesis: no fault that a chip could have, not counted
+  refused,  // by compiler or synthesis: not a possible fault of the chip, not counted
   proved_equivalent,
   judged_equivalent,  // by a person, with the reason
   surviving,
@@ -68,13 +68,13 @@ std::vector<std::string> stale_entries(const std::map<std::string, Judgement>& j
                                        const std::vector<std::string>& made,
                                        const std::vector<MutantOutcome>& outcomes);
 
-// Whether that is good enough: nothing stale; of a sample every survivor is listed; otherwise at
-// least 97 % of those that are not equivalent are killed, over all and in no file a survivor that
-// is not listed.
+// Whether the result is good enough: nothing stale; of a sample every survivor is listed; otherwise
+// at least 97 % of those that are not equivalent are killed, over all and in no file a survivor
+// that is not listed.
 bool is_good(const std::vector<MutantOutcome>& outcomes, const std::vector<std::string>& stale,
              bool is_sample);
 
-// Throws std::runtime_error for a name that is no file there, and for a list that is no good.
+// Throws std::runtime_error for a name that is no file there, and for an invalid list.
 bool run_campaign(const CampaignOptions& options, const std::filesystem::path& project,
                   const std::filesystem::path& build);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures and decisions of a campaign.
+// Scores and decisions of a campaign.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +72,8 @@ std::vector<std::string> stale_entries(const std::map<std::string, Judgement>& j
     if (!known.contains(id)) stale.push_back(fmt::format("no such mutant is made: {}", id));
   }
   for (const MutantOutcome& outcome : outcomes) {
-    // A proof of equivalence refutes no judgement, and whether it ends in time is the machine's.
+    // A proof of equivalence refutes no judgement, and whether it ends in time depends on
+    // the machine.
     const bool is_refuted = outcome.fate == Fate::killed || outcome.fate == Fate::refused;
     if (judgements.contains(outcome.mutant.id) && is_refuted) {
       stale.push_back(

@@ -104,8 +104,8 @@ void write_campaign(const std::filesystem::path& file, const std::vector<MutantO
 
 namespace {
 
-// What killed it, or which judges it has survived: how those of equivalence decided
-// is the machine's.
+// What killed it, or which judges it has survived: those of equivalence depend on the
+// machine's speed.
 std::string recorded_by(const MutantOutcome& outcome) {
   if (outcome.fate == Fate::surviving) {
     return outcome.is_quick ? "its own and short benches, the comparison" : "all judges";

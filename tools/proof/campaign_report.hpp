@@ -13,7 +13,7 @@ namespace proof {
 
 // A line for each survivor, and one for every hundredth mutant.
 void print_progress(const MutantOutcome& outcome, std::size_t done, std::size_t all);
-// A table of the files, and what is wrong with the lists.
+// A table of the files, and the errors of the lists.
 void print_campaign(const std::vector<MutantOutcome>& outcomes,
                     const std::vector<std::string>& stale, double seconds);
 // Throws std::runtime_error where a file cannot be written.

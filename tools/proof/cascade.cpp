@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was found before is not asked again.
+// Judges are called only where there is no cached verdict.
 #include "tools/proof/cascade.hpp"
 
 #include <algorithm>
@@ -85,8 +85,8 @@ void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folde
   for (const std::string& bench : judges_.benches.own_benches(unit.name)) {
     if (ask_bench(bench)) return;
   }
-  // Short benches, which take less than a solver, comparison, proofs of the unit, long benches,
-  // proofs of what contains it.
+  // The judges in order: short benches, which take less than a solver; comparison; proofs of the
+  // unit; long benches; proofs of entities that contain it.
   std::vector<std::string> benches = judges_.benches.other_benches(unit.name);
   std::map<std::string, double> seconds;
   for (const std::string& bench : benches) seconds[bench] = bench_seconds(bench, folder);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that the verdict of a trial depends on, as a digest: where it is the same, so is the verdict.
+// A digest of everything that the verdict of a trial depends on: if it is the same, so is
+// the verdict.
 #pragma once
 
 #include <map>
@@ -13,12 +14,12 @@
 
 namespace proof {
 
-// What the tools that judge say of themselves.
+// The versions of the tools.
 struct Versions {
   std::string ghdl, yosys, z3;
 };
 
-// Throws std::runtime_error where one of them is not there. Its words go into the folder.
+// Throws std::runtime_error if a tool is missing. Their logs go into the folder.
 Versions versions_of_tools(const std::filesystem::path& folder);
 
 // The text of a VHDL file without what cannot change a netlist: comments, unless one of them could
@@ -34,8 +35,8 @@ class Dependence {
   // Weaves the project's sources into `folders.work`, for both purposes.
   Dependence(const Folders& folders, const Versions& versions);
 
-  // Of a proof, or of the mutation of it. Nothing where the sources or the mutation are no good:
-  // a trial says why.
+  // Of a proof, or of the mutation of it. Nothing if the sources or the mutation are invalid: a
+  // trial reports why.
   std::optional<std::string> digest_of(const Proof& proof, const Mutation* mutation) const;
 
  private:

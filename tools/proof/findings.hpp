@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What judges found, kept in a file by all that it depends on, so that nothing is tried twice.
+// Verdicts of judges, cached in a file by a digest of everything that they depend on, so that
+// nothing is tried twice.
 #pragma once
 
 #include <filesystem>

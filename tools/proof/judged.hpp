@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a judge is asked, and what it answers.
+// Questions to a judge, and its verdicts.
 #pragma once
 
 #include <string>

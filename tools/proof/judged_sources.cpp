@@ -21,7 +21,7 @@ SourceTree woven(const Folders& folders, const char* name, Purpose purpose) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   prepare_sources(folders, folder / "sources", nullptr, purpose);
-  // A copy, too: what is changed while a campaign goes on must not be taken for what it was.
+  // A copy, so that changes of the sources during a campaign have no effect.
   fs::copy(folders.project / "testbench", folder / "testbench", fs::copy_options::recursive);
   return SourceTree({folder / "sources", folder / "testbench"});
 }
@@ -45,7 +45,7 @@ std::vector<std::string> JudgedSources::entities_of(const std::string& unit) con
       users.push_back(name);
     }
   }
-  // What is part of another one is compared with it.
+  // An entity that is part of another one is compared with it.
   std::vector<std::string> largest;
   for (const std::string& user : users) {
     if (std::ranges::none_of(users, [&](const std::string& other) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What distinguishes a mutant from the original: benches, proofs run from the start, and the
-// comparison of both netlists.
+// The judges of mutants: benches, proofs run from the start, and the comparison of both netlists.
 #pragma once
 
 #include "tools/proof/bench_judge.hpp"

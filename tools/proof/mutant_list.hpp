@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person has judged of mutants: testbench/proofs/mutants/FILE.toml.
+// Judgements of mutants by a person: testbench/proofs/mutants/FILE.toml.
 #pragma once
 
 #include <filesystem>

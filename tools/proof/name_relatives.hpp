@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which name is most easily written in place of another.
+// Which name is most easily confused with another.
 #pragma once
 
 #include <map>

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// GHDL gives the places in the sources.
+// Positions in the sources, which GHDL writes.
 std::string without_comments(const std::string& verilog) {
   static const std::regex comment(R"(/\*[^*]*\*/|//[^\n]*)");
   return std::regex_replace(verilog, comment, "");
@@ -82,7 +82,7 @@ std::string NetlistJudge::key(const Variant& variant) const {
   return entities.size() == 1 ? keys : fingerprint(keys);
 }
 
-// Names that GHDL numbers are hidden: they differ between variants for no reason.
+// Names numbered by GHDL are hidden: the numbers differ between variants.
 std::string NetlistJudge::write_netlist(const std::string& verilog, const std::string& entity,
                                         const char* name, const fs::path& folder) const {
   const bool is_original = name == std::string("gold");

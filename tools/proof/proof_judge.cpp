@@ -28,7 +28,8 @@ bool is_clocked(const Proof& proof) {
 std::vector<Proof> ProofJudge::proofs_of(const std::string& unit) const {
   std::vector<Proof> proofs;
   for (const Proof& proof : list_.proofs) {
-    // Of what contains the unit only the quick ones: the others take minutes and find little more.
+    // For entities that contain the unit only the quick ones: the others take minutes and find
+    // little more.
     if (is_clocked(proof) && proof.stand_ins.empty() && sources_.synthesized().has(proof.entity) &&
         (proof.entity == unit || proof.quick) &&
         sources_.synthesized().closure_of(proof.entity).contains(unit) &&

@@ -44,7 +44,7 @@ Records read_records(const fs::path& file) {
 }
 
 void write_records(const fs::path& file, const Records& records) {
-  // Renamed when whole: an interrupted run leaves the table of before or one with more rows.
+  // Renamed when complete: an interrupted run leaves the old table or one with more rows.
   const fs::path whole = file.string() + ".new";
   std::ofstream stream(whole);
   stream << "# SPDX-License-Identifier: Apache-2.0\n" << heading << "\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds and what is caught, kept in the repository with a digest of all that it depends on.
+// Proofs that held and mutations that were caught, recorded in the repository with a digest of
+// everything that they depend on.
 #pragma once
 
 #include <cstdint>

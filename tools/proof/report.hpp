@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outcome on the terminal and as JSON.
+// Reports the outcome on the terminal and as JSON.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choice of what is tried, and the threads that do it.
+// Chooses what is tried, and runs it on several threads.
 #include "tools/proof/run.hpp"
 
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ std::vector<Trial> chosen(const Options& options, const List& list) {
   return trials;
 }
 
-// Whether what is recorded counts: not where something is asked for by name or in another way.
+// Whether records count: not if trials are requested by name or with other settings.
 bool trusts_records(const Options& options) {
   return options.names.empty() && !options.quick && !options.all;
 }
@@ -59,7 +59,7 @@ std::uint64_t seed_of(const Options& options) {
   return static_cast<std::uint64_t>(today.time_since_epoch().count());
 }
 
-// Decides which trials the records spare.
+// Decides which trials can be skipped by their records.
 void spare_recorded(const Options& options, const std::vector<std::string>& part,
                     const Records& records, std::vector<Trial>& trials) {
   for (Trial& trial : trials) {

@@ -32,7 +32,7 @@ struct Options {
 void add_options(CLI::App& job, Options& options);
 
 // Returns true where everything that was tried holds. Throws std::runtime_error for a name that is
-// not in the list, or a list that is no good.
+// not in the list, or an invalid list.
 bool prove(const Options& options, const std::filesystem::path& project,
            const std::filesystem::path& build);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parentheses are counted: what stands within them ends nothing.
+// Parentheses are counted: text within them ends nothing.
 #include "tools/proof/vhdl_cursor.hpp"
 
 #include <fmt/format.h>

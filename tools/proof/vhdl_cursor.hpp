@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A place among the tokens of a VHDL file, and the ways to the next one.
+// A position among the tokens of a VHDL file, and moves to later ones.
 #pragma once
 
 #include <initializer_list>
@@ -19,7 +19,7 @@ class VhdlCursor {
   std::size_t place() const { return place_; }
   const std::string& text_at(std::size_t place) const { return tokens_[place].text; }
 
-  // What stands here, or so many tokens on.
+  // The token here, or this many tokens ahead.
   bool is(std::string_view text, std::size_t distance = 0) const;
   bool is_one_of(std::initializer_list<std::string_view> texts) const;
   // The next of these texts outside of parentheses, from here on. Throws std::runtime_error where

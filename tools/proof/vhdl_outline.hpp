@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a VHDL file something is computed: no parser, but it knows where statements
-// begin and end.
+// The places in a VHDL file where something is computed: not a full parser, it finds where
+// statements begin and end.
 #pragma once
 
 #include <vector>
@@ -32,7 +32,7 @@ struct Outline {
 
 // Declarations, initial values of signals and of the variables of processes, entities, assertions
 // and waits are left out; constants and the variables of subprograms are in. Throws
-// std::runtime_error where the file is not what this understands.
+// std::runtime_error if the file is not in the supported subset.
 Outline outline_of(const std::vector<Token>& tokens);
 
 }  // namespace proof

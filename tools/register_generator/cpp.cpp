@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the C++ header of a peripheral's registers: one struct per register with encode
+// Generates the C++ header of a peripheral's registers: one struct per register with encode
 // and decode.
 #include <fmt/format.h>
 

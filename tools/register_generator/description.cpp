@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a register description (TOML) and refuses everything that the generators could not honour.
+// Reads a register description (TOML) and refuses everything that the generators do not support.
 #include "register_generator/description.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text templates: a file as its reader will see it, with @names@ where values go.
+// Text templates: the generated file with @names@ as placeholders for values.
 #pragma once
 
 #include <map>

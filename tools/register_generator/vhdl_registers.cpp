@@ -42,7 +42,7 @@ std::vector<Element> elements_of(const Peripheral& peripheral) {
   return found;
 }
 
-// When the address is that of a register that `kind` holds for.
+// True if the address is that of a register for which `kind` holds.
 template <class Kind>
 std::string any_of(const std::vector<Element>& elements, Kind kind) {
   std::vector<std::pair<unsigned, unsigned>> ranges;

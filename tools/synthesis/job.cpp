@@ -20,7 +20,7 @@
 namespace synthesis {
 namespace {
 
-// All that the tools make there would be mixed with what another synthesis makes.
+// The tools' files there would be mixed with those of another synthesis.
 void take(const std::filesystem::path& directory, std::optional<devices::PathLock>& lock) {
   try {
     lock.emplace(directory);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the tools' JSON and writes one of our own, whose names stay when the tools' change.
+// Reads the tools' JSON and writes a report with names of our own, which stay when the tools'
+// names change.
 #include "tools/synthesis/report.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ json read(const std::filesystem::path& file) {
   return json::parse(stream);
 }
 
-// What a family calls its parts, and how large they are.
+// The names and sizes of cells in each FPGA family.
 struct Names {
   // Yosys' cell, and how the names of its registers begin.
   const char* lut4;
@@ -56,7 +57,7 @@ Usage usage_of(const json& utilization, const char* kind) {
   return {.used = entry.at("used"), .available = entry.at("available")};
 }
 
-// The cells whose name begins so: of registers there are many kinds.
+// The number of cells whose name has this prefix: there are many kinds of registers.
 int count_of(const json& cells, const char* begin) {
   int count = 0;
   for (const auto& [name, number] : cells.items()) {
@@ -158,7 +159,7 @@ Report read_report(const std::filesystem::path& netlist, const std::filesystem::
     }
     const json& clocks = layout.at("fmax");
     if (clocks.empty()) throw std::runtime_error("there is no clock");
-    // The design's own is the one of which most is wanted.
+    // The design's clock is the one with the highest target.
     auto clock = clocks.begin();
     for (auto other = clocks.begin(); other != clocks.end(); ++other) {
       if (wanted_of(other.value()) > wanted_of(clock.value())) clock = other;

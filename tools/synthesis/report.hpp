@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a synthesis costs and how fast the result is, out of what Yosys and nextpnr have written.
+// Cells and clock speed of a synthesis, from the reports of Yosys and nextpnr.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace synthesis {
 
-// A kind of cell: how many of how many the device has.
+// A kind of cell: how many are used of those that the device has.
 struct Usage {
   int used = 0;
   int available = 0;
