@@ -70,8 +70,8 @@ begin
     expect_register(jtag, x"0341", x"80000028");
     timer_interrupt <= '0';
 
-    -- A step into an access that nothing answers ends at the handler. A trigger behind such an access is
-    -- not reached.
+    -- A step into an access that nothing answers ends at the handler. A trigger after such an
+    -- access is not reached.
     for access_address in 4 to 5 loop
       write_register(jtag, x"1006", x"10000000");
       write_register(jtag, x"07b1", std_ulogic_vector(base + 4 * access_address));
@@ -100,7 +100,7 @@ begin
     expect_register(jtag, x"0342", x"00000003");
     expect_register(jtag, x"07b1", x"80000020");
 
-    -- Reset of the chip with and without a halt behind it.
+    -- Reset of the chip with and without a halt after it.
     write_dmi(jtag, dmcontrol_address, x"00000003");
     expect(jtag, dmstatus_address, x"00003000", x"00003f00", "in reset");
     write_dmi(jtag, dmcontrol_address, x"0000000b");

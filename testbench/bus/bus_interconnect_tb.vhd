@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The interconnect reaches each slave at its window only, and answers for those that are not there
--- or hang.
+-- The interconnect accesses each slave in its window only, and answers for missing and
+-- hanging slaves.
 
 library ieee;
 use ieee.std_logic_1164.all;

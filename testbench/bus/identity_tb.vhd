@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The identity block says what it was built with, and cannot be written.
+-- The identity block reads as its generics, and cannot be written.
 
 library ieee;
 use ieee.std_logic_1164.all;

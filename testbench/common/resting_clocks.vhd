@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A clock, and the same clock without the edges that may be left out: at rest, and of the registers
--- without an access. For a second unit, which must do as the first one although it gets no such edge.
+-- A clock, and the same clock gated: at rest, and for the registers without an access. For a second
+-- unit, which must behave as the first one on the gated clocks.
 
 library ieee;
 use ieee.std_logic_1164.all;

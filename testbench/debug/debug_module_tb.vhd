@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The registers of the debug module: what they keep, what they refuse, and what an inactive one forgets.
+-- The registers of the debug module: stored values, refusals, and the reset of an inactive module.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -150,7 +150,7 @@ begin
     write(abstractcs_address, x"00000100");
     expect(abstractcs_address, x"00000001");
 
-    -- Off, it lets the processor be.
+    -- Inactive, it does not affect the processor.
     write(dmcontrol_address, x"80000001");
     write(dmcontrol_address, x"00000000");
     clock;

@@ -60,7 +60,7 @@ begin
       assert captured = wanted report what & ": " & to_hstring(captured) severity failure;
     end procedure;
 
-    -- From run-test/idle through a register and back, with a pause behind each bit.
+    -- From run-test/idle through a register and back, with a pause after each bit.
     procedure scan_slowly(of_instruction : boolean; sent : std_ulogic_vector;
                           captured : out std_ulogic_vector) is
       alias bits : std_ulogic_vector(sent'length - 1 downto 0) is sent;
@@ -99,7 +99,7 @@ begin
     reset_tap(jtag);
     expect_data(x"00000000", identity_code, "identity after a reset");
 
-    -- Behind the identity comes what went in, 32 bits later.
+    -- After the identity comes the input, 32 bits later.
     expect_data(x"3c5a12345678", x"5678" & identity_code, "identity register of 32 bits");
 
     scan_instruction(jtag, "11111");

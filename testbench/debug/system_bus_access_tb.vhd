@@ -37,7 +37,7 @@ begin
       address => address, data => data, port_free => port_free, memory_request => memory_request,
       memory_data => memory_data, bus_request => bus_request, bus_response => bus_response);
 
-  -- The data of the last request, and nothing once the port belongs to somebody else.
+  -- The data of the last request, and nothing once the port is granted to another master.
   answer : process
   begin
     wait until rising_edge(clk);

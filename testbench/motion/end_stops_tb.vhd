@@ -24,7 +24,7 @@ architecture simulation of end_stops_tb is
   signal switches : std_ulogic_vector(7 downto 0) := x"00";
   signal triggered : std_ulogic_vector(7 downto 0);
 
-  -- A second one gets no edge of its clocks that may be left out: at rest, and without an access.
+  -- A second one runs on gated clocks: at rest, and without an access.
   signal resting_clk, resting_bus_clk : std_ulogic;
   signal rested_response : bus_response_t;
   signal rested_triggered : std_ulogic_vector(7 downto 0);

@@ -127,7 +127,7 @@ begin
       write_segment(number);
     end loop;
     assert full = '1' and level = depth severity failure;
-    -- Lost, and harmless.
+    -- Lost, without effect.
     write <= (valid => '1', lane => ticks_lane, data => x"DEADBEEF");
     wait until rising_edge(clk);
     write.valid <= '0';

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: Apache-2.0
--- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, threshold and highest
--- level of the queue, the rate floor, drivers that stay on until the last pulse has ended, an emergency at
--- rest, and interrupts that a reset withdraws. A second generator, which gets no edge that may be left out,
+-- What step_generator.vhd adds to its core: both words of a time beyond 2^32 clocks, threshold and
+-- highest level of the queue, the rate floor, drivers that stay on until the last pulse has ended,
+-- an emergency at rest, and interrupts that a reset withdraws. A second generator with gated clocks
 -- does the same.
 
 library ieee;

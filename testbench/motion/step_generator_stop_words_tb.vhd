@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Snapshot, hold, watchdog and every way to stop, by the registers: each cause, switch flag and latch
--- leads to its own place. A second generator, which gets no edge that may be left out, does the same.
+-- Snapshot, hold, watchdog and every way to stop, by the registers: each cause, switch flag and
+-- latch leads to its own place. A second generator with gated clocks does the same.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Two step generators of 2 axes with the same inputs. The second gets no clock edge that may be left out,
--- and must do as the first.
+-- Two step generators of 2 axes with the same inputs. The clock of the second is gated wherever it
+-- may be, and it must behave as the first.
 
 library ieee;
 use ieee.std_logic_1164.all;

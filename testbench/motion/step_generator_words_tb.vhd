@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Every register of the step generator by what it does: each setting, command, error and counter leads to
--- its own place. A second generator, which gets no edge that may be left out, does the same.
+-- Every register of the step generator by what it does: each setting, command, error and counter
+-- leads to its own place. A second generator with gated clocks does the same.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -78,7 +78,7 @@ begin
     assert counts.clocks - began = 35 report to_string(counts.clocks - began) & " clocks" severity failure;
     wait_for_clocks(clk, 2);
 
-    -- Standing axes and standing time delay, and nothing is lost.
+    -- Stalled axes and stalled time delay motion, and nothing is lost.
     ticks_before := counts.ticks;
     offer(clk, inputs, outputs, 4, half);
     inputs.axes_ready <= '0';

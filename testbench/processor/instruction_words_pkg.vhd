@@ -31,7 +31,7 @@ package instruction_words_pkg is
   constant ecall : word_t := x"00000073";
   constant ebreak : word_t := x"00100073";
   constant mret : word_t := x"30200073";
-  -- c.addi x8, 1, with half a word of something else behind it.
+  -- c.addi x8, 1, followed by half a word of something else.
   constant c_addi_x8 : word_t := x"ffff0405";
   constant illegal : word_t := x"00000000";
 

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- A port that is closed gives one break behind its last byte; a host without DTR, or back again, is heard.
+-- A port that is closed gives one break after its last byte; a host without DTR, or that reopens
+-- the port, is heard.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -101,7 +102,7 @@ begin
     send_byte;
     expect_one_break;
 
-    -- Without DTR again, behind a break.
+    -- Without DTR again, after a break.
     send_byte;
     wait for 3 * break_clocks * period;
 

@@ -150,7 +150,7 @@ begin
       check_status("both cleared", 0, transmit_depth, '1', '0', '0', '0');
       check_count("framing errors", framing_errors, 1);
       check_count("breaks", breaks, 1);
-      -- What was lost is marked at the byte behind it, and only there.
+      -- A loss is marked at the byte after it, and only there.
       send_byte(sent, x"42", bit_time);
       send_byte(sent, x"43", bit_time);
       wait for 2 * bit_time;

@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Two keys in turn keep the watchdog quiet; anything else, or nothing, ends that at the tick it must.
+-- Two keys in turn keep the watchdog alive; anything else, or nothing, makes it expire at the
+-- specified tick.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -167,7 +168,7 @@ begin
     first_key <= '0';
     second_key <= '0';
 
-    -- Reset forgets the first key, the window, and that it lived.
+    -- Reset clears the first key, the window and the alive state.
     give_ticks(clk, tick, window);
     feed(first);
     restart;

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The conditions of a heater's gate once more, as an outsider would write them down: an open gate needs that
--- all held in the clock before.
+-- An independent statement of the conditions of a heater's gate: a gate is open only if all of them
+-- held in the clock before.
 
 library ieee;
 use ieee.std_logic_1164.all;

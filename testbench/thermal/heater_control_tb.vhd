@@ -136,7 +136,7 @@ begin
     clear_trips(master);
     is_cleared : assert outputs.interrupt = '0' report "still tripped" severity error;
 
-    -- The processor hangs: the gate closes after its patience, less the part of the first one.
+    -- The processor hangs: the gate closes after the time-out, less the part of the first tick.
     heat(master, outputs.gates);
     feed_watchdog(master);
     clocks := 0;
@@ -154,7 +154,7 @@ begin
     clear_trips(master);
 
     -- Whatever is not the key that is due, in its time, trips all channels, also those at rest.
-    -- The window is a sixteenth of the patience.
+    -- The window is a sixteenth of the time-out.
     write(master, heater_control_watchdog_address, 16);
     for mistake in 0 to 3 loop
       wait_clocks(clk, 2 * tick_cycles);

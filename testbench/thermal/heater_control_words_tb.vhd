@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Every limit, status bit and trip of each channel leads to its own place, ticks are 1024 clocks, and a
--- second heater control, which gets no edge that may be left out, does the same.
+-- Every limit, status bit and trip of each channel leads to its own place, ticks are 1024 clocks,
+-- and a second heater control with gated clocks does the same.
 
 library ieee;
 use ieee.std_logic_1164.all;

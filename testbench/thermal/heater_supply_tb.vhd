@@ -130,7 +130,7 @@ begin
       expect("open anyway", '0', cause, '1');
       wish_closed;
       expect("closed again", '1', "0000");
-      -- Danger in the clock of the wish.
+      -- A cause in the clock of the request.
       causes <= cause;
       wish_closed;
       expect("danger comes with the wish", '0', cause, '1');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is checked of a command's arguments, on rows of the test's own.
+// The checks of a command's arguments, on rows defined by the test.
 #include "application/argument_limit.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hosts send to have it tried out is not carried out.
+// Lines that a host sends for a dry run are not executed.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"
@@ -94,7 +94,7 @@ TEST(dry_run_commands, executes_nothing_in_a_simulation) {
   EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
-// A file's simulation ends with the file, and the lines after it are meant.
+// The simulation of a file ends with the file, and the lines after it are to be executed.
 TEST(dry_run_commands, goes_on_behind_a_refused_simulation_of_a_file) {
   Printer printer;
   printer.talk(R"(
@@ -136,7 +136,7 @@ TEST(dry_run_commands, has_a_dry_run_and_a_simulation_end_each_by_its_own_comman
   EXPECT_EQ(printer.chip.motors, 0u);
 }
 
-// What a file to be stored holds is not meant for now, M111 S0 neither.
+// Lines of a file to be stored are not executed, not even M111 S0.
 TEST(dry_run_commands, does_not_end_by_a_line_of_a_file_to_be_stored) {
   Printer printer;
   printer.talk(R"(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers of the fake chip, and the seam of the bus.
+// Registers of the fake chip, and the bus functions of the firmware.
 #include "tests/application/fake_chip.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::size_t index_of(std::uint32_t address) {
   return address < first ? Register::count : (address - first) / 4;
 }
 
-// Apart from the look-up, which would otherwise carry the sentence's stack and its checks.
+// A function of its own, so that the look-up needs no stack for the message.
 [[noreturn, gnu::noinline]] void fail_without_register(std::uint32_t address) {
   throw std::out_of_range("no register has the address " + std::to_string(address));
 }

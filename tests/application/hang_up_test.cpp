@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host that is gone: the line was low and rested. Its half line is forgotten, and the next host's
-// first line is its own.
+// A host that has disconnected: the line was low and then idle. Its incomplete line is discarded,
+// and the first line of the next host is whole.
 #include <gtest/gtest.h>
 
 #include "registers/uart_registers.hpp"
@@ -98,7 +98,7 @@ TEST_F(HangUp, does_not_hide_what_the_next_host_loses) {
   )");
 }
 
-// They are awaited no longer.
+// They are no longer awaited.
 TEST_F(HangUp, ends_the_oks_that_wake_a_host) {
   printer.talk(R"(
     -> N0 M110 N0*125

@@ -34,7 +34,7 @@ TEST(homing_commands, homes_only_the_axes_that_are_named) {
   EXPECT_LE(std::abs(printer.chip.mechanical[y]), 1);
 }
 
-// Between any two looks of a pass: the start decides between which.
+// Between any two polls of a pass, depending on the start.
 TEST(homing_commands, sees_an_end_stop_whenever_it_is_reached) {
   for (std::int64_t start = 400; start < 440; ++start) {
     Printer printer;

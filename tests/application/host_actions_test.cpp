@@ -249,7 +249,7 @@ TEST(host_actions, a_host_killed_during_m109_leaves_a_printer_that_cools_down) {
   printer.run(0.3);
   printer.talk("-> M86 S20\n<- ok");
   printer.send("M109 S150");
-  // No host reads or sends any more; the wait itself is work, not silence.
+  // No host reads or sends any more; a wait for heat counts as work, not as silence.
   printer.run(120);
   EXPECT_NE(printer.chip.from_firmware.find("\nok\n"), std::string::npos);
   EXPECT_NE(printer.chip.from_firmware.find("echo:No word from the host, heaters off"),

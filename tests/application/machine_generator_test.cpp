@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// About the default machine with one text replaced by another.
+// The error for the default machine with one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
   return tests::complaint_of(machine_generator::header_of, tests::changed_description(from, to));
 }
@@ -72,7 +72,7 @@ TEST(machine_generator, names_whole_numbers_out_of_range) {
   }
 }
 
-// It becomes a text of the firmware, which says it to hosts in one line.
+// It becomes a text of the firmware, which sends it to hosts in one line.
 TEST(machine_generator, names_a_name_that_is_no_line_of_ascii) {
   for (const char* name :
        {R"("a\"b")", R"("a\\")", R"("a\nok")", R"("a\u0000b")", R"("caf\u00e9")"}) {
@@ -93,7 +93,7 @@ TEST(machine_generator, names_references_to_nothing) {
        {"endstop = 1", "endstop = 0", "axes.y.endstop: is the input of another"}});
 }
 
-// Of a channel or an input the chip has only so many, and each serves one thing.
+// The number of channels and inputs is limited, and each may be used once.
 TEST(machine_generator, names_channels_that_are_not_there_or_taken) {
   expect_complaints({{"heater_channel = 0", "heater_channel = 40",
                       "hotend.heater_channel: is 40, but must be 0 to 3"},
@@ -113,7 +113,7 @@ TEST(machine_generator, names_values_that_contradict_each_other) {
                       "temperature_converter.threshold_v: must be below supply_v"}});
 }
 
-// What only the simulation uses is judged as well: it is one file.
+// Entries that only the simulation uses are checked as well.
 TEST(machine_generator, names_a_heater_without_power) {
   expect_complaints(
       {{"heater_watts = 40.0", "heater_watts = 0.0", "hotend.heater_watts: is 0, but must be"}});
@@ -130,7 +130,7 @@ TEST(machine_generator, says_the_line_of_broken_toml) {
   expect_complaints({{"[serial]", "[serial", "line "}});
 }
 
-// What never ends is not read to its end.
+// An endless file is not read to its end.
 TEST(machine_generator, takes_only_files_of_a_bounded_size) {
   const auto complaint_of_file = [](const std::filesystem::path& file) {
     try {

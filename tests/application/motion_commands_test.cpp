@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves, coordinates and stops, as dialogues and as what the axes then have done.
+// Moves, coordinates and stops, as dialogues and by the positions of the axes.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t x = 0, y = 1, z = 2, e = 3;
 
-// A printer that knows where it is and has a hot nozzle.
+// A homed printer with a hot nozzle.
 void prepare(Printer& printer) {
   printer.chip.heaters[0].celsius = 200;
   printer.talk(R"(
@@ -38,7 +38,7 @@ TEST(motion_commands, refuses_a_parameter_that_it_does_not_know) {
   EXPECT_EQ(printer.counters.commands_refused, 3u);
 }
 
-// A refused line leaves nothing behind, not even its feedrate.
+// A refused line has no effect, its feedrate included.
 TEST(motion_commands, keeps_the_feedrate_where_the_line_is_refused) {
   Printer printer;
   prepare(printer);

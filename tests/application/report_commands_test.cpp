@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hosts ask around a print.
+// Queries that hosts send before and during a print.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"

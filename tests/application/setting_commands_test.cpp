@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings: what is taken, what is refused, and what is reported without values.
+// Settings: accepted values, refused values, and reports without values.
 #include <gtest/gtest.h>
 
 #include "tests/application/dialogue.hpp"
@@ -30,7 +30,7 @@ TEST(setting_commands, refuse_values_that_cannot_be) {
   EXPECT_EQ(printer.counters.commands_refused, 2u);
 }
 
-// All of a line or nothing, whichever of its values is wrong.
+// A line with any wrong value has no effect.
 TEST(setting_commands, keep_what_was_where_one_value_of_a_line_is_refused) {
   Printer printer;
   for (const char* line : {"M205 X5 S-1", "M205 X-1 S5", "M205 Z5 T-1", "M204 P500 T-1",

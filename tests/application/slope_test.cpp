@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// No line that may still be executed is taken beyond an acceleration by a change of the scale.
+// No change of the scale exceeds an acceleration limit of a line that may still be executed.
 #include "application/slope.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each clock beyond an instruction's first is put down to its cause.
+// Each clock beyond an instruction's first is attributed to its cause.
 #include "tools/benchmark/clock_use.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The works of `bench processor` do what their names say.
+// The workloads of `bench processor` compute known results.
 #include <gtest/gtest.h>
 
 #include <algorithm>

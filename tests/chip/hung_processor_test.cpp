@@ -20,7 +20,7 @@ class LastStep : public devices::StepListener {
   sim::Clock clock = 0;
 };
 
-// Wherever the processor is, and whatever trap it takes: from now on it jumps to where it is.
+// From now on the processor loops at its present address, and so does any trap.
 void hang(sim::Chip& chip) {
   constexpr std::uint32_t memory = 0x8000'0000, bytes = 96 * 1024, jump_to_itself = 0x0000'006f;
   for (std::uint32_t i = 0; i < bytes; i += 4) chip.write_memory(memory + i, jump_to_itself);

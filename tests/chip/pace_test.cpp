@@ -23,7 +23,7 @@ struct Recorder : devices::StepListener {
   std::vector<devices::StepEdge> edges;
 };
 
-// What a person sends in the middle of the job, so long after its first step.
+// Lines that a person sends during the job, with the time after its first step.
 struct Remark {
   sim::Clock after;
   std::string text;

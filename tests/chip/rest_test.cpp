@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clock edges that the model leaves out change nothing: the whole chip prints with
-// and without them.
+// Gated clock edges change nothing: the whole chip prints with and without them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -78,7 +77,7 @@ TEST(rest, the_whole_chip_does_the_same_with_all_clock_edges_and_with_those_that
 
   ASSERT_NO_THROW(loaded.simulation.run_until(RandomInputs::noise_from));
   ASSERT_NO_THROW(chip.compare_inside());
-  // Something did happen, and the processor did rest.
+  // There was activity, and the processor did sleep.
   EXPECT_GT(counter.steps, 500u);
   EXPECT_GT(random_inputs.bytes_heard, 100u);
   EXPECT_GT(chip.processor_statistics().sleeping_clocks, chip.now() / 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is inside the two models must be equal as well.
+// The states inside the two models must be equal as well.
 #include "tests/chip/resting_twins.hpp"
 
 #include <fmt/format.h>

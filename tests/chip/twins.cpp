@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps both chips at one time, and compares what they drive.
+// Runs both chips in step, and compares their outputs.
 #include "tests/chip/twins.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two chips side by side with the same inputs, to the simulation one: their pins must be the same
-// in every clock.
+// Two chips with the same inputs, which the simulation sees as one: their pins must be equal in
+// every clock.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace tests {
 
-// The chips have parted: what() says when and in what.
+// The chips differ: what() gives the clock and the pins.
 class TwinsDiffer : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

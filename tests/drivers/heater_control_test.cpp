@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heaters' driver against the heater control: what it takes to heat, and what ends it.
+// The heaters' driver against the heater control: the conditions for heating, and the trips that
+// end it.
 #include "drivers/heater_control.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ struct Heaters : testing::Test {
     driver.feed(drivers::FeedKey::first);
     driver.feed(drivers::FeedKey::second);
   }
-  // What tripped must be over.
+  // The cause of the trip must have ended.
   void close_supply() {
     driver.clear_trips(0);
     driver.clear_trips(1);

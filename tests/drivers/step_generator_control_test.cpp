@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What software and switches do to motion under way: stops, flushes, positions, motors.
+// Software and switches during motion: stops, flushes, positions, motors.
 #include "tests/drivers/step_generator_fixture.hpp"
 
 namespace {

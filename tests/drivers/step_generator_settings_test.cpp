@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not change in motion is refused there; no motion without a driver, none without an end.
+// Settings that must not change in motion are refused; there is no motion without a driver, and
+// none without an end.
 #include <limits>
 
 #include "platform/bus.hpp"
@@ -130,7 +131,7 @@ TEST_F(StepGeneratorSettingsTest, keeps_its_motors_on_in_motion) {
   platform::write(registers::MotorEnable{.axes = all_motors});
   EXPECT_EQ(errors(), 0);
   EXPECT_EQ(chip_->enable, all_motors);
-  // And none after a stop, since no step begins there.
+  // And none after a stop, since no step begins then.
   generator_.stop();
   platform::write(registers::MotorEnable{.axes = 0});
   EXPECT_EQ(errors(), 0);
@@ -204,7 +205,7 @@ TEST_F(StepGeneratorSettingsTest, answers_a_segment_that_is_committed_when_the_e
     chip_.clock(20);
     EXPECT_TRUE(generator_.stop_state().emergency_input);
     EXPECT_EQ(generator_.queued_segments(), 0);
-    // It was in the queue, and the stop has forgotten it; or it was refused.
+    // It was in the queue, and the stop discarded it; or it was refused.
     const std::uint32_t error = errors();
     const bool was_queued = generator_.counters().max_level == 1;
     EXPECT_EQ(error, was_queued ? 0 : while_stopped_error) << delay;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a program writes, and whatever happens besides: the pins keep their guards, no step
-// comes where none may be, each is counted, and latches have what was.
+// For any writes of a program and any inputs: the pins keep their guard times, no forbidden step
+// occurs, each step is counted, and the latches are correct.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -28,7 +28,7 @@ TEST_P(AWildProgram, moves_nothing_against_the_rules) {
     stops += program.stops();
     latches += program.latches_compared();
   }
-  // It has been where it hurts.
+  // The run has reached the critical situations.
   const auto count = static_cast<std::uint64_t>(runs);
   EXPECT_GT(steps, 100 * count);
   EXPECT_GT(stops, 5 * count);

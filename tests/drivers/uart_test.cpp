@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial line's driver: speeds, bytes in and out, lost and broken ones.
+// The serial line's driver: baud rates, bytes in and out, lost and broken ones.
 #include "tests/drivers/uart_line.hpp"
 
 namespace {

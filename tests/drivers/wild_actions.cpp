@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a wild program does: whole segments, garbage, and questions whose answers are known.
+// Actions of the random program: whole segments, invalid writes, and reads of known values.
 #include <algorithm>
 
 #include "tests/drivers/wild_program.hpp"
@@ -68,7 +68,7 @@ void WildProgram::append_segment() {
   }
 }
 
-// A bus error, and no effect on anything that is watched.
+// A bus error, without any visible effect.
 void WildProgram::write_part_of_a_word() {
   const std::uint32_t address = reg::base + 4 * below(0x160 / 4);
   access(address + below(4), true, any_word(), below(15));

@@ -55,7 +55,7 @@ void WildProgram::clock(std::uint32_t count) {
   }
 }
 
-// Why no step may come with the next edge; what that edge sees end motion, or permit it again.
+// Why no step may come with the next edge, from the inputs that stop motion or permit it again.
 const char* WildProgram::judge() {
   const char* reason = stopped_ ? "a step between stop and acknowledgement" : nullptr;
   const bool emergency = model_->emergency_stop != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures come from results into pages, and what is wrong is found.
+// Figures are taken from results into pages, and errors are detected.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

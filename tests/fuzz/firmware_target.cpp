@@ -137,8 +137,8 @@ Host::Answer Host::answer() {
 }
 
 bool Host::exchange(const Line& line) {
-  // Damaged once; a byte outside ASCII, and then a text that is no command, are asked
-  // for once each.
+  // Damaged once; a byte outside ASCII, and then a text that is no command, are requested again
+  // once each.
   constexpr int most_transmissions = 5;
   for (int transmission = 0; transmission < most_transmissions; ++transmission) {
     const bool damaged = transmission == 0 && line.damaged_byte != 0 && line.numbered;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads lines by the protocol's definition, apart from the firmware.
+// Parses lines by the protocol's definition, independently of the firmware.
 #include "tests/fuzz/link_model.hpp"
 
 #include <algorithm>

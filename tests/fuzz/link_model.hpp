@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host link and what is known about it from outside: every line as it came over the wire, every
-// line that was delivered, every reply.
+// A host link as observed from outside: every line on the wire, every delivered line, every reply.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +28,7 @@ class LinkModel {
 
   // What a host does with it.
   void begin_numbered(std::uint32_t number);
-  // With the XOR of what has come of the line, or another.
+  // With the XOR of the bytes so far, or another.
   void end_framed(unsigned error);
   std::uint32_t next_number() const { return last_sent_ + 1; }
   std::uint32_t asked_number() const { return asked_; }

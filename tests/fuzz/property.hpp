@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a fuzz target says that something which must always hold does not: the input is kept, and the
-// sentence stands above it.
+// How a fuzz target reports a violated property: the message is printed, and the input is kept.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds for any line: no byte sequence does harm, and a written command reads back as itself.
+// Properties of the parser: any bytes are handled, and a written command reads back as itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lines are commands, which are errors, and where the error is said to be.
+// Which lines are commands, which are errors, and the position of the error.
 #include "gcode/parser.hpp"
 
 #include <gtest/gtest.h>

@@ -58,7 +58,7 @@ void PrintRun::let_pass(std::uint64_t clocks) {
   for (; clocks > 0; --clocks) model_.clock();
 }
 
-// The firmware looks at the time once a pass.
+// The firmware reads the time once a pass.
 void PrintRun::refill() {
   const units::Microseconds began = now();
   while (model_.has_room()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step generator as its specification says, clock by clock, without guards: a queue of segments,
-// the integration of the tick rate, Bresenham per axis.
+// A model of the step generator by its specification, clock by clock, without guard times: a queue
+// of segments, the integration of the tick rate, Bresenham per axis.
 #pragma once
 
 #include <cstdint>

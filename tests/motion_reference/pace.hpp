@@ -17,7 +17,7 @@ class Pace {
   // Base clocks of the current clock: 0, 1, 2 or 4.
   std::uint64_t leap() const { return leap_; }
   std::uint64_t scale() const { return scale_; }
-  // Time stood still in the clock before.
+  // No base clock was executed in the clock before.
   bool standing() const { return standing_; }
 
   // To the next clock. `moving`, `braking`, `stalled`: in the current one; `acceleration`: in the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random runs: plays the software against the reference and notes what it did.
+// Random runs: acts as software on the reference model and records the stimuli.
 #include "tests/motion_reference/random_stimuli.hpp"
 
 #include <algorithm>
@@ -99,7 +99,7 @@ class Player {
   }
 
   // End stops mostly open, now and then closed for some clocks; rarely the emergency stop. The
-  // start comes with them, or when somebody waits for it.
+  // start comes with them, or when a segment waits for it.
   void change_inputs() {
     const std::uint32_t start = chance(50) ? 0x200u : 0;
     const std::uint32_t value = start | (inputs_closed_ ? 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes up what software and end stops do to a step generator: random, but the same for
-// the same seed.
+// Generates random actions of software and end stops on a step generator, the same for the
+// same seed.
 #pragma once
 
 #include <cstdint>

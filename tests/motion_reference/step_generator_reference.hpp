@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step generator as its specification has it, written apart from the VHDL, to be
-// compared with it.
+// A model of the step generator by its specification, written independently of the VHDL,
+// for comparison.
 #pragma once
 
 #include <deque>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the step generator is given and what it answers, clock by clock: the language
-// of the comparisons.
+// Stimuli and outputs of the step generator, clock by clock: the format of the comparisons.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axis follows what a motor can follow, and loses steps beyond that.
+// An axis follows its steps within the motor's limits, and loses steps beyond.
 #include "sim/plants/axis.hpp"
 
 #include <gmock/gmock.h>

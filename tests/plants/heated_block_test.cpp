@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The heated block keeps the laws of heat, however time is cut.
+// The heated block obeys the heat equations, for any division into time steps.
 #include "sim/plants/heated_block.hpp"
 
 #include <gtest/gtest.h>

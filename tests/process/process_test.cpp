@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs are started with what was requested, and nothing of them outlives its time.
+// Programs are started as requested, and no process of theirs remains.
 #include "tools/process/process.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is an instruction and what is none: every combination of opcode and function bits of the
+// Which words are instructions: every combination of opcode and function bits of the
 // long words, every system instruction, every short word, against lists from the manual. What is
 // none traps, with its bits and its address, and does nothing else.
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ std::uint64_t clock_at(Chip& chip, Word address) {
   return 0;
 }
 
-// From the clock in which the request is there, so many clocks behind the completion of the first
+// From the clock in which the request is there, so many clocks after the completion of the first
 // instruction, to the completion of the handler's first.
 unsigned latency(const std::vector<Word>& tested, Word handler, unsigned delay) {
   Chip chip(place(tested, false, handler).image);
@@ -72,7 +72,7 @@ TEST(InterruptTiming, is_longer_where_it_is_requested_with_a_return) {
                                  encode::nop(),
                                  encode::nop()};
   const Word handler = first_tested + 4 * static_cast<Word>(tested.size());
-  // The return is executed in the fifth clock behind the first instruction.
+  // The return is executed in the fifth clock after the first instruction.
   for (unsigned delay = 0; delay < 10; ++delay) {
     EXPECT_EQ(latency(tested, handler, delay),
               table.at(delay == 4 ? "interrupt requested with mret" : "interrupt"))

@@ -65,7 +65,7 @@ LockstepResult run_lockstep(const std::vector<std::uint8_t>& image,
       result.difference = "the chip does nothing any more";
       break;
     }
-    // When an interrupt comes is the chip's affair; that it was due, and which, the model says.
+    // The chip decides when an interrupt is taken; the model checks that it was due, and which one.
     auto interrupt = std::optional<Step>();
     if (event->interrupt) {
       interrupt = model.take_interrupt();

@@ -54,7 +54,7 @@ class Run {
     }
     pause_ = static_cast<unsigned>(random_()) % settings_.longest_pause;
     const Word two = 1U << random_() % 32 | 1U << random_() % 32;
-    // A line may fall again before anybody has seen it.
+    // A line may fall again before it has been sampled.
     const Word lines = chip_.device().interrupts() == 0 || random_() % 4 == 0 ? two : 0;
     if (lines == 0 && random_() % 4 != 0) return;
     chip_.device().set_interrupts(lines & TestDevice::interrupt_mask);

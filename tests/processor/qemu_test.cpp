@@ -96,7 +96,7 @@ TEST(Qemu, does_the_same_as_the_chip) {
     run_with_qemu(seed, settings, count);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
   }
-  // The programs must have been worth running.
+  // The programs must have exercised enough.
   EXPECT_GT(count.traps, count.instructions / 100);
   EXPECT_GT(count.compressed, count.instructions / 5);
   std::printf("%llu instructions, %llu of them compressed, %llu traps\n",

@@ -72,7 +72,7 @@ void add_prologue(RandomText& text) {
   while (text.program.size() < instructions_of_prologue - 2) text.emit(encode::nop());
 }
 
-// What was stored is looked at by loading it.
+// Stored values are checked by loading them.
 void read_back(RandomText& text) {
   for (std::int32_t offset = -128; offset < 128; offset += 4) {
     text.emit(encode::load(2, 1, data_base, offset));

@@ -23,7 +23,7 @@ void run_all(unsigned seeds, unsigned first_seed, RandomProgramSettings settings
     sum.traps += result.traps;
     sum.interrupts += result.interrupts;
   }
-  // The programs must have been worth running.
+  // The programs must have exercised enough.
   EXPECT_GT(sum.instructions, seeds * settings.length / 2);
   EXPECT_GT(sum.traps, seeds);
   if (settings.interrupts) {

@@ -82,7 +82,7 @@ TEST_F(PseudoTerminalChange, takes_the_whole_lines_of_hosts_that_only_write_and_
   close(port);
 }
 
-// As `stty` in the midst of a job.
+// As `stty` in the middle of a job.
 TEST_F(PseudoTerminalChange,
        is_none_where_another_program_opens_and_closes_while_the_host_is_there) {
   const int port = open_port();

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using tests::PseudoTerminalTest;
 
-// A file of somebody's, with a text that must stay.
+// A user's file, with a text that must stay.
 void write_precious(const fs::path& file) { std::ofstream(file) << "precious"; }
 
 TEST_F(PseudoTerminalTest, makes_its_symlink_and_removes_it) {

@@ -111,7 +111,7 @@ TEST(SerialLine, counts_a_frame_without_stop_bit_and_delivers_nothing) {
   EXPECT_EQ(bytes.text, "");
 }
 
-TEST(SerialLine, spoils_the_share_of_bytes_that_it_is_asked_to_and_repeats_it_by_the_seed) {
+TEST(SerialLine, corrupts_the_requested_share_of_bytes_and_repeats_it_by_the_seed) {
   const auto received = [](std::uint64_t seed) {
     Connection connection(250'000, {.corrupted_bytes = 0.1, .seed = seed});
     connection.line.send(0, std::string(1000, 'U') + "\n");
@@ -124,7 +124,7 @@ TEST(SerialLine, spoils_the_share_of_bytes_that_it_is_asked_to_and_repeats_it_by
   EXPECT_NE(received(7), received(8));
 }
 
-TEST(SerialLine, spoils_bytes_of_the_direction_that_is_asked_for) {
+TEST(SerialLine, corrupts_bytes_of_the_requested_direction) {
   for (const bool replies : {false, true}) {
     devices::SerialFaults faults;
     (replies ? faults.corrupted_replies : faults.corrupted_bytes) = 0.1;
