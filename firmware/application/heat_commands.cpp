@@ -25,7 +25,7 @@ std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> tim
 }
 
 // A target outside the heater's range changes nothing: a lower one, as Marlin takes,
-// would spoil the print without a word.
+// would ruin the print without a message.
 bool is_too_hot(const thermal::HeaterLoop& loop, units::Millicelsius target) {
   return target > loop.highest_target();
 }

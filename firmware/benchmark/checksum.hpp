@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CRC-16 (polynomial x^16 + x^15 + x^2 + 1, lowest bit first), bit by bit: work, and proof of work.
+// CRC-16 (polynomial x^16 + x^15 + x^2 + 1, lowest bit first), bit by bit: a workload, and the
+// check of its result.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // List, matrices, state machine and checksums in turn: work like that of common benchmarks of small
-// processors, but of this project's own making.
+// processors, but written for this project.
 #pragma once
 
 #include <string_view>

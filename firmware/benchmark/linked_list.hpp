@@ -20,7 +20,7 @@ class LinkedList {
   // Values that only depend on `seed`.
   void fill(std::uint32_t seed);
   void reverse();
-  // Merge sort: stable, and of as many comparisons whatever lies where.
+  // Merge sort: stable, with the same number of comparisons for any order.
   void sort_by_value();
   void sort_by_place();
   // The record of this place, to the front. Nothing where there is none.

@@ -75,8 +75,8 @@ void NumberScanner::scan() {
   }
 }
 
-// Twice the same makes it good again.
-void NumberScanner::spoil(std::size_t stride) {
+// The same change again restores the text.
+void NumberScanner::corrupt(std::size_t stride) {
   for (std::size_t place = 0; place < text_length; place += stride) {
     if (text_[place] != separator) text_[place] = static_cast<char>(text_[place] ^ 0x40);
   }
@@ -86,9 +86,9 @@ std::uint16_t NumberScanner::run(std::size_t stride) {
   ended_in_.fill(0);
   entered_.fill(0);
   scan();
-  spoil(stride);
+  corrupt(stride);
   scan();
-  spoil(stride);
+  corrupt(stride);
   std::uint16_t sum = 0;
   for (std::size_t i = 0; i < states; ++i) {
     sum = add_half_word(add_half_word(sum, ended_in_[i]), entered_[i]);

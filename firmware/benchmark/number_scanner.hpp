@@ -34,7 +34,7 @@ class NumberScanner {
 
   static State next(State state, char character);
   void scan();
-  void spoil(std::size_t stride);
+  void corrupt(std::size_t stride);
 
   std::array<char, text_length> text_{};
   std::array<std::uint16_t, states> ended_in_{};  // numbers, by the last state

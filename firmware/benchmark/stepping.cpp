@@ -36,7 +36,7 @@ motion::Segment segment_of(const benchmark::Piece& piece, bool last) {
   return segment;
 }
 
-// Gives back what has come in. True if more may be there.
+// Echoes received bytes. True if more may follow.
 bool echo(drivers::Uart& uart) {
   std::array<char, 64> bytes;
   const std::size_t count = uart.read(bytes).count;

@@ -17,8 +17,8 @@ struct Frame {
 
 class FrameReceiver {
  public:
-  // True where a frame is complete with this byte. After a damaged one everything is skipped until
-  // the line is silent: what looks like a frame may be the inside of one.
+  // True where a frame is complete with this byte. After a damaged frame everything is skipped
+  // until the line is idle, because the payload may look like a frame.
   bool receive(std::uint8_t byte);
   // The line was silent for a while. False where that was in a frame, or after a damaged one.
   bool silence();

@@ -42,7 +42,7 @@ void stop_everything() {
   platform::write(registers::step_generator::Command{.flush = true, .stop = true});
 }
 
-// Whatever else comes is a host that wants the program.
+// Any other byte is from a host that uses the firmware.
 bool knocked(std::uint32_t clock_hz) {
   for (unsigned count = 0; count < knocks; ++count) {
     if (Line::receive(clock_hz / windows_per_second) != knock) return false;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the loader does with the frames of a host: fills memory, answers, and says when a
-// program is whole.
+// Processes the frames of a host: fills memory, answers, and reports when a program is complete.
 #pragma once
 
 #include <array>
@@ -44,7 +43,7 @@ class Session {
 
   // Of a whole program: the one that was there until `begin`, the new one from `start` on.
   std::optional<std::uint32_t> entry() const { return entry_; }
-  // A host has had its program checked and wants it to run.
+  // A host has had its program checked and requests its start.
   bool start_wanted() const { return start_wanted_; }
 
  private:

@@ -21,8 +21,8 @@ std::uint32_t ticks_of(units::Milliseconds time, units::Hertz clock, std::int64_
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ticks, 0, most));
 }
 
-// What the hardware has then is as good as the value: a program that was loaded over another finds
-// the other's limits, which were measured a little differently.
+// The value in the hardware is accepted within this: a program loaded over another one finds its
+// limits, which were measured slightly differently.
 bool lock(std::uint32_t address, std::uint32_t value) {
   constexpr int tolerance_shift = 5;
   platform::bus_write(address, value);
@@ -46,7 +46,7 @@ void HeaterControl::set_slot(units::Microseconds slot) {
 }
 
 bool HeaterControl::lock_limits(std::size_t channel, const HeaterLimits& limits) {
-  // All, also where one is refused: each that is locked protects.
+  // All are written, even if one is refused: each locked limit protects.
   const bool minimum = lock(registers::MinimumCount::address_of(channel), limits.counts.minimum);
   const bool maximum = lock(registers::MaximumCount::address_of(channel), limits.counts.maximum);
   const bool hot = lock(registers::HotCount::address_of(channel), limits.hot);

@@ -46,7 +46,7 @@ struct SupplyStatus {
   bool veto_opened{};
 };
 
-// The watchdog wants both in turn, from places of the program that must both be alive.
+// The watchdog needs both in turn, from two places of the program that must both run.
 using FeedKey = registers::heater_control::Feed::Key;
 
 class HeaterControl {
@@ -67,7 +67,7 @@ class HeaterControl {
   // fed is the second.
   void feed(FeedKey key);
 
-  // Gives the heaters power; refused unless all duties are 0, the watchdog is fed and nothing
+  // Closes the supply; refused unless all duties are 0, the watchdog is fed and nothing
   // has tripped.
   void close_supply();
   void open_supply();
@@ -76,8 +76,7 @@ class HeaterControl {
   // Of 65535. Feed the watchdog first: a duty that is not allowed trips the channel.
   void set_duty(std::size_t channel, std::uint16_t duty);
   HeaterStatus status(std::size_t channel) const;
-  // Sets the duty to 0 and forgets what has tripped; what still holds trips again with the
-  // next duty.
+  // Sets the duty to 0 and clears the trips; a cause that persists trips again with the next duty.
   void clear_trips(std::size_t channel);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What chip this is, so that one firmware image serves every build of it.
+// Version and sizes of the chip, so that one firmware image serves every build of it.
 #pragma once
 
 #include <cstdint>

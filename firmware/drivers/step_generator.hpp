@@ -70,13 +70,13 @@ class StepGenerator {
   // to 1 times.
   void set_override(std::uint32_t scale_65536ths);
   void set_override_percent(std::uint32_t percent);
-  // Changes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
+  // Slopes of the scale per clock, in 2^-32: of the override and of the brake. A slope takes a
   // tick rate r to 0 with a deceleration of r * slope. At 0 the scale stays as it is, and a
   // brake stops at once. Where the
   // segment itself accelerates to the same side the override gets less of its slope, none from 7/8
   // on, so that the sum of both exceeds neither; the brake does not wait.
   void set_slopes(std::uint32_t override_slope, std::uint32_t brake_slope);
-  // At this moment, in 1/65536.
+  // The present scale, in 1/65536.
   std::uint32_t scale() const;
   // A feed hold has come to its end: a segment is executed, but nothing moves.
   bool held() const;
@@ -100,10 +100,10 @@ class StepGenerator {
   // Only when idle: false, and nothing done, otherwise.
   [[nodiscard]] bool set_position(units::Axis axis, std::int32_t steps);
 
-  // Emergency stop: no step from now on, the queue is flushed. Holds until acknowledge_stop().
+  // Stops at once: no step from now on, the queue is flushed. Lasts until acknowledge_stop().
   void stop();
-  // To rest along the path by the brake's slope, then as stop(). An end stop of the segment that is
-  // executed ends it at once, but for the one that began it, until that is released.
+  // Comes to rest along the path by the brake's slope, then as stop(). An end stop of the present
+  // segment ends it at once, except the one that started it, until that is released.
   void brake();
   // The stop that waits for its acknowledgement, whether by end stop, input or software.
   Stop stop_state() const;

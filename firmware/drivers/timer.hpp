@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine timer: what time it is in clocks, and an interrupt at a deadline.
+// The machine timer: the time in clocks, and an interrupt at a deadline.
 #pragma once
 
 #include "units/quantity.hpp"

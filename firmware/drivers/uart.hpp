@@ -11,7 +11,7 @@
 
 namespace drivers {
 
-// What went wrong on the line since the last Uart::clear_errors().
+// Errors on the line since the last Uart::clear_errors().
 struct UartErrors {
   bool overrun{};  // bytes came faster than they were read, and were lost
   bool framing_error{};  // a byte had no stop bit and was dropped
@@ -22,7 +22,7 @@ struct UartErrors {
   constexpr bool any() const { return overrun || framing_error || break_condition; }
 };
 
-// How often it went wrong since reset, modulo 2^16.
+// Error counts since reset, modulo 2^16.
 struct UartErrorCounts {
   std::uint16_t overruns{};  // lost bytes
   std::uint16_t framing_errors{};
@@ -36,7 +36,7 @@ struct ReceivedBytes {
   bool gap_before_last{};  // right before the last of them something was lost
 };
 
-// What is to interrupt: levels, which last until the FIFO has been served.
+// Interrupt sources: levels, which last until the FIFO has been served.
 struct UartAlarms {
   std::size_t receive_level{};  // at least so many bytes wait; 0 is never
   bool line_end{};  // the end of a line waits
@@ -66,14 +66,14 @@ class Uart {
 
   std::size_t receive_level() const;
   std::size_t transmit_space() const;
-  // Everything has left, the last stop bit included.
+  // Everything has been sent, the last stop bit included.
   bool transmit_idle() const;
 
   UartErrors errors() const;
   UartErrorCounts error_counts() const;
   void clear_errors();
 
-  // Among the bytes that wait is the end of a line.
+  // The received bytes contain the end of a line.
   bool line_waits() const;
   // What ends a line, of bytes that come from now on; after reset line feed and carriage return.
   void set_line_ends(char first, char second);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of each received line.
+// Decides what happens to each received line.
 #include "host_link/host_link.hpp"
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace host_link {
 namespace {
 
 constexpr units::Milliseconds session_memory{10'000};
-// So often is a host that waits for a lost reply woken; then it is taken to be gone or content.
+// Number of repeated replies to a host that may wait for a lost one; then it is taken to be gone
+// or finished.
 constexpr std::uint8_t rescues = 6;
 
-// Commands that hosts send between numbered lines and that only ask: safe even if they
-// are remnants.
+// Queries that hosts send between numbered lines: safe even as remnants of a line.
 bool only_asks(std::string_view text) {
   switch (take_m_code(text)) {
     case 27:
@@ -61,10 +61,10 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   }
 }
 
-// What is given up now, since it is old, is not the broken line.
+// The line that is given up because of its age is not the broken one.
 void HostLink::receive_fault(units::Milliseconds now) {
   give_up_old_line(now);
-  receiver_.spoil();
+  receiver_.mark_corrupted();
 }
 
 void HostLink::hang_up() {
@@ -84,7 +84,7 @@ void HostLink::handle(const ReceivedLine& received) {
     if (!line.framed() && !emergency && !line.text.empty() && !only_asks(line.text)) {
       return notify(Notice::unfinished);
     }
-    // In a numbered session that was said when the line was given up.
+    // In a numbered session this was reported when the line was given up.
     if (rescues_left_ == 0) say("echo:Line not finished, not executed");
   }
   if (line.framed()) {
@@ -104,7 +104,7 @@ void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
     return;
   }
   if (numbering_.within_patience(now_) && !emergency && !only_asks(line.text)) {
-    // It stands where the wanted line should: perhaps its second half.
+    // It comes in place of the requested line: it may be its second half.
     if (looks_like_command(line.text)) return notify(Notice::awaiting_resend);
     numbering_.ignored();
     ++statistics_.dropped;
@@ -141,7 +141,7 @@ void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgem
   switch (judgement.verdict) {
     case Verdict::accept:
       if (line.too_long) {
-        // Whole and in order, but more than can be kept: the host must not send it forever.
+        // Complete and in order, but too long: accepted, or the host would send it forever.
         numbering_.accepted(line, now_);
         drop_owed_resend();
         return notify(Notice::too_long);

@@ -18,7 +18,7 @@
 
 namespace host_link {
 
-// What the firmware is at, for the busy messages.
+// The firmware's present activity, for the busy messages.
 enum class Activity : std::uint8_t { idle, processing, paused_for_user, paused_for_input };
 
 // Counted since the start; for reports and tests.
@@ -38,8 +38,8 @@ class HostLink {
   // Something was lost between the bytes received so far and the next, which is received right
   // after this call, at the same time: the line that it belongs to is broken.
   void receive_fault(units::Milliseconds now);
-  // The host is gone, and the next byte is another one's: a line that is not finished never will
-  // be, and no answer is awaited.
+  // The host has disconnected, and the next byte is from another one: an incomplete line is
+  // discarded, and no answer is due.
   void hang_up();
 
   // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.
@@ -49,7 +49,7 @@ class HostLink {
   // Whether the line that next_line() gives requests temperatures (M105).
   bool temperatures_wanted() const;
   // The oldest accepted line, if none is in hand. It stays in hand, and its text valid, until
-  // finished(). The text may be empty (a numbered comment): it wants nothing but its ok.
+  // finished(). The text may be empty (a numbered comment): only its ok is due.
   std::optional<AcceptedLine> next_line();
 
   // Sends the ok of the line in hand, followed by `report` (" T:20.00 ..." of M105). False if there
@@ -76,7 +76,7 @@ class HostLink {
   // no room.
   void update(units::Milliseconds now, Activity activity);
 
-  // A command that must not wait for the queue, once for each reception. Its line is queued as well
+  // A command that must not wait in the queue, once for each reception. Its line is queued as well
   // (marked as acted on), since the host waits for its ok.
   std::optional<EmergencyCommand> emergency() { return emergencies_.next(); }
 

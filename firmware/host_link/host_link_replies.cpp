@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link says by itself: oks, resend requests, notices, busy messages, and when.
+// Messages of the link itself: oks, resend requests, notices, busy messages, and their timing.
 #include "host_link/host_link.hpp"
 #include "host_link/text_line.hpp"
 
 namespace host_link {
 namespace {
 
-// A framed line that rests is broken: at 9600 baud the gap between two bytes is 1 ms.
+// A framed line that pauses is broken: at 9600 baud the gap between two bytes is 1 ms.
 constexpr units::Milliseconds framed_line_time_out{300};
 // An unnumbered one may be typed by hand: no host rests in a line for more than some 100 ms (at
 // 9600 baud a byte takes 1 ms), no person for much longer from key to key, and the host that comes
@@ -64,7 +64,7 @@ bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report)
   if (advanced_ok_) {
     if (number) ok.text(" N").integer(written(*number));
     ok.text(" P").integer(planner_space_);
-    // The place of the line that is being answered is free again.
+    // The slot of the line that is being answered is free again.
     ok.text(" B").integer(static_cast<std::int64_t>(queue_.room() + (in_hand_ ? 1 : 0)));
   }
   if (!transmit_.put_line({ok.view(), report})) return false;
@@ -150,8 +150,8 @@ void HostLink::end_unfinished_line() {
   notify(Notice::unfinished);
 }
 
-// What lies there since long is of a host that is gone. Where no numbered lines come nothing waits
-// for an answer, so that is said only now.
+// An old incomplete line is from a host that has disconnected. Without numbered lines no host waits
+// for an answer, so the notice is sent only now.
 void HostLink::give_up_old_line(units::Milliseconds now) {
   if (!receiver_.unfinished() || receiver_.unfinished_is_framed()) return;
   if (now - last_heard_ >= plain_line_time_out) receiver_.give_up();

@@ -8,8 +8,7 @@
 
 namespace host_link {
 
-// Counted modulo 2^32: no host comes to the end, and -1, from which printcore counts, needs
-// no sign.
+// Counted modulo 2^32: no host reaches the end, and -1, from which printcore counts, needs no sign.
 using LineNumber = std::uint32_t;
 inline constexpr LineNumber before_first = 0xffff'ffff;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The acceptance rules for framed lines; the README says which host needs which.
+// The acceptance rules for framed lines; the README lists which host needs which.
 #include "host_link/line_numbering.hpp"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
         now);
   }
   if (line.unprintable) {
-    // One that comes twice alike is no noise: the host means it, and the parser may judge it.
+    // A line that arrives twice unchanged is not noise: the host sends it on purpose, and the
+    // parser decides.
     const Taken seen{line.number.value_or(0), fingerprint_of(line.text)};
     if (unprintable_ != seen) {
       unprintable_ = seen;
@@ -123,7 +124,8 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   return refuse_or_ignore(now);
 }
 
-// In the middle of a job it is rather a host that was sent back, or a fault that the XOR missed.
+// In the middle of a job it is more likely a host that was sent back, or a fault that the
+// XOR missed.
 Judgement LineNumbering::judge_after_lost_start(units::Milliseconds now) {
   if (established_ && now - last_taken_ < restart_pause) return refuse_or_ignore(now);
   const bool asked_for_it = asked_for() == 0;
@@ -221,7 +223,7 @@ void LineNumbering::asked_for_resend(units::Milliseconds now) {
 void LineNumbering::resend_sent(units::Milliseconds now) {
   asked_for_resend(now);
   if (state_ != State::start_awaited || ++lost_start_asked_ <= lost_start_requests) return;
-  // It begins at N1, and that is what may come now.
+  // It begins at N1, which may come now.
   state_ = State::line_awaited;
   refused_number_ = 1;
 }

@@ -51,11 +51,11 @@ class LineNumbering {
   // A host that comes with its first lines sooner than this has not been restarted.
   static constexpr units::Milliseconds restart_pause{2000};
 
-  // Of a line with number or checksum. Takes nothing, but remembers what it refuses.
+  // For a line with number or checksum. Does not accept it yet, but remembers what it refuses.
   Judgement judge(const ReceivedLine& line, units::Milliseconds now);
-  // Of one that is known to be broken.
+  // For a line that is known to be broken.
   Judgement judge_broken(const ReceivedLine& line, LineError error, units::Milliseconds now);
-  // The line judged `accept` is really taken.
+  // The line judged `accept` has been queued.
   void accepted(const ReceivedLine& line, units::Milliseconds now);
   // M110 N<last> without number and checksum.
   void restart_after(LineNumber last);
@@ -63,7 +63,7 @@ class LineNumbering {
   // are wanted again. False, and nothing is changed, where the same has been wanted again before,
   // or where others were taken since.
   bool take_back(LineNumber number, std::string_view text, std::size_t count);
-  // Something came that could not be used while a resend is awaited: ask again in due time.
+  // An unusable line came while a resend is awaited: request again after a time.
   void ignored() { ignored_since_resend_ = true; }
   // A resend request must be sent, as soon as there is room for it.
   void asked_for_resend(units::Milliseconds now);

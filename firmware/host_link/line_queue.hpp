@@ -35,7 +35,7 @@ class LineQueue {
   // The numbered lines, if each has the number after the one before it, and none has been acted on
   // or sets the numbering; otherwise 0.
   std::size_t numbered_in_sequence() const;
-  // They will not be executed: each is to be dropped when it comes to the front.
+  // They will not be executed: each is to be dropped when it reaches the front.
   void withdraw_numbered();
   bool front_is_withdrawn() const { return size_ != 0 && slots_[first_].withdrawn; }
   // Those that are not withdrawn.

@@ -15,7 +15,7 @@ using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
-// Noise that spares the checksum mostly does not spare this.
+// Noise that leaves the checksum intact mostly corrupts this.
 constexpr bool may_follow_number(char c) {
   return is_blank(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == ';' || c == '(';
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles bytes to lines and reads what frames them: line number and checksum.
+// Assembles bytes to lines and reads their framing: line number and checksum.
 #pragma once
 
 #include <array>
@@ -39,16 +39,16 @@ class LineReceiver {
   // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty
   // lines are lines.
   bool put(char byte);
-  // The line as far as it has come, which is then forgotten.
+  // The incomplete line, which is then discarded.
   ReceivedLine take();
 
-  // Forgets the line as far as it has come; the next byte begins another.
+  // Discards the incomplete line; the next byte begins another.
   void forget() { clear(); }
-  // The same, but what follows up to the next line end may be its rest.
+  // The same, but the bytes up to the next line end may be its rest.
   void give_up();
 
-  // The line in progress is broken, whatever its checksum says.
-  void spoil() { corrupted_ = true; }
+  // The line in progress is broken, regardless of its checksum.
+  void mark_corrupted() { corrupted_ = true; }
 
   bool unfinished() const { return length_ != 0; }
   // Whether it has a number or a checksum.
@@ -62,7 +62,7 @@ class LineReceiver {
 
   std::array<char, max_line_length> buffer_{};
   std::uint32_t length_{};  // counts on beyond the buffer
-  // The checksum is that after the last '*', so a '*' in a text does no harm.
+  // The checksum is that after the last '*', so a '*' in a text is allowed.
   std::uint32_t last_star_{};
   std::uint16_t checksum_value_{};
   std::uint8_t checksum_digits_{};

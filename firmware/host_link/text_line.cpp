@@ -47,7 +47,8 @@ TextLine& TextLine::decimal(std::int64_t value, unsigned digit_count, unsigned p
 TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
   std::array<char, longest_number> reversed;
   unsigned count = 0;
-  // 64-bit division is a library call of a thousand clocks on the soft core: only while it must be.
+  // 64-bit division is a library call of a thousand clocks on the soft core: only where it
+  // is needed.
   while (value > UINT32_MAX) {
     reversed[count++] = static_cast<char>('0' + value % 10);
     value /= 10;

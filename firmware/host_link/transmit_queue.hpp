@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole reply lines on their way to the uart: a ring that takes a line completely or not at all.
+// Reply lines on their way to the uart: a ring that accepts a line as a whole or not at all.
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ struct Stock {
 
 class Supply {
  public:
-  // So many lines, or so much time, is enough: the next line may be as fast as it likes.
+  // So many lines, or so much time, is enough: the next line is not slowed down.
   static constexpr std::size_t enough_lines = 24;
   static constexpr units::Microseconds enough_time{100'000};
   // Where lines come slowly, the time of so many intervals.

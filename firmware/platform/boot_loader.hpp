@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way from the program into the boot loader.
+// The jump from the program into the boot loader.
 #pragma once
 
 namespace platform {

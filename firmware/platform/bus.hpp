@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one seam to the hardware: words at addresses, and registers as typed values.
+// The only interface to the hardware: words at addresses, and registers as typed values.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace platform {
 
-// Defined once per world: volatile access on the chip, clocks of a Verilated peripheral in a
+// Defined once per program: volatile access on the chip, clocks of a Verilated peripheral in a
 // host test.
 std::uint32_t bus_read(std::uint32_t address);
 void bus_write(std::uint32_t address, std::uint32_t value);

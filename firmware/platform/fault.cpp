@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports a trap and halts. It trusts nothing but registers: drivers and tasks may be what
-// is broken.
+// Reports a trap and halts. It uses registers only, because drivers and tasks may be broken.
 #include "platform/fault.hpp"
 
 #include "platform/bus.hpp"
@@ -11,7 +10,7 @@
 namespace platform {
 namespace {
 
-// A uart that never gets free (its line switched off) must not keep the processor from halting.
+// A uart that never becomes free (its line switched off) must not keep the processor from halting.
 constexpr std::uint32_t patience_reads = 1'000'000;
 
 void put(char character) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of the firmware's control: everything off, a last word to the host, and nothing
-// fed any more.
+// The last resort of the firmware: everything off, a message to the host, and no watchdog fed.
 #pragma once
 
 #include <cstdint>
 
 namespace platform {
 
-// Ends all motion and heating, writes the trap's cause, place and address and how the program
-// came there to the host, and halts for good. Hardware watchdogs then act on what software
-// could not reach.
+// Ends all motion and heating, writes the trap's cause, place and address and how the program came
+// there to the host, and halts for good. The hardware watchdogs then stop what software could not.
 extern "C" [[noreturn]] void report_trap(std::uint32_t cause, std::uint32_t program_counter,
                                          std::uint32_t address, std::uint32_t stack_pointer,
                                          std::uint32_t return_address);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tasks ask of the processor itself: sleep until something happens, clocks, the
-// stack's guard.
+// Functions of the processor itself: sleep until an interrupt, clock counts, the stack guard.
 #pragma once
 
 #include <cstdint>

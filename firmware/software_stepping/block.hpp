@@ -92,7 +92,7 @@ struct Tick {
   std::uintptr_t trap_base{};
 };
 
-// What the interrupt cannot do by itself.
+// Cases that the interrupt leaves to attend().
 enum class Attention : std::uint32_t {
   careful,  // at rest, end stops, long intervals: nothing is done yet
   block_ends,  // its last tick is made, and the next block is not one that it can begin
@@ -112,7 +112,7 @@ struct Ways {
   std::array<std::uintptr_t, most_quick_followers + 1> rest{};
 };
 
-// Defined once per world, as the bus.
+// Defined once per program, as the bus.
 const Ways& ways();
 
 }  // namespace software_stepping

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timer interrupt of the chip, and what keeps it out. Only in the image.
+// The timer interrupt of the chip, and its masking. Only in the image.
 #include "software_stepping/interrupts.hpp"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the timer interrupt out while its data are half done. Defined once per world.
+// Masks the timer interrupt while its data are inconsistent. Defined once per program.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ std::uint64_t long_clocks();
 // Whether so many have passed: with fewer clocks than long_clocks() takes.
 bool has_come(std::uint64_t clock);
 
-// Lets the timer interrupt in from now on, and sets the processor's clock counter to the timer's.
+// Enables the timer interrupt from now on, and sets the processor's clock counter to the timer's.
 void begin_interrupts();
 
 class WithoutInterrupts {
@@ -25,8 +25,8 @@ class WithoutInterrupts {
   std::uint32_t before_{};  // whether they were let in
 };
 
-// What the interrupt has of the tick in registers goes to the memory, and what is there into the
-// registers. The interrupt must be kept out.
+// Store the interrupt's registers of the tick to memory, and load them. The interrupt must
+// be masked.
 void registers_to_tick();
 void tick_to_registers();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program does: prepares blocks, stops, asks where the axes are.
+// The program's side: prepares blocks, stops, reads positions.
 #include "software_stepping/stepper.hpp"
 
 #include <algorithm>

@@ -40,7 +40,7 @@ class Stepper {
   // `tick` and `counters` must outlive the stepper.
   explicit constexpr Stepper(Tick& tick, Counters& counters) : tick_(tick), counters_(counters) {}
 
-  // For the program. The interrupt is kept out where it would see something half done.
+  // For the program. The interrupt is masked where it would see inconsistent data.
   [[gnu::cold]] void configure(const Guard& guard, Interval longest_interval);
   // False where the queue is full, a stop waits for its acknowledgement, or the segment cannot be
   // executed: out of range, or what only the step generator can (jerk, stops but at once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the interrupt does not do by itself: the start, long intervals, end stops, stops, delays.
+// The cases that the assembly leaves to C++: the start, long intervals, end stops, stops, delays.
 #include <algorithm>
 
 #include "platform/bus.hpp"
@@ -14,7 +14,7 @@
 namespace software_stepping {
 namespace {
 
-// From rest, until the timer is set and the interrupt let in.
+// From rest, until the timer is set and the interrupt is enabled.
 constexpr std::uint32_t clocks_to_begin = 100;
 
 std::uint64_t deadline_of(const Tick& tick) {
@@ -188,7 +188,7 @@ void Stepper::pulse_is_over() {
   earliest_ -= std::min(guard_.low, clocks_to_edge);
 }
 
-// With interrupts kept out.
+// With interrupts masked.
 void Stepper::begin_motion() {
   if (moving_ || !permitted_ || level() == 0) return;
   moving_ = true;

@@ -5,7 +5,8 @@ set(boot_loader ${firmware}/boot_loader)
 add_code(boot_loader_parts ${boot_loader}/start.S ${boot_loader}/main.cpp ${boot_loader}/line.cpp
   ${boot_loader}/frame_receiver.cpp ${boot_loader}/session.cpp ${firmware}/drivers/timer.cpp
   ${firmware}/platform/bus.cpp ${firmware}/platform/sleep.cpp)
-# It neither sets the global pointer nor has the memory functions' names in reach of the compiler.
+# It does not set the global pointer, and has none of the memory functions that the compiler
+# may call.
 target_compile_options(boot_loader_parts PRIVATE -msmall-data-limit=0 -fno-tree-loop-distribute-patterns)
 
 add_executable(boot_loader.elf $<TARGET_OBJECTS:boot_loader_parts> ${firmware}/platform/memory.cpp

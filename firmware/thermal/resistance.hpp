@@ -16,7 +16,7 @@ struct ReferenceResistors {
   units::Milliohms high{};
 };
 
-// The wiring without references: the time is put down to nominal values.
+// The wiring without references: the time is converted with nominal values.
 struct NominalCircuit {
   // Time to the pin's threshold per ohm: capacitor * ln(V / (V - Vt)).
   std::uint32_t picoseconds_per_ohm{};

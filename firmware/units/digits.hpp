@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every reader of numbers asks of a character.
+// Tests of characters for all readers of numbers.
 #pragma once
 
 namespace units {
