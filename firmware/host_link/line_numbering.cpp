@@ -42,16 +42,16 @@ std::string_view describe(LineError error) {
 
 LineNumber LineNumbering::wanted() const { return last_ + 1; }
 
-bool LineNumbering::asked_within(units::Milliseconds time, units::Milliseconds now) const {
+bool LineNumbering::requested_within(units::Milliseconds time, units::Milliseconds now) const {
   return asked_ && now - *asked_ < time;
 }
 
 bool LineNumbering::within_patience(units::Milliseconds now) const {
-  return awaiting_resend() && asked_within(resend_patience, now);
+  return awaiting_resend() && requested_within(resend_patience, now);
 }
 
 bool LineNumbering::must_ask_again(units::Milliseconds now) const {
-  return awaiting_resend() && ignored_since_resend_ && !asked_within(resend_patience, now);
+  return awaiting_resend() && ignored_since_resend_ && !requested_within(resend_patience, now);
 }
 
 Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now) {
@@ -137,7 +137,8 @@ Judgement LineNumbering::judge_after_lost_start(units::Milliseconds now) {
 // A Resend whose number was corrupted on its way can send a host back to the M110 that
 // opened its job.
 bool LineNumbering::may_be_sent_back(units::Milliseconds now) const {
-  return state_ == State::line_awaited && history_size_ != 0 && asked_within(restart_pause, now);
+  return state_ == State::line_awaited && history_size_ != 0 &&
+         requested_within(restart_pause, now);
 }
 
 Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Milliseconds now) const {
@@ -154,7 +155,7 @@ Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
   const bool taken = taken_before(*line.number, fingerprint);
   // The same opening again, after a pause: the same job started again, unless a Resend whose number
   // was corrupted on its way explains it.
-  const bool explained = asked_within(resend_memory, now) || now - last_taken_ < restart_pause;
+  const bool explained = requested_within(resend_memory, now) || now - last_taken_ < restart_pause;
   const bool known = taken || opened_with(*line.number, fingerprint);
   if (looks_like_command(line.text) && !(known && explained)) return {Verdict::accept};
   if (taken) return {Verdict::repeat};

@@ -104,7 +104,7 @@ class LineNumbering {
   bool begins_numbering(const ReceivedLine& line, units::Milliseconds now) const;
   bool may_be_sent_back(units::Milliseconds now) const;
   bool start_may_be_lost(const ReceivedLine& line) const;
-  bool asked_within(units::Milliseconds time, units::Milliseconds now) const;
+  bool requested_within(units::Milliseconds time, units::Milliseconds now) const;
   void forget();
   void end_recovery();
 

@@ -191,7 +191,7 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
     return;
   }
   const bool asked_twice = resend_number_ == number;
-  if (asked_too_often(*number)) {
+  if (requested_too_often(*number)) {
     fail(fmt::format("the chip asked {} times for line number {} ({}): {}",
                      resends_without_progress_, *number, place(),
                      last_error_.empty() ? reply : last_error_));
@@ -206,7 +206,7 @@ void FileHost::ask_again(sim::Clock now, const std::string& reply) {
   resend_asked_at_ = now;
 }
 
-bool FileHost::asked_too_often(std::size_t number) {
+bool FileHost::requested_too_often(std::size_t number) {
   resends_of_line_ = number == resend_number_ ? resends_of_line_ + 1 : 1;
   resend_number_ = number;
   return ++resends_without_progress_ > most_resends_without_progress ||

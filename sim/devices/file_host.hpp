@@ -60,7 +60,7 @@ class FileHost : public sim::Device, public ByteListener, public Host {
   void acknowledge(sim::Clock now);
   void acknowledge_line(sim::Clock now, std::size_t index);
   void ask_again(sim::Clock now, const std::string& reply);
-  bool asked_too_often(std::size_t number);
+  bool requested_too_often(std::size_t number);
   void take_error(sim::Clock now, const std::string& reply);
   void answer_prompt(sim::Clock now);
   void send_lines(sim::Clock now);

@@ -72,11 +72,11 @@ Json path_json(const std::vector<ToolPoint>& points) {
 }
 
 // Kinds: 0 the pen is lifted to here, 1 travel, 2 extrusion, 3 refused.
-Json asked_json(const std::vector<AskedMove>& lines) {
+Json requested_json(const std::vector<RequestedMove>& lines) {
   PackedLine packed;
   Differences file_lines;
   std::array<float, 3> at{};
-  for (const AskedMove& line : lines) {
+  for (const RequestedMove& line : lines) {
     const auto file_line = static_cast<double>(line.file_line);
     if (packed.kind.empty() || line.from != at) {
       packed.put(line.from, line.seconds, '0');
@@ -184,7 +184,7 @@ std::string words_of(const MissedPoint& point) {
 }
 
 RefusalPlace place_of(const RefusedLine& line, const Results& results, const Courses& courses) {
-  const auto asked = std::ranges::find_if(courses.asked, [&](const AskedMove& candidate) {
+  const auto asked = std::ranges::find_if(courses.asked, [&](const RequestedMove& candidate) {
     return !candidate.executed && candidate.file_line == line.file_line;
   });
   if (asked != courses.asked.end()) return {true, asked->seconds, true, asked->from, asked->to};
@@ -198,7 +198,7 @@ std::string page_data(const Results& results, const Courses& courses) {
   json["seconds"] = results.simulated_seconds;
   json["half_window_s"] = AxisCourses::half_window_seconds;
   json["path"] = path_json(courses.path);
-  json["asked"] = asked_json(courses.asked);
+  json["asked"] = requested_json(courses.asked);
   json["missed"] = missed_json(results.findings.missed);
   json["marks"] = marks_json(results, courses);
   json["axes"] = Json::array();

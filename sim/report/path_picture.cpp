@@ -78,10 +78,10 @@ std::string printed_lines(const std::vector<ToolPoint>& points, bool extruding) 
   return pen.text();
 }
 
-std::string asked_lines(const std::vector<AskedMove>& lines,
-                        const std::function<bool(const AskedMove&)>& wanted) {
+std::string requested_lines(const std::vector<RequestedMove>& lines,
+                            const std::function<bool(const RequestedMove&)>& wanted) {
   Pen pen;
-  for (const AskedMove& line : lines) {
+  for (const RequestedMove& line : lines) {
     if (wanted(line)) {
       pen.line(place_of(line.from[0], line.from[1]), place_of(line.to[0], line.to[1]));
     }
@@ -112,13 +112,14 @@ std::string path_picture(const Results& results, const Courses& courses) {
       "<svg class=\"path\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
       "aria-label=\"path from above\" viewBox=\"{} {} {} {}\">\n",
       corner.x, corner.y, opposite.x - corner.x, opposite.y - corner.y);
-  add_lines(svg, "asked", 5, asked_lines(courses.asked, [](const AskedMove& line) {
+  add_lines(svg, "asked", 5, requested_lines(courses.asked, [](const RequestedMove& line) {
               return line.executed && line.extrudes;
             }));
   add_lines(svg, "travel", 0.6, printed_lines(points, false));
   add_lines(svg, "accent", 1.2, printed_lines(points, true));
-  add_lines(svg, "bad", 1.5,
-            asked_lines(courses.asked, [](const AskedMove& line) { return !line.executed; }));
+  add_lines(svg, "bad", 1.5, requested_lines(courses.asked, [](const RequestedMove& line) {
+              return !line.executed;
+            }));
   for (const MissedPoint& point : results.findings.missed) {
     const Place at = place_of(point.axes[0].wanted_mm, point.axes[1].wanted_mm);
     add(svg,

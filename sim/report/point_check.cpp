@@ -185,14 +185,14 @@ PointCheck::Judgement PointCheck::judgement() const {
   PointMatch match = match_;
   for (const MachineState& state : states_) match.at(state);
   match.at(state_);
-  const bool nothing_asked = match.nothing_open() && in_flight_.empty();
+  const bool nothing_requested = match.nothing_open() && in_flight_.empty();
   match.abandon();
   Judgement result = judged_;
   add_missed(match.take_missed(), result);
   result.reached = match.reached();
   result.unasked_steps = match.unasked_steps();
   for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
-    result.moved_after_end[i] = nothing_asked && state_.position[i] != match_.last_target()[i];
+    result.moved_after_end[i] = nothing_requested && state_.position[i] != match_.last_target()[i];
   }
   return result;
 }

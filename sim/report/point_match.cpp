@@ -18,7 +18,7 @@ constexpr std::size_t most_items = 512;
 PointMatch::PointMatch(const MachineState& start)
     : last_target_(start.position), settled_target_(start.position), anchor_(start), now_(start) {}
 
-void PointMatch::ask(const Steps& target, AskedLine line) {
+void PointMatch::ask(const Steps& target, RequestedLine line) {
   last_line_ = line;
   last_line_open_ = true;
   const bool same_place = !items_.empty() && items_.back().target == target;
@@ -126,19 +126,19 @@ void PointMatch::finish(std::size_t count, const std::vector<bool>& in_chain) {
   for (std::size_t i = 0; i < count; ++i) {
     Item& item = items_.front();
     for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
-      asked_since_anchor_[axis] += std::llabs(item.target[axis] - settled_target_[axis]);
+      requested_since_anchor_[axis] += std::llabs(item.target[axis] - settled_target_[axis]);
     }
     settled_target_ = item.target;
     if (in_chain[i]) {
       reached_ += item.lines.size();
       for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
         const std::int64_t made = item.when.steps_made[axis] - anchor_.steps_made[axis];
-        unasked_[axis] += std::max<std::int64_t>(0, made - asked_since_anchor_[axis]);
+        unasked_[axis] += std::max<std::int64_t>(0, made - requested_since_anchor_[axis]);
       }
       anchor_ = item.when;
-      asked_since_anchor_ = {};
+      requested_since_anchor_ = {};
     } else {
-      for (AskedLine& line : item.lines) {
+      for (RequestedLine& line : item.lines) {
         missed_.push_back({std::move(line), item.target, item.nearest});
       }
     }
@@ -185,7 +185,7 @@ void PointMatch::restart(const MachineState& here, const Steps& meant) {
   last_line_open_ = false;
   now_ = anchor_ = here;
   last_target_ = settled_target_ = meant;
-  asked_since_anchor_ = {};
+  requested_since_anchor_ = {};
 }
 
 std::vector<UnreachedPoint> PointMatch::take_missed() { return std::exchange(missed_, {}); }

@@ -16,7 +16,7 @@ namespace report {
 
 using Steps = std::array<std::int64_t, 4>;  // x y z e, mechanical
 
-struct AskedLine {
+struct RequestedLine {
   std::size_t file_line{};
   std::string text;
 };
@@ -29,7 +29,7 @@ struct MachineState {
 };
 
 struct UnreachedPoint {
-  AskedLine line;
+  RequestedLine line;
   Steps target{};
   MachineState nearest;  // of all states in which it could have been reached
 };
@@ -44,7 +44,7 @@ class PointMatch {
   explicit PointMatch(const MachineState& start);
 
   // The file requests this place, from now on.
-  void ask(const Steps& target, AskedLine line);
+  void ask(const Steps& target, RequestedLine line);
   // The machine's present position.
   void at(const MachineState& state);
   // Everything requested must have been made: what was not reached is missed. Where the machine is
@@ -66,7 +66,7 @@ class PointMatch {
  private:
   struct Item {
     Steps target{};
-    std::vector<AskedLine> lines;  // that end here, one after the other
+    std::vector<RequestedLine> lines;  // that end here, one after the other
     std::size_t reached{};  // lines of the best chain that ends here, within the window; 0: none
     std::ptrdiff_t before = -1;  // the item before it in that chain
     MachineState when;  // of the chain that ends here
@@ -84,11 +84,11 @@ class PointMatch {
 
   std::deque<Item> items_;
   Steps last_target_;  // of the last line requested
-  AskedLine last_line_;
+  RequestedLine last_line_;
   bool last_line_open_ = false;  // has not been settled
   Steps settled_target_;  // of the last line that is decided on
   MachineState anchor_;  // when the last reached point was reached
-  Steps asked_since_anchor_{};
+  Steps requested_since_anchor_{};
   MachineState now_;
   std::uint64_t reached_ = 0;
   Steps unasked_{};

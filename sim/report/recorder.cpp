@@ -34,7 +34,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
       simulation_(simulation),
       points_(resolutions(printer), start_positions(printer), simulation.rate()),
       tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
-      asked_path_(simulation.rate()),
+      requested_path_(simulation.rate()),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),
@@ -57,7 +57,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
   simulation.attach(chip_record_, {});
   host.add_listener(*this);
   for (devices::HostListener* listener : std::initializer_list<devices::HostListener*>{
-           &points_, &refusals_, &asked_path_, &hotend_, &bed_, &messages_}) {
+           &points_, &refusals_, &requested_path_, &hotend_, &bed_, &messages_}) {
     host.add_listener(*listener);
   }
 }
@@ -68,7 +68,7 @@ void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view co
   const Request request = GcodePath().read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
-    asked_path_.begin_here();
+    requested_path_.begin_here();
   }
 }
 
@@ -158,7 +158,7 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
 
 Courses Recorder::courses() const {
   Courses courses{.path = tool_path_.points(),
-                  .asked = asked_path_.lines(),
+                  .asked = requested_path_.lines(),
                   .hotend = hotend_.samples(),
                   .bed = bed_.samples(),
                   .axes = axis_courses_.courses(simulation_.now()),

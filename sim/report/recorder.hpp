@@ -7,13 +7,13 @@
 
 #include "sim/devices/host_listener.hpp"
 #include "sim/machine/printer.hpp"
-#include "sim/report/asked_path.hpp"
 #include "sim/report/axis_courses.hpp"
 #include "sim/report/chip_record.hpp"
 #include "sim/report/edge_file.hpp"
 #include "sim/report/message_log.hpp"
 #include "sim/report/point_check.hpp"
 #include "sim/report/refusal_log.hpp"
+#include "sim/report/requested_path.hpp"
 #include "sim/report/results.hpp"
 #include "sim/report/step_statistics.hpp"
 #include "sim/report/temperature_record.hpp"
@@ -53,7 +53,7 @@ class Recorder : public devices::HostListener {
   PointCheck points_;
   RefusalLog refusals_;
   ToolPath tool_path_;
-  AskedPath asked_path_;
+  RequestedPath requested_path_;
   AxisCourses axis_courses_;
   StepStatistics steps_;
   ChipRecord chip_record_;

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/asked_path.hpp"
 #include "sim/report/axis_courses.hpp"
 #include "sim/report/chip_record.hpp"
 #include "sim/report/findings.hpp"
 #include "sim/report/message_log.hpp"
+#include "sim/report/requested_path.hpp"
 #include "sim/report/step_statistics.hpp"
 #include "sim/report/temperature_record.hpp"
 #include "sim/report/tool_path.hpp"
@@ -95,7 +95,7 @@ struct AxisLimits {
 // Data for the pictures only.
 struct Courses {
   std::vector<ToolPoint> path;
-  std::vector<AskedMove> asked;
+  std::vector<RequestedMove> asked;
   std::vector<TemperatureSample> hotend;
   std::vector<TemperatureSample> bed;
   std::array<AxisCourse, AxisCourses::axes> axes;

@@ -44,7 +44,7 @@ void TemperatureRecord::wake(sim::Clock now) {
   samples_.push_back({seconds, celsius, target_c_, take_duty(now)});
   result_.max_c = std::max(result_.max_c, celsius);
   if (target_c_ > 0 && result_.seconds_to_target < 0 && celsius >= target_c_ - arrived_c) {
-    result_.seconds_to_target = seconds - first_asked_seconds_;
+    result_.seconds_to_target = seconds - first_requested_seconds_;
   }
   if (held_) result_.band_c = std::max(result_.band_c, std::abs(celsius - target_c_));
 }
@@ -53,7 +53,7 @@ void TemperatureRecord::command_sent(sim::Clock now, std::size_t, std::string_vi
   const Request request = gcode_.read(command);
   const TemperatureTarget* target = std::get_if<TemperatureTarget>(&request);
   if (target == nullptr || target->bed != bed_) return;
-  if (target->celsius > 0 && result_.target_c <= 0) first_asked_seconds_ = rate_.seconds(now);
+  if (target->celsius > 0 && result_.target_c <= 0) first_requested_seconds_ = rate_.seconds(now);
   held_ = held_ && target->celsius == target_c_;
   target_c_ = target->celsius;
   result_.target_c = std::max(result_.target_c, target_c_);

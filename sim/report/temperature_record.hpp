@@ -57,7 +57,7 @@ class TemperatureRecord : public sim::Device, public devices::HostListener {
   sim::Clock open_clocks_ = 0;  // since the latest sample
   sim::Clock sampled_at_ = 0;
   double target_c_ = 0;
-  double first_asked_seconds_ = 0;
+  double first_requested_seconds_ = 0;
   bool held_ = false;
   TemperatureResult result_{.target_c = 0, .max_c = -300, .seconds_to_target = -1, .band_c = 0};
 };

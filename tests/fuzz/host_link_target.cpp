@@ -28,7 +28,7 @@ void act(fuzz::LinkModel& link, std::uint8_t action) {
     case 0x9A:
       return link.begin_numbered(link.next_number());
     case 0x9B:
-      return link.begin_numbered(link.asked_number());
+      return link.begin_numbered(link.requested_number());
     case 0x9C:
       return link.end_framed(0);
     case 0x9D:

@@ -31,7 +31,7 @@ class LinkModel {
   // With the XOR of the bytes so far, or another.
   void end_framed(unsigned error);
   std::uint32_t next_number() const { return last_sent_ + 1; }
-  std::uint32_t asked_number() const { return asked_; }
+  std::uint32_t requested_number() const { return asked_; }
 
   // What always holds.
   void check();

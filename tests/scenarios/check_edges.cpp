@@ -16,12 +16,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenarios/asked_moves.hpp"
+#include "tests/scenarios/requested_moves.hpp"
 
 namespace {
 
-using scenarios::AskedMove;
 using scenarios::axes;
+using scenarios::RequestedMove;
 using Position = std::array<std::int64_t, axes>;
 
 // All edges of one clock.
@@ -81,7 +81,7 @@ Edges read_edges(const std::string& path) {
 }
 
 // Distance in steps of a point from the segment a-b on X and Y, Euclidean.
-double distance_xy(const Position& point, const AskedMove& a, const AskedMove& b) {
+double distance_xy(const Position& point, const RequestedMove& a, const RequestedMove& b) {
   const double ax = a.exact_steps[0];
   const double ay = a.exact_steps[1];
   const double dx = b.exact_steps[0] - ax;
@@ -95,16 +95,16 @@ double distance_xy(const Position& point, const AskedMove& a, const AskedMove& b
 
 class Walk {
  public:
-  Walk(const Edges& edges, const std::vector<AskedMove>& moves) : edges_(edges), moves_(moves) {
+  Walk(const Edges& edges, const std::vector<RequestedMove>& moves) : edges_(edges), moves_(moves) {
     position_ = edges.start;
     // Before homing only the frame knows where X, Y and Z are; E counts from where it is.
     position_[3] = 0;
   }
 
   bool run() {
-    AskedMove from;
+    RequestedMove from;
     for (std::size_t index = 0; index < moves_.size(); ++index) {
-      const AskedMove& move = moves_[index];
+      const RequestedMove& move = moves_[index];
       if (!(move.homing ? home(index) : follow(from, move))) return false;
       from = move;
     }
@@ -120,7 +120,7 @@ class Walk {
   int worst_line() const { return worst_line_; }
 
  private:
-  bool follow(const AskedMove& from, const AskedMove& move) {
+  bool follow(const RequestedMove& from, const RequestedMove& move) {
     while (position_ != move.steps) {
       if (next_ == edges_.instants.size()) return fail(move, "the edges end");
       step();
@@ -143,7 +143,7 @@ class Walk {
 
   // Homing ends at the first instant with its axes at 0 from which the next move can be followed.
   bool home(std::size_t index) {
-    const AskedMove& move = moves_[index];
+    const RequestedMove& move = moves_[index];
     std::size_t following = index + 1;
     while (following < moves_.size() && moves_[following].steps == move.steps) ++following;
     while (true) {
@@ -155,7 +155,7 @@ class Walk {
     }
   }
 
-  bool can_follow(const AskedMove& from, std::size_t following) {
+  bool can_follow(const RequestedMove& from, std::size_t following) {
     if (following == moves_.size()) return next_ == edges_.instants.size();
     if (moves_[following].homing) return true;
     const auto position = position_;
@@ -177,7 +177,7 @@ class Walk {
     ++next_;
   }
 
-  bool fail(const AskedMove& move, const char* what) {
+  bool fail(const RequestedMove& move, const char* what) {
     if (!trying_) {
       fmt::print("line {}: {} at {},{},{},{}; asked for {},{},{},{}\n", move.line, what,
                  position_[0], position_[1], position_[2], position_[3], move.steps[0],
@@ -187,7 +187,7 @@ class Walk {
   }
 
   const Edges& edges_;
-  const std::vector<AskedMove>& moves_;
+  const std::vector<RequestedMove>& moves_;
   Position position_{};
   std::size_t next_ = 0;
   bool trying_ = false;
@@ -211,7 +211,7 @@ int main(int argument_count, char** arguments) {
   app.add_option("--shortest-interval", shortest, "fewest clocks between two edges of an axis");
   CLI11_PARSE(app, argument_count, arguments);
   try {
-    const auto moves = scenarios::asked_moves(gcode, steps_per_mm);
+    const auto moves = scenarios::requested_moves(gcode, steps_per_mm);
     const Edges edges = read_edges(edges_file);
     Walk walk(edges, moves);
     const bool reached = walk.run();

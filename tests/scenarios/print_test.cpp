@@ -44,7 +44,7 @@ void expect_clean(const Print& print) {
 }
 
 // The judge that shares nothing with firmware and simulation.
-void expect_edges_as_asked(const std::string& gcode, const Print& print, int clock_hz) {
+void expect_edges_as_requested(const std::string& gcode, const Print& print, int clock_hz) {
   const std::string step_us = std::to_string(2 * (clock_hz / 1'000'000));
   const process::Start check{.arguments = {BUILD_DIRECTORY "/bin/check_edges", gcode,
                                            print.edges.string(), "--shortest-interval", step_us}};
@@ -65,7 +65,8 @@ TEST(print, the_first_lines_of_the_washer_are_made_to_the_step) {
   const std::string gcode = first_lines(washer, 110);
   const Print print = print_text(gcode, {"--warm"});
   expect_clean(print);
-  expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), print, 4'000'000);
+  expect_edges_as_requested((scenarios::scratch_folder() / "input.gcode").string(), print,
+                            4'000'000);
   EXPECT_GT(print.report["hotend"]["target_c"].get<double>(), 200.0);
 }
 
@@ -84,7 +85,8 @@ TEST(print, the_same_steps_are_made_at_every_clock) {
   for (const int clock_hz : {4'000'000, 8'000'000, 50'000'000}) {
     const Print print = print_text(gcode, {"--clock-hz", std::to_string(clock_hz)});
     expect_clean(print);
-    expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), print, clock_hz);
+    expect_edges_as_requested((scenarios::scratch_folder() / "input.gcode").string(), print,
+                              clock_hz);
     if (reference.empty()) reference = totals(print);
     EXPECT_EQ(totals(print), reference) << clock_hz;
   }
@@ -144,8 +146,8 @@ TEST(software_stepping, makes_the_same_steps_as_the_hardware) {
   const Print hardware = print_text(gcode, {"--clock-hz", "16000000"});
   const Print software = print_text(gcode, {"--clock-hz", "16000000", "--stepping", "software"});
   expect_clean(software);
-  expect_edges_as_asked((scenarios::scratch_folder() / "input.gcode").string(), software,
-                        16'000'000);
+  expect_edges_as_requested((scenarios::scratch_folder() / "input.gcode").string(), software,
+                            16'000'000);
   EXPECT_EQ(totals(software), totals(hardware));
   EXPECT_EQ(software.report["queue"]["late_ticks"], 0);
   EXPECT_GT(software.report["processor"]["busy_percent"],
@@ -155,7 +157,7 @@ TEST(software_stepping, makes_the_same_steps_as_the_hardware) {
 TEST(whole_print, the_washer_is_printed_to_the_step) {
   const Print print = print_file(washer, {"--warm"});
   expect_clean(print);
-  expect_edges_as_asked(washer, print, 4'000'000);
+  expect_edges_as_requested(washer, print, 4'000'000);
   EXPECT_LT(print.report["hotend"]["band_c"].get<double>(), 2.0);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/report/asked_path.hpp"
+#include "sim/report/requested_path.hpp"
 
 namespace {
 
@@ -168,8 +168,8 @@ TEST(ToolPath, leaves_out_what_lies_on_a_line_and_keeps_corners_and_changes) {
   EXPECT_EQ(kept[2].x, 100);
 }
 
-TEST(AskedPath, goes_on_from_where_the_nozzle_is_after_a_refused_line) {
-  report::AskedPath path(rate);
+TEST(RequestedPath, goes_on_from_where_the_nozzle_is_after_a_refused_line) {
+  report::RequestedPath path(rate);
   path.command_acknowledged(4000, 1, "G1 X10 Y5", true);
   path.command_acknowledged(8000, 2, "G1 X500", false);
   path.command_acknowledged(8000, 3, "M105", true);

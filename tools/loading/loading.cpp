@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr milliseconds asking_interval{250};
-constexpr unsigned times_asked = 20;  // 5 s, for a move that is under way
+constexpr unsigned times_requested = 20;  // 5 s, for a move that is under way
 constexpr milliseconds knocking_interval{5};  // the loader listens for 10 ms after a reset
 constexpr unsigned times_knocked = 6000;  // 30 s
 constexpr milliseconds answer_time{400};
@@ -145,7 +145,7 @@ void Host::connect(const Program& program) {
   Bytes asking(request.begin(), request.end());
   asking.insert(asking.end(), hello.begin(), hello.end());
   bool connected = false;
-  for (unsigned i = 0; i < times_asked && !connected; ++i) {
+  for (unsigned i = 0; i < times_requested && !connected; ++i) {
     connected = answers(asking, asking_interval);
   }
   if (!connected) progress_.say("no answer: reset the board now");

@@ -107,7 +107,7 @@ function eachSegment(line, first, last, width, height, use) {
 // So many millimetres, but neither too thin nor too thick for the eye.
 function widthOf(mm, least, most) { return Math.min(most, Math.max(least, mm * view.scale)); }
 
-function drawAsked(context, width, height) {
+function drawRequested(context, width, height) {
   const z = layers.length ? layers[view.layer].z : 0;
   const until = layers.length ? path.t[layers[view.layer].last] : endOfPrint;
   const top = view.layer >= layers.length - 1;
@@ -202,7 +202,7 @@ function drawPath() {
   const {context, width, height} = sharpContext(pathCanvas);
   if (width === 0 || height === 0) return;  // hidden
   drawGrid(context, width, height);
-  drawAsked(context, width, height);
+  drawRequested(context, width, height);
   drawPrinted(context, width, height);
   drawMissed(context);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interprets the motion codes of a G-code file with exact decimals (10^-5 mm).
-#include "tests/scenarios/asked_moves.hpp"
+#include "tests/scenarios/requested_moves.hpp"
 
 #include <cctype>
 #include <cmath>
@@ -67,7 +67,7 @@ class Interpreter {
     }
   }
 
-  std::vector<AskedMove> take() { return std::move(moves_); }
+  std::vector<RequestedMove> take() { return std::move(moves_); }
 
  private:
   static constexpr char letters[axes + 1] = "XYZE";
@@ -106,7 +106,7 @@ class Interpreter {
   }
 
   void add(int number, bool homing, const std::array<bool, axes>& homed) {
-    AskedMove move{
+    RequestedMove move{
         .line = number, .homing = homing, .homed = homed, .steps = {}, .exact_steps = {}};
     for (std::size_t axis = 0; axis < axes; ++axis) {
       move.exact_steps[axis] = static_cast<double>(physical_[axis]) * unit_mm * steps_per_mm_[axis];
@@ -122,13 +122,13 @@ class Interpreter {
   std::array<std::int64_t, axes> offset_{};  // physical - logical
   bool relative_ = false;
   bool relative_e_ = false;
-  std::vector<AskedMove> moves_;
+  std::vector<RequestedMove> moves_;
 };
 
 }  // namespace
 
-std::vector<AskedMove> asked_moves(const std::filesystem::path& gcode,
-                                   const std::array<double, axes>& steps_per_mm) {
+std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
+                                           const std::array<double, axes>& steps_per_mm) {
   std::ifstream file(gcode);
   if (!file) throw std::runtime_error("cannot read " + gcode.string());
   Interpreter interpreter(steps_per_mm);

@@ -12,7 +12,7 @@ namespace scenarios {
 
 inline constexpr std::size_t axes = 4;  // x y z e
 
-struct AskedMove {
+struct RequestedMove {
   int line{};  // in the file, from 1
   bool homing{};  // G28: ends with the homed axes at 0
   std::array<bool, axes> homed{};  // which
@@ -22,7 +22,7 @@ struct AskedMove {
 
 // Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else requests no motion). Positions are mechanical: they
 // start at 0 on every axis, E counts from its position at the start.
-std::vector<AskedMove> asked_moves(const std::filesystem::path& gcode,
-                                   const std::array<double, axes>& steps_per_mm);
+std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
+                                           const std::array<double, axes>& steps_per_mm);
 
 }  // namespace scenarios

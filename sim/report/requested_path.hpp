@@ -12,7 +12,7 @@
 
 namespace report {
 
-struct AskedMove {
+struct RequestedMove {
   std::size_t file_line{};
   double seconds{};  // when the chip answered it; motion follows
   std::array<float, 3> from{}, to{};  // mm, in the coordinates of ToolPath
@@ -20,9 +20,9 @@ struct AskedMove {
   bool executed{};  // false: refused
 };
 
-class AskedPath : public devices::HostListener {
+class RequestedPath : public devices::HostListener {
  public:
-  explicit AskedPath(sim::ClockRate rate) : rate_(rate) {}
+  explicit RequestedPath(sim::ClockRate rate) : rate_(rate) {}
 
   // The lines are read when they are answered: what is refused changes nothing for those after.
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,
@@ -30,12 +30,12 @@ class AskedPath : public devices::HostListener {
   // Forgets the lines before, which were not in the coordinates of the machine.
   void begin_here() { lines_.clear(); }
 
-  const std::vector<AskedMove>& lines() const { return lines_; }
+  const std::vector<RequestedMove>& lines() const { return lines_; }
 
  private:
   sim::ClockRate rate_;
   GcodePath gcode_;
-  std::vector<AskedMove> lines_;
+  std::vector<RequestedMove> lines_;
 };
 
 }  // namespace report
