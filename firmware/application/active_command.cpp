@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of the command in hand, and its refusals.
+// Numbers of the current command, and its refusals.
 #include "application/active_command.hpp"
 
 #include "host_link/replies.hpp"

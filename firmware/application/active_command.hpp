@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command in hand as its handler sees it, from the first call to the last.
+// The current command as its handler sees it, from the first call to the last.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace application {
 // What a handler returns: call me again in the next pass, or I am done.
 enum class Progress : bool { again, done };
 
-// Why a command wants everything to end.
+// Why a command ends everything.
 struct Fatal {
   enum class Reason : std::uint8_t { asked_for, homing };  // M112, or G28 that failed
   Reason reason{};
@@ -27,7 +27,7 @@ struct Fatal {
   units::Axis axis{};
 };
 
-// What the host gets to read of a command.
+// The reply to a command.
 class Reply {
  public:
   explicit Reply(host_link::HostLink& link) : link_(link) {}
@@ -49,7 +49,7 @@ class Reply {
 
 class ActiveCommand : public Reply {
  public:
-  // What the handler has come to.
+  // The handler's progress.
   enum class Phase : std::uint8_t {
     begin,  // nothing is done yet: the line may still be held or cancelled
     working,
@@ -77,7 +77,7 @@ class ActiveCommand : public Reply {
   // The axes whose letters the line has.
   units::AxisSet named_axes() const;
 
-  // Says why nothing is done, as the whole of a command.
+  // Reports why the command is not executed, as its only reply.
   Progress refuse(const host_link::TextLine& line) {
     refused = true;
     return say(line);

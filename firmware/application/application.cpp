@@ -78,7 +78,7 @@ bool Application::update() {
     act_on_emergencies();
     if (!halted_) more = executor_.update(now);
     counters_.lines_withdrawn = link_.statistics().withdrawn;
-    // The host may send its next line while the rest of the pass is done.
+    // The host may send its next line during the rest of the pass.
     transmit();
     more = refill() || more || executor_.has_got_room();
     note_cooling(now);
@@ -99,7 +99,7 @@ bool Application::update() {
   return more;
 }
 
-// What ends the sleep after this pass.
+// The events that end the sleep after this pass.
 void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   hardware_.uart.interrupt_on({.receive_level = wake_level, .line_end = true});
@@ -185,7 +185,7 @@ void Application::report(Now now) {
   if (due(reports.position_interval(), next_position_)) link_.say(reports.position_line().view());
 }
 
-// A host that is gone shall not leave the printer hot forever.
+// The heaters must not stay on forever after the host has disconnected.
 void Application::switch_off_forgotten_heaters(Now now) {
   if (executor_.activity() == host_link::Activity::processing || !motion_.at_rest()) {
     last_work_ = now.milliseconds;

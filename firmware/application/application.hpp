@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The task set: what runs in each pass of the loop, in order of priority, and how everything ends.
+// The task set: the tasks of each pass of the loop, in order of priority, and the halt after
+// a fault.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of arguments, and the words of their refusals.
+// The checks of arguments, and the messages of their refusals.
 #include "application/argument_limit.hpp"
 
 #include <algorithm>

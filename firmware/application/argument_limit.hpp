@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is checked of a command's arguments before its handler is called: part of its row.
+// The checks of a command's arguments before its handler is called: part of its row.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace application {
 
-// What becomes of an argument out of its range, or without a number.
+// How an argument out of its range, or without a number, is handled.
 enum class Check : std::uint8_t {
   none,  // the handler looks after it
   number,  // without a number the line is refused

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What M115 says that the firmware can do. It is what is true, not what would please: hosts act on
-// what they read there.
+// The capabilities that M115 reports. They must be true, because hosts rely on them.
 #pragma once
 
 #include <array>

@@ -77,7 +77,7 @@ bool CommandExecutor::take_line() {
   return false;
 }
 
-// The stage that the line begins with.
+// The first stage of the line.
 CommandExecutor::Stage CommandExecutor::parse(std::string_view text) {
   const auto command = gcode::parse(text);
   if (command) {
@@ -90,7 +90,7 @@ CommandExecutor::Stage CommandExecutor::parse(std::string_view text) {
   return Stage::executing;
 }
 
-// A print is one command many times.
+// A print repeats the same command many times.
 void CommandExecutor::find_row() {
   if (row_ == nullptr || !row_->is_of(active_.command)) row_ = find_entry(active_.command);
   active_.limits = row_ != nullptr ? row_->limits() : ArgumentLimits{};
@@ -155,7 +155,7 @@ bool CommandExecutor::may_start() {
   return true;
 }
 
-// Ahead of the line in hand, which has perhaps to wait long.
+// Ahead of the current line, which may have to wait long.
 void CommandExecutor::answer_queries() {
   while (const auto code = link_.query()) {
     const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);

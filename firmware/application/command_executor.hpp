@@ -22,8 +22,7 @@ class CommandExecutor {
 
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
   bool update(Now now);
-  // Between two passes, and no more than that: questions ahead of the line in hand, or whose turn
-  // it is.
+  // Between two passes, only this: queries ahead of the current line, or whose turn it is.
   void answer_questions(Now now) {
     if (link_.temperatures_wanted()) update(now);
     answer_queries();
@@ -52,10 +51,10 @@ class CommandExecutor {
   }
   // The move in hand had no room at the last update, and has it now.
   bool has_got_room() const;
-  // Something that must end everything.
+  // A fault that must end everything.
   const std::optional<Fatal>& fatal() const { return active_.fatal; }
 
-  // What commands have set.
+  // Settings made by commands.
   const CommandGroups& groups() const { return groups_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// G92: what the present place is called from now on.
+// G92: the new coordinates of the present position.
 #include "application/coordinate_commands.hpp"
 
 namespace application {

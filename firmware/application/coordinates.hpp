@@ -14,7 +14,7 @@ namespace application {
 
 using Positions = units::PerAxis<units::Position>;
 
-// Whether the planner can count so far.
+// Whether the position is within the planner's range.
 bool representable(const Positions& positions);
 
 class Coordinates {
@@ -36,7 +36,7 @@ class Coordinates {
   std::int32_t speed() const { return speed_percent_; }
   std::int32_t planned_speed() const { return planned_percent_; }
 
-  // Where the host believes the axes are.
+  // The positions of the axes in the host's coordinates.
   const Positions& logical() const { return logical_; }
   void set_logical(units::Axis axis, const units::Position& position) {
     logical_[units::index_of(axis)] = position;

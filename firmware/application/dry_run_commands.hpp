@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that have other firmwares try a job out: M37 (RepRapFirmware's simulation) and M111
+// The commands that start a dry run in other firmwares: M37 (RepRapFirmware's simulation) and M111
 // with the bit of Marlin's dry run. There is neither here.
 #pragma once
 
@@ -13,7 +13,7 @@ class DryRunCommands {
   Progress set_debug_bits(ActiveCommand& command);
   Progress report_debug_bits(ActiveCommand& command);
 
-  // What a host sends to have it tried out must not be carried out.
+  // Lines that a host sends for a dry run must not be executed.
   bool asked_for() const { return simulation_ || dry_run_; }
   // Says what ends it.
   Progress refuse_line(ActiveCommand& command) const;

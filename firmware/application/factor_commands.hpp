@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that take a part of what lines request: M220 (speed) and M221 (filament).
+// The commands that scale what lines request: M220 (speed) and M221 (filament).
 #pragma once
 
 #include "application/active_command.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refusals of what would need a card.
+// Refusals of commands that need a card.
 #include "application/file_commands.hpp"
 
 namespace application {

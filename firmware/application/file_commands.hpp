@@ -13,7 +13,7 @@ class FileCommands {
   Progress begin_storing(ActiveCommand& command);
   Progress end_storing(ActiveCommand& command);
 
-  // Between M28 and M29: what a host sends in order to store it is no print.
+  // Between M28 and M29: lines that a host sends to be stored are not executed.
   bool storing() const { return storing_; }
   static Progress refuse_to_store(ActiveCommand& command);
 

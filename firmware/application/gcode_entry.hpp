@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the image holds of the table of commands: no help, no units.
+// The part of the table of commands that is in the image: without help and units.
 #pragma once
 
 #include "application/gcode_row.hpp"

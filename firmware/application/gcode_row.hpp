@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a row of the table of commands says.
+// The contents of a row of the table of commands.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace application {
 
-// What must have come before a command begins, once the lines before it are done.
+// The condition for a command to begin, once the lines before it are done.
 enum class Start : std::uint8_t {
   in_turn,
   with_room,  // in the planner

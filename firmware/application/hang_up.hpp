@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knows a host that has hung up from noise: the line was low for a whole frame, and then rested.
+// Distinguishes a host that has hung up from noise: the line was low for a whole frame, and
+// then idle.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace application {
 
 class HangUp {
  public:
-  // Much longer than a host pauses in the middle of a line just where noise hits it.
+  // Much longer than a host pauses in the middle of a line.
   static constexpr units::Milliseconds least_rest{10};
 
   // After each look at the uart, whose counts are `errors`: `gap` where something was lost before

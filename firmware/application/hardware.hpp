@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drivers of one chip, and what the chip says about itself.
+// The drivers of one chip, and its identity.
 #pragma once
 
 #include "drivers/end_stops.hpp"

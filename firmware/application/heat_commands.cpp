@@ -12,7 +12,7 @@ namespace {
 constexpr units::Milliseconds report_period{1000};
 constexpr std::int64_t millionths_per_millicelsius = 1000;
 
-// Beyond any heater, which is refused.
+// Above the range of any heater, and so refused.
 units::Millicelsius temperature_of(std::int64_t millionths) {
   constexpr std::int64_t highest = 2'000'000;
   return units::Millicelsius(static_cast<std::int32_t>(

@@ -49,7 +49,7 @@ thermal::HeaterSettings bed_settings_of(const HeaterDescription& heater) {
   return settings;
 }
 
-// What the host is sent: the rarest cause first, for it may bring the others with it.
+// The message to the host: the rarest cause first, as it may cause the others.
 std::string_view describe_opening(const drivers::SupplyStatus& supply) {
   if (supply.veto_opened) return "Error:Heater supply cut off: board's veto (clock watch)";
   if (supply.emergency_stop_opened) return "Error:Heater supply cut off: emergency stop";
@@ -173,8 +173,8 @@ void HeatTask::update(Part& part, Now now) {
   if (tripped && was_heating) part.loop.report_cut_off();
   const thermal::Duty duty = part.loop.update(part.sensor.temperature(reading), now.milliseconds);
   if (const auto temperature = part.loop.temperature()) part.temperature = *temperature;
-  // What tripped while nothing was requested (before the first conversion, say) is forgotten with
-  // the first request for heat; what still holds trips again at once.
+  // Trips while nothing was requested (for example before the first conversion) are cleared at the
+  // first request for heat; a cause that persists trips again at once.
   if (tripped && !was_heating && duty != 0) control_.clear_trips(gate);
   control_.set_duty(gate, part.limits_locked && supply_closed_ ? duty : thermal::Duty{0});
 }

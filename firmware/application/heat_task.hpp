@@ -38,7 +38,7 @@ class HeatTask {
   // At the end of a pass, after all tasks: the watchdog's second key, if update() has
   // fed the first.
   void complete_feed();
-  // For good: no heat, no supply, and the watchdog is not fed any more.
+  // Until reset: no heat, no supply, and the watchdog is not fed any more.
   void shut_down();
 
   // What fan and filament take away from now on.
@@ -58,7 +58,7 @@ class HeatTask {
     thermal::Fault fault;
   };
   std::optional<NamedFault> fault() const;
-  // What the protecting hardware does not do as it should, for the host; empty where it does.
+  // A failure of the protecting hardware, as a message to the host; empty if there is none.
   std::string_view hardware_fault() const { return hardware_fault_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Questions to the user, requests to the host, and the program itself.
+// Questions to the user, requests to the host, and the start of the boot loader.
 #include "application/host_commands.hpp"
 
 #include <iterator>
@@ -9,7 +9,8 @@
 namespace application {
 namespace {
 
-// By what a host knows answers; in a message it would be one too many, or send the print back.
+// Words by which a host recognises acknowledgements; in a message they would count as one too many,
+// or cause resends.
 bool reads_as_answer(std::string_view text) {
   const auto begins_with = [text](std::string_view word) {
     for (std::size_t i = 0; i < word.size(); ++i) {

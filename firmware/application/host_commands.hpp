@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands for host and user: M0 M1 M25 M86 M112 M113 M118 M524 M600 M601 M808 M997, and those
-// that only want their ok.
+// that only get an ok.
 #pragma once
 
 #include "application/active_command.hpp"

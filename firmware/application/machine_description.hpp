@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the firmware knows of its machine. `machine/machine.hpp`, generated from a file of
+// The machine's parameters in the firmware. `machine/machine.hpp`, generated from a file of
 // firmware/machines, holds the instance; M-codes change copies of parts of it.
 #pragma once
 

@@ -139,7 +139,7 @@ void MotionTask::settle_stop() {
 
 void MotionTask::lead_homing() {
   if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
-  // It may rest because of a stop that came after settle_stop() had looked.
+  // It may be at rest because of a stop after the check in settle_stop().
   if (step_generator_.stop_state().stopped) return;
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
@@ -286,7 +286,7 @@ units::PerAxis<units::Steps> MotionTask::steps() {
   return counted;
 }
 
-// At rest, where the hardware lets its counters be written.
+// At rest, when the hardware accepts writes to its counters.
 void MotionTask::set_position(const units::PerAxis<units::Position>& positions) {
   planner_.set_position(positions);
   for (const units::Axis axis : all_axes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the step generator's queue filled, leads homing, and brings planner and hardware together
-// again after every stop.
+// Keeps the step generator's queue filled, runs homing, and synchronises planner and hardware after
+// every stop.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ class MotionTask {
 
   // M410: no step from now on. Positions stay true; what was planned is forgotten.
   void quick_stop();
-  // For good: as above, and motors off.
+  // Until reset: as above, and motors off.
   void shut_down();
   bool stopping() const { return stopping_; }
   // The emergency stop input has ended motion.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast motion runs of what was planned: a person's M220, and pauses in the middle of a move.
+// How fast planned motion runs: a person's M220, and pauses in the middle of a move.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Temperatures, positions, end stops, and what the firmware is.
+// Temperatures, positions, end stops, and the firmware's identity.
 #include "application/report_commands.hpp"
 
 #include <array>

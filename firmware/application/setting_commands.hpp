@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for what the axes may do: M92 M201 M203 M204 M205 M503.
+// The commands for the limits of the axes: M92 M201 M203 M204 M205 M503.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the limits of motion are, in the form in which hosts read them and a file sets them.
+// The limits of motion as M-codes, as hosts read them.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the scale of time may change so that no planned line exceeds an acceleration by it.
+// How fast the scale of time may change without exceeding the acceleration limits of any
+// planned line.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ class Slope {
   void set_limits(const motion::Limits& limits);
   // A line is planned. Returns the slope if it has changed by that, in 2^-32 per clock.
   std::optional<std::uint32_t> note_line(units::MicrometersPerSecond feedrate);
-  // No line planned before is still to be executed.
+  // All lines planned before have been executed.
   void note_rest() {
     before_ = here_ = {};
     lines_here_ = 0;

@@ -50,7 +50,7 @@ class Command {
   bool has_any(std::uint32_t set) const { return (present_ & set) != 0; }
   bool has_besides(std::uint32_t set) const { return (present_ & ~set) != 0; }
 
-  // As it is written; empty where the parameter is absent or a flag without a number (G28 X).
+  // The number as written; empty if the parameter is absent or a flag without a number (G28 X).
   std::optional<Number> number(char parameter) const {
     if ((valued_ & bit(parameter)) == 0) return std::nullopt;
     const Magnitude& magnitude = magnitudes_[index(parameter)];

@@ -9,7 +9,7 @@ namespace gcode {
 namespace {
 
 constexpr unsigned kept_decimals = 9;
-// What a fraction of so many digits must be multiplied with to count billionths.
+// The factor from a fraction of this many digits to billionths.
 constexpr std::array<std::uint32_t, kept_decimals + 1> scale{
     1'000'000'000, 100'000'000, 10'000'000, 1'000'000, 100'000, 10'000, 1'000, 100, 10, 1};
 static_assert(scale[0] == billionths_per_unit && scale[kept_decimals] == 1);

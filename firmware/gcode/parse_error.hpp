@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a line is not a command, and where in the line that shows.
+// Why a line is not a command, and the position of the error.
 #pragma once
 
 #include <cstdint>

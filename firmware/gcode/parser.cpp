@@ -18,7 +18,7 @@ constexpr char capital(char c) {
 }
 constexpr bool is_letter(char c) { return capital(c) >= 'A' && capital(c) <= 'Z'; }
 
-// The rest of the line is a name or a message, whatever it looks like.
+// The rest of the line is a name or a message, and is not parsed.
 bool takes_text(const Command& command) {
   if (command.letter != 'M') return false;
   switch (command.code) {

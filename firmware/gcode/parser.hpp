@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns one line of G-code into a command, or says why and where it cannot.
+// Parses one line of G-code into a command, or an error with its position.
 #pragma once
 
 #include <expected>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can go wrong in motion planning and homing, and how it is reported to a person.
+// Errors of motion planning and homing, and their messages.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the end stops of the axes of one G28, one axis after another: fast, back off, slow.
-// An end stop that is already pressed is released first. An end stop that never closes lets the
-// axis push on, so that no approach goes farther than it must.
+// Finds the end stops of the axes of one G28, one axis after another: fast, back off, slow. An end
+// stop that is already pressed is released first. If an end stop never closes, the axis pushes on;
+// so no approach goes farther than it must.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace motion {
 
-// What homing sees. To be taken after everything that the last request started has
-// been passed on.
+// The inputs of homing. To be sampled after everything that the last request started has been
+// handed over.
 struct HomingObservation {
   bool at_rest{};  // planner empty and step generator idle (or stopped, and acknowledged)
   bool stopped{};  // the hardware ended the last requested move by its stop mask
@@ -29,7 +29,7 @@ struct HomingMove {
   std::uint8_t stop_mask{};
 };
 
-// What homing wants done now.
+// The request of homing.
 struct HomingRequest {
   enum class Kind : std::uint8_t {
     nothing,  // wait, or not active
@@ -60,7 +60,7 @@ class Homing {
   // at the first update. An end stop is at most the axis' travel away, and is looked for as far and
   // once more its back-off.
   void start(units::AxisSet axes, const Limits& limits);
-  // Forgets what it was doing (emergency stop, M410).
+  // Cancels homing (emergency stop, M410).
   void cancel() { state_ = State::idle; }
 
   bool active() const { return state_ != State::idle; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine's axes can do: filled from the machine description, changed by M92 and
-// M201 to M205.
+// The limits of the machine's axes: set by the machine description, changed by M92 and M201
+// to M205.
 #pragma once
 
 #include <cstdint>

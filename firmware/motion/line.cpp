@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The geometry of lines: lengths, directions, and what the axes' limits make of
-// speed and acceleration.
+// The geometry of lines: lengths, directions, and their speed and acceleration under the
+// axes' limits.
 #include "motion/line.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One straight line as the planner sees it: its steps, and how fast it may be walked.
+// One straight line of the planner: its steps, speed and acceleration limits.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ inline constexpr int direction_fraction_bits = 24;
 // A line is not so slow that a tick takes longer: the step generator keeps a rate of 0.1 ticks/s.
 inline constexpr units::Microseconds longest_tick{9'000'000};
 
-// What the hardware that makes the steps can do.
+// The limits of the hardware that makes the steps.
 struct StepTiming {
   units::Hertz clock{};
   units::PerAxis<units::Hertz> max_step_rate{};  // by the drivers' pulse timing
@@ -59,7 +59,7 @@ struct Displacement {
   units::PerAxis<StepParts> residual{};  // of the position at the start plus that at the end
 };
 
-// What the junctions at the ends of a line depend on.
+// The properties of a line on which its junctions depend.
 struct Course {
   Direction direction{};
   units::MicrometersPerSecond speed{};  // nominal

@@ -149,7 +149,7 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
 }
 
 bool Planner::may_hand_over(units::Microseconds now) const {
-  // Asked many times for each line, and mostly answered here.
+  // Called many times for each line, and mostly decided here.
   const units::Microseconds ahead = busy_until_ - now;
   if (count_ == 0 || ahead >= horizon) return false;
   // No more than is left to plan with: later lines may yet make the ring's end faster.

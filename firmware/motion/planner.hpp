@@ -65,7 +65,7 @@ class Planner {
   // The next segment, if one should be queued now. To be called while the step generator has room.
   std::optional<Segment> next_segment(units::Microseconds now);
 
-  // Forgets all lines after the step generator was stopped; the position must then be set.
+  // Discards all lines after the step generator was stopped; the position must then be set.
   void clear();
 
   // The last target: relative moves go on from here.

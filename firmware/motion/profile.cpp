@@ -33,7 +33,7 @@ SpecificEnergy energy_of_ticks(std::uint32_t ticks, Scaled per_tick) {
   return SpecificEnergy((Scaled::of(ticks) * per_tick).floor());
 }
 
-// Where the energy goes, and in which ticks.
+// The energies of the phases, and their ticks.
 struct EnergyCourse {
   SpecificEnergy entry, peak, exit;
   std::uint32_t accelerating, braking;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the step generator executes: one stretch of one straight line at one course of
-// the tick rate.
+// A command of the step generator: a part of a straight line with one course of the tick rate.
 #pragma once
 
 #include <cstdint>

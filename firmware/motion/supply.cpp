@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mean interval of lines, and the stretch by stock.
+// The mean interval of lines, and the slow-down by the lines in stock.
 #include "motion/supply.hpp"
 
 #include <algorithm>

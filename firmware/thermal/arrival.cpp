@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds when a temperature has arrived at its target and stays, as Marlin's M109 and M190
-// wait for it.
+// Detects that a temperature has reached its target and stays there, for M109 and M190 as
+// in Marlin.
 #include "thermal/arrival.hpp"
 
 namespace thermal {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that can be wrong with a heater or its sensor, each with its name.
+// The faults of heaters and sensors, each with its name.
 #pragma once
 
 #include <cstdint>

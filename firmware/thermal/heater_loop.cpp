@@ -7,7 +7,7 @@
 namespace thermal {
 namespace {
 
-// So near to the target a heater is settled enough to be probed.
+// This near to the target a heater is settled enough to be probed.
 constexpr units::Millicelsius near{3'000};
 
 }  // namespace
@@ -43,7 +43,7 @@ void HeaterLoop::watch_plausibility(const Temperature& measured, units::Millisec
     case Finding::none:
       break;
     case Finding::heat_missing:
-      // What is off may cool down as it likes.
+      // A heater that is off may cool down freely.
       if (target_ != off) {
         stop_with(protection_.holding() ? Fault::thermal_runaway : Fault::heating_failed);
       }

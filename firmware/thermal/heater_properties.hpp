@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine description says of a heater and what it heats.
+// The parameters of a heater and its block in the machine description.
 #pragma once
 
 #include <cstdint>

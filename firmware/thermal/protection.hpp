@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watches that a heater and its sensor belong together: what heats must get hot and stay so.
+// Checks that a heater and its sensor belong together: a heated block must get hot and stay so.
 #pragma once
 
 #include <optional>

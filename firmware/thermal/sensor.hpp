@@ -23,7 +23,7 @@ class Sensor {
   constexpr Sensor(const ThermistorTable& table, const NominalCircuit& circuit)
       : table_(table), circuit_(circuit) {}
 
-  // A conversion older than this says nothing about now.
+  // A conversion older than this is not used.
   static constexpr units::Milliseconds longest_age{1'000};
 
   Temperature temperature(const SensorReading& reading) const;

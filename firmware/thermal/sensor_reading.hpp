@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the temperature converter says about a sensor: its newest conversion, still in clocks.
+// The newest conversion of a sensor by the temperature converter, in clocks.
 #pragma once
 
 #include <cstdint>
