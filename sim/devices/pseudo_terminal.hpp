@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "sim/devices/path_lock.hpp"
 #include "sim/devices/serial_line.hpp"
 #include "sim/devices/terminal_watch.hpp"
+#include "tools/files/path_lock.hpp"
 
 namespace devices {
 
@@ -73,7 +73,7 @@ class PseudoTerminal : public sim::Device, public ByteListener {
 
   std::filesystem::path link_;
   std::string identity_;  // of the symlink that was made
-  PathLock lock_;
+  files::PathLock lock_;
   SerialLine& line_;
   sim::ClockRate rate_;
   sim::Clock poll_interval_;

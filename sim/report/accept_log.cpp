@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "sim/report/write_file.hpp"
+#include "tools/files/write_file.hpp"
 
 namespace report {
 
@@ -23,7 +23,7 @@ std::string accept_log_row(const AcceptedLine& line) {
 }
 
 AcceptLog::AcceptLog(const std::filesystem::path& file) : file_(file) {
-  refuse_foreign_link(file);
+  files::refuse_foreign_link(file);
   stream_.open(file, std::ios::binary);
   if (!stream_) throw std::runtime_error(fmt::format("cannot write {}", file.string()));
 }

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "sim/report/write_file.hpp"
+#include "tools/files/write_file.hpp"
 
 namespace report {
 
@@ -26,7 +26,7 @@ constexpr std::size_t most_waiting_bytes = 4000;
 }
 
 std::FILE* open_to_write(const std::filesystem::path& file) {
-  refuse_foreign_link(file);
+  files::refuse_foreign_link(file);
   return std::fopen(file.c_str(), "w");
 }
 

@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "directories.hpp"
-#include "sim/devices/path_lock.hpp"
 #include "tools/files/file_text.hpp"
+#include "tools/files/path_lock.hpp"
 #include "tools/process/process.hpp"
 
 namespace synthesis {
@@ -165,7 +165,7 @@ exit 1
 TEST_F(SynthesisJob, leaves_a_folder_alone_in_which_another_is_at_work) {
   std::filesystem::create_directories(options_.directory);
   {
-    const devices::PathLock other(std::filesystem::canonical(options_.directory));
+    const files::PathLock other(std::filesystem::canonical(options_.directory));
     try {
       run();
       FAIL() << "both wrote into one folder";

@@ -13,13 +13,13 @@
 #include <stdexcept>
 
 #include "firmware/benchmark/processor.hpp"
-#include "sim/devices/private_folder.hpp"
 #include "sim/devices/pseudo_terminal.hpp"
 #include "sim/machine/printer.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tools/benchmark/terminal_host.hpp"
 #include "tools/benchmark/window_host.hpp"
+#include "tools/files/private_folder.hpp"
 
 namespace benchmarks {
 
@@ -111,8 +111,8 @@ Measured run_served(const ModelScope& scope, ModelKind kind) {
       {.baud = scope.machine.baud, .hotend_start_c = 25, .bed_start_c = 25, .faults = {}},
       simulation);
   devices::PseudoTerminal terminal(
-      devices::PrivateFolder().path() / fmt::format("benchmark-{}", getpid()),
-      printer.serial_line(), rate, scope.machine.baud);
+      files::PrivateFolder().path() / fmt::format("benchmark-{}", getpid()), printer.serial_line(),
+      rate, scope.machine.baud);
   simulation.attach(terminal, {});
   TerminalHost host(terminal.slave_path(), lines_of(scope.print_file));
   // It runs in real time, not in the chip's.

@@ -8,8 +8,8 @@
 #include <exception>
 #include <string>
 
-#include "sim/report/write_file.hpp"
 #include "tools/benchmark/processor_report.hpp"
+#include "tools/files/write_file.hpp"
 
 namespace {
 
@@ -33,8 +33,8 @@ int main(int count, char** arguments) {
   try {
     const auto figures = benchmarks::measure_processor(
         scope, [](const std::string& what) { say_to(stderr, "stepfabric: " + what + "\n"); });
-    if (!json.empty()) report::write_file(json, benchmarks::to_json(figures));
-    report::write_file(report / "processor.html", benchmarks::to_html(figures));
+    if (!json.empty()) files::write_file(json, benchmarks::to_json(figures));
+    files::write_file(report / "processor.html", benchmarks::to_html(figures));
     say_to(stdout, fmt::format("{}report: {}\n", benchmarks::to_table(figures),
                                (report / "processor.html").string()));
   } catch (const std::exception& error) {

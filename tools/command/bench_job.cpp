@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "sim/report/write_file.hpp"
 #include "tools/benchmark/link_figures.hpp"
 #include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"
@@ -21,6 +20,7 @@
 #include "tools/command/output.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/files/write_file.hpp"
 
 namespace command {
 
@@ -77,9 +77,9 @@ void print_both(const BenchOptions& options, benchmarks::Comparison& comparison)
 }
 
 void show(const BenchOptions& options, const benchmarks::Comparison& comparison) {
-  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(comparison));
-  report::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
-  report::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
+  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(comparison));
+  files::write_file(options.report / "stepping.svg", benchmarks::to_svg(comparison));
+  files::write_file(options.report / "stepping.html", benchmarks::to_html(comparison));
 }
 
 void note(const std::string& what) { say_to(stderr, "stepfabric: {}\n", what); }
@@ -150,7 +150,7 @@ int bench_model(const BenchOptions& options) {
        .quick = options.quick,
        .look = end_if_interrupted},
       note);
-  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(works));
+  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(works));
   say("{}", benchmarks::to_table(works));
   return success;
 }
@@ -166,7 +166,7 @@ int bench_link(const BenchOptions& options) {
     scope.firmware.emplace(baud, sim::read_elf(program));
   }
   const auto figures = benchmarks::measure_link(scope, note);
-  if (!options.json.empty()) report::write_file(options.json, benchmarks::to_json(figures));
+  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(figures));
   say("{}", benchmarks::to_table(figures));
   return success;
 }

@@ -14,8 +14,8 @@
 #include "sim/report/html_report.hpp"
 #include "sim/report/json_report.hpp"
 #include "sim/report/verdict.hpp"
-#include "sim/report/write_file.hpp"
 #include "tools/command/output.hpp"
+#include "tools/files/write_file.hpp"
 
 namespace command {
 
@@ -23,7 +23,7 @@ namespace {
 
 bool written(const std::filesystem::path& file, const std::function<std::string()>& text) {
   try {
-    report::write_file(file, text());
+    files::write_file(file, text());
     return true;
   } catch (const std::runtime_error& error) {
     say_to(stderr, "stepfabric: {}\n", error.what());
@@ -34,7 +34,7 @@ bool written(const std::filesystem::path& file, const std::function<std::string(
 // For a symlink its target, which would have been written.
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
-  if (report::is_foreign_link(file) || !std::filesystem::is_regular_file(file, ignored)) return;
+  if (files::is_foreign_link(file) || !std::filesystem::is_regular_file(file, ignored)) return;
   std::filesystem::remove(std::filesystem::canonical(file, ignored), ignored);
 }
 
@@ -68,8 +68,8 @@ ReportFiles::ReportFiles(std::filesystem::path folder, std::string file, std::ui
   const report::Results beginning =
       faulted("the job has not ended: it still runs, was killed, or could not write its report");
   try {
-    report::write_file(folder_ / "report.json", report::to_json(beginning));
-    report::write_file(page(), report::to_html(beginning, {}));
+    files::write_file(folder_ / "report.json", report::to_json(beginning));
+    files::write_file(page(), report::to_html(beginning, {}));
   } catch (const std::runtime_error&) {
     // On a full disk, for example: the file there is from an earlier job.
     remove_file(folder_ / "report.json");

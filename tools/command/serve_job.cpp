@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/devices/private_folder.hpp"
 #include "sim/report/verdict.hpp"
 #include "tools/command/clock_choice.hpp"
 #include "tools/command/exit_status.hpp"
@@ -14,6 +13,7 @@
 #include "tools/command/report_files.hpp"
 #include "tools/command/service.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/files/private_folder.hpp"
 
 namespace command {
 
@@ -46,7 +46,7 @@ void check_files(const ServeOptions& options) {
 }
 
 int serve_and_report(ServeOptions& options, const ReportFiles& reports) {
-  if (options.terminal.empty()) options.terminal = devices::PrivateFolder().path() / "port";
+  if (options.terminal.empty()) options.terminal = files::PrivateFolder().path() / "port";
   check_files(options);
   choose_clock(options);
   Service service(options);

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sim/devices/path_lock.hpp"
+#include "tools/files/path_lock.hpp"
 #include "tools/files/write_text.hpp"
 #include "tools/process/process.hpp"
 #include "tools/synthesis/device.hpp"
@@ -21,7 +21,7 @@ namespace synthesis {
 namespace {
 
 // The tools' files there would be mixed with those of another synthesis.
-void take(const std::filesystem::path& directory, std::optional<devices::PathLock>& lock) {
+void take(const std::filesystem::path& directory, std::optional<files::PathLock>& lock) {
   try {
     lock.emplace(directory);
   } catch (const std::runtime_error& error) {
@@ -125,7 +125,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   }
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
-  std::optional<devices::PathLock> lock;
+  std::optional<files::PathLock> lock;
   take(directory, lock);
   const Scripts scripts(options, project, firmware, directory, look);
   scripts.synthesize();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The new file gets a unique name: O_EXCL.
-#include "sim/report/write_file.hpp"
+#include "tools/files/write_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace report {
+namespace files {
 
 namespace {
 
@@ -86,4 +86,4 @@ void write_file(const fs::path& file, const std::string& text) {
   fail(file, error);
 }
 
-}  // namespace report
+}  // namespace files

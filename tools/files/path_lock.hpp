@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "sim/devices/private_folder.hpp"
+#include "tools/files/private_folder.hpp"
 
-namespace devices {
+namespace files {
 
 // A locked file in this user's private folder, named after the path: nothing is written where the
 // path lies. The kernel ends the lock with the process, however that ends: a file that is left
@@ -37,4 +37,4 @@ class PathLock {
   int file_ = -1;
 };
 
-}  // namespace devices
+}  // namespace files

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A file is written as a whole, or what was there stays.
-#include "sim/report/write_file.hpp"
+#include "tools/files/write_file.hpp"
 
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -32,14 +32,14 @@ class WriteFile : public testing::Test {
 };
 
 TEST_F(WriteFile, makes_folders_and_replaces_what_was_there) {
-  report::write_file(folder / "a" / "b", "first");
-  report::write_file(folder / "a" / "b", "second");
+  files::write_file(folder / "a" / "b", "first");
+  files::write_file(folder / "a" / "b", "second");
   EXPECT_EQ(files::text_of(folder / "a" / "b"), "second");
   fs::create_symlink(folder / "a" / "b", file);
-  report::write_file(file, "third");
+  files::write_file(file, "third");
   EXPECT_TRUE(fs::is_symlink(file));
   EXPECT_EQ(files::text_of(folder / "a" / "b"), "third");
-  EXPECT_NO_THROW(report::write_file("/dev/null", "fourth"));
+  EXPECT_NO_THROW(files::write_file("/dev/null", "fourth"));
   EXPECT_TRUE(fs::exists("/dev/null"));
 }
 
@@ -52,7 +52,7 @@ TEST_F(WriteFile, follows_no_symlink_of_another_user) {
   if (lchown(file.c_str(), another_user, another_user) != 0) {
     GTEST_SKIP() << "only root can give a link away";
   }
-  EXPECT_THROW(report::write_file(file, "text"), std::runtime_error);
+  EXPECT_THROW(files::write_file(file, "text"), std::runtime_error);
   EXPECT_THROW(report::EdgeFile{file}, std::runtime_error);
   EXPECT_THROW(report::AcceptLog{file}, std::runtime_error);
   EXPECT_EQ(files::text_of(mine), "precious");
@@ -60,13 +60,13 @@ TEST_F(WriteFile, follows_no_symlink_of_another_user) {
 }
 
 TEST_F(WriteFile, leaves_the_file_of_before_and_nothing_else_where_the_disk_is_full) {
-  report::write_file(file, "before");
+  files::write_file(file, "before");
   signal(SIGXFSZ, SIG_IGN);
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);
   const rlimit small{1000, old.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  EXPECT_THROW(report::write_file(file, std::string(5000, 'x')), std::runtime_error);
+  EXPECT_THROW(files::write_file(file, std::string(5000, 'x')), std::runtime_error);
   setrlimit(RLIMIT_FSIZE, &old);
   signal(SIGXFSZ, SIG_DFL);
   EXPECT_EQ(files::text_of(file), "before");
@@ -76,15 +76,15 @@ TEST_F(WriteFile, leaves_the_file_of_before_and_nothing_else_where_the_disk_is_f
 TEST_F(WriteFile, touches_no_neighbour_with_a_name_like_its_own) {
   const fs::path neighbour = folder / (".report.json." + std::to_string(getpid()) + ".0");
   std::ofstream(neighbour) << "precious";
-  report::write_file(file, "text");
+  files::write_file(file, "text");
   EXPECT_EQ(files::text_of(neighbour), "precious");
   EXPECT_EQ(files::text_of(file), "text");
 }
 
 TEST_F(WriteFile, refuses_a_folder_and_a_full_device) {
   fs::create_directory(file);
-  EXPECT_THROW(report::write_file(file, "text"), std::runtime_error);
-  EXPECT_THROW(report::write_file("/dev/full", "text"), std::runtime_error);
+  EXPECT_THROW(files::write_file(file, "text"), std::runtime_error);
+  EXPECT_THROW(files::write_file("/dev/full", "text"), std::runtime_error);
   EXPECT_THROW(report::EdgeFile("/dev/full"), std::runtime_error);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All checks are made on the open folder, not on its name, which another user could replace.
-#include "sim/devices/private_folder.hpp"
+#include "tools/files/private_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-namespace devices {
+namespace files {
 
 namespace {
 
@@ -59,4 +59,4 @@ PrivateFolder::PrivateFolder() : path_(chosen_path()) {
 
 PrivateFolder::~PrivateFolder() { close(descriptor_); }
 
-}  // namespace devices
+}  // namespace files

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // flock() on a file that is removed again. Its lines: the process, and its note.
-#include "sim/devices/path_lock.hpp"
+#include "tools/files/path_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace devices {
+namespace files {
 
 namespace {
 
@@ -107,4 +107,4 @@ bool PathLock::is_in_place() const {
          held.st_dev == named.st_dev && held.st_ino == named.st_ino;
 }
 
-}  // namespace devices
+}  // namespace files

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace report {
+namespace files {
 
 // Whether it is a symlink of another user, except root, whose target must not be overwritten.
 bool is_foreign_link(const std::filesystem::path& file);
@@ -18,4 +18,4 @@ void refuse_foreign_link(const std::filesystem::path& file);
 // is there still.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace report
+}  // namespace files

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace devices {
+namespace files {
 
 // An open folder that belongs to this user and that no other user can read or write.
 class PrivateFolder {
@@ -27,4 +27,4 @@ class PrivateFolder {
   int descriptor_ = -1;
 };
 
-}  // namespace devices
+}  // namespace files
