@@ -40,4 +40,16 @@ sim::Clock Counts::carry(sim::Clock most, sim::Clock least) {
   return clocks;
 }
 
+sim::LeapEnd Counts::end_of(sim::Clock clocks) const {
+  if (timer.quiet() == clocks) return sim::LeapEnd::timer;
+  if (converter_tick.quiet() == clocks) return sim::LeapEnd::converter;
+  for (const std::uint32_t wake : converter_wakes) {
+    if (converter_cycles.quiet_until(wake) == clocks) return sim::LeapEnd::converter;
+  }
+  if (heater_tick.quiet() == clocks || heater_slot.quiet() == clocks) return sim::LeapEnd::heater;
+  if (motion_watchdog.quiet() == clocks) return sim::LeapEnd::motion_watchdog;
+  // One clock more is given, and not taken.
+  return Fan(fan).carry(clocks + 1) == clocks ? sim::LeapEnd::fan : sim::LeapEnd::time_base;
+}
+
 }  // namespace counting

@@ -8,6 +8,7 @@
 #include "sim/counting/counters.hpp"
 #include "sim/counting/fan.hpp"
 #include "sim/counting/time_base.hpp"
+#include "sim/simulation/evaluation_counts.hpp"
 
 namespace counting {
 
@@ -26,6 +27,9 @@ struct Counts {
   // Up to `most` clocks, none if they are fewer than `least`; ends after the first clock that
   // changes more than counts. Returns the clocks carried over.
   sim::Clock carry(sim::Clock most, sim::Clock least);
+
+  // What ended a carry() of these counts over so many clocks, which were fewer than it was given.
+  sim::LeapEnd end_of(sim::Clock clocks) const;
 
   bool operator==(const Counts&) const = default;
 };

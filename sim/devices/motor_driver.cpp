@@ -57,7 +57,8 @@ void MotorDriver::rise(sim::Clock now) {
     axis_.step(rate_.seconds(now), direction_);
     step_taken_ = true;
   }
-  for (StepListener* listener : listeners_) {
+  for (const auto& [listener, activity] : listeners_) {
+    const sim::ActivityScope scope(activity);
     listener->stepped({now, axis_index_, direction_, axis_.position()});
   }
 }

@@ -7,6 +7,7 @@
 
 #include "sim/devices/step_edge.hpp"
 #include "sim/plants/axis.hpp"
+#include "sim/simulation/activity.hpp"
 #include "sim/simulation/clock_rate.hpp"
 #include "sim/simulation/device.hpp"
 
@@ -33,7 +34,10 @@ class MotorDriver : public sim::Device {
   MotorDriver(std::size_t axis_index, const DriverTiming& timing, sim::ClockRate rate,
               plants::Axis& axis);
 
-  void add_listener(StepListener& listener) { listeners_.push_back(&listener); }
+  // A profile counts its time as `activity`.
+  void add_listener(StepListener& listener, sim::Activity activity = sim::Activity::devices) {
+    listeners_.push_back({&listener, activity});
+  }
   void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) override;
 
   const PulseCounts& counts() const { return counts_; }
@@ -42,6 +46,11 @@ class MotorDriver : public sim::Device {
   bool enabled() const { return enabled_; }
 
  private:
+  struct Listening {
+    StepListener* listener;
+    sim::Activity activity;
+  };
+
   void change_direction(sim::Clock now, bool backward);
   void rise(sim::Clock now);
   void fall(sim::Clock now);
@@ -51,7 +60,7 @@ class MotorDriver : public sim::Device {
   sim::ClockRate rate_;
   plants::Axis& axis_;
   sim::Clock high_, low_, direction_setup_, direction_hold_;
-  std::vector<StepListener*> listeners_;
+  std::vector<Listening> listeners_;
   PulseCounts counts_;
   bool enabled_ = false;
   int direction_ = 1;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "sim/simulation/activity.hpp"
+
 namespace devices {
 
 namespace {
@@ -97,7 +99,9 @@ void SerialLine::go_on(sim::Clock now) {
   if (!waiting_.empty()) return start_frame(now);
   sending_ = false;
   send_at_ = sim::never;
-  if (listener_ != nullptr) listener_->all_sent(now);
+  if (listener_ == nullptr) return;
+  const sim::ActivityScope scope(sim::Activity::host_and_report);
+  listener_->all_sent(now);
 }
 
 // A break is followed by a frame's time of the level at rest.
@@ -158,7 +162,9 @@ void SerialLine::sample_bit(sim::Clock now) {
   const std::uint8_t byte =
       with_noise(static_cast<std::uint8_t>(receive_frame_ >> 1), reply_random_,
                  faults_.corrupted_replies, replies_corrupted_);
-  if (listener_ != nullptr) listener_->byte_received(now, byte);
+  if (listener_ == nullptr) return;
+  const sim::ActivityScope scope(sim::Activity::host_and_report);
+  listener_->byte_received(now, byte);
 }
 
 void SerialLine::wake(sim::Clock now) {

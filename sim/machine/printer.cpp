@@ -136,7 +136,7 @@ void Printer::attach_all() {
 }
 
 void Printer::add_step_listener(devices::StepListener& listener) {
-  for (const auto& motor : motors_) motor->add_listener(listener);
+  for (const auto& motor : motors_) motor->add_listener(listener, sim::Activity::host_and_report);
 }
 
 }  // namespace machine

@@ -52,9 +52,11 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     printer.add_step_listener(*edges_);
   }
   const machine::Description& description = printer.description();
-  simulation.attach(hotend_, sim::OutputPins::heater_pin(description.hotend.heater_channel));
-  simulation.attach(bed_, sim::OutputPins::heater_pin(description.bed.heater_channel));
-  simulation.attach(chip_record_, {});
+  simulation.attach(hotend_, sim::OutputPins::heater_pin(description.hotend.heater_channel),
+                    sim::Activity::host_and_report);
+  simulation.attach(bed_, sim::OutputPins::heater_pin(description.bed.heater_channel),
+                    sim::Activity::host_and_report);
+  simulation.attach(chip_record_, {}, sim::Activity::host_and_report);
   host.add_listener(*this);
   for (devices::HostListener* listener : std::initializer_list<devices::HostListener*>{
            &points_, &refusals_, &requested_path_, &hotend_, &bed_, &messages_}) {

@@ -9,12 +9,14 @@
 #include "sim/replay/snapshot.hpp"
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/edges.hpp"
+#include "sim/simulation/evaluation_counts.hpp"
 
 namespace sim {
 
 class ChipModel : public Chip {
  public:
   virtual void permit_software_stepping() = 0;
+  virtual void count_into(EvaluationCounts& counts) = 0;
 
   // Whether snapshot() ever has one.
   virtual bool takes_snapshots() const { return false; }

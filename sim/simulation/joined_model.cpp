@@ -43,6 +43,7 @@ class JoinedModel : public ChipModel {
   ~JoinedModel() override { Verilated::threadContextp(context_.get()); }
 
   void permit_software_stepping() override { model_->software_stepping = 1; }
+  void count_into(EvaluationCounts& counts) override { clocks_->count_into(counts); }
   void advance(Clock limit) override;
   void reset() override;
   std::uint32_t read_memory(std::uint32_t address) const override;
@@ -121,6 +122,7 @@ void JoinedModel::start() {
 
 void JoinedModel::let_processor_run(Clock limit) {
   if (processor_->accesses()) return;
+  const ActivityScope scope(Activity::processor_model);
   if (processor_->complete() > now_) return;
   processor_->mark();
   processor_->run(processor_->interrupts_matter() ? std::min(limit, now_ + longest_lead) : limit);
@@ -159,6 +161,7 @@ void JoinedModel::look_at_interrupts() {
                               std::uint32_t{model_->outer_interrupts} << first_interrupt_bit;
   if (lines == lines_) return;
   lines_ = lines;
+  const ActivityScope scope(Activity::processor_model);
   processor_->set_interrupts(now_, lines);
 }
 
@@ -177,7 +180,9 @@ void JoinedModel::advance(Clock limit) {
     const bool fan_gate = model.fan_gate;
     bool others = false;
     if (const Clock leap =
-            !input_has_changed && stop > now_ ? clocks_->leap(stop - now_) : Clock{0};
+            !input_has_changed && stop > now_
+                ? clocks_->leap(stop - now_, stop < limit ? LeapEnd::processor : LeapEnd::device)
+                : Clock{0};
         leap != 0) {
       now_ += leap;
     } else {

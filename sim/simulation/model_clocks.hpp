@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "sim/counting/chip_counts.hpp"
+#include "sim/simulation/activity.hpp"
 #include "sim/simulation/edges.hpp"
+#include "sim/simulation/evaluation_counts.hpp"
 #include "sim/simulation/model_functions.hpp"
 #include "sim/simulation/pins.hpp"
 
@@ -27,6 +29,9 @@ class ModelClocks {
     leaps_ = direct_ && edges_ == Edges::leaping && Functions::settle != nullptr;
   }
 
+  // Clocks are counted there from now on.
+  void count_into(EvaluationCounts& counts) { evaluations_ = &counts; }
+
   // No other clock than the free-running one would have an edge now, unless an input changes.
   bool rests() const {
     return model_.at_rest_processor && model_.at_rest_registers && model_.at_rest_axes &&
@@ -42,13 +47,19 @@ class ModelClocks {
   }
 
   // Up to `most` clocks at once, if there is nothing to do in them but to count; none otherwise. To
-  // be called without a new input. Returns their number.
-  Clock leap(Clock most) {
+  // be called without a new input. Returns their number. `limited_by`: what sets `most`.
+  Clock leap(Clock most, LeapEnd limited_by = LeapEnd::device) {
     if constexpr (counting::has_counts<Root>) {
       if (leaps_ && most >= least_leap && rests() && counting::counts_are_usual(*model_.rootp)) {
+        const ActivityScope scope(Activity::leaps);
         counting::Counts counts = counting::read_counts(*model_.rootp);
         const Clock clocks = counts.carry(most, least_leap);
-        if (clocks != 0) set_counts(counts);
+        if (clocks == 0) return 0;
+        if (evaluations_ != nullptr) {
+          count_leap(clocks, clocks == most ? limited_by
+                                            : counting::read_counts(*model_.rootp).end_of(clocks));
+        }
+        set_counts(counts);
         return clocks;
       }
     }
@@ -66,12 +77,14 @@ class ModelClocks {
   // One clock. Says whether another clock than the free-running one had an edge. `for_processor`:
   // the processor's clock has one in any case, for an input that only this clock takes over.
   bool clock(bool input_has_changed, bool for_processor = false) {
+    const ActivityScope scope(Activity::netlist);
     const bool all = input_has_changed || edges_ == Edges::all;
     const unsigned rising = free_running |
                             (all || for_processor || !model_.at_rest_processor ? processor : 0) |
                             (all || !model_.at_rest_registers ? registers : 0) |
                             (all || !model_.at_rest_axes ? axes : 0) |
                             (all || !model_.at_rest_peripherals ? peripherals : 0);
+    if (evaluations_ != nullptr) count_clock(input_has_changed, rising);
     if constexpr (has_triggers) {
       // Without a new input there is nothing to do between the edges, and which triggers fire
       // is known.
@@ -109,6 +122,25 @@ class ModelClocks {
     model.rootp->__VnbaTriggered = model.rootp->__VactTriggered;
     { model.rootp->__VactTriggered.any() } -> std::same_as<bool>;
   };
+
+  void count_leap(Clock clocks, LeapEnd end) {
+    ++evaluations_->leaps;
+    evaluations_->leapt_clocks += clocks;
+    ++evaluations_->leaps_ended_by[static_cast<std::size_t>(end)];
+  }
+
+  void count_clock(bool input_has_changed, unsigned rising) {
+    ++evaluations_->evaluated_clocks;
+    if (input_has_changed) {
+      ++evaluations_->after_input;
+      return;
+    }
+    evaluations_->processor += (rising & processor) != 0;
+    evaluations_->registers += (rising & registers) != 0;
+    evaluations_->axes += (rising & axes) != 0;
+    evaluations_->peripherals += (rising & peripherals) != 0;
+    evaluations_->free_running_alone += rising == free_running;
+  }
 
   void set_clocks(unsigned rising) {
     model_.clocks_free_running = (rising & free_running) != 0;
@@ -163,6 +195,7 @@ class ModelClocks {
   Edges edges_;
   bool direct_ = false;
   bool leaps_ = false;
+  EvaluationCounts* evaluations_ = nullptr;
   decltype(no_triggers()) triggers_ = no_triggers();
 };
 

@@ -23,6 +23,7 @@ class NetlistModel : public ChipModel {
   ~NetlistModel() override;
 
   void permit_software_stepping() override { model_->software_stepping = 1; }
+  void count_into(EvaluationCounts& counts) override { clocks_->count_into(counts); }
   void advance(Clock limit) override;
   void reset() override;
   std::uint32_t read_memory(std::uint32_t address) const override;

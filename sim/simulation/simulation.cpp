@@ -6,8 +6,8 @@
 
 namespace sim {
 
-void Simulation::attach(Device& device, OutputPins watched) {
-  attachments_.push_back({&device, watched});
+void Simulation::attach(Device& device, OutputPins watched, Activity activity) {
+  attachments_.push_back({&device, watched, activity});
 }
 
 Clock Simulation::earliest_wake() const {
@@ -22,6 +22,7 @@ void Simulation::tell_changes(OutputPins changed) {
   const OutputPins pins = chip_.outputs();
   for (const Attachment& attachment : attachments_) {
     if ((attachment.watched.word & changed.word) != 0) {
+      const ActivityScope scope(attachment.activity);
       attachment.device->pins_changed(now(), pins, changed);
     }
   }
@@ -31,6 +32,7 @@ void Simulation::wake_due_devices() {
   for (const Attachment& attachment : attachments_) {
     Device& device = *attachment.device;
     if (device.next_wake_ <= now()) {
+      const ActivityScope scope(attachment.activity);
       device.next_wake_ = never;
       device.wake(now());
     }

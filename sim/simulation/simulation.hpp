@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "sim/simulation/activity.hpp"
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/clock_rate.hpp"
 #include "sim/simulation/device.hpp"
@@ -15,8 +16,8 @@ class Simulation {
   Simulation(Chip& chip, ClockRate rate) : chip_(chip), rate_(rate), previous_(chip.outputs()) {}
 
   // `device` is called on changes of the output pins that are 1 in `watched`, in the order of
-  // attaching. It must outlive the simulation's last run.
-  void attach(Device& device, OutputPins watched);
+  // attaching. It must outlive the simulation's last run. A profile counts its time as `activity`.
+  void attach(Device& device, OutputPins watched, Activity activity = Activity::devices);
 
   // Runs until `limit`, or until a device has called stop().
   void run_until(Clock limit);
@@ -32,6 +33,7 @@ class Simulation {
   struct Attachment {
     Device* device;
     OutputPins watched;
+    Activity activity;
   };
 
   Clock earliest_wake() const;

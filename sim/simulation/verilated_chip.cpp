@@ -45,6 +45,8 @@ VerilatedChip::~VerilatedChip() = default;
 
 void VerilatedChip::permit_software_stepping() { model_->permit_software_stepping(); }
 
+void VerilatedChip::count_into(EvaluationCounts& counts) { model_->count_into(counts); }
+
 void VerilatedChip::record(replay::IntervalRecorder& recorder) {
   if (!model_->takes_snapshots()) {
     throw std::runtime_error("only a chip with the model of its processor can be recorded");

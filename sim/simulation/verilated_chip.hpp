@@ -8,6 +8,7 @@
 
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/edges.hpp"
+#include "sim/simulation/evaluation_counts.hpp"
 
 namespace replay {
 class IntervalRecorder;
@@ -34,6 +35,9 @@ class VerilatedChip : public Chip {
   // Lets the firmware drive the step and direction pins itself, which no board does. Before the
   // first advance().
   void permit_software_stepping();
+
+  // Clocks are counted there from now on; the counts must outlive the last advance().
+  void count_into(EvaluationCounts& counts);
 
   // Records all pins and some snapshots from now on. The recorder must outlive the last advance().
   // Throws std::runtime_error where the processor is not a model of its own.

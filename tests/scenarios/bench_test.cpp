@@ -4,6 +4,8 @@
 
 #include <array>
 #include <fstream>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "tests/scenarios/job.hpp"
@@ -176,9 +178,11 @@ TEST(bench, model_reports_how_fast_it_runs_and_what_leaps_and_resting_blocks_bri
   ASSERT_EQ(job.status, 0) << job.output;
   std::ifstream stream(file);
   const auto works = nlohmann::json::parse(stream)["works"];
-  ASSERT_EQ(works.size(), 5u);
+  ASSERT_EQ(works.size(), 6u);
   for (const auto& work : works) {
     EXPECT_GT(work["clocks_per_second"], 0) << work;
+    EXPECT_NEAR(work["simulated_seconds_per_second"],
+                work["clocks_per_second"].get<double>() / work["clock_hz"].get<double>(), 1e-6);
     EXPECT_GT(work["clocks_per_second_processor_by_netlist"], 0) << work;
     EXPECT_GT(work["clocks_per_second_without_leaps"], 0) << work;
     EXPECT_EQ(work["clocks_per_second_all_edges"] > 0, work["clock_hz"] == 4'000'000) << work;
@@ -192,6 +196,51 @@ TEST(bench, model_reports_how_fast_it_runs_and_what_leaps_and_resting_blocks_bri
   // On any machine, however busy: what the processor's model is for.
   EXPECT_GT(works[4]["clocks_per_second"].get<double>(),
             5 * works[4]["clocks_per_second_processor_by_netlist"].get<double>());
+}
+
+// The shares are measured, so they differ; what must be in them does not.
+TEST(bench, model_says_where_the_time_goes) {
+  const auto folder = scenarios::scratch_folder();
+  const auto file = folder / "profile.json";
+  std::filesystem::remove(file);
+  const auto job = scenarios::run_job({"bench", "model", "--profile", "--json", file.string()});
+  ASSERT_EQ(job.status, 0) << job.output;
+  std::ifstream stream(file);
+  std::map<std::string, nlohmann::json> works;
+  const auto figures = nlohmann::json::parse(stream);
+  for (const auto& work : figures["works"]) works[work["name"]] = work;
+  ASSERT_EQ(works.size(), 6u);
+  for (const auto& [name, work] : works) {
+    double shares = 0;
+    for (const auto& share : work["shares"]) shares += share.get<double>();
+    EXPECT_NEAR(shares, 1, 1e-9) << name;
+    // One in each tick of the kernel, which are at most 10 ms apart.
+    EXPECT_GT(work["samples"], 50 * work["simulation_thread_seconds"].get<double>()) << name;
+    EXPECT_LE(work["simulation_thread_seconds"], work["processor_seconds"].get<double>() + 0.1);
+    EXPECT_EQ(work["leapt_clocks"].get<long>() + work["evaluated_clocks"].get<long>(),
+              work["clocks"])
+        << name;
+    long ends = 0, evaluated = 0;
+    for (const auto& count : work["leaps_ended_by"]) ends += count.get<long>();
+    for (const auto& count : work["evaluated_for"]) evaluated += count.get<long>();
+    EXPECT_EQ(ends, work["leaps"]) << name;
+    EXPECT_GE(evaluated, work["evaluated_clocks"]) << name;
+  }
+  // A program without end has no devices, and a sleeping one no steps.
+  EXPECT_GT(works["computing"]["shares"]["processor_model"], 0.2);
+  EXPECT_EQ(works["computing"]["evaluated_for"]["after_input"], 0);
+  EXPECT_EQ(works["asleep"]["leaps_ended_by"]["time_base"], 0);
+  EXPECT_GT(works["asleep"]["leapt_clocks"].get<long>(), works["asleep"]["evaluated_clocks"]);
+  EXPECT_GT(works["asleep"]["leaps_ended_by"]["converter"], 0);
+  for (const char* name : {"printing", "printing at 50 MHz", "serving"}) {
+    const auto& work = works[name];
+    EXPECT_GT(work["leaps_ended_by"]["time_base"], 1000) << work;
+    EXPECT_GT(work["evaluated_for"]["axes"], 1000) << work;
+    EXPECT_GT(work["shares"]["netlist"], 0.1) << work;
+  }
+  EXPECT_GT(works["printing"]["shares"]["processor_model"], 0);
+  EXPECT_GT(works["serving"]["shares"]["host_and_report"], 0);
+  EXPECT_EQ(scenarios::run_job({"bench", "link", "--profile", "--quick"}).status, 2);
 }
 
 }  // namespace

@@ -5,29 +5,13 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "sim/machine/description.hpp"
-#include "sim/simulation/edges.hpp"
-#include "sim/simulation/elf_image.hpp"
+#include "tools/benchmark/model_runs.hpp"
 
 namespace benchmarks {
-
-struct ModelScope {
-  sim::ElfImage firmware;
-  machine::Description machine;  // that the firmware is built for
-  std::filesystem::path print_file;  // lines that the firmware prints
-  sim::ElfImage computing;  // `core` of `bench processor`, which never sleeps
-  bool quick = false;  // few clocks, once
-  std::function<void()> look = [] {};  // called many times a second; what it throws ends all
-};
-
-// What the chip is simulated by: as `print` does it; with the processor's netlist; without leaps;
-// every edge by eval().
-enum class ModelKind : std::uint8_t { usual, whole_netlist, resting, all_edges };
 
 struct ModelWork {
   std::string name;
@@ -40,6 +24,8 @@ struct ModelWork {
   std::array<double, 4> clocks_per_second{};
 
   double speed(ModelKind kind) const { return clocks_per_second[static_cast<std::size_t>(kind)]; }
+  // Simulated seconds in one of processor time; from 1 on it is as fast as the chip.
+  double pace() const { return speed(ModelKind::usual) / clock_hz; }
 };
 
 // Runs of all kinds alternate, so that load on the machine affects all alike. Throws

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "tools/benchmark/link_figures.hpp"
+#include "tools/benchmark/model_profile.hpp"
 #include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"
 #include "tools/command/build.hpp"
@@ -142,16 +143,22 @@ int bench_processor(const BenchOptions& options) {
 
 int bench_model(const BenchOptions& options) {
   build({"firmware", "processor_benchmark_programs"});
-  const auto works = benchmarks::measure_model(
-      {.firmware = sim::read_elf(programs_folder() / "firmware.elf"),
-       .machine = description_of("prusa_mendel.toml"),
-       .print_file = short_print(),
-       .computing = sim::read_elf(programs_folder() / "core_benchmark.elf"),
-       .quick = options.quick,
-       .look = end_if_interrupted},
-      note);
-  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(works));
-  say("{}", benchmarks::to_table(works));
+  const benchmarks::ModelScope scope{
+      .firmware = sim::read_elf(programs_folder() / "firmware.elf"),
+      .machine = description_of("prusa_mendel.toml"),
+      .print_file = short_print(),
+      .computing = sim::read_elf(programs_folder() / "core_benchmark.elf"),
+      .quick = options.quick,
+      .look = end_if_interrupted};
+  const auto show_all = [&](const auto& works) {
+    if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(works));
+    say("{}", benchmarks::to_table(works));
+  };
+  if (options.profile) {
+    show_all(benchmarks::profile_model(scope, note));
+  } else {
+    show_all(benchmarks::measure_model(scope, note));
+  }
   return success;
 }
 
@@ -186,6 +193,9 @@ int bench(const BenchOptions& options) {
   const std::array<NamedFile, 1> written{{{"--json", options.json}}};
   check_that_files_differ(read, written);
   BenchOptions chosen = options;
+  if (chosen.profile && chosen.names != std::vector<std::string>{"model"}) {
+    throw std::runtime_error("--profile is of the benchmark model: name it alone");
+  }
   if (chosen.names.empty()) chosen.names = {"link", "model", "processor", "stepping"};
   if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");

@@ -21,6 +21,7 @@ struct BenchOptions {
   std::filesystem::path print_file;
   double tolerance_us = benchmarks::default_tolerance_us;  // of punctual ticks
   bool quick = false;
+  bool profile = false;  // of the model
   std::vector<std::string> works;  // of the processor; none: all
 };
 

@@ -28,6 +28,8 @@ void add_options(CLI::App& app, BenchOptions& options) {
   job.add_option("--work", options.works,
                  "processor: only core, record, parser or planner; may be repeated; default: all")
       ->type_name("NAME");
+  job.add_flag("--profile", options.profile,
+               "model: measure where the simulation's time goes, and what ends its leaps");
   job.add_flag("--quick", options.quick, "few and short runs, as a smoke test");
 }
 

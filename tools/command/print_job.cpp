@@ -186,7 +186,7 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});
-  setup.simulation().attach(host, {});
+  setup.simulation().attach(host, {}, sim::Activity::host_and_report);
   report::Recorder recorder = opened(
       [&] { return report::Recorder(setup.printer(), host, setup.simulation(), options.edges); });
   report::FirmwareWatch watch(setup.firmware(), setup.chip());
@@ -196,7 +196,7 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
     watch.on_accepted = [&](sim::Clock, const report::AcceptedLine& line) {
       accept_log->put(line);
     };
-    setup.simulation().attach(watch, {});
+    setup.simulation().attach(watch, {}, sim::Activity::host_and_report);
   }
   if (!options.trace.empty()) setup.chip().trace_to(options.trace);
   std::optional<ReplayCheck> replay;

@@ -39,8 +39,8 @@ Service::Service(const ServeOptions& options)
   }
   listen();
   hold_back();
-  simulation_.attach(terminal_, {});
-  simulation_.attach(watch_, {});
+  simulation_.attach(terminal_, {}, sim::Activity::host_and_report);
+  simulation_.attach(watch_, {}, sim::Activity::host_and_report);
 }
 
 void Service::run() {
