@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 
 #include "directories.hpp"
 #include "tools/files/write_text.hpp"
@@ -57,6 +59,19 @@ Print print_text(const std::string& gcode, const std::vector<std::string>& optio
   const fs::path file = scratch_folder() / "input.gcode";
   write_file(file, gcode);
   return print_file(file, options);
+}
+
+std::pair<int, int> expect_no_difference(const Print& print) {
+  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  std::smatch found;
+  const std::regex line(R"(replay: (\d+) of (\d+) intervals.*: 0 differ)");
+  if (!std::regex_search(print.job.output, found, line)) {
+    ADD_FAILURE() << print.job.output;
+    return {};
+  }
+  std::printf("%s\n", found[0].str().c_str());
+  EXPECT_EQ(print.job.output.find("could not be recorded"), std::string::npos);
+  return {std::stoi(found[1]), std::stoi(found[2])};
 }
 
 }  // namespace scenarios

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenarios {
@@ -33,5 +34,9 @@ struct Print {
 // Prints G-code that is given as text, or a file of the project.
 Print print_text(const std::string& gcode, const std::vector<std::string>& options = {});
 Print print_file(const std::filesystem::path& gcode, const std::vector<std::string>& options = {});
+
+// Of the line that a job with --replay says: intervals replayed, and how many there were. Each time
+// others are chosen; where one differs, the output says which, and the seed to choose it again.
+std::pair<int, int> expect_no_difference(const Print& print);
 
 }  // namespace scenarios

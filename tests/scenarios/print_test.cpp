@@ -154,9 +154,13 @@ TEST(software_stepping, makes_the_same_steps_as_the_hardware) {
             hardware.report["processor"]["busy_percent"]);
 }
 
-TEST(whole_print, the_washer_is_printed_to_the_step) {
-  const Print print = print_file(washer, {"--warm"});
+// And the netlist of the whole chip does every clock of it again.
+TEST(whole_print, the_washer_is_printed_to_the_step_and_replayed_by_the_netlist) {
+  const Print print = print_file(washer, {"--warm", "--replay", "all"});
   expect_clean(print);
+  const auto [replayed, intervals] = scenarios::expect_no_difference(print);
+  EXPECT_EQ(replayed, intervals);
+  EXPECT_GT(intervals, 600);
   expect_edges_as_requested(washer, print, 4'000'000);
   EXPECT_LT(print.report["hotend"]["band_c"].get<double>(), 2.0);
 }

@@ -53,6 +53,10 @@ int test(const TestOptions& options) {
       junit.string(),
       "--parallel",
       std::to_string(std::max(1U, std::thread::hardware_concurrency()))};
+  // Tests of hours: ctest knows them only in this configuration.
+  if (std::ranges::contains(options.labels, "nightly")) {
+    arguments.insert(arguments.end(), {"--build-config", "nightly"});
+  }
   if (!all) {
     arguments.insert(arguments.end(),
                      {"--label-regex", fmt::format("^({})$", fmt::join(options.labels, "|"))});
