@@ -135,6 +135,50 @@ TEST_F(SynthesisJob, measures_the_core_on_an_ice40_and_nothing_else_there) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
+constexpr const char* device_table = R"(property,value
+family,Cyclone II
+device,EP2C70F896C6
+quartus,13.0sp1
+logic_elements,68416
+block_rams,250
+block_ram_bits,4096
+multipliers,150
+)";
+
+TEST_F(SynthesisJob, makes_the_project_for_quartus_of_a_board_with_a_cyclone) {
+  std::filesystem::create_directories(folder_ / "boards/de2_70");
+  std::ofstream(folder_ / "boards/de2_70/device.csv") << device_table;
+  write_script("write_quartus_project.sh", R"(#!/bin/sh
+mkdir -p "$4"
+echo "$*" >> "$1/calls"
+)");
+  write_script("synthesize_cyclone.sh", R"(#!/bin/sh
+echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas": 20000,
+  "altsyncram": 8, "cyclone_block_ram": 3, "cyclone_multiplier": 5}}}' > "$3/cells.json"
+)");
+  options_.board = "de2_70";
+  options_.debug = true;
+  EXPECT_TRUE(run());
+  EXPECT_NE(text_of("calls").find(" de2_70 firmware.elf "), std::string::npos);
+  EXPECT_NE(text_of("calls").find("-ghas_debug=true"), std::string::npos);
+  const auto object = nlohmann::json::parse(text_of("out/synthesis.json"));
+  EXPECT_EQ(object.at("device"), "EP2C70F896C6");
+  EXPECT_EQ(object.at("logic_elements").at("used"), 30000);
+  EXPECT_EQ(object.at("registers").at("used"), 20000);
+  // 96 KiB in blocks of 4 Kbit, and two of these for each of 8 that Yosys counts.
+  EXPECT_EQ(object.at("block_rams").at("used"), 192 + 6);
+  EXPECT_EQ(object.at("multipliers").at("used"), 5);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/de2_70.bit"));
+  // One that is too large, and one of which nothing is known.
+  write_script("synthesize_cyclone.sh", R"(#!/bin/sh
+echo '{"design": {"num_cells_by_type": {
+  "cycloneive_lcell_comb": 70000, "dffeas": 9}}}' > "$3/cells.json"
+)");
+  EXPECT_FALSE(run());
+  write_script("synthesize_cyclone.sh", "#!/bin/sh\necho '{}' > \"$3/cells.json\"\n");
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
 TEST_F(SynthesisJob, fails_where_a_tool_fails) {
   write_script("place_board.sh", "#!/bin/sh\nexit 3\n");
   EXPECT_THROW(run(), std::runtime_error);

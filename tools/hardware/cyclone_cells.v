@@ -49,6 +49,33 @@ module altsyncram #(
 
 endmodule
 
+// Cells of Yosys' own names, which it takes for such as it does not know (cyclone_map.v).
+module cyclone_block_ram #(
+  parameter write_width = 9,
+  parameter read_width = 9
+) (
+  input write_clk,
+  input write_enable,
+  input [12:0] write_address,
+  input [write_width - 1:0] write_data,
+  input read_clk,
+  input read_enable,
+  input [12:0] read_address,
+  output [read_width - 1:0] read_data
+);
+endmodule
+
+module cyclone_multiplier #(
+  parameter a_width = 18,
+  parameter b_width = 18,
+  parameter y_width = 36
+) (
+  input [a_width - 1:0] a,
+  input [b_width - 1:0] b,
+  output [y_width - 1:0] y
+);
+endmodule
+
 // Multiplies by one.
 module altpll #(
   parameter intended_device_family = "Cyclone IV E",

@@ -15,6 +15,7 @@ step yosys.log yosys -p "read_verilog -lib +/intel/cycloneive/cells_sim.v;
   hierarchy -check -top $board;
   synth_intel -family cycloneive -top $board -run coarse:map_bram;
   memory_libmap -lib $project/tools/hardware/cyclone_block_ram.txt;
+  techmap -map $project/tools/hardware/cyclone_map.v;
   synth_intel -family cycloneive -top $board -run map_ffram:check;
   check -assert;
   tee -q -o cells.json stat -json -top $board"

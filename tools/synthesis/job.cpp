@@ -15,6 +15,7 @@
 #include "tools/files/write_text.hpp"
 #include "tools/process/process.hpp"
 #include "tools/synthesis/device.hpp"
+#include "tools/synthesis/quartus.hpp"
 #include "tools/synthesis/report.hpp"
 
 namespace synthesis {
@@ -84,9 +85,10 @@ class Scripts {
 
 void add_options(CLI::App& job, Options& options) {
   job.add_option("board", options.board,
-                 "a board with an ECP5: ulx3s; or core: the processor with its memory alone")
+                 "ulx3s (ECP5); de2_115 or de2_70 (Cyclone): the project for Quartus; or core: the "
+                 "processor with its memory alone")
       ->required()
-      ->check(CLI::IsMember({"ulx3s", "core"}))
+      ->check(CLI::IsMember({"ulx3s", "de2_115", "de2_70", "core"}))
       ->type_name("BOARD");
   job.add_option("--device", options.device,
                  "the FPGA: ECP5 25k, 45k or 85k (or 25f, ...); for core also an iCE40, "
@@ -102,7 +104,7 @@ void add_options(CLI::App& job, Options& options) {
                  "number of placements, from --seed on; the fastest becomes the bitstream")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (ulx3s)");
+  job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (not core)");
   job.add_flag("--zbb,!--no-zbb", options.zbb,
                "the processor with extension Zbb, for firmware that is compiled for it");
   job.add_option("--directory", options.directory,
@@ -110,8 +112,9 @@ void add_options(CLI::App& job, Options& options) {
       ->type_name("DIR")
       ->capture_default_str();
   job.footer(
-      "Exit status: 0 the bitstream is there and fast enough, 1 the clock or a pin is too slow, "
-      "2 a tool failed.");
+      "Exit status: 0 the bitstream is there and fast enough, or the Quartus project and the "
+      "chip fits; 1 the clock or a pin is too slow, or it does not fit; 2 a tool failed. Device "
+      "and seeds are for ECP5 and iCE40.");
 }
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
@@ -127,6 +130,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
   std::optional<files::PathLock> lock;
   take(directory, lock);
+  if (has_cyclone(project, options.board)) {
+    return make_quartus_project(options, project, firmware, directory, look);
+  }
   const Scripts scripts(options, project, firmware, directory, look);
   scripts.synthesize();
   Report report;
