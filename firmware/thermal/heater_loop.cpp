@@ -54,6 +54,9 @@ void HeaterLoop::watch_plausibility(const Temperature& measured, units::Millisec
     case Finding::sensor_frozen:
       if (target_ != off) stop_with(Fault::sensor_frozen);
       break;
+    case Finding::sensor_implausible:
+      if (target_ != off) stop_with(Fault::sensor_implausible);
+      break;
   }
 }
 

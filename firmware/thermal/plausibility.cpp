@@ -61,7 +61,11 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
   fan_ = cooling.fan;
   idle_ = idle_ && duty == 0;
   resting_ = wanted ? 0 : std::min(resting_ + milliseconds, forget_milliseconds);
-  if (resting_ == forget_milliseconds) heaters_.fill({});
+  if (resting_ == forget_milliseconds) {
+    heaters_.fill({});
+    ascent_.forget();
+  }
+  if (!wanted || gap) ascent_.restart();
   if (gap) {
     raw_windows_ = 0;
     before_.reset();
@@ -109,6 +113,19 @@ Plausibility::Finding Plausibility::compare(const Window& raw,
     } else if (target && is_heat_missing(slopes, *target, now.milliseconds)) {
       finding = Finding::heat_missing;
     }
+    if (target && finding == Finding::none) {
+      switch (ascent_.add({slopes, needed_to_hold(*target), target->count() - now.celsius, reached_,
+                           noise_, now.milliseconds})) {
+        case Ascent::Finding::none:
+          break;
+        case Ascent::Finding::behind:
+          finding = Finding::heat_missing;
+          break;
+        case Ascent::Finding::ahead:
+          finding = Finding::sensor_implausible;
+          break;
+      }
+    }
   }
   if (finding == Finding::none && frozen) finding = Finding::sensor_frozen;
   before_ = now;
@@ -125,6 +142,12 @@ void Plausibility::begin_window() {
 
 std::int32_t Plausibility::filament_loss(const Cooling& cooling) const {
   return model_->filament_loss * (cooling.filament.count() / 64) / 16;
+}
+
+// The nominal heater's power, to hold the target in the most draught, with the reserve. In mK/s.
+std::int32_t Plausibility::needed_to_hold(units::Millicelsius target) const {
+  return slope_lost(target.count(), model_->loss) * (100 + model_->draught) / 100 *
+         (100 + reserve) / 100;
 }
 
 // As long as one target is wanted, from half way to it: so hot that the room matters little.
@@ -210,9 +233,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
     return sum > limit;
   };
   std::array<std::int32_t, steps> least_cools{}, most_cools{}, needed{}, parts{};
-  // To hold the target in the most draught, with the reserve.
-  const std::int32_t nominal_needed = slope_lost(target.count(), model_->loss) *
-                                      (100 + model_->draught) / 100 * (100 + reserve) / 100;
+  const std::int32_t nominal_needed = needed_to_hold(target);
   for (int loss = 0; loss < steps; ++loss) {
     const std::int32_t part = model_->grid.loss(loss);
     const auto index = static_cast<std::size_t>(loss);

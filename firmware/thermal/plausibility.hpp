@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "thermal/ascent.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/demand.hpp"
 #include "thermal/heater_model.hpp"
@@ -29,11 +30,17 @@ namespace thermal {
 // conversion is none, but a reading that jumps and stays is.
 class Plausibility {
  public:
-  enum class Finding : std::uint8_t { none, heat_missing, heat_unasked, sensor_frozen };
+  enum class Finding : std::uint8_t {
+    none,
+    heat_missing,
+    heat_unasked,
+    sensor_frozen,
+    sensor_implausible
+  };
 
   // The model must outlive it.
   explicit constexpr Plausibility(const HeaterModel& model)
-      : model_(&model), probe_(model), demand_(model) {}
+      : model_(&model), probe_(model), demand_(model), ascent_(model) {}
 
   // Every 100 ms or so. `duty` is what the heater was given since the last call, `elapsed` ago. No
   // temperature where the conversion has failed. Without a target the heater is off, and may cool
@@ -65,6 +72,7 @@ class Plausibility {
   Finding compare(const Window& raw, std::optional<units::Millicelsius> target,
                   const Cooling& cooling);
   std::int32_t filament_loss(const Cooling& cooling) const;
+  std::int32_t needed_to_hold(units::Millicelsius target) const;
   Slopes slopes_until(const Window& now, const Cooling& cooling) const;
   void watch_demand(const Slopes& slopes, const Window& now,
                     std::optional<units::Millicelsius> target);
@@ -75,6 +83,7 @@ class Plausibility {
   const HeaterModel* model_;
   Probe probe_;
   Demand demand_;
+  Ascent ascent_;
   std::optional<units::Millicelsius> wanted_;  // what demand_ is about
   bool reached_ = false;  // since it is wanted
   std::array<bool, static_cast<std::size_t>(steps)> needs_too_much_{};  // by power

@@ -32,8 +32,8 @@ struct Course {
 class Bench {
  public:
   Bench(const plants::HeatedBlockProperties& properties, const thermal::HeaterSettings& settings,
-        double clock_hz, std::uint64_t seed)
-      : block(properties, machine::ambient_celsius, machine::ambient_celsius),
+        double clock_hz, std::uint64_t seed, double start = machine::ambient_celsius)
+      : block(properties, machine::ambient_celsius, start),
         loop(settings),
         clock_hz_(clock_hz),
         input_(

@@ -84,6 +84,31 @@ TEST(described_heaters, find_a_bead_that_freezes_at_the_target_and_stay_near_it)
   EXPECT_LT(bed.highest, bed_target + 4);
 }
 
+// Brings the reading to `degrees` with all the heat on.
+auto heated_up_to(double target, double degrees) {
+  return [target, degrees](Rig& rig, int) {
+    rig.set_target(target);
+    const auto is_hot = [&rig, degrees] { return rig.block.sensor_celsius(rig.now) >= degrees; };
+    rig.run(3'000, [](Rig&, double) {}, is_hot);
+    return is_hot();
+  };
+}
+
+TEST(described_heaters, find_a_bead_that_freezes_while_they_heat_up) {
+  const auto freeze = [](Rig& rig) { rig.freeze(); };
+  for (const double part : {0.1, 0.4, 0.7, 0.9}) {
+    const auto broken_at = [part](double target) { return 22 + part * (target - 22); };
+    const Found hotend = break_all(Part::hotend, 22, Fault::heating_failed,
+                                   heated_up_to(hotend_target, broken_at(hotend_target)), freeze);
+    EXPECT_LT(hotend.latest, 20) << "at " << broken_at(hotend_target);
+    EXPECT_LT(hotend.highest, hotend_target + 20) << "at " << broken_at(hotend_target);
+    const Found bed = break_all(Part::bed, 22, Fault::heating_failed,
+                                heated_up_to(bed_target, broken_at(bed_target)), freeze);
+    EXPECT_LT(bed.latest, 20) << "at " << broken_at(bed_target);
+    EXPECT_LT(bed.highest, bed_target + 2) << "at " << broken_at(bed_target);
+  }
+}
+
 // The firmware starts with the block at its target, and knows nothing of the heater.
 TEST(described_heaters, find_a_bead_that_drifts_soon_after_a_warm_start) {
   for (const double seconds : {20, 30, 45, 60, 90}) {

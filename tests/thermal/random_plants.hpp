@@ -73,6 +73,7 @@ struct RandomPrint {
   double highest = -300;  // block
   double heated = 0;  // s at full power before it broke
   bool held = false;  // when it broke
+  bool climbed = false;  // with all its heat, more than 3 K below the target, when it broke
 };
 
 class RandomPrinter {
@@ -103,6 +104,8 @@ class RandomPrinter {
         print.broken_at = now;
         print.heated = heated_;
         print.held = loop_.at_target() && target_ > 0;
+        print.climbed = loop_.duty() == thermal::full_duty &&
+                        block_.sensor_celsius(now) < target_ - 3 && heating_ > 3;
       }
       const double reading = block_.sensor_celsius(now) + noise_ * random_.normal();
       loop_.set_cooling({.fan = static_cast<std::uint8_t>(std::lround(fan_ * 255)),
@@ -122,6 +125,7 @@ class RandomPrinter {
       if ((print.fault = loop_.fault())) return print;
       if (now > (fault == HeatFault::none ? seconds : fault_at + seconds)) return print;
       heated_ += duty / 65535.0 * period;
+      heating_ = duty == thermal::full_duty ? heating_ + period : 0;
       heat(duty);
     }
   }
@@ -187,6 +191,7 @@ class RandomPrinter {
   thermal::HeaterLoop loop_;
   double noise_;
   double now_ = 0, heated_ = 0;
+  double heating_ = 0;  // s at full power without a pause
   std::uint32_t density_ = 0;
   double target_ = 0, wanted_ = 0, at_break_ = 0, fan_ = 0, flow_ = 0, draught_ = 0, supply_ = 1;
 };
