@@ -35,12 +35,16 @@ inner_host_python=/run/host_python
 host_cura=/usr/lib/cura
 inner_host_cura=/run/host_cura
 
+# All clones on a machine share what the compiler's cache holds: it sees paths relative to the project.
+export CCACHE_BASEDIR=${CCACHE_BASEDIR-$project} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR-true}
+
 # The environment inside: a fixed path and language, and what a user sets on purpose.
 inner_environment() {
   local name
   echo "PATH=/usr/sbin:/usr/bin:/sbin:/bin"
   echo "LANG=C.UTF-8"
   for name in HOME USER TERM COLUMNS CI NO_COLOR CTEST_OUTPUT_ON_FAILURE CCACHE_DIR CCACHE_MAXSIZE \
+    CCACHE_BASEDIR CCACHE_NOHASHDIR \
     XDG_CACHE_HOME XDG_RUNTIME_DIR TMPDIR STEPFABRIC_BUILD_DIR STEPFABRIC_JOBS; do
     [ -n "${!name-}" ] && echo "$name=${!name}"
   done
