@@ -166,6 +166,24 @@ TEST(campaign, records_what_was_tried_of_a_file_and_what_was_not) {
   EXPECT_THAT(proof::untried_mutants(folder.path() / "nothing"), IsEmpty());
 }
 
+TEST(campaign, keeps_in_its_lists_what_was_found_before_where_that_is_asked_for) {
+  const TemporaryFolder folder;
+  folder.write("part.tsv",
+               "killed\tpart_tb\tpart: a\nnot tried\t\tpart: b\nnot tried\t\tpart: c\n"
+               "killed\tpart_tb\tpart: gone\n");
+  auto dead = outcome("part: b", Fate::killed);
+  dead.by = "other_tb";
+  const std::vector<std::string> made{"part: a", "part: b", "part: c", "part: new"};
+  proof::record_campaign(folder.path(), {dead}, made, true);
+  EXPECT_EQ(proof::text_of(folder.path() / "part.tsv"),
+            "killed\tpart_tb\tpart: a\nkilled\tother_tb\tpart: b\nnot tried\t\tpart: c\n"
+            "not tried\t\tpart: new\n");
+  proof::record_campaign(folder.path(), {dead}, made);
+  EXPECT_EQ(proof::text_of(folder.path() / "part.tsv"),
+            "not tried\t\tpart: a\nkilled\tother_tb\tpart: b\nnot tried\t\tpart: c\n"
+            "not tried\t\tpart: new\n");
+}
+
 TEST(results, have_a_row_for_each_list_and_name_the_survivors) {
   const TemporaryFolder folder;
   folder.write("part.tsv",

@@ -55,6 +55,7 @@ struct CampaignOptions {
   std::filesystem::path json;
   bool quick = false;  // only its own benches, short ones that contain it, and the comparison
   bool recorded = false;  // not those that testbench/proofs/mutants says were not tried
+  bool untried = false;  // only those; their list keeps what it says of the others
   bool record = false;  // write the outcomes into testbench/proofs/mutants
   unsigned jobs = 0;
 };

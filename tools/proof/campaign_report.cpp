@@ -113,11 +113,21 @@ std::string recorded_by(const MutantOutcome& outcome) {
   return outcome.fate == Fate::killed ? outcome.by : "";
 }
 
+// The lines of a list, by the mutant that each ends with.
+std::map<std::string, std::string> lines_by_mutant(const std::filesystem::path& list) {
+  std::map<std::string, std::string> lines;
+  std::ifstream stream(list);
+  for (std::string line; std::getline(stream, line);) {
+    lines[line.substr(line.rfind('\t') + 1)] = line;
+  }
+  return lines;
+}
+
 }  // namespace
 
 void record_campaign(const std::filesystem::path& folder,
                      const std::vector<MutantOutcome>& outcomes,
-                     const std::vector<std::string>& made) {
+                     const std::vector<std::string>& made, bool keeps_others) {
   std::filesystem::create_directories(folder);
   std::map<std::string, const MutantOutcome*> tried;
   for (const MutantOutcome& outcome : outcomes) tried[outcome.mutant.id] = &outcome;
@@ -128,9 +138,15 @@ void record_campaign(const std::filesystem::path& folder,
     if (!exists(folder / (unit + ".tsv"))) to_write.insert(unit);
   }
   for (const std::string& unit : to_write) {
+    const auto earlier = keeps_others ? lines_by_mutant(folder / (unit + ".tsv"))
+                                      : std::map<std::string, std::string>{};
     std::string text;
     for (const std::string& id : made) {
       if (!id.starts_with(unit + ": ")) continue;
+      if (const auto line = earlier.find(id); line != earlier.end() && !tried.contains(id)) {
+        text += line->second + "\n";
+        continue;
+      }
       const auto found = tried.find(id);
       text += fmt::format("{}\t{}\t{}\n",
                           found == tried.end() ? not_tried : name_of(found->second->fate),

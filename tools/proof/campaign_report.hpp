@@ -22,10 +22,11 @@ void write_campaign(const std::filesystem::path& file, const std::vector<MutantO
 // The fate of those that were not tried.
 inline constexpr const char* not_tried = "not tried";
 // UNIT.tsv for each file of which some were tried, or that has none yet: fate, by what, id of all
-// that are made of it; of those that were not tried, that they were not. And RESULTS.md.
+// that are made of it; of those that were not tried, that they were not, or with `keeps_others`
+// what their list says already. And RESULTS.md.
 void record_campaign(const std::filesystem::path& folder,
                      const std::vector<MutantOutcome>& outcomes,
-                     const std::vector<std::string>& made);
+                     const std::vector<std::string>& made, bool keeps_others = false);
 // The ids that the lists say were not tried.
 std::set<std::string> untried_mutants(const std::filesystem::path& folder);
 

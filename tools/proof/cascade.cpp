@@ -58,11 +58,18 @@ MutantOutcome Cascade::try_mutant(const Unit& unit, const Mutant& mutant, const 
 
 double Cascade::bench_seconds(const std::string& bench, const fs::path& folder) {
   const std::string key = "time_" + judges_.benches.key(bench, {});
+  // What one worker measures the others need as well.
+  const std::scoped_lock lock(timing_);
   const Judged seconds = ask(key, [&] {
     return Judged{Finding::passes, std::to_string(judges_.benches.seconds(bench, folder))};
   });
   judges_.benches.know_seconds(bench, std::stod(seconds.detail));
   return std::stod(seconds.detail);
+}
+
+std::string Cascade::last_killer(const std::string& unit) {
+  const std::scoped_lock lock(mutex_);
+  return killers_[unit];
 }
 
 void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folder, bool quick,
@@ -82,9 +89,16 @@ void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folde
                      [&] { return judges_.proofs.ask(proof, variant, folder); }),
                  outcome);
   };
-  for (const std::string& bench : judges_.benches.own_benches(unit.name)) {
-    if (ask_bench(bench)) return;
-  }
+  const auto is_killed_soon = [&](const std::string& bench) {
+    if (!ask_bench(bench)) return false;
+    const std::scoped_lock lock(mutex_);
+    if (outcome.fate == Fate::killed) killers_[unit.name] = bench;
+    return true;
+  };
+  // What killed the mutant before, which lies near in the text, mostly kills at once.
+  const std::string killer = last_killer(unit.name);
+  if (!killer.empty() && is_killed_soon(killer)) return;
+  if (std::ranges::any_of(judges_.benches.own_benches(unit.name), is_killed_soon)) return;
   // The judges in order: short benches, which take less than a solver; comparison; proofs of the
   // unit; long benches; proofs of entities that contain it.
   std::vector<std::string> benches = judges_.benches.other_benches(unit.name);
@@ -94,7 +108,8 @@ void Cascade::decide(const Unit& unit, std::size_t choice, const fs::path& folde
   constexpr double short_seconds = 5;
   const auto is_decided_by_benches = [&](bool are_short) {
     return std::ranges::any_of(benches, [&](const std::string& bench) {
-      return (seconds[bench] < short_seconds) == are_short && ask_bench(bench);
+      return (seconds[bench] < short_seconds) == are_short &&
+             (are_short ? is_killed_soon(bench) : ask_bench(bench));
     });
   };
   if (is_decided_by_benches(true)) return;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <string>
 
 #include "tools/proof/campaign.hpp"
@@ -39,8 +41,13 @@ class Cascade {
   void decide(const Unit& unit, std::size_t choice, const std::filesystem::path& folder, bool quick,
               MutantOutcome& outcome);
 
+  std::string last_killer(const std::string& unit);
+
   Judges& judges_;
   Findings& findings_;
+  std::mutex timing_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> killers_;  // by unit: the short bench that killed last
 };
 
 }  // namespace proof

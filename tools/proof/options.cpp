@@ -34,9 +34,14 @@ void add_options(CLI::App& job, Options& options) {
       "--seed", options.seed,
       "of the sample. Default: the number of the day, so that every record is tried again\n"
       "within some days; with --mutants, a hash of the files");
-  job.add_flag("--recorded", options.campaign.recorded,
-               "without those that testbench/proofs/mutants lists as not tried")
-      ->needs(mutants);
+  auto* recorded = job.add_flag("--recorded", options.campaign.recorded,
+                                "without those that testbench/proofs/mutants lists as not tried")
+                       ->needs(mutants);
+  job.add_flag("--untried", options.campaign.untried,
+               "only those that testbench/proofs/mutants lists as not tried; --record keeps what\n"
+               "it says of the others")
+      ->needs(mutants)
+      ->excludes(recorded);
   job.add_flag(
       "--record", options.record,
       "write what holds and is caught into testbench/proofs/recorded.tsv; with --mutants,\n"
