@@ -38,6 +38,11 @@ begin
 
   check : process
 
+    -- All limits are locked, and the channel may heat.
+    constant cleared : natural := 2 ** heater_control_status_permitted_bit
+      + 2 ** heater_control_status_minimum_locked_bit + 2 ** heater_control_status_maximum_locked_bit
+      + 2 ** heater_control_status_hot_locked_bit + 2 ** heater_control_status_settle_locked_bit;
+
     variable word : word_t;
     variable edges_before : natural;
 
@@ -57,8 +62,14 @@ begin
       feed_watchdog(master);
       wait_clocks(clk, 3);
       stays_open : assert outputs.supply = '0' report "closed by itself" severity error;
+      -- Of the trip, if there was one, nothing is left: it is the supply that interrupts.
+      expect(master, heater_control_status_address, cleared);
+      expect(master, heater_control_status_address, cleared, 1);
+      interrupts_until_closed : assert outputs.interrupt = '1' report "no interrupt" severity error;
       switch_supply(master, heater_control_supply_key_close);
       closes_again : assert outputs.supply = '1' report "does not close" severity error;
+      wait_clocks(clk, 2);
+      closed_it_does_not_interrupt : assert outputs.interrupt = '0' report "interrupt" severity error;
     end procedure;
 
   begin
@@ -86,6 +97,10 @@ begin
     wait_clocks(clk, 3);
     switch_supply(master, heater_control_supply_key_close + 1);
     wants_its_key : assert outputs.supply = '0' report "closed" severity error;
+    switch_supply(master, heater_control_supply_key_close - 1);
+    wants_no_lower_key : assert outputs.supply = '0' report "closed" severity error;
+    switch_supply(master, 0);
+    wants_a_key : assert outputs.supply = '0' report "closed" severity error;
     write(master, heater_control_duty_address, 1, 1);
     switch_supply(master, heater_control_supply_key_close);
     wants_no_duty : assert outputs.supply = '0' report "closed" severity error;
@@ -99,6 +114,12 @@ begin
     read(master, heater_control_supply_address, word);
     says_that_it_is_closed : assert unsigned(word) = 2 ** heater_control_supply_closed_bit
       report to_hstring(word) severity error;
+    -- The key of another register is none.
+    write(master, heater_control_clear_address,
+      to_word(heater_control_clear_t'(channels => "0000",
+        key => to_unsigned(heater_control_supply_key_open, 16))));
+    wait_clocks(clk, 3);
+    only_its_own_register_opens : assert outputs.supply = '1' report "open" severity error;
     switch_supply(master, heater_control_supply_key_open);
     opens_when_asked : assert outputs.supply = '0' report "closed" severity error;
     wait_clocks(clk, 3);

@@ -22,6 +22,7 @@ architecture simulation of temperature_converter_tb is
   constant age : unsigned(31 downto 0) := temperature_converter_age_address;
   constant thermistors : unsigned(31 downto 0) := temperature_converter_thermistor_address;
   constant settings_lock : unsigned(31 downto 0) := temperature_converter_settings_lock_address;
+  constant low_references : unsigned(31 downto 0) := temperature_converter_reference_low_address;
   constant high_references : unsigned(31 downto 0) := temperature_converter_reference_high_address;
 
   signal master : bus_master_t := bus_master_idle;
@@ -79,6 +80,7 @@ begin
 
     variable word : word_t;
     variable hotend_before, bed_before : natural;
+    variable first_tick : time;
 
     function control_word (
       charges : positive; enable : std_ulogic := '1'; dither_cycles : natural := 1) return word_t is
@@ -106,6 +108,17 @@ begin
       write(master, control, control_word(charges, enable, dither_cycles));
     end procedure;
 
+    -- Until a channel that does not convert gets older.
+    procedure wait_for_tick is
+      variable before : word_t;
+    begin
+      read(master, age, before);
+      loop
+        read(master, age, word);
+        exit when word /= before;
+      end loop;
+    end procedure;
+
     procedure wait_clocks (count : natural) is
     begin
       for i in 1 to count loop
@@ -120,10 +133,25 @@ begin
     read(master, age, word);
     is_old_before_the_first : assert unsigned(word) = 2 ** tick_count_bits - 1
       report to_hstring(word) severity error;
+    wait_clocks(2 * tick_cycles);
+    read(master, age, word);
+    stays_at_the_largest_age : assert unsigned(word) = 2 ** tick_count_bits - 1
+      report to_hstring(word) severity error;
+    -- A channel that is not there has never converted.
+    for channel in 2 to 3 loop
+      expect(master, status + 4 * channel, 0);
+      expect(master, age + 4 * channel, 2 ** tick_count_bits - 1);
+      expect(master, thermistors + 4 * channel, 0);
+      expect(master, low_references + 4 * channel, 0);
+      expect(master, high_references + 4 * channel, 0);
+    end loop;
 
     write(master, discharge, 200);
     write(master, timeout, 5_000);
+    write(master, pause, 300);
+    expect(master, pause, 300);
     write(master, pause, 0);
+    expect(master, pause, 0);
     write_control(charges => 4);
     wait_clocks(40_000);
     for channel in 0 to 1 loop
@@ -223,6 +251,7 @@ begin
     for channel in 0 to 1 loop
       read_state(channel, temperature_converter_status_state_never);
       counts_from_0_again : assert unsigned(word) = 0 report to_hstring(word) severity error;
+      expect(master, age + 4 * channel, 2 ** tick_count_bits - 1);
     end loop;
     read(master, control, word);
     keeps_all_but_enable : assert word = control_word(charges => 8, enable => '0')
@@ -243,6 +272,14 @@ begin
     wait_clocks(50 * tick_cycles);
     read(master, age, word);
     ages_in_ticks : assert unsigned(word) = 50 report to_hstring(word) severity error;
+    wait_for_tick;
+    first_tick := now;
+    for i in 1 to 40 loop
+      wait_for_tick;
+    end loop;
+    -- To within the clocks of a read.
+    a_tick_has_its_clocks : assert abs (now - first_tick - 40 * tick_cycles * 10 ns) < 100 ns
+      report to_string(now - first_tick) severity error;
     lets_go : assert drive_enable = "000000" report "drives while disabled" severity error;
     std.env.finish;
   end process;
