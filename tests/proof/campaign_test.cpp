@@ -159,11 +159,14 @@ TEST(campaign, records_what_was_tried_of_a_file_and_what_was_not) {
   EXPECT_EQ(proof::text_of(folder.path() / "part.tsv"),
             "killed\tpart_tb\tpart: a\nsurviving\tall judges\tpart: b\nnot tried\t\tpart: c\n");
   EXPECT_EQ(proof::text_of(folder.path() / "other.tsv"), "not tried\t\tother: a\n");
-  EXPECT_THAT(proof::untried_mutants(folder.path()), ElementsAre("other: a", "part: c"));
+  EXPECT_THAT(proof::mutants_listed_as(proof::not_tried, folder.path()),
+              ElementsAre("other: a", "part: c"));
+  EXPECT_THAT(proof::mutants_listed_as(proof::name_of(Fate::surviving), folder.path()),
+              ElementsAre("part: b"));
   proof::record_campaign(folder.path(), {survivor}, {"part: b", "other: a", "other: b"});
   EXPECT_EQ(proof::text_of(folder.path() / "other.tsv"), "not tried\t\tother: a\n")
       << "stays as it was";
-  EXPECT_THAT(proof::untried_mutants(folder.path() / "nothing"), IsEmpty());
+  EXPECT_THAT(proof::mutants_listed_as(proof::not_tried, folder.path() / "nothing"), IsEmpty());
 }
 
 TEST(campaign, keeps_in_its_lists_what_was_found_before_where_that_is_asked_for) {

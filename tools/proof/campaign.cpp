@@ -71,8 +71,11 @@ bool run_campaign(const CampaignOptions& options, const fs::path& project, const
     }
   }
   const fs::path lists = Folders{project, {}}.list() / "mutants";
-  const std::set<std::string> untried =
-      options.recorded || options.untried ? untried_mutants(lists) : std::set<std::string>{};
+  const bool is_part = options.untried || options.surviving;
+  // Those alone, or all but those.
+  std::set<std::string> listed;
+  if (options.recorded || options.untried) listed = mutants_listed_as(not_tried, lists);
+  if (options.surviving) listed.merge(mutants_listed_as(name_of(Fate::surviving), lists));
   std::vector<Task> tasks;
   std::vector<std::string> made;
   std::string contents;
@@ -80,7 +83,7 @@ bool run_campaign(const CampaignOptions& options, const fs::path& project, const
   for (const Unit& unit : units) {
     for (Mutant& mutant : mutants_of(unit.text, unit.name, constants_near(sources, unit.name))) {
       made.push_back(mutant.id);
-      if (is_asked_for(unit) && untried.contains(mutant.id) == options.untried) {
+      if (is_asked_for(unit) && listed.contains(mutant.id) == is_part) {
         tasks.push_back({&unit, std::move(mutant)});
       }
     }
@@ -147,7 +150,7 @@ bool run_campaign(const CampaignOptions& options, const fs::path& project, const
   const bool good = is_good(outcomes, stale, is_sample);
   print_campaign(outcomes, stale, seconds);
   if (!options.json.empty()) write_campaign(options.json, outcomes, stale, good, seconds);
-  if (options.record) record_campaign(lists, outcomes, made, options.untried);
+  if (options.record) record_campaign(lists, outcomes, made, is_part);
   return good;
 }
 

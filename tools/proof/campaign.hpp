@@ -56,6 +56,7 @@ struct CampaignOptions {
   bool quick = false;  // only its own benches, short ones that contain it, and the comparison
   bool recorded = false;  // not those that testbench/proofs/mutants says were not tried
   bool untried = false;  // only those; their list keeps what it says of the others
+  bool surviving = false;  // only those that the lists say survived; keeps the others as well
   bool record = false;  // write the outcomes into testbench/proofs/mutants
   unsigned jobs = 0;
 };

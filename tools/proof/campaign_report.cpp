@@ -157,14 +157,14 @@ void record_campaign(const std::filesystem::path& folder,
   write_summary(folder);
 }
 
-std::set<std::string> untried_mutants(const std::filesystem::path& folder) {
+std::set<std::string> mutants_listed_as(const std::string& fate,
+                                        const std::filesystem::path& folder) {
   std::set<std::string> ids;
   if (!exists(folder)) return ids;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    std::ifstream stream(file.path());
-    const std::string start = fmt::format("{}\t\t", not_tried);
-    for (std::string line; file.path().extension() == ".tsv" && std::getline(stream, line);) {
-      if (line.starts_with(start)) ids.insert(line.substr(start.size()));
+    if (file.path().extension() != ".tsv") continue;
+    for (const auto& [id, line] : lines_by_mutant(file.path())) {
+      if (line.starts_with(fate + "\t")) ids.insert(id);
     }
   }
   return ids;

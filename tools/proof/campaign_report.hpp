@@ -27,7 +27,8 @@ inline constexpr const char* not_tried = "not tried";
 void record_campaign(const std::filesystem::path& folder,
                      const std::vector<MutantOutcome>& outcomes,
                      const std::vector<std::string>& made, bool keeps_others = false);
-// The ids that the lists say were not tried.
-std::set<std::string> untried_mutants(const std::filesystem::path& folder);
+// The ids that the lists give this fate, or `not_tried`.
+std::set<std::string> mutants_listed_as(const std::string& fate,
+                                        const std::filesystem::path& folder);
 
 }  // namespace proof

@@ -43,6 +43,12 @@ void add_options(CLI::App& job, Options& options) {
       ->needs(mutants)
       ->excludes(recorded);
   job.add_flag(
+         "--surviving", options.campaign.surviving,
+         "only those that testbench/proofs/mutants lists as surviving, for example with a new\n"
+         "bench; --record keeps what it says of the others")
+      ->needs(mutants)
+      ->excludes(recorded);
+  job.add_flag(
       "--record", options.record,
       "write what holds and is caught into testbench/proofs/recorded.tsv; with --mutants,\n"
       "the result of each into testbench/proofs/mutants");
