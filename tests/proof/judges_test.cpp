@@ -125,6 +125,10 @@ TEST_F(Judging, a_bench_that_never_ends_kills) {
   EXPECT_EQ(by_bench("count >= 5", "count >= 3"), Finding::killed);
 }
 
+TEST_F(Judging, what_never_settles_is_killed) {
+  EXPECT_EQ(by_bench("'1' when count >= 5", "not wraps when count >= 3"), Finding::killed);
+}
+
 TEST_F(Judging, what_does_not_compile_is_refused_by_all) {
   EXPECT_EQ(by_bench("count >= 5", "count >= clk"), Finding::refused);
   EXPECT_EQ(by_comparison("count >= 5", "count >= clk"), Finding::refused);

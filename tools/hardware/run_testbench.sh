@@ -23,4 +23,6 @@ fi
 mapfile -t files < <(find "$rtl" "$project/boards" "$project/testbench" -name '*.vhd' | sort)
 ghdl -i "${options[@]}" "${files[@]}"
 ghdl -m "${options[@]}" "$bench" > make.log || { cat make.log; exit 1; }
-exec ghdl -r "${options[@]}" "$bench" "$@" --assert-level=error --backtrace-severity=error
+ghdl -r "${options[@]}" "$bench" "$@" --assert-level=error --backtrace-severity=error | tee run.log
+# Where nothing settles, or nothing happens any more, GHDL ends without an error.
+grep -q '^simulation finished' run.log || { echo "$bench does not finish"; exit 1; }

@@ -86,7 +86,12 @@ Judged BenchJudge::ask(const std::string& bench, const Variant& variant, const f
   // One that hangs is found by its processor time.
   const std::chrono::seconds limit(static_cast<int>(std::ceil(3 * usual + 3)));
   const ProcessResult result = run_process(arguments, folder, log, wall_limit, limit);
-  if (result.exit_status == 0) return {Finding::passes, bench};
+  // Where nothing settles, or nothing happens any more, GHDL ends without an error.
+  if (result.exit_status == 0) {
+    return text_of(log).find("simulation finished") == std::string::npos
+               ? Judged{Finding::killed, bench + " does not finish"}
+               : Judged{Finding::passes, bench};
+  }
   if (result.timed_out) return {Finding::killed, bench + " does not end"};
   // What fails while time goes by gives its time: "FILE:LINE:COLUMN:@TIME:(assertion failure): ..."
   static const std::regex failure(R"(:@[0-9]+[a-z]+:.*)");
