@@ -30,6 +30,19 @@ begin
     variable expected_time : natural;
     variable expected_positions : position_array_t(axes - 1 downto 0);
     variable segments_before : count_t;
+
+    -- The first word comes with the next clock.
+    procedure expect_line(what : string) is
+      variable before : count_t;
+    begin
+      put_words(clk, drive, 20);
+      before := seen.segments;
+      pulse(clk, drive.commit);
+      assert seen.refused = refusal_none report "refused " & what severity failure;
+      wait_clocks(clk, 3);
+      wait_until_idle(clk, seen);
+      assert seen.segments = before + 1 report "lost " & what severity failure;
+    end procedure;
   begin
     wait_clocks(clk, 2);
     drive.reset <= '0';
@@ -73,6 +86,45 @@ begin
     put_line(clk, drive, seen, 20);
     assert seen.level = 1 or seen.moving = '1' report "nothing is accepted after a flush" severity failure;
     wait_until_idle(clk, seen);
+
+    -- What is written from the clock after a flush or a reset on counts, after any number of flushes before.
+    for flushes in 1 to 2 loop
+      pulse(clk, drive.flush);
+      expect_line("after a flush");
+      pulse(clk, drive.flush);
+      wait_clocks(clk, 5);
+      for clocks in 1 to 3 loop
+        drive.reset <= '1';
+        wait_clocks(clk, clocks);
+        drive.reset <= '0';
+        expect_line("after a reset");
+        for i in 1 to flushes loop
+          pulse(clk, drive.flush);
+          wait_clocks(clk, 5);
+        end loop;
+      end loop;
+    end loop;
+
+    -- So it does after a reset of a full queue.
+    drive.run <= '0';
+    for i in 1 to depth loop
+      put_line(clk, drive, seen, 20);
+    end loop;
+    pulse(clk, drive.reset);
+    drive.run <= '1';
+    expect_line("after a full queue");
+
+    -- Time that stands still holds a segment only where there is one.
+    drive.override <= to_unsigned(0, 18);
+    wait_clocks(clk, 10);
+    assert seen.scale = 0 and seen.held = '0' report "held without motion" severity failure;
+    put_line(clk, drive, seen, 20);
+    wait_clocks(clk, 10);
+    assert seen.held = '1' and seen.moving = '1' severity failure;
+    drive.override <= to_unsigned(65536, 18);
+    wait_clocks(clk, 300);
+    wait_until_idle(clk, seen);
+    assert seen.held = '0' severity failure;
 
     -- No line for an axis without its driver.
     drive.enabled <= "101";

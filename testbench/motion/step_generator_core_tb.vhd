@@ -117,6 +117,11 @@ begin
     drive.override <= to_unsigned(2 * 65536, 18);
     wait_clocks(clk, 520);
     assert seen.held = '0' and seen.scale = 2 * scale_of_one severity failure;
+    -- Twice as fast: a tick in 128 clocks.
+    pulses_at_stop := seen.pulses;
+    wait_clocks(clk, 1280);
+    assert abs (seen.pulses(0) - pulses_at_stop(0) - 10) <= 1
+      report to_string(seen.pulses(0) - pulses_at_stop(0)) & " steps" severity failure;
 
     -- The end stop hits: no step from its clock on.
     wait_clocks(clk, 1000);

@@ -107,6 +107,16 @@ begin
     assert counts.clocks_between_ticks = 2 report to_string(counts.clocks_between_ticks) severity failure;
     assert counts.ticks = ticks_before + 4 + 10040 severity failure;
 
+    -- A rate that is just above the floor is kept: at it the tick would come 3 clocks later.
+    inputs.rate_floor <= to_unsigned(2 ** 15, 31);
+    offer(clk, inputs, outputs, 1, x"00008000FFFFFFFF");
+    began := counts.clocks;
+    wait until rising_edge(clk) and outputs.active = '0';
+    assert counts.clocks - began = 131070 report to_string(counts.clocks - began) & " clocks"
+      severity failure;
+    wait_for_clocks(clk, 2);
+    inputs.rate_floor <= (22 => '1', others => '0');
+
     -- A stop ends the segment at once, in a clock with a tick or without one.
     inputs.head.stop_on <= (mask => x"A5", on_change => '1', on_release => '0', brakes => '1');
     for delay in 10 to 11 loop
@@ -122,7 +132,7 @@ begin
       wait_for_clocks(clk, 10);
       assert outputs.active = '0' and counts.ticks = ticks_before severity failure;
     end loop;
-    assert outputs.segments = 26 report to_string(to_integer(outputs.segments)) & " segments"
+    assert outputs.segments = 27 report to_string(to_integer(outputs.segments)) & " segments"
       severity failure;
 
     -- A segment that waits begins from rest at its start, although it was there in time; this is no
