@@ -53,6 +53,7 @@ class ActiveCommand : public Reply {
   enum class Phase : std::uint8_t {
     begin,  // nothing is done yet: the line may still be held or cancelled
     working,
+    appending,  // moves of one line, each as soon as the planner has room
     heating,  // waits for heat
     asking,  // waits for the user
   };

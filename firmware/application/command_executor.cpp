@@ -34,7 +34,7 @@ bool CommandExecutor::update(Now now) {
 }
 
 bool CommandExecutor::has_got_room() const {
-  return waits_for_room_ && begins() && !held_ && motion_.has_room();
+  return motion_.has_room() && (appends() || (waits_for_room_ && begins() && !held_));
 }
 
 void CommandExecutor::quick_stop() {

@@ -47,9 +47,10 @@ class CommandExecutor {
   host_link::Activity activity() const;
   // Nothing is lost if it is not called for some milliseconds.
   bool can_wait() const {
-    return stage_ == Stage::idle || waits_for_heat() || asks_user() || held_ || waits_for_room_;
+    return stage_ == Stage::idle || waits_for_heat() || asks_user() || held_ || waits_for_room_ ||
+           appends();
   }
-  // The move in hand had no room at the last update, and has it now.
+  // The move in hand had no room at the last update, or its next part needs some, and has it now.
   bool has_got_room() const;
   // A fault that must end everything.
   const std::optional<Fatal>& fatal() const { return active_.fatal; }
@@ -79,6 +80,9 @@ class CommandExecutor {
   }
   bool waits_for_heat() const {
     return stage_ == Stage::executing && active_.phase == ActiveCommand::Phase::heating;
+  }
+  bool appends() const {
+    return stage_ == Stage::executing && active_.phase == ActiveCommand::Phase::appending;
   }
   bool asks_user() const {
     return stage_ == Stage::executing && active_.phase == ActiveCommand::Phase::asking;

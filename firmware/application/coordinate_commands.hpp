@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that say what numbers mean: G20 G21 G90 G91 G92 M82 M83.
+// The commands that say what numbers mean: G17 to G21 G90 G91 G92 M82 M83.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -21,6 +21,10 @@ class CoordinateCommands {
   }
   Progress set_extruder_relative(ActiveCommand&, bool relative) {
     coordinates_.set_extruder_relative(relative);
+    return Progress::done;
+  }
+  Progress set_plane(ActiveCommand&, motion::Plane plane) {
+    coordinates_.set_plane(plane);
     return Progress::done;
   }
   Progress set_position(ActiveCommand& command);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the numbers of G0, G1 and G92 to positions: units, absolute or relative, and G92's shifts.
+// From the numbers of G0 to G3 and G92 to positions: units, absolute or relative, and G92's shifts.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "gcode/command.hpp"
+#include "motion/arc.hpp"
 #include "units/axes.hpp"
 #include "units/position.hpp"
 #include "units/quantity.hpp"
@@ -24,6 +25,9 @@ class Coordinates {
   void set_extruder_relative(bool relative) { extruder_relative_ = relative; }
   // G20, G21.
   void set_inches(bool inches) { inches_ = inches; }
+  // G17 to G19.
+  void set_plane(motion::Plane plane) { plane_ = plane; }
+  motion::Plane plane() const { return plane_; }
   // M221, percent of what lines request; 1 or more.
   void set_flow(std::int32_t percent) { flow_percent_ = percent; }
   // M220, percent of the feedrates, and how much of it is to be planned; 1 or more.
@@ -67,6 +71,7 @@ class Coordinates {
  private:
   Positions logical_{};
   Positions planned_{};
+  motion::Plane plane_{};
   bool axes_relative_{};
   bool extruder_relative_{};
   bool inches_{};

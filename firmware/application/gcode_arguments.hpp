@@ -18,6 +18,7 @@ inline constexpr std::int32_t most_mm_per_s2 = motion::max_acceleration.count() 
 inline constexpr std::int32_t most_steps_per_mm = motion::max_steps_per_meter.count() / 1000;
 
 inline constexpr Arguments move{strict_numbers("XYZE", "mm"), strict_numbers("F", "mm/min")};
+inline constexpr Arguments arc{strict_numbers("XYZEIJKR", "mm"), strict_numbers("F", "mm/min")};
 inline constexpr Arguments position{strict_numbers("XYZE", "mm"), numbers("F", no_effect)};
 inline constexpr Arguments homing{flags("XYZ"), numbers("EORW", no_effect)};
 inline constexpr Arguments axes{flags("XYZE")};

@@ -2,6 +2,9 @@
 // Moves, dwells, homing, and motors.
 #include "application/motion_commands.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 namespace application {
 namespace {
 
@@ -28,7 +31,89 @@ Progress MotionCommands::move(ActiveCommand& command) {
   return progress;
 }
 
+// Until the planner has all of its chords, one with each call.
+Progress MotionCommands::arc(ActiveCommand& command, bool clockwise) {
+  if (command.phase != ActiveCommand::Phase::begin) return append_chord(command);
+  const units::MicrometersPerSecond before = coordinates_.kept_feedrate();
+  coordinates_.take_feedrate(command.command);
+  const Progress progress = begin_arc(command, clockwise);
+  if (command.refused) coordinates_.keep_feedrate(before);
+  return progress;
+}
+
+Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
+  Target target;
+  if (const auto progress = take_target(command, target)) return *progress;
+  motion::ArcRequest request{.plane = coordinates_.plane(),
+                             .clockwise = clockwise,
+                             .start = motion_.position(),
+                             .target = target.machine};
+  if (const auto progress = take_centre(command, request)) return *progress;
+  const auto begun = arc_.begin(request);
+  if (!begun) return command.refuse(motion::describe(begun.error()));
+  for (const Positions& reached : {arc_.lowest(), arc_.highest()}) {
+    if (const auto progress = refuse_beyond_limits(command, reached)) return *progress;
+  }
+  const std::size_t extruder = index_of(Axis::e);
+  const bool prints = request.target[extruder] != request.start[extruder];
+  const motion::Limits& limits = motion_.limits();
+  const auto acceleration = prints ? limits.print_acceleration : limits.travel_acceleration;
+  arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
+  arc_jumps_ = motion_.position_jumps();
+  // Of the last chord: a stop in the middle moves what the host believes by what is missing.
+  coordinates_.set_logical(target.logical);
+  coordinates_.set_planned(target.machine);
+  command.phase = ActiveCommand::Phase::appending;
+  return Progress::again;
+}
+
+// I, J and K lead from the start to the centre, two of them in each plane.
+std::optional<Progress> MotionCommands::take_centre(ActiveCommand& command,
+                                                    motion::ArcRequest& request) {
+  constexpr std::string_view letters = "IJK";
+  const auto axes = motion::axes_of(request.plane);
+  bool centred = false;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    const auto offset = coordinates_.rounded_length(command.command, letters[i]);
+    if (!offset) continue;
+    const std::size_t side = i == index_of(axes[0]) ? 0 : 1;
+    if (i != index_of(axes[side])) {
+      return command.refuse("I, J or K of another plane than the arc's");
+    }
+    request.centre[side] = *offset;
+    centred = true;
+  }
+  const auto radius = coordinates_.rounded_length(command.command, 'R');
+  if (centred == radius.has_value()) {
+    return command.refuse(centred ? "Arc with both R and I, J or K"
+                                  : "Arc with neither R nor I, J or K");
+  }
+  if (centred) return std::nullopt;
+  const auto set = motion::set_centre(request, *radius);
+  return set ? std::nullopt : std::optional(command.refuse(motion::describe(set.error())));
+}
+
+// A stop voids what is left of the arc.
+Progress MotionCommands::append_chord(ActiveCommand& command) {
+  if (motion_.stopping() || motion_.position_jumps() != arc_jumps_) return Progress::done;
+  if (!motion_.has_room()) return Progress::again;
+  const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
+  if (!accepted) return command.refuse(motion::describe(accepted.error()));
+  return arc_.done() ? Progress::done : Progress::again;
+}
+
 Progress MotionCommands::append(ActiveCommand& command) {
+  Target target;
+  if (const auto progress = take_target(command, target)) return *progress;
+  const auto accepted =
+      motion_.append({.target = target.machine, .feedrate = coordinates_.feedrate()});
+  if (!accepted) return command.refuse(motion::describe(accepted.error()));
+  coordinates_.set_logical(target.logical);
+  coordinates_.set_planned(motion_.position());
+  return Progress::done;
+}
+
+std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Target& target) {
   const Positions wanted = coordinates_.target_of(command.command);
   if (!representable(wanted)) return command.refuse("Number out of range");
 
@@ -47,16 +132,17 @@ Progress MotionCommands::append(ActiveCommand& command) {
     }
   }
 
-  const Positions machine = coordinates_.machine_target(driven, motion_.position());
+  target = {.logical = wanted, .machine = coordinates_.machine_target(driven, motion_.position())};
+  return refuse_beyond_limits(command, target.machine);
+}
+
+std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& command,
+                                                             const Positions& machine) {
   if (!representable(machine)) return command.refuse("Number out of range");
   if (const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine)) {
     return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel).view());
   }
-  const auto accepted = motion_.append({.target = machine, .feedrate = coordinates_.feedrate()});
-  if (!accepted) return command.refuse(motion::describe(accepted.error()));
-  coordinates_.set_logical(wanted);
-  coordinates_.set_planned(motion_.position());
-  return Progress::done;
+  return std::nullopt;
 }
 
 Progress MotionCommands::dwell(ActiveCommand& command) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that move, stop or switch motors: G0 G1 G4 G28 M17 M18 M84 M400 M410.
+// The commands that move, stop or switch motors: G0 to G4 G28 M17 M18 M84 M400 M410.
 #pragma once
+
+#include <optional>
 
 #include "application/active_command.hpp"
 #include "application/coordinates.hpp"
 #include "application/heat_task.hpp"
 #include "application/motion_task.hpp"
+#include "motion/arc.hpp"
 
 namespace application {
 
@@ -15,6 +18,7 @@ class MotionCommands {
       : motion_(motion), heat_(heat), coordinates_(coordinates) {}
 
   Progress move(ActiveCommand& command);
+  Progress arc(ActiveCommand& command, bool clockwise);
   Progress dwell(ActiveCommand& command);
   Progress home(ActiveCommand& command);
   Progress switch_on(ActiveCommand& command);
@@ -25,12 +29,27 @@ class MotionCommands {
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
  private:
+  // Where a line leads: what the host believes then, and where the machine is.
+  struct Target {
+    Positions logical;
+    Positions machine;
+  };
+
   Progress append(ActiveCommand& command);
+  // Nothing where the line is not refused, and need not wait.
+  std::optional<Progress> take_target(ActiveCommand& command, Target& target);
+  std::optional<Progress> refuse_beyond_limits(ActiveCommand& command, const Positions& machine);
+  Progress begin_arc(ActiveCommand& command, bool clockwise);
+  std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);
+  Progress append_chord(ActiveCommand& command);
   Progress switch_motors(const ActiveCommand& command, bool enabled);
 
   MotionTask& motion_;
   HeatTask& heat_;
   Coordinates& coordinates_;
+  motion::Arc arc_;
+  units::MicrometersPerSecond arc_feedrate_{};
+  std::uint32_t arc_jumps_{};  // of the position, when the arc began
   units::AxisSet homing_axes_;
   units::Milliseconds dwell_end_{};
   units::Milliseconds motor_timeout_{};

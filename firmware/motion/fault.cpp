@@ -22,6 +22,14 @@ std::string_view describe(Fault fault) {
       return "move too long";
     case Fault::queue_full:
       return "move queue full";
+    case Fault::arc_without_radius:
+      return "arc without radius";
+    case Fault::arc_too_large:
+      return "arc with a radius above 10 m";
+    case Fault::arc_end_off_circle:
+      return "arc's end is not on its circle";
+    case Fault::arc_ends_too_far_apart:
+      return "arc's ends are farther apart than 2 R";
     case Fault::end_stop_not_found:
       return "end stop not found";
     case Fault::end_stop_stuck:

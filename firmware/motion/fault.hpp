@@ -16,6 +16,10 @@ enum class Fault : std::uint8_t {
   target_out_of_range,
   line_too_long,
   queue_full,
+  arc_without_radius,
+  arc_too_large,
+  arc_end_off_circle,
+  arc_ends_too_far_apart,
   end_stop_not_found,
   end_stop_stuck,
 };

@@ -22,7 +22,7 @@ struct Range {
 // (G20 G53-G59 G90-G92).
 constexpr std::array harmless_g{
     Range{4, 4},  // dwell
-    Range{17, 19},  // plane of arcs, which are refused by themselves
+    Range{17, 17},  // the plane of arcs that holds without it
     Range{21, 21},  // millimetres are what holds without it
     Range{40, 40},  // tool radius compensation off
     Range{49, 49},  // tool length offset off

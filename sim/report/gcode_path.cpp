@@ -30,8 +30,10 @@ Request GcodePath::read(std::string_view command) {
 }
 
 void GcodePath::read_g(const GcodeWords& words, Request& request) {
-  if (is_any(words, 'G', 0, 1)) {
+  if (is_any(words, 'G', 0, 1, 2, 3)) {
     request = move(words);
+  } else if (is_any(words, 'G', 17, 18, 19)) {
+    plane_ = words.is('G', 17) ? 0 : words.is('G', 18) ? 1 : 2;
   } else if (is_any(words, 'G', 20, 21)) {
     inches_ = words.is('G', 20);
   } else if (words.is('G', 28)) {
@@ -78,7 +80,7 @@ std::optional<Femtometers> GcodePath::length(const GcodeWords& words, char lette
 }
 
 Request GcodePath::move(const GcodeWords& words) {
-  Move move{machine_, machine_};
+  Move move{machine_, machine_, {}};
   bool any = false;
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
     const std::optional<Femtometers> value = length(words, axis_words[i]);
@@ -90,7 +92,30 @@ Request GcodePath::move(const GcodeWords& words) {
     move.to[i] += i == extruder ? distance / 100 * flow_percent_ : distance;
   }
   machine_ = move.to;
+  move.arc = arc_of(words, move);
+  any = any || move.arc;
   return any ? Request(move) : Request(NoMotion{});
+}
+
+std::optional<ArcShape> GcodePath::arc_of(const GcodeWords& words, const Move& move) const {
+  if (!is_any(words, 'G', 2, 3)) return std::nullopt;
+  constexpr std::array<std::array<std::size_t, 2>, 3> planes{{{0, 1}, {2, 0}, {1, 2}}};
+  constexpr std::string_view offset_words = "IJK";
+  const bool clockwise = words.is('G', 2);
+  std::array<double, 2> from{}, to{}, offset{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t axis = planes[plane_][i];
+    from[i] = millimeters(move.from[axis]);
+    to[i] = millimeters(move.to[axis]);
+    offset[i] = millimeters(length(words, offset_words[axis]).value_or(0));
+  }
+  if (const auto radius = length(words, 'R')) {
+    offset = offset_by_radius(from, to, millimeters(*radius), clockwise);
+  }
+  ArcShape arc = arc_about(from, to, offset, clockwise);
+  arc.first = planes[plane_][0];
+  arc.second = planes[plane_][1];
+  return arc;
 }
 
 Request GcodePath::home(const GcodeWords& words) {

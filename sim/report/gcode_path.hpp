@@ -10,6 +10,7 @@
 #include <string_view>
 #include <variant>
 
+#include "sim/report/arc_shape.hpp"
 #include "sim/report/gcode_words.hpp"
 
 namespace report {
@@ -28,6 +29,7 @@ constexpr double millimeters(Femtometers length) {
 struct Move {
   Point from{};
   Point to{};
+  std::optional<ArcShape> arc;
 };
 struct Homing {
   std::array<bool, 3> axes{};
@@ -46,8 +48,8 @@ struct NoMotion {};
 using Request =
     std::variant<NoMotion, Move, Homing, TemperatureTarget, NewResolution, Rest, QuickStop>;
 
-// Understands G0 G1 G20 G21 G28 G90 G91 G92, M82 M83 M92 M221 M400 M410 and M104 M109 M140 M190;
-// all else asks no motion.
+// Understands G0 to G3, G17 to G21, G28, G90 to G92, M82 M83 M92 M221 M400 M410 and M104 M109 M140
+// M190; all else asks no motion.
 class GcodePath {
  public:
   Request read(std::string_view command);
@@ -62,12 +64,14 @@ class GcodePath {
   void read_m(const GcodeWords& words, Request& request);
   std::optional<Femtometers> length(const GcodeWords& words, char letter) const;
   Request move(const GcodeWords& words);
+  std::optional<ArcShape> arc_of(const GcodeWords& words, const Move& move) const;
   Request home(const GcodeWords& words);
   void set_position(const GcodeWords& words);
 
   Point machine_{};
   Point logical_{};  // what the file calls it
   std::int64_t flow_percent_ = 100;
+  std::size_t plane_ = 0;  // G17 XY, G18 ZX, G19 YZ
   bool inches_ = false;
   bool absolute_ = true;
   bool extruder_absolute_ = true;

@@ -17,6 +17,8 @@ constexpr double left_line_steps = 1.2;
 // own. By then a fraction of the way between these must be done.
 constexpr std::int64_t least_steps = 40;
 constexpr double middle_from = 0.45, middle_to = 0.55;
+// Farther from its end than this, an arc has been begun.
+constexpr std::int64_t away_steps = 2;
 constexpr double least_part = 0.25, most_part = 0.75;
 
 double square(double value) { return value * value; }
@@ -34,6 +36,7 @@ void PathCheck::set_grid(const std::array<Resolution, 4>& steps_per_mm,
 
 void PathCheck::ask(const Move& move) {
   Item item;
+  item.arc = move.arc;
   for (std::size_t i = 0; i < item.to.size(); ++i) {
     item.from[i] = millimeters(move.from[i]);
     item.to[i] = millimeters(move.to[i]);
@@ -49,6 +52,10 @@ void PathCheck::ask(const Move& move) {
 void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   position_ = position;
   if (items_.empty() || items_.front().homing) return;
+  Item& first = items_.front();
+  for (std::size_t i = 0; i < steps_per_mm_.size(); ++i) {
+    first.left = first.left || std::abs(position[i] - first.target[i]) > away_steps;
+  }
   double distance = distance_mm(items_.front());
   const double left_mm = left_line_steps / std::min(steps_per_mm_[0], steps_per_mm_[1]);
   if (distance > left_mm && items_.size() > 1 && !items_[1].homing &&
@@ -65,6 +72,7 @@ void PathCheck::at(const std::array<std::int64_t, 4>& position) {
 
 // In XY, 0 to 1.
 double PathCheck::part_of_way(const Item& item) const {
+  if (item.arc) return item.arc->part_at({place_mm(item.arc->first), place_mm(item.arc->second)});
   double length_squared = 0, projection = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const double line = item.to[i] - item.from[i];
@@ -81,7 +89,8 @@ void PathCheck::watch_z_and_e(Item& item) {
   const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
   if (item.apart || !long_enough || part < middle_from || part > middle_to) return;
   for (const std::size_t axis : {2UZ, 3UZ}) {
-    if (std::abs(way(axis)) < least_steps) continue;
+    const bool turns = item.arc && (axis == item.arc->first || axis == item.arc->second);
+    if (turns || std::abs(way(axis)) < least_steps) continue;
     const double done =
         static_cast<double>(position_[axis] - item.start[axis]) / static_cast<double>(way(axis));
     item.apart = item.apart || done < least_part || done > most_part;
@@ -89,7 +98,26 @@ void PathCheck::watch_z_and_e(Item& item) {
   lines_apart_ += item.apart ? 1 : 0;
 }
 
+double PathCheck::place_mm(std::size_t axis) const {
+  return static_cast<double>(position_[axis] - origin_[axis]) / steps_per_mm_[axis];
+}
+
+// Of an arc in another plane only its range on X or Y counts, at the place on the other of them.
+double PathCheck::distance_from_arc_mm(const ArcShape& arc) const {
+  const std::array<double, 2> place{place_mm(arc.first), place_mm(arc.second)};
+  if (arc.first == 0 && arc.second == 1) return arc.distance(place);
+  const std::size_t side = arc.first == 2 ? 1 : 0;
+  double low = std::min(arc.at(0)[side], arc.at(1)[side]);
+  double high = std::max(arc.at(0)[side], arc.at(1)[side]);
+  for (const double part : arc.turning_points()) {
+    low = std::min(low, arc.at(part)[side]);
+    high = std::max(high, arc.at(part)[side]);
+  }
+  return std::max({0.0, low - place[side], place[side] - high});
+}
+
 double PathCheck::distance_mm(const Item& item) const {
+  if (item.arc) return distance_from_arc_mm(*item.arc);
   std::array<double, 2> line{}, point{};
   for (std::size_t i = 0; i < 2; ++i) {
     line[i] = item.to[i] - item.from[i];
@@ -100,10 +128,15 @@ double PathCheck::distance_mm(const Item& item) const {
 }
 
 void PathCheck::pass_reached_lines() {
-  while (!items_.empty() && !items_.front().homing && items_.front().target[0] == position_[0] &&
-         items_.front().target[1] == position_[1]) {
-    items_.pop_front();
-  }
+  while (!items_.empty() && reached(items_.front())) items_.pop_front();
+}
+
+bool PathCheck::reached(const Item& item) const {
+  if (item.homing || item.target[0] != position_[0] || item.target[1] != position_[1]) return false;
+  if (!item.arc) return true;
+  const double steps = item.arc->start_radius *
+                       std::min(steps_per_mm_[item.arc->first], steps_per_mm_[item.arc->second]);
+  return item.target[2] == position_[2] && (item.left || steps < 2 * away_steps);
 }
 
 // The next line is nearer than the present one: it was left without arriving at its end
@@ -119,6 +152,7 @@ void PathCheck::finish() {
   pass_reached_lines();
   if (!items_.empty() && !items_.back().homing) {
     Item end = items_.back();
+    end.arc.reset();
     end.from = end.to;
     const double distance = distance_mm(end);
     max_deviation_mm_ = std::max(max_deviation_mm_, distance);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "sim/report/gcode_path.hpp"
 #include "sim/report/step_grid.hpp"
@@ -42,15 +43,20 @@ class PathCheck {
     std::array<double, 2> from{}, to{};  // mm, machine
     std::array<std::int64_t, 4> start{}, target{};  // steps, mechanical
     bool apart{};
+    std::optional<ArcShape> arc{};
+    bool left{};  // an arc that ends where it begins has been away from there
   };
 
   double part_of_way(const Item& item) const;
   double distance_mm(const Item& item) const;
+  double distance_from_arc_mm(const ArcShape& arc) const;
+  double place_mm(std::size_t axis) const;
+  bool reached(const Item& item) const;
   void watch_z_and_e(Item& item);
   void pass_reached_lines();
   void pass_lost_line();
 
-  std::array<double, 2> steps_per_mm_{1, 1};
+  std::array<double, 3> steps_per_mm_{1, 1, 1};
   std::array<Resolution, 4> resolution_{};
   std::array<std::int64_t, 4> origin_{};
   std::array<std::int64_t, 4> position_{};

@@ -15,6 +15,16 @@ constexpr std::size_t most_listed = 1000;
 constexpr std::int64_t furthest_home_steps = 40;
 constexpr std::size_t extruder = 3;
 
+double length_of(const Move& move) {
+  std::array<double, 3> way{};
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = millimeters(move.to[i] - move.from[i]);
+  if (move.arc) {
+    way[move.arc->first] = move.arc->length_mm();
+    way[move.arc->second] = 0;
+  }
+  return std::hypot(way[0], way[1], way[2]);
+}
+
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
@@ -120,12 +130,32 @@ void PointCheck::carry_out(const SentCommand& command) {
 }
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
-  match_.ask(steps_at(move.to), {command.file_line, command.text});
+  match_.ask(steps_at(move.to), {command.file_line, command.text}, detour_of(move));
   path_.ask(move);
-  length_mm_ +=
-      std::hypot(millimeters(move.to[0] - move.from[0]), millimeters(move.to[1] - move.from[1]),
-                 millimeters(move.to[2] - move.from[2]));
+  length_mm_ += length_of(move);
   if (command.extrusion_prevented) gcode_.stand_at(extruder, move.from[extruder]);
+}
+
+// The steps there and back again, beyond those from start to end.
+Steps PointCheck::detour_of(const Move& move) const {
+  Steps detour{};
+  if (!move.arc) return detour;
+  for (const std::size_t side : {0UZ, 1UZ}) {
+    const std::size_t axis = side == 0 ? move.arc->first : move.arc->second;
+    const auto step_at = [&](double part) {
+      return std::llround(move.arc->at(part)[side] * static_cast<double>(resolution_[axis]) /
+                          static_cast<double>(billionths));
+    };
+    std::int64_t before = step_at(0);
+    detour[axis] = -std::llabs(step_at(1) - before);
+    std::vector<double> parts = move.arc->turning_points();
+    parts.push_back(1);
+    for (const double part : parts) {
+      detour[axis] += std::llabs(step_at(part) - before);
+      before = step_at(part);
+    }
+  }
+  return detour;
 }
 
 void PointCheck::finish_homing(const Homing& homing) {

@@ -20,7 +20,7 @@
 
 namespace report {
 
-// The end of a G0 or G1 is reached where X, Y, Z and E stand at the same time at the steps that are
+// The end of a G0 to G3 is reached where X, Y, Z and E stand at the same time at the steps that are
 // nearest to it, halves away from zero. What a refused line requests is not expected; a prevented
 // extrusion is a miss, and the lines after it are judged from where E then stands. Homing is free
 // until it is acknowledged.
@@ -66,6 +66,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
 
   void carry_out(const SentCommand& command);
   void ask(const Move& move, const SentCommand& command);
+  Steps detour_of(const Move& move) const;
   void finish_homing(const Homing& homing);
   void change_resolution(const NewResolution& resolution);
   void stop_here();

@@ -18,16 +18,18 @@ constexpr std::size_t most_items = 512;
 PointMatch::PointMatch(const MachineState& start)
     : last_target_(start.position), settled_target_(start.position), anchor_(start), now_(start) {}
 
-void PointMatch::ask(const Steps& target, RequestedLine line) {
+void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detour) {
   last_line_ = line;
   last_line_open_ = true;
   const bool same_place = !items_.empty() && items_.back().target == target;
   if (same_place && items_.back().reached == 0) {
     items_.back().lines.push_back(std::move(line));
+    for (std::size_t i = 0; i < detour.size(); ++i) items_.back().detour[i] += detour[i];
   } else {
     if (items_.size() == most_items) settle_oldest();
     Item& item = items_.emplace_back();
     item.target = target;
+    item.detour = detour;
     item.lines.push_back(std::move(line));
     item.nearest = now_;
     item.distance = -1;
@@ -126,17 +128,20 @@ void PointMatch::finish(std::size_t count, const std::vector<bool>& in_chain) {
   for (std::size_t i = 0; i < count; ++i) {
     Item& item = items_.front();
     for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
-      requested_since_anchor_[axis] += std::llabs(item.target[axis] - settled_target_[axis]);
+      requested_since_anchor_[axis] +=
+          std::llabs(item.target[axis] - settled_target_[axis]) + item.detour[axis];
     }
     settled_target_ = item.target;
     if (in_chain[i]) {
       reached_ += item.lines.size();
       for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
         const std::int64_t made = item.when.steps_made[axis] - anchor_.steps_made[axis];
-        unasked_[axis] += std::max<std::int64_t>(0, made - requested_since_anchor_[axis]);
+        const std::int64_t missing = requested_since_anchor_[axis] - made;
+        unasked_[axis] += std::max<std::int64_t>(0, -missing);
+        // The place of a full circle is reached before it has begun.
+        requested_since_anchor_[axis] = std::clamp<std::int64_t>(missing, 0, item.detour[axis]);
       }
       anchor_ = item.when;
-      requested_since_anchor_ = {};
     } else {
       for (RequestedLine& line : item.lines) {
         missed_.push_back({std::move(line), item.target, item.nearest});

@@ -43,8 +43,9 @@ class PointMatch {
   // The machine stands at `start`, which needs not be requested.
   explicit PointMatch(const MachineState& start);
 
-  // The file requests this place, from now on.
-  void ask(const Steps& target, RequestedLine line);
+  // The file requests this place, from now on. `detour`: how many more steps than those between the
+  // places lead there, at most: of an arc, on which axes turn back.
+  void ask(const Steps& target, RequestedLine line, const Steps& detour = {});
   // The machine's present position.
   void at(const MachineState& state);
   // Everything requested must have been made: what was not reached is missed. Where the machine is
@@ -66,6 +67,7 @@ class PointMatch {
  private:
   struct Item {
     Steps target{};
+    Steps detour{};
     std::vector<RequestedLine> lines;  // that end here, one after the other
     std::size_t reached{};  // lines of the best chain that ends here, within the window; 0: none
     std::ptrdiff_t before = -1;  // the item before it in that chain

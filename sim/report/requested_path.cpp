@@ -2,7 +2,33 @@
 // Reads the answered lines, executed or refused.
 #include "sim/report/requested_path.hpp"
 
+#include <cmath>
+
 namespace report {
+
+namespace {
+
+constexpr double radians_per_chord = 0.1;
+
+int chords_of(const ArcShape& arc) {
+  return 1 + static_cast<int>(std::abs(arc.sweep) / radians_per_chord);
+}
+
+std::array<float, 3> place_at(const Move& move, double part) {
+  std::array<float, 3> place{};
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const double from = millimeters(move.from[i]), to = millimeters(move.to[i]);
+    place[i] = static_cast<float>(from + part * (to - from));
+  }
+  if (move.arc) {
+    const auto on_arc = move.arc->at(part);
+    place[move.arc->first] = static_cast<float>(on_arc[0]);
+    place[move.arc->second] = static_cast<float>(on_arc[1]);
+  }
+  return place;
+}
+
+}  // namespace
 
 void RequestedPath::command_acknowledged(sim::Clock now, std::size_t file_line,
                                          std::string_view command, bool executed) {
@@ -14,11 +40,13 @@ void RequestedPath::command_acknowledged(sim::Clock now, std::size_t file_line,
                      .seconds = rate_.seconds(now),
                      .extrudes = move->to[3] > move->from[3],
                      .executed = executed};
-  for (std::size_t i = 0; i < line.from.size(); ++i) {
-    line.from[i] = static_cast<float>(millimeters(move->from[i]));
-    line.to[i] = static_cast<float>(millimeters(move->to[i]));
+  const int count = move->arc ? chords_of(*move->arc) : 1;
+  line.from = place_at(*move, 0);
+  for (int i = 1; i <= count; ++i) {
+    line.to = place_at(*move, static_cast<double>(i) / count);
+    lines_.push_back(line);
+    line.from = line.to;
   }
-  lines_.push_back(line);
 }
 
 }  // namespace report

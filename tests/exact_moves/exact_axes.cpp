@@ -47,7 +47,7 @@ std::optional<Wide> ExactAxes::length(std::string_view line, char letter) const 
 
 void ExactAxes::take(std::string_view line) {
   const std::string_view code = line.substr(0, line.find(' '));
-  if (code == "G0" || code == "G1") move(line);
+  if (code == "G0" || code == "G1" || code == "G2" || code == "G3") move(line);
   if (code == "G20") inches_ = true;
   if (code == "G21") inches_ = false;
   if (code == "G90") relative_ = extruder_relative_ = false;

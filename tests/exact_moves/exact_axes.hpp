@@ -19,7 +19,7 @@ class ExactAxes {
   explicit ExactAxes(const std::array<std::int32_t, axis_count>& steps_per_meter)
       : steps_per_meter_(steps_per_meter) {}
 
-  // G0, G1, G20, G21, G90, G91, G92, M82, M83, M221; other lines move nothing.
+  // G0 to G3, G20, G21, G90, G91, G92, M82, M83, M221; other lines move nothing.
   void take(std::string_view line);
 
   // Rounded to the nearest step, halves away from 0.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace exact_moves {
@@ -11,6 +12,7 @@ namespace exact_moves {
 namespace {
 
 constexpr double smallest_mm = 1e-8;
+constexpr double least_arc_mm = 1e-4;  // smaller ones have no radius
 constexpr double mm_per_inch = 25.4;
 
 }  // namespace
@@ -42,8 +44,22 @@ std::string RandomLines::move(const ExactAxes& axes) {
   return line;
 }
 
+// Half a circle about the middle between its ends: with all decimals, so that these are on it.
+std::string RandomLines::arc(const ExactAxes& axes) {
+  std::string line = below(2) != 0 ? "G2" : "G3";
+  const double unit = axes.inches() ? mm_per_inch : 1.0;
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const double size = size_mm();
+    const double way = std::copysign(std::max(std::abs(size), least_arc_mm), size);
+    const double from = axes.relative(i) ? 0.0 : axes.logical_mm(i);
+    line += fmt::format(" {}{:.9f}", "XYZE"[i], (from + way) / unit);
+    if (i < 2) line += fmt::format(" {}{:.9f}", "IJ"[i], way / 2 / unit);
+  }
+  return line;
+}
+
 std::string RandomLines::next(const ExactAxes& axes) {
-  switch (below(24)) {
+  switch (below(32)) {
     case 0:
       return "G90";
     case 1:
@@ -60,6 +76,8 @@ std::string RandomLines::next(const ExactAxes& axes) {
       return coordinates(axes, "G92", true);
     case 7:
       return fmt::format("M221 S{}", below(2) != 0 ? 100 : 1 + below(999));
+    case 8:
+      return arc(axes);
     default:
       return move(axes);
   }

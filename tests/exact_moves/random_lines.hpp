@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random G-code: moves of 0.01 nm to `largest_mm`, absolute and relative, in millimetres and
-// inches, and the commands that change origin or scale.
+// Random G-code: moves of 0.01 nm to `largest_mm` and arcs, absolute and relative, in millimetres
+// and inches, and the commands that change origin or scale.
 #pragma once
 
 #include <random>
@@ -20,6 +20,7 @@ class RandomLines {
 
  private:
   std::string move(const ExactAxes& axes);
+  std::string arc(const ExactAxes& axes);
   std::string coordinates(const ExactAxes& axes, std::string line, bool far);
   std::uint64_t below(std::uint64_t limit) { return random_() % limit; }
   double size_mm();

@@ -2,8 +2,9 @@
 // check_edges: do the step edges of a print make exactly what its G-code requests?
 //
 // Replays the edges and walks the G-code along with them: every point of the file is reached to
-// the step, in order, and between two points the path stays within a step of the straight line.
-// Homing (G28) may move freely, but must end with its axes at 0. Also looks at the
+// the step, in order, and between two points the path stays within a step of the straight line, or
+// of the circle of G2 and G3, which it goes round in the asked direction.
+// Homing (G28) may move as it likes as long as it ends with its axes at 0. Also looks at the
 // rising edges' spacing.
 #include <fmt/format.h>
 
@@ -11,74 +12,23 @@
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <complex>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/scenarios/edge_rows.hpp"
 #include "tests/scenarios/requested_moves.hpp"
 
 namespace {
 
 using scenarios::axes;
+using StepsPerMm = std::array<double, axes>;
+using scenarios::Edges;
+using scenarios::Position;
+using scenarios::read_edges;
 using scenarios::RequestedMove;
-using Position = std::array<std::int64_t, axes>;
-
-// All edges of one clock.
-struct Instant {
-  std::int64_t cycle{};
-  Position step{};  // -1, 0, 1 per axis
-};
-
-struct Edges {
-  std::vector<Instant> instants;
-  Position start{};
-  std::array<std::int64_t, axes> shortest_interval{};
-};
-
-Edges read_edges(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line) || line != "cycle,axis,direction,position") {
-    throw std::runtime_error(path + ": not an edges file");
-  }
-  Edges edges;
-  edges.shortest_interval.fill(INT64_MAX);
-  std::array<std::int64_t, axes> last_cycle{};
-  std::array<bool, axes> seen{};
-  Position position{};
-  while (std::getline(file, line)) {
-    std::int64_t cycle = 0;
-    char letter = 0;
-    std::int64_t direction = 0;
-    std::int64_t place = 0;
-    if (std::sscanf(line.c_str(), "%ld,%c,%ld,%ld", &cycle, &letter, &direction, &place) != 4) {
-      throw std::runtime_error(path + ": bad row: " + line);
-    }
-    const std::size_t axis = std::string_view("xyze").find(letter);
-    if (axis >= axes) throw std::runtime_error(path + ": unknown axis: " + line);
-    if (!seen[axis]) {
-      edges.start[axis] = position[axis] = place - direction;
-      seen[axis] = true;
-    } else {
-      edges.shortest_interval[axis] =
-          std::min(edges.shortest_interval[axis], cycle - last_cycle[axis]);
-    }
-    if (position[axis] + direction != place) {
-      throw std::runtime_error(path + ": a step was lost: " + line);
-    }
-    position[axis] = place;
-    last_cycle[axis] = cycle;
-    if (edges.instants.empty() || edges.instants.back().cycle != cycle) {
-      if (!edges.instants.empty() && edges.instants.back().cycle > cycle) {
-        throw std::runtime_error(path + ": not in order of time: " + line);
-      }
-      edges.instants.push_back({cycle, {}});
-    }
-    edges.instants.back().step[axis] += direction;
-  }
-  return edges;
-}
 
 // Distance in steps of a point from the segment a-b on X and Y, Euclidean.
 double distance_xy(const Position& point, const RequestedMove& a, const RequestedMove& b) {
@@ -95,7 +45,8 @@ double distance_xy(const Position& point, const RequestedMove& a, const Requeste
 
 class Walk {
  public:
-  Walk(const Edges& edges, const std::vector<RequestedMove>& moves) : edges_(edges), moves_(moves) {
+  Walk(const Edges& edges, const std::vector<RequestedMove>& moves, const StepsPerMm& steps_per_mm)
+      : edges_(edges), moves_(moves), steps_per_mm_(steps_per_mm) {
     position_ = edges.start;
     // Before homing only the frame knows where X, Y and Z are; E counts from where it is.
     position_[3] = 0;
@@ -105,7 +56,10 @@ class Walk {
     RequestedMove from;
     for (std::size_t index = 0; index < moves_.size(); ++index) {
       const RequestedMove& move = moves_[index];
-      if (!(move.homing ? home(index) : follow(from, move))) return false;
+      const bool good = move.homing ? home(index)
+                        : move.arc  ? follow_arc(from, move)
+                                    : follow(from, move);
+      if (!good) return false;
       from = move;
     }
     if (next_ != edges_.instants.size()) {
@@ -133,12 +87,58 @@ class Walk {
       if (trying_ && distance > 2) {
         return false;  // still homing
       }
-      if (distance > worst_distance_) {
-        worst_distance_ = distance;
-        worst_line_ = move.line;
-      }
+      note_distance(move, distance);
     }
     return true;
+  }
+
+  // Around the centre in the asked direction until the whole angle is done, near the circle, with
+  // the other axes in step.
+  bool follow_arc(const RequestedMove& from, const RequestedMove& move) {
+    const scenarios::RequestedArc& arc = *move.arc;
+    double swept = 0;
+    auto before = from_centre(arc);
+    while (position_ != move.steps || std::abs(arc.sweep) - swept > angle_of_steps(arc, 3)) {
+      if (next_ == edges_.instants.size()) return fail(move, "the edges end");
+      step();
+      const auto here = from_centre(arc);
+      const double turned = std::arg(here / before);
+      swept += arc.sweep < 0 ? -turned : turned;
+      before = here;
+      const double part = std::clamp(swept / std::abs(arc.sweep), 0.0, 1.0);
+      const double radius = arc.start_radius + part * (arc.end_radius - arc.start_radius);
+      if (std::abs(arc.sweep) - swept < -angle_of_steps(arc, 3)) return fail(move, "goes too far");
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        if (axis == arc.plane[0] || axis == arc.plane[1]) continue;
+        const double way = static_cast<double>(move.steps[axis] - from.steps[axis]);
+        const double off = static_cast<double>(position_[axis] - from.steps[axis]) - part * way;
+        // A step of the plane is this much of the way.
+        const double steps = 2 + 2 * std::abs(way) * angle_of_steps(arc, 1) / std::abs(arc.sweep);
+        if (std::abs(off) > steps) return fail(move, "another axis is out of step");
+      }
+      note_distance(move, std::abs(std::abs(here) - radius) * fewest_steps_per_mm(arc));
+    }
+    return true;
+  }
+
+  std::complex<double> from_centre(const scenarios::RequestedArc& arc) const {
+    const auto mm = [&](std::size_t i) {
+      const std::size_t axis = arc.plane[i];
+      return static_cast<double>(position_[axis]) / steps_per_mm_[axis] - arc.centre[i];
+    };
+    return {mm(0), mm(1)};
+  }
+  double fewest_steps_per_mm(const scenarios::RequestedArc& arc) const {
+    return std::min(steps_per_mm_[arc.plane[0]], steps_per_mm_[arc.plane[1]]);
+  }
+  double angle_of_steps(const scenarios::RequestedArc& arc, int steps) const {
+    return steps / fewest_steps_per_mm(arc) / arc.start_radius;
+  }
+
+  void note_distance(const RequestedMove& move, double steps) {
+    if (steps <= worst_distance_) return;
+    worst_distance_ = steps;
+    worst_line_ = move.line;
   }
 
   // Homing ends at the first instant with its axes at 0 from which the next move can be followed.
@@ -188,6 +188,7 @@ class Walk {
 
   const Edges& edges_;
   const std::vector<RequestedMove>& moves_;
+  StepsPerMm steps_per_mm_;
   Position position_{};
   std::size_t next_ = 0;
   bool trying_ = false;
@@ -213,7 +214,7 @@ int main(int argument_count, char** arguments) {
   try {
     const auto moves = scenarios::requested_moves(gcode, steps_per_mm);
     const Edges edges = read_edges(edges_file);
-    Walk walk(edges, moves);
+    Walk walk(edges, moves, steps_per_mm);
     const bool reached = walk.run();
     fmt::print("{} moves, {} instants, farthest from the line {:.3f} steps (line {})\n",
                moves.size(), edges.instants.size(), walk.worst_distance(), walk.worst_line());

@@ -4,8 +4,10 @@
 
 #include <cctype>
 #include <cmath>
+#include <complex>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -46,6 +48,15 @@ class Interpreter {
         case 1:
           move(number, words);
           break;
+        case 2:
+        case 3:
+          arc(number, words, *g->second == 2);
+          break;
+        case 17:
+        case 18:
+        case 19:
+          plane_ = planes[static_cast<std::size_t>(*g->second) - 17];
+          break;
         case 28:
           home(number, words);
           break;
@@ -84,6 +95,38 @@ class Interpreter {
     add(number, false, {});
   }
 
+  // By complex numbers: the end as seen from the centre, divided by the start.
+  void arc(int number, const Words& words, bool clockwise) {
+    using Complex = std::complex<double>;
+    const auto place = [&] {
+      return Complex(static_cast<double>(physical_[plane_[0]]) * unit_mm,
+                     static_cast<double>(physical_[plane_[1]]) * unit_mm);
+    };
+    const auto number_of = [&](char letter) {
+      const auto word = words.find(letter);
+      return word == words.end() ? 0.0 : word->second.value_or(0.0);
+    };
+    const Complex start = place();
+    move(number, words);
+    const Complex end = place();
+    Complex centre = start + Complex(number_of("IJK"[plane_[0]]), number_of("IJK"[plane_[1]]));
+    if (words.contains('R')) {
+      const double radius = number_of('R');
+      const Complex half = (end - start) / 2.0;
+      const double height = std::sqrt(std::max(0.0, radius * radius - std::norm(half)));
+      const Complex left = half * Complex(0, 1) / std::abs(half) * height;
+      centre = start + half + ((radius > 0) == clockwise ? -left : left);
+    }
+    double sweep = start == end ? 0 : std::arg((end - centre) / (start - centre));
+    if (clockwise && sweep >= 0) sweep -= 2 * std::numbers::pi;
+    if (!clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
+    moves_.back().arc = RequestedArc{.plane = plane_,
+                                     .centre = {centre.real(), centre.imag()},
+                                     .start_radius = std::abs(start - centre),
+                                     .end_radius = std::abs(end - centre),
+                                     .sweep = sweep};
+  }
+
   void home(int number, const Words& words) {
     std::array<bool, axes> homed{};
     bool some = false;
@@ -106,8 +149,12 @@ class Interpreter {
   }
 
   void add(int number, bool homing, const std::array<bool, axes>& homed) {
-    RequestedMove move{
-        .line = number, .homing = homing, .homed = homed, .steps = {}, .exact_steps = {}};
+    RequestedMove move{.line = number,
+                       .homing = homing,
+                       .homed = homed,
+                       .steps = {},
+                       .exact_steps = {},
+                       .arc = {}};
     for (std::size_t axis = 0; axis < axes; ++axis) {
       move.exact_steps[axis] = static_cast<double>(physical_[axis]) * unit_mm * steps_per_mm_[axis];
       // Half away from zero; the tiny slack keeps binary fractions from turning an exact half.
@@ -117,7 +164,11 @@ class Interpreter {
     moves_.push_back(move);
   }
 
+  using Plane = std::array<std::size_t, 2>;
+  static constexpr std::array<Plane, 3> planes{{{0, 1}, {2, 0}, {1, 2}}};
+
   std::array<double, axes> steps_per_mm_;
+  Plane plane_ = planes[0];
   std::array<std::int64_t, axes> physical_{};  // 10^-5 mm
   std::array<std::int64_t, axes> offset_{};  // physical - logical
   bool relative_ = false;

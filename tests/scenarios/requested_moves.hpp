@@ -6,11 +6,20 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace scenarios {
 
 inline constexpr std::size_t axes = 4;  // x y z e
+
+// The circle of a G2 or G3, in mm on the two axes of its plane.
+struct RequestedArc {
+  std::array<std::size_t, 2> plane{};
+  std::array<double, 2> centre{};
+  double start_radius{}, end_radius{};
+  double sweep{};  // radians, from the plane's first axis to the second; negative with the clock
+};
 
 struct RequestedMove {
   int line{};  // in the file, from 1
@@ -18,10 +27,11 @@ struct RequestedMove {
   std::array<bool, axes> homed{};  // which
   std::array<std::int64_t, axes> steps{};  // position requested at the end
   std::array<double, axes> exact_steps{};  // the same before rounding
+  std::optional<RequestedArc> arc;
 };
 
-// Reads G0 G1 G28 G90 G91 G92 M82 M83 (all else requests no motion). Positions are mechanical: they
-// start at 0 on every axis, E counts from its position at the start.
+// Reads G0 to G3, G17 to G19, G28, G90 to G92, M82 and M83 (all else requests no motion). Positions
+// are mechanical: they start at 0 on every axis, E counts from its position at the start.
 std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
                                            const std::array<double, axes>& steps_per_mm);
 

@@ -21,15 +21,17 @@ std::vector<int> lines_of(const nlohmann::json& list) {
 
 TEST(verdict, is_bad_where_moves_and_heat_are_refused_and_names_the_lines) {
   const Print print = print_text(
-      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I5 J0\nG29\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
+      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I9 J0\nG29\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
   EXPECT_EQ(print.job.status, 1) << print.job.output;
   EXPECT_EQ(print.report["result"], "completed");
   EXPECT_EQ(print.report["verdict"], "bad");
   EXPECT_THAT(lines_of(print.report["refused_lines"]), testing::ElementsAre(3, 4, 5, 6, 7));
-  EXPECT_EQ(print.report["refused_lines"][0]["reason"], "Unknown command");
+  EXPECT_EQ(print.report["refused_lines"][0]["reason"], "arc's end is not on its circle");
+  EXPECT_EQ(print.report["refused_lines"][1]["reason"], "Unknown command");
   EXPECT_EQ(print.report["path"]["points_missed"], 0);
   EXPECT_THAT(print.job.output, HasSubstr("5 lines that should move or heat refused"));
-  EXPECT_THAT(print.job.output, HasSubstr("line 3: G2 X40 Y10 I5 J0: Unknown command"));
+  EXPECT_THAT(print.job.output,
+              HasSubstr("line 3: G2 X40 Y10 I9 J0: arc's end is not on its circle"));
 }
 
 TEST(verdict, is_good_where_only_codes_that_move_nothing_are_unknown) {

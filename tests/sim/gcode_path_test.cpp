@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace {
 
 using report::GcodePath;
@@ -31,6 +34,26 @@ TEST(GcodePath, reads_numbers_as_slicers_and_people_write_them) {
   EXPECT_THAT(end_of(path, "G1 X10. Y-.5 Z+.2"), ElementsAre(10.0, -0.5, 0.2, 0.0));
   EXPECT_THAT(end_of(path, "g01x1y2"), ElementsAre(1.0, 2.0, 0.2, 0.0));
   EXPECT_THAT(end_of(path, "G0 X 3"), ElementsAre(3.0, 2.0, 0.2, 0.0));
+}
+
+TEST(GcodePath, reads_arcs_with_their_centre_or_radius) {
+  GcodePath path;
+  end_of(path, "G1 X10 Y10");
+  const auto arc = [&](std::string_view line) {
+    return *std::get<report::Move>(path.read(line)).arc;
+  };
+  const auto near = [](double first, double second) {
+    return ElementsAre(testing::DoubleNear(first, 1e-9), testing::DoubleNear(second, 1e-9));
+  };
+  EXPECT_THAT(arc("G2 X20 I5").at(0.5), near(15, 15));
+  EXPECT_THAT(arc("G3 X10 R5").at(0.5), near(15, 15));
+  EXPECT_THAT(arc("G3 X15 Y15 R-5").at(0.5),
+              near(15 + 5 * std::sqrt(0.5), 10 - 5 * std::sqrt(0.5)));
+  EXPECT_NEAR(arc("G2 I-5").length_mm(), 10 * std::numbers::pi, 1e-9);
+  EXPECT_THAT(arc("G2 I-5").at(0.25), near(10, 10));
+  path.read("G18");
+  EXPECT_THAT(arc("G2 X25 I5").at(0.5), near(-5, 20));  // Z and X
+  EXPECT_THAT(place(path), ElementsAre(25.0, 15.0, 0.0, 0.0));
 }
 
 TEST(GcodePath, sees_no_motion_in_a_feed_rate) {

@@ -21,7 +21,7 @@ TEST(CodeEffects, knows_the_codes_that_move_or_heat_or_say_where_to) {
         "T1",        "T?",           "X10 Y5",    "Y5",         "G17 G2 X5", "START_PRINT BED=60",
         "G1 X1.2.3", "M104 T1 S200", "M290 Z.1",  "M200 D1.75", "M23 a.gco", "M24",
         "M28 a.gco", "M29",          "M32 a.gco", "M808 L5",    "M37 S1",    "M111 S8",
-        "M149 F",    "M149 K"}) {
+        "M149 F",    "M149 K",       "G18",       "G19"}) {
     EXPECT_TRUE(moves_or_heats(line)) << line;
   }
 }
@@ -42,8 +42,6 @@ TEST(CodeEffects, knows_the_codes_that_move_nothing) {
                            "M503",
                            "G4 P1",
                            "G17",
-                           "G18",
-                           "G19",
                            "G21",
                            "G64",
                            "F3000",

@@ -26,7 +26,7 @@ G1 X91 Y69 E15.050 F2400
 G1 X91 Y91 E15.820 F2400
 G1 X69 Y91 E16.590 F2400
 G1 X69 Y69 E17.360 F2400
-G2 X80 Y80 I4 J4 E17.660   ; arcs are unknown to this firmware
+G2 X80 Y80 I4 J4 E17.660   ; its end is not on its circle
 M888 P1                 ; unknown, but moves nothing
 G1 Z0.6 F300
 G1 X60 Y60 F9000
