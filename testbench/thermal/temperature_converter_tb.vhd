@@ -152,6 +152,10 @@ begin
     expect(master, pause, 300);
     write(master, pause, 0);
     expect(master, pause, 0);
+    for limit in 1 downto 0 loop
+      write(master, temperature_converter_short_limit_address, limit * 16#12345#);
+      expect(master, temperature_converter_short_limit_address, limit * 16#12345#);
+    end loop;
     write_control(charges => 4);
     wait_clocks(40_000);
     for channel in 0 to 1 loop
