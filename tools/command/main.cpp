@@ -17,6 +17,7 @@
 #include "tools/command/fuzz_job.hpp"
 #include "tools/command/load_job.hpp"
 #include "tools/command/output.hpp"
+#include "tools/command/plan_job.hpp"
 #include "tools/command/print_job.hpp"
 #include "tools/command/run_job.hpp"
 #include "tools/command/serve_job.hpp"
@@ -33,6 +34,7 @@ namespace {
 
 struct Jobs {
   PrintOptions print;
+  PlanOptions plan;
   ServeOptions serve;
   RunOptions run;
   LoadOptions load;
@@ -75,6 +77,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
     return debug(jobs.debug);
   }
   if (app.got_subcommand("print")) return print(jobs.print);
+  if (app.got_subcommand("plan")) return plan(jobs.plan);
   if (app.got_subcommand("serve")) return serve(jobs.serve);
   if (app.got_subcommand("run")) return run(jobs.run);
   if (app.got_subcommand("load")) return load(jobs.load);
@@ -117,6 +120,7 @@ int run_command(int count, char** arguments) {
   app.require_subcommand(1);
   Jobs jobs;
   add_options(app, jobs.print);
+  add_options(app, jobs.plan);
   add_options(app, jobs.serve);
   add_options(app, jobs.run);
   add_options(app, jobs.load);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads the file as `print` does, and shows the plan.
+#include "tools/command/plan_job.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "sim/devices/gcode_file.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/file_roles.hpp"
+#include "tools/command/output.hpp"
+#include "tools/command/signals.hpp"
+#include "tools/files/write_text.hpp"
+#include "tools/planning/plan_texts.hpp"
+#include "tools/planning/print_planner.hpp"
+
+namespace command {
+
+int plan(const PlanOptions& options) {
+  let_writes_fail();
+  check_that_files_differ(std::array<NamedFile, 1>{{{"the G-code file", options.file}}},
+                          std::array<NamedFile, 1>{{{"--json", options.json}}});
+  const auto commands = devices::read_gcode_file(options.file);
+  if (!commands) throw std::runtime_error(commands.error());
+  planning::PrintPlanner planner(options.clock_hz);
+  for (const devices::FileCommand& command : *commands) {
+    end_if_interrupted();
+    if (!planner.take(command.file_line, command.text)) break;
+  }
+  const planning::Plan plan = planner.finish();
+  if (!options.json.empty()) files::write_text(options.json, planning::to_json(plan));
+  say("{}", planning::to_text(plan));
+  return plan.fault.empty() && plan.refused.empty() ? success : failure;
+}
+
+}  // namespace command

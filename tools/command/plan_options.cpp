@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the job `plan`, and what its help says.
+#include "tools/command/plan_job.hpp"
+#include "tools/command/printer_options.hpp"
+
+namespace command {
+
+void add_options(CLI::App& app, PlanOptions& options) {
+  CLI::App& job = *app.add_subcommand(
+      "plan", "Calculate time, steps and peaks of a print by the firmware's planner.");
+  job.add_option("file", options.file, "the G-code file")->required()->type_name("FILE.gcode");
+  job.add_option("--json", options.json, "write the plan into this file")->type_name("FILE.json");
+  job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
+      ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
+      ->capture_default_str();
+  job.footer(
+      R"(The firmware executes the file without the chip: heaters are at their targets at once, and
+lines come as fast as they are taken. The machine is that of the build.
+
+Exit status: 0 every line was taken, 1 lines were refused or the print ends early, 2 bad usage or
+not such a file.)");
+}
+
+}  // namespace command

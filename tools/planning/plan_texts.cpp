@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words and names of a plan.
+#include "tools/planning/plan_texts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace planning {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view axis_names = "xyze";
+
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json axis_json(const AxisPlan& axis) {
+  return {{"steps_forward", axis.steps_forward},
+          {"steps_backward", axis.steps_backward},
+          {"max_step_rate_hz", rounded(axis.max_step_rate_hz)},
+          {"max_speed_mm_per_s", rounded(axis.max_speed_mm_per_s)},
+          {"max_acceleration_mm_per_s2", rounded(axis.max_acceleration_mm_per_s2)}};
+}
+
+std::string duration(double seconds) {
+  const auto whole = static_cast<std::int64_t>(seconds);
+  return fmt::format("{}:{:02}:{:02} ({:.3f} s)", whole / 3600, whole / 60 % 60, whole % 60,
+                     seconds);
+}
+
+}  // namespace
+
+std::string to_text(const Plan& plan) {
+  std::string text = fmt::format("{}: {} lines, {} moves\n", plan.machine, plan.lines, plan.moves);
+  text += fmt::format("time      {} without heating, {:.3f} s in motion\n", duration(plan.seconds),
+                      plan.moving_seconds);
+  text += fmt::format("filament  {:.1f} mm\n", plan.filament_mm);
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const AxisPlan& axis = plan.axes[i];
+    text += fmt::format(
+        "{}  {} steps forward, {} backward; at most {:.2f} mm/s, {:.1f} mm/s², "
+        "{:.0f} steps/s\n",
+        axis_names[i], axis.steps_forward, axis.steps_backward, axis.max_speed_mm_per_s,
+        axis.max_acceleration_mm_per_s2, axis.max_step_rate_hz);
+  }
+  for (const Layer& layer : plan.layers) {
+    text += fmt::format("layer at Z {:.3f} mm  {:.3f} s\n", layer.z_mm, layer.seconds);
+  }
+  if (plan.underruns != 0) text += fmt::format("{} underruns\n", plan.underruns);
+  for (const RefusedLine& line : plan.refused) {
+    text += fmt::format("line {} refused: {}  ({})\n", line.file_line, line.text, line.reason);
+  }
+  if (!plan.fault.empty()) text += fmt::format("ends early: {}\n", plan.fault);
+  return text;
+}
+
+std::string to_json(const Plan& plan) {
+  Json json{{"machine", plan.machine},
+            {"seconds", rounded(plan.seconds)},
+            {"moving_seconds", rounded(plan.moving_seconds)},
+            {"first_move_seconds", rounded(plan.first_move_seconds)},
+            {"lines", plan.lines},
+            {"moves", plan.moves},
+            {"underruns", plan.underruns},
+            {"filament_mm", rounded(plan.filament_mm)},
+            {"fault", plan.fault},
+            {"axes", Json::object()},
+            {"layers", Json::array()},
+            {"refused", Json::array()}};
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    json["axes"][std::string(1, axis_names[i])] = axis_json(plan.axes[i]);
+  }
+  for (const Layer& layer : plan.layers) {
+    json["layers"].push_back({{"z_mm", rounded(layer.z_mm)},
+                              {"begin_seconds", rounded(layer.begin_seconds)},
+                              {"seconds", rounded(layer.seconds)}});
+  }
+  for (const RefusedLine& line : plan.refused) {
+    json["refused"].push_back(
+        {{"line", line.file_line}, {"text", line.text}, {"reason", line.reason}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace planning
