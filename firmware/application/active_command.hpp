@@ -68,12 +68,12 @@ class ActiveCommand : public Reply {
     refused = false;
   }
 
-  // A number of the line as whole and as millionths, cut to the range of its row.
+  // A number of the line as a whole number and as millionths, clamped to the range of its row.
   std::optional<std::int64_t> integer(char letter) const;
   std::optional<std::int64_t> value(char letter) const;
   // P in milliseconds or S in seconds, cut likewise; 0 without.
   units::Milliseconds asked_time() const;
-  // S in whole seconds, cut likewise.
+  // S in whole seconds, clamped likewise.
   std::optional<units::Milliseconds> seconds() const;
   // The axes whose letters the line has.
   units::AxisSet named_axes() const;

@@ -114,8 +114,8 @@ Progress CommandExecutor::refuse_unparsed() {
                                                 parse_error_->position, active_.text));
 }
 
-// Nothing where the handler is to be called. Again in each pass until that has begun something that
-// cannot be taken back.
+// Returns nothing if the handler is to be called. Called in each pass until the handler has begun
+// something that cannot be undone.
 std::optional<Progress> CommandExecutor::prepare() {
   const gcode::Command& command = active_.command;
   if (groups_.files.storing() && (row_ == nullptr || !row_->while_storing)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the numbers of G0 to G3 and G92 to positions: units, absolute or relative, and G92's shifts.
+// Turns the numbers of G0 to G3 and G92 into positions: units, absolute or relative, G92's shifts.
 #pragma once
 
 #include <cstdint>
@@ -46,14 +46,14 @@ class Coordinates {
     logical_[units::index_of(axis)] = position;
   }
   void set_logical(const Positions& positions) { logical_ = positions; }
-  // The machine will stand here at the end of the last move.
+  // The machine's position at the end of the last move.
   void set_planned(const Positions& machine) { planned_ = machine; }
-  // After a stop or homing it stands elsewhere: what the host believes moves with it.
+  // After a stop or homing the machine is elsewhere: the host's position changes by the same.
   void follow(const Positions& machine);
 
   // A length parameter in the present unit.
   std::optional<units::Position> length(const gcode::Command& command, char letter) const;
-  // The same rounded to nanometres: for what is no position.
+  // The same rounded to nanometres, for values that are not positions.
   std::optional<units::Nanometers> rounded_length(const gcode::Command& command, char letter) const;
 
   // The logical positions that a move requests.

@@ -14,7 +14,7 @@ Progress DryRunCommands::simulate(ActiveCommand& command) {
   return ends ? Progress::done : command.refuse("No simulation");
 }
 
-// The other bits choose messages that are not there; nothing depends on them.
+// The other bits select messages that this firmware does not have, so they are ignored.
 Progress DryRunCommands::set_debug_bits(ActiveCommand& command) {
   constexpr std::int64_t dry_run_bit = 8;
   if (const auto bits = command.integer('S')) dry_run_ = (*bits & dry_run_bit) != 0;

@@ -9,7 +9,7 @@ namespace application {
 namespace {
 
 constexpr std::uint32_t charges = 16;
-// The capacitor is empty to 2^-16 after so many time constants of the low reference.
+// Time constants of the low reference after which the capacitor is discharged to 2^-16.
 constexpr std::int64_t discharge_time_constants = 11;
 // A charge may take so much longer than at the lowest temperature before it counts as
 // an open sensor.
@@ -148,7 +148,7 @@ void HeatTask::watch_supply(units::Milliseconds now) {
   }
 }
 
-// A reading that is ok says how capacitor and threshold are, and so what the limits are in counts.
+// A reading that is ok shows capacitor and threshold, and so determines the limits in counts.
 void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
   const HeaterDescription& heater = part.description;
   const auto limits =

@@ -60,7 +60,8 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   const auto acceleration = prints ? limits.print_acceleration : limits.travel_acceleration;
   arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
   arc_jumps_ = motion_.position_jumps();
-  // Of the last chord: a stop in the middle moves what the host believes by what is missing.
+  // Set as at the end of the last chord: after a stop on the way, the distance still to go is
+  // subtracted from the position that the host sees.
   coordinates_.set_logical(target.logical);
   coordinates_.set_planned(target.machine);
   command.phase = ActiveCommand::Phase::appending;

@@ -50,7 +50,7 @@ class MotionTask {
   units::Axis homing_axis() const { return homing_axis_; }
   units::AxisSet homed() const { return homed_; }
 
-  // M410: no step from now on. Positions stay true; what was planned is forgotten.
+  // M410: no step from now on. Positions stay correct; what was planned is discarded.
   void quick_stop();
   // Until reset: as above, and motors off.
   void shut_down();

@@ -39,7 +39,7 @@ void Application::receive(Now now, std::size_t most) {
   counters_.lines_accepted = link_.statistics().accepted;
 }
 
-// Between lines, and after the last, a stop is obeyed and a question answered whose turn it is:
+// Between lines, and after the last, a stop is executed, and a query answered if it is next:
 // the planner, full, has many for a start from rest. True if something has come that may have to
 // be executed.
 bool Application::refill() {

@@ -10,7 +10,7 @@ namespace host_link {
 namespace {
 
 constexpr units::Milliseconds session_memory{10'000};
-// Number of repeated replies to a host that may wait for a lost one; then it is taken to be gone
+// Number of repeated replies to a host that may wait for a lost one; then it is assumed gone
 // or finished.
 constexpr std::uint8_t rescues = 6;
 

@@ -77,7 +77,7 @@ class LineNumbering {
   bool within_patience(units::Milliseconds now) const;
   bool must_ask_again(units::Milliseconds now) const;
 
-  // So often the lost beginning of a numbering is requested; then the host is taken not to have it.
+  // Requests for the lost beginning of a numbering; after these the host is assumed not to have it.
   static constexpr std::uint8_t lost_start_requests = 6;
 
  private:

@@ -35,7 +35,7 @@ entity axis_stepper is
     -- Of the line being executed; new from the clock after begin_line on.
     line_ticks : in ticks_t;
 
-    -- The base has come to a tick. If the next tick brings a step which is not yet legal, `ready` is low.
+    -- A tick is due. If it brings a step of this axis that is not yet legal, `ready` is low.
     due : in std_ulogic;
     ready : out std_ulogic;
     -- The tick is made; at least two clocks after the one before, and after begin_line.
@@ -46,10 +46,10 @@ entity axis_stepper is
     direction : out std_ulogic := '0';
     -- A pulse or the pause after it is not finished.
     busy : out std_ulogic;
-    -- Pulses, pauses and guard times pass, or the direction is about to change.
+    -- A pulse, pause or guard time is running, or the direction is about to change.
     working : out std_ulogic;
 
-    -- Steps given, forward less backward. To be set only at rest.
+    -- Steps made, forward minus backward. To be set only at rest.
     position : out position_t := (others => '0');
     set_position : in std_ulogic;
     new_position : in position_t;

@@ -24,7 +24,7 @@ entity segment_writer is
     write : in lane_write_t;
     -- All words are written, the last of them two clocks ago at least: append the segment.
     commit : in std_ulogic;
-    -- Forget what is written, and the line that a segment could continue.
+    -- Discard the words written so far, and the line that a segment could continue.
     flush : in std_ulogic;
 
     queue_full : in std_ulogic;

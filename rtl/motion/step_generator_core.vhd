@@ -39,7 +39,7 @@ entity step_generator_core is
     override_slope : in slope_t;
     brake_slope : in slope_t;
     scale : out scale_t;
-    -- A segment is executed, but time stands still.
+    -- A segment is being executed, but the time base is stopped.
     held : out std_ulogic;
 
     -- The segment being written.

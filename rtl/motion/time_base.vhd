@@ -30,7 +30,7 @@ entity time_base is
     always_clk : in std_ulogic;
     reset : in std_ulogic;
 
-    -- Time passes for the base, so many clocks of it: this stretches the motion without changing its path.
+    -- Time passes for the base, by `leap` base clocks: stretches the motion without changing its path.
     advance : in std_ulogic;
     leap : in leap_t;
     -- The longest leap of the next clock that keeps the rate within 1/2.
@@ -49,13 +49,12 @@ entity time_base is
     -- The head becomes the segment being executed with the next clock.
     take : out std_ulogic;
 
-    -- The base has come to a tick, which is made unless an axis is not ready for its step: then the base
-    -- stands still in this clock.
+    -- A tick is due. It is made unless an axis is not ready for its step: then the base stalls.
     due : out std_ulogic;
     axes_ready : in std_ulogic;
     tick : out std_ulogic;
 
-    -- It stands still for an axis.
+    -- It stalls for an axis.
     stalled : out std_ulogic;
 
     -- A clock later: the rate rises, falls, as far as the segment says.

@@ -35,7 +35,7 @@ entity heater_guard is
     -- Forget the trips; has no effect while duty is not 0.
     clear : in std_ulogic;
     gate : out std_ulogic := '0';
-    -- Nothing forbids to heat.
+    -- No condition forbids heating.
     permitted : out std_ulogic;
     trips : out heater_trips_t
   );

@@ -40,7 +40,7 @@ class FileHost : public sim::Device, public ByteListener, public Host {
 
   HostState state() const { return state_; }
   bool ended() const { return state_ == HostState::completed || state_ == HostState::faulted; }
-  // Why the print has faulted: one sentence, with the line of the file.
+  // Why the print has failed: one sentence, with the line of the file.
   const std::string& fault() const { return fault_; }
   // Commands of the file, without those that are not sent.
   std::size_t commands() const { return script_.size() - own_lines_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of times of rtl/processor/timing.md, as what the model adds to an instruction's one
-// clock. A test compares the two.
+// The table of times of rtl/processor/timing.md: the clocks that the model adds to an instruction's
+// one. A test compares the two.
 #pragma once
 
 #include <cstdint>

@@ -124,7 +124,7 @@ begin
       end case;
     end function;
 
-    -- One in so many.
+    -- '1' once in `share` calls, on average.
     impure function seldom (share : positive) return std_ulogic is
     begin
       if random.between(1, share) = 1 then

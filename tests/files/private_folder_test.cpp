@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a user's locks lie, and which folders are not taken for it.
+// Where a user's locks are, and which folders are rejected for them.
 #include "tools/files/private_folder.hpp"
 
 #include <gmock/gmock.h>

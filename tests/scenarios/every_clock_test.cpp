@@ -63,7 +63,7 @@ constexpr std::array example_names{"washer.gcode", "cube20_02_marlin.gcode",
                                    "endstop_bracket_02_marlin.gcode"};
 constexpr std::size_t part_lines = 40;
 
-// The hot end is hot, and the printer is taken to be where the part begins.
+// The hotend is hot, and the printer is assumed to be where the part begins.
 std::string part_of(const std::vector<std::string>& lines, std::size_t first) {
   std::string text = "M104 S205\nG92 X50 Y50 Z0.2 E0\nG1 F3000\n";
   for (std::size_t i = first; i < first + part_lines; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report is written however a job ends, and an earlier one never stands for it.
+// The report is written however a job ends, and an earlier one is never left in its place.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>

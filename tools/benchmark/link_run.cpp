@@ -17,7 +17,7 @@ namespace benchmarks {
 namespace {
 
 constexpr sim::Clock looks_clocks = 20'000;
-// A line without an answer after this time is taken to be lost.
+// A line without an answer after this time is considered lost.
 constexpr double patience_seconds = 5;
 // A byte has been heard in the middle of its stop bit.
 constexpr double bits_until_heard = 9.5;
