@@ -92,14 +92,16 @@ TEST(plan, homes_to_the_end_stops_and_knows_where_they_are) {
 }
 
 TEST(plan, names_refused_lines_with_their_reasons) {
-  const Plan plan = plan_of({"G1 X1 F600", "M9999", "G1 X1.2.3", "M104 S900", "G1 X2"});
-  ASSERT_EQ(plan.refused.size(), 3u);
+  const Plan plan =
+      plan_of({"G1 X1 F600", "M9999", "G1 X1.2.3", "M104 S900", "G1 X2", "M109 R900"});
+  ASSERT_EQ(plan.refused.size(), 4u);
   EXPECT_EQ(plan.refused[0].file_line, 2u);
   EXPECT_EQ(plan.refused[0].text, "M9999");
   EXPECT_THAT(plan.refused[0].reason, HasSubstr("Unknown command"));
   EXPECT_EQ(plan.refused[1].file_line, 3u);
   EXPECT_EQ(plan.refused[2].file_line, 4u);
   EXPECT_THAT(plan.refused[2].reason, HasSubstr("highest target"));
+  EXPECT_EQ(plan.refused[3].text, "M109 R900");
   EXPECT_EQ(plan.axes[0].steps_forward, 160u);
 }
 
@@ -119,7 +121,7 @@ TEST(plan, answers_the_questions_of_a_file) {
 TEST(plan, divides_the_time_between_the_layers) {
   const Plan plan =
       plan_of({slow_start, "M83", "G1 Z0.2 F600", "G1 X30 E1 F600", "G1 Z1", "G1 Z0.2", "G1 X60 E1",
-               "G1 X65 Z0.4 E0.1", "G1 X5 E2", "G1 E-1", "G1 E1"});
+               "G1 X62 Z0.3 E0.1", "G1 X65 Z0.4 E0.1", "G1 X5 E2", "G1 E-1", "G1 E1"});
   ASSERT_EQ(plan.layers.size(), 2u);
   EXPECT_THAT(plan.layers[0].z_mm, DoubleNear(0.2, 1e-9));
   EXPECT_THAT(plan.layers[1].z_mm, DoubleNear(0.4, 1e-9));
