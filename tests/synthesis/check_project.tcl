@@ -190,17 +190,28 @@ proc constrain {collection how} {
   set ::constrained($name) $how
 }
 
+# What the boards' oscillators make. The 28 MHz of the DE2-70 are eight times the colour carrier of NTSC.
+set oscillator_mhz [dict create clock_50mhz 50 clock_25mhz 25 clock_28mhz 28.63636]
+
 proc create_clock {args} {
   take create_clock {-name -period} {} $args
   if {![string is double -strict $given(-period)] || $given(-period) <= 0} { complain "create_clock: period $given(-period)" }
   set ::clock($given(-name)) $given(-period)
+  set port [lindex $rest 0 1]
   constrain [lindex $rest 0] clock
-  if {$::port([lindex $rest 0 1]) ne "input"} { complain "create_clock: [lindex $rest 0 1] is an output" }
+  if {$::port($port) ne "input"} { complain "create_clock: $port is an output" }
+  if {![dict exists $::oscillator_mhz $port]} { complain "create_clock: $port is no clock input"; return }
+  # Not longer, and not much shorter by rounding.
+  set period [expr {1000.0 / [dict get $::oscillator_mhz $port]}]
+  if {$given(-period) > $period || $given(-period) < 0.99 * $period} {
+    complain "create_clock: $port has a period of $given(-period) ns"
+  }
 }
 
 proc set_clock_groups {args} {
   take set_clock_groups -group -asynchronous $args
   if {![info exists given(-asynchronous)] || [lindex $given(-group) 0] ne "clock"} { complain "set_clock_groups: $args" }
+  set ::apart([lindex $given(-group) 1]) yes
 }
 
 proc set_max_delay {args} {
@@ -216,8 +227,18 @@ proc set_max_delay {args} {
 proc check_timing {} {
   foreach name {pll uncertainty} { if {![info exists ::derived($name)]} { complain "derive_$name... is left out" } }
   foreach name [lsort [array names ::port]] {
-    if {![info exists ::constrained($name)]} { complain "$name has no timing constraint" }
+    if {![info exists ::constrained($name)]} {
+      complain "$name has no timing constraint"
+    } elseif {[dict exists $::oscillator_mhz $name] && $::constrained($name) ne "clock"} {
+      complain "$name is a clock without a period"
+    }
   }
+  # Oscillators of their own have no relation to each other: all but one are in a group.
+  set together [lmap name [lsort [array names ::clock]] {
+    if {[info exists ::apart($name)]} continue
+    set name
+  }]
+  if {[llength $together] > 1} { complain "$together are taken as clocks of one oscillator" }
 }
 
 cd $directory

@@ -159,6 +159,28 @@ TEST_F(QuartusProject, with_another_voltage_than_the_banks_is_found) {
   expect_found("de2_115/banks.csv", "4,3.3", "4,2.5", "step[0] wants 3.3 V in bank 4 of 2.5 V");
 }
 
+TEST_F(QuartusProject, with_a_wrong_io_standard_or_none_is_found) {
+  const std::string good =
+      "set_instance_assignment -name IO_STANDARD \"3.3-V LVTTL\" -to {uart_txd}\n";
+  expect_found(pins_, good,
+               "set_instance_assignment -name IO_STANDARD \"3.3-V LVTTL2\" -to {uart_txd}\n",
+               "uart_txd: IO_STANDARD is {3.3-V LVTTL2}");
+  // A standard that exists, of another voltage than the port's bank.
+  expect_found(pins_, good, "set_instance_assignment -name IO_STANDARD \"2.5 V\" -to {uart_txd}\n",
+               "uart_txd wants 2.5 V in bank");
+  expect_found(pins_, good, good + good, "uart_txd: IO_STANDARD is said twice");
+  replace(pins_, good, "");
+  EXPECT_THAT(complaints(), Contains("uart_txd has no I/O standard"));
+}
+
+TEST_F(QuartusProject, with_a_port_left_out_or_with_two_pins_is_found) {
+  const std::string good = "set_location_assignment PIN_A14 -to {clock_25mhz}\n";
+  expect_found(pins_, good, good + "set_location_assignment PIN_G9 -to {clock_25mhz}\n",
+               "clock_25mhz has two pins");
+  replace(pins_, good, "");
+  EXPECT_THAT(complaints(), Contains("clock_25mhz has no pin"));
+}
+
 TEST_F(QuartusProject, with_a_wrong_assignment_is_found) {
   expect_found(pins_, "WEAK_PULL_UP_RESISTOR", "WEAK_PULL_RESISTOR", "no WEAK_PULL_RESISTOR");
   expect_found(pins_, "\"8MA\"", "\"9MA\"", "CURRENT_STRENGTH_NEW is 9MA");
@@ -182,6 +204,24 @@ TEST_F(QuartusProject, with_a_clock_or_pin_without_timing_is_found) {
   EXPECT_THAT(complaints(), Contains("end_stop[3] has no timing constraint"));
   replace(timing_, "derive_pll_clocks\n", "");
   EXPECT_THAT(complaints(), Contains(HasSubstr("derive_pll")));
+}
+
+TEST_F(QuartusProject, with_an_input_delay_in_place_of_a_clocks_period_is_found) {
+  expect_found(timing_, "create_clock -name clock_50mhz -period 20.000 [get_ports {clock_50mhz}]",
+               "set_max_delay -from [get_ports {clock_50mhz}] -to [all_registers] 15",
+               "clock_50mhz is a clock without a period");
+}
+
+TEST_F(QuartusProject, with_a_period_of_another_frequency_is_found) {
+  for (const char* period : {"-period 20.020", "-period 200.000", "-period 2.000"}) {
+    expect_found(timing_, "-period 20.000", period, "clock_50mhz has a period of");
+  }
+}
+
+TEST_F(QuartusProject, that_takes_two_oscillators_as_one_is_found) {
+  replace(timing_, "set_clock_groups -asynchronous -group [get_clocks {clock_25mhz}]\n", "");
+  EXPECT_THAT(complaints(),
+              Contains("clock_25mhz clock_50mhz are taken as clocks of one oscillator"));
 }
 
 TEST_F(QuartusProject, with_a_wrong_timing_constraint_is_found) {
