@@ -17,6 +17,8 @@ constexpr units::Millicelsius surroundings{25'000};
 // than draught.
 constexpr units::Millicelsius compared_band{20'000}, reached_band{1'000}, least_compared{125'000};
 constexpr units::Milliseconds longest_gap{1'000};
+// The last temperature stands in for faulty conversions for so long.
+constexpr std::int32_t most_faulty_milliseconds = 600;
 
 // What differs from one minute to the next, in percent: of the heat (a supply that sags), of the
 // losses to fan and filament, and an absolute part, of the rise at full power. The draught is in
@@ -51,9 +53,18 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
                                            const Cooling& cooling, units::Milliseconds elapsed) {
   if (model_->rise == 0) return Finding::none;
   const bool wanted = target.has_value();
-  const bool gap = !measured || elapsed > longest_gap || elapsed.count() <= 0;
   const auto milliseconds =
       static_cast<std::int32_t>(std::clamp(elapsed, units::Milliseconds(0), longest_gap).count());
+  // Single faulty conversions must not begin the comparison anew: it would never come to an end.
+  if (measured) {
+    last_measured_ = measured;
+    faulty_ = 0;
+  } else {
+    faulty_ = std::min(faulty_ + milliseconds, 2 * most_faulty_milliseconds);
+    if (faulty_ > most_faulty_milliseconds) last_measured_.reset();
+    measured = last_measured_;
+  }
+  const bool gap = !measured || elapsed > longest_gap || elapsed.count() <= 0;
   arriving_ = low_pass(arriving_, duty * duty_scale, model_->heater_lag, milliseconds);
   felt_ = low_pass(felt_, arriving_, model_->sensor_lag, milliseconds);
   probe_.follow(milliseconds);

@@ -97,6 +97,8 @@ class Plausibility {
   std::int32_t updates_ = 0;
   std::int32_t lowest_ = std::numeric_limits<std::int32_t>::max();  // thousandths of a degree
   std::int32_t highest_ = std::numeric_limits<std::int32_t>::min();
+  std::optional<units::Millicelsius> last_measured_;
+  std::int32_t faulty_ = 0;  // ms since the last valid conversion
   std::int32_t resting_ = 0;  // ms since heat was wanted
   bool idle_ = true;  // the duty is 0 in this window
   std::array<Window, 2> raw_{};  // the latest

@@ -52,6 +52,26 @@ TEST_F(Compared, finds_heat_that_goes_missing) {
   EXPECT_EQ(run(0, 6, thermal::full_duty), Finding::heat_missing);
 }
 
+// A loose wire: one conversion in two seconds is faulty.
+TEST_F(Compared, finds_faults_between_faulty_conversions) {
+  const auto run_with_faulty = [this](double slope, double seconds, thermal::Duty duty) {
+    Finding finding = Finding::none;
+    for (double t = 0; t < seconds && finding == Finding::none; t += 2) {
+      finding = run(slope, 1.9, duty);
+      if (finding == Finding::none) {
+        finding = plausibility.update(std::nullopt, duty,
+                                      duty != 0 ? std::optional(celsius(205)) : std::nullopt, {},
+                                      units::Milliseconds(100));
+      }
+    }
+    return finding;
+  };
+  EXPECT_EQ(run_with_faulty(2.5, 30, thermal::full_duty), Finding::none);
+  EXPECT_EQ(run_with_faulty(0, 10, thermal::full_duty), Finding::heat_missing);
+  EXPECT_EQ(run_with_faulty(0, 60, 0), Finding::none);
+  EXPECT_EQ(run_with_faulty(1.5, 10, 0), Finding::heat_unasked);
+}
+
 TEST_F(Compared, bears_a_single_wild_conversion) {
   EXPECT_EQ(run(0, 20, 0), Finding::none);
   for (const double wild : {-60.0, 60.0}) {
