@@ -55,7 +55,7 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
   const bool wanted = target.has_value();
   const auto milliseconds =
       static_cast<std::int32_t>(std::clamp(elapsed, units::Milliseconds(0), longest_gap).count());
-  // Single faulty conversions must not begin the comparison anew: it would never come to an end.
+  // Single faulty conversions must not restart the comparison: it would never finish.
   if (measured) {
     last_measured_ = measured;
     faulty_ = 0;
