@@ -25,6 +25,7 @@ std::vector<fs::path> written_pages() {
     const std::string name = file.string();
     const bool is_made = name.starts_with("rtl/registers/") || file.filename() == "RESULTS.md" ||
                          name == "firmware/application/gcodes.md" ||
+                         name == "boards/interface/schematic.md" ||
                          name.starts_with("tools/figures/tables/");
     if (!is_made && name != "CHANGELOG.md") pages.push_back(file);
   }

@@ -5,24 +5,11 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
-#include <stdexcept>
 
 #include "tools/process/process.hpp"
 
 namespace synthesis {
 namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char character : line) {
-    if (character == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += character;
-    }
-  }
-  return cells;
-}
 
 // A line of Quartus' assignments.
 bool read_assignment(const std::string& line, Constraints& constraints) {
@@ -67,21 +54,6 @@ void read_line(const std::string& line, Constraints& constraints) {
 }
 
 }  // namespace
-
-std::vector<Row> read_table(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  if (!std::getline(stream, line)) throw std::runtime_error("no table " + file.string());
-  const std::vector<std::string> names = cells_of(line);
-  std::vector<Row> rows;
-  while (std::getline(stream, line)) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.size() != names.size()) throw std::runtime_error(file.string() + ": " + line);
-    Row& row = rows.emplace_back();
-    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = cells[i];
-  }
-  return rows;
-}
 
 Constraints generate_constraints(const std::filesystem::path& project, const std::string& board) {
   const std::string script = (project / "tools/hardware/write_constraints.sh").string();

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tools/files/table.hpp"
+
 namespace synthesis {
 
-// A row of a table, by the names in its header row.
-using Row = std::map<std::string, std::string>;
-std::vector<Row> read_table(const std::filesystem::path& file);
+using files::read_table;
+using files::Row;
+using files::row_with;
 
 // One pin of the generated constraints.
 struct ConstrainedPin {

@@ -88,12 +88,6 @@ constexpr std::array needs{Need{"clk_25mhz", oscillator},
                            Need{"tdi", rests_high},
                            Need{"tdo", on_the_board}};
 
-const Row* row_with(const std::vector<Row>& rows, const char* column, const std::string& value) {
-  const auto found =
-      std::ranges::find_if(rows, [&](const Row& row) { return row.at(column) == value; });
-  return found == rows.end() ? nullptr : &*found;
-}
-
 class Check {
  public:
   Check(const std::filesystem::path& project, const std::string& board)
