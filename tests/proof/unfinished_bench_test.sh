@@ -34,6 +34,6 @@ run() {
 }
 
 run finishing_tb || { echo "a bench that finishes fails:"; cat "$folder/finishing_tb.log"; exit 1; }
-if run waiting_tb; then echo "a bench that waits for ever passes"; exit 1; fi
+if run waiting_tb; then echo "a bench that never finishes passes"; exit 1; fi
 grep -q '^waiting_tb does not finish$' "$folder/waiting_tb.log" ||
-  { echo "a bench that waits for ever is not reported:"; cat "$folder/waiting_tb.log"; exit 1; }
+  { echo "a bench that never finishes is not reported:"; cat "$folder/waiting_tb.log"; exit 1; }
