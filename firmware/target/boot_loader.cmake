@@ -16,8 +16,8 @@ target_compile_features(boot_loader.elf PRIVATE cxx_std_23)
 set_target_properties(boot_loader.elf PROPERTIES LINKER_LANGUAGE CXX
   LINK_DEPENDS ${boot_loader}/boot_loader.ld)
 target_compile_options(boot_loader.elf PRIVATE ${code_options})
-target_link_options(boot_loader.elf PRIVATE ${code_options} -nostartfiles -T ${boot_loader}/boot_loader.ld
-  -Wl,--gc-sections -Wl,--no-relax-gp -Wl,--no-warn-rwx-segments -Wl,-Map=boot_loader.map)
+target_link_options(boot_loader.elf PRIVATE ${code_options} ${memory_map} -nostartfiles
+  -T ${boot_loader}/boot_loader.ld -Wl,--gc-sections -Wl,--no-relax-gp -Wl,--no-warn-rwx-segments -Wl,-Map=boot_loader.map)
 find_program(OBJCOPY_TOOL riscv64-unknown-elf-objcopy REQUIRED)
 add_custom_command(OUTPUT boot_loader.bin
   COMMAND ${OBJCOPY_TOOL} -O binary boot_loader.elf boot_loader.bin

@@ -22,7 +22,8 @@ class LastStep : public devices::StepListener {
 
 // From now on the processor loops at its present address, and so does any trap.
 void hang(sim::Chip& chip) {
-  constexpr std::uint32_t memory = 0x8000'0000, bytes = 96 * 1024, jump_to_itself = 0x0000'006f;
+  constexpr std::uint32_t memory = 0x8000'0000, bytes = CHIP_MEMORY_BYTES,
+                          jump_to_itself = 0x0000'006f;
   for (std::uint32_t i = 0; i < bytes; i += 4) chip.write_memory(memory + i, jump_to_itself);
 }
 

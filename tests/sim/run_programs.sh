@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# `run` reports how a program ended by its exit status. Usage: run_programs.sh STEPFABRIC
+# `run` reports how a program ended by its exit status. Usage: run_programs.sh STEPFABRIC MEMORY_BYTES
 set -euo pipefail
-stepfabric=$1
+stepfabric=$1 memory_bytes=$2
+# The address so many bytes from the end of the chip's memory.
+from_end() { printf '0x%x' $((0x80000000 + memory_bytes - $1)); }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -10,7 +12,8 @@ failures=0
 
 compile() {
   riscv64-unknown-elf-gcc -march=rv32im_zicsr -mabi=ilp32 -O1 -nostdlib -nostartfiles \
-    -Wl,--no-warn-rwx-segments -T "$here/programs.ld" "$@" -o "$work/program.elf"
+    -Wl,--no-warn-rwx-segments -T "$here/programs.ld" -Wl,--defsym=memory_end="$(from_end 0)" "$@" \
+    -o "$work/program.elf"
 }
 
 expect() {
@@ -86,7 +89,7 @@ expect_text 'it sleeps'
 field_body 'csrw mtvec, zero\n.word 0'
 expect 124 run "$work/program.elf" --max-cycles 1000
 expect_text 'completes no instruction any more'
-field_body '.data\n.space 98304\n.text'
+field_body ".data\n.space $memory_bytes\n.text"
 expect 125 run "$work/program.elf"
 expect_text 'does not fit'
 
@@ -124,7 +127,7 @@ for cycles in none 0 -1 1e99 18446744073709551616; do
   expect_text 'max-cycles'
 done
 expect 125 run
-compile -Wl,--defsym=stack_top=0x80018000 -x assembler - <<< '.globl _start
+compile -Wl,--defsym=stack_top="$(from_end 0)" -x assembler - <<< '.globl _start
 _start: j _start'
 expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`'
@@ -149,12 +152,12 @@ expect 125 run "$work/program.elf"
 expect_text 'no symbol `tohost`, as it has no symbols at all'
 plain_link -Wl,-Ttext=0x80000100
 expect 0 run "$work/program.elf"
-plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80017ffe
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far="$(from_end 2)"
 expect 125 run "$work/program.elf"
-expect_text 'too large: it loads 4 bytes at 0x80017ffe, where.*has room for 2, to 0x80017fff$'
-plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far=0x80018000
+expect_text "too large: it loads 4 bytes at $(from_end 2), where.*has room for 2, to $(from_end 1)\$"
+plain_link -Wl,-Ttext=0x80000000 -Wl,--section-start=.far="$(from_end 0)"
 expect 125 run "$work/program.elf"
-expect_text 'loads 4 bytes at 0x80018000.*memory is 0x80000000 to 0x80017fff: link it there'
+expect_text "loads 4 bytes at $(from_end 0).*memory is 0x80000000 to $(from_end 1): link it there"
 plain_link -Wl,-Ttext=0x80000000
 # The size in memory of a segment such that its end wraps past 2^32.
 set_header_word() {

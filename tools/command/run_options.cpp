@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of the job `run`, and what its help says.
+#include <fmt/format.h>
+
 #include "tools/command/printer_options.hpp"
 #include "tools/command/run_job.hpp"
 
@@ -8,7 +10,8 @@ namespace command {
 void add_options(CLI::App& app, RunOptions& options) {
   CLI::App& job = *app.add_subcommand("run", "Run a bare-metal RV32IMC program on the chip.");
   job.add_option("program", options.program,
-                 "linked to 0x80000000, 96 KiB; ends by a store to `tohost`")
+                 fmt::format("linked to 0x80000000, {} KiB; ends by a store to `tohost`",
+                             CHIP_MEMORY_BYTES / 1024))
       ->required()
       ->type_name("PROGRAM.elf");
   job.add_option("--max-cycles", options.max_cycles, "give up after this many clocks")

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 // The chip's memory is of blocks that Yosys does not count: so many bytes.
-constexpr int memory_bytes = 98304;
+constexpr int memory_bytes = CHIP_MEMORY_BYTES;
 // Bits of the block in which Yosys counts the chip's queues.
 constexpr int yosys_block_bits = 8192;
 
