@@ -16,6 +16,10 @@ entity cyclone_board is
     divide : positive := 1;
     -- Clocks of `watch_clk` without a sign of the chip's clock after which the heaters' supply opens.
     patience_clocks : positive range 4 to 4095 := 1024;
+    -- Of the pins that enable the motor drivers.
+    enable_level : std_ulogic := '0';
+    -- The fifth motor is a second one of Z, not E1.
+    has_second_z : boolean := false;
     has_debug : boolean := false;
     has_zbb : boolean := false
   );
@@ -28,10 +32,10 @@ entity cyclone_board is
     -- Fault, busy, five motors, a blink that shows the clock.
     led : out std_ulogic_vector(7 downto 0);
     emergency_stop : in std_ulogic;
-    -- X Y Z E0 E1; motor drivers are enabled by a low level.
+    -- X Y Z E0 E1; motor drivers are enabled by `enable_level`.
     step : out std_ulogic_vector(4 downto 0);
     direction : out std_ulogic_vector(4 downto 0);
-    motor_enable_n : out std_ulogic_vector(4 downto 0);
+    motor_enable_pin : out std_ulogic_vector(4 downto 0);
     end_stop : in std_ulogic_vector(7 downto 0);
     -- Hotend, bed.
     heater_gate : out std_ulogic_vector(1 downto 0);
@@ -80,7 +84,7 @@ architecture rtl of cyclone_board is
   signal supply_closed, supply_wanted, supply_veto : std_ulogic;
   -- The last registers before the pins. What they hold here they hold after configuration.
   signal step_pin, direction_pin : std_ulogic_vector(4 downto 0) := (others => '0');
-  signal motor_enable_pin_n : std_ulogic_vector(4 downto 0) := (others => '1');
+  signal motor_enable_pin_level : std_ulogic_vector(4 downto 0) := (others => not enable_level);
   signal heater_pin : std_ulogic_vector(1 downto 0) := (others => '0');
   signal fan_pin : std_ulogic := '0';
   signal released, fault, sleeping : std_ulogic;
@@ -151,13 +155,20 @@ begin
     if released then
       step_pin <= step_level;
       direction_pin <= direction_level;
-      motor_enable_pin_n <= not motor_enable;
+      for axis in motor_enable'range loop
+        motor_enable_pin_level(axis) <= enable_level when motor_enable(axis) else not enable_level;
+      end loop;
+      if has_second_z then
+        step_pin(4) <= step_level(2);
+        direction_pin(4) <= direction_level(2);
+        motor_enable_pin_level(4) <= enable_level when motor_enable(2) else not enable_level;
+      end if;
       heater_pin <= heater_level;
       fan_pin <= fan_level;
     else
       step_pin <= (others => '0');
       direction_pin <= (others => '0');
-      motor_enable_pin_n <= (others => '1');
+      motor_enable_pin_level <= (others => not enable_level);
       heater_pin <= (others => '0');
       fan_pin <= '0';
     end if;
@@ -165,7 +176,7 @@ begin
 
   step <= step_pin;
   direction <= direction_pin;
-  motor_enable_n <= motor_enable_pin_n;
+  motor_enable_pin <= motor_enable_pin_level;
   heater_gate <= heater_pin;
   fan_gate <= fan_pin;
   supply_wanted <= supply_closed and released;

@@ -6,6 +6,8 @@ use ieee.std_logic_1164.all;
 
 entity de2_115 is
   generic (
+    -- Of the board's oscillator; co-simulation has a slower one.
+    reference_clock_hz : positive := 50_000_000;
     -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false;
     -- The processor has extension Zbb.
@@ -49,7 +51,9 @@ architecture rtl of de2_115 is
 begin
 
   board : entity work.cyclone_board
-    generic map (device_family => "Cyclone IV E", has_debug => has_debug, has_zbb => has_zbb)
+    generic map (
+      device_family => "Cyclone IV E", reference_clock_hz => reference_clock_hz, has_debug => has_debug,
+      has_zbb => has_zbb)
     port map (
       reference_clk => clock_50mhz,
       watch_clk => clock_25mhz,
@@ -59,7 +63,7 @@ begin
       emergency_stop => emergency_stop,
       step => step,
       direction => direction,
-      motor_enable_n => motor_enable_n,
+      motor_enable_pin => motor_enable_n,
       end_stop => end_stop,
       heater_gate => heater_gate,
       heater_supply => heater_supply,

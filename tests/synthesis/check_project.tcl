@@ -190,8 +190,9 @@ proc constrain {collection how} {
   set ::constrained($name) $how
 }
 
-# What the boards' oscillators make. The 28 MHz of the DE2-70 are eight times the colour carrier of NTSC.
-set oscillator_mhz [dict create clock_50mhz 50 clock_25mhz 25 clock_28mhz 28.63636]
+# What the boards' oscillators make. The 28 MHz of the DE2-70 are eight times the colour carrier of NTSC by its sample
+# designs, and 28.86 by its manual's text.
+set oscillator_mhz [dict create clock_50mhz 50 clock_25mhz 25 clock_28mhz 28.86]
 
 proc create_clock {args} {
   take create_clock {-name -period} {} $args

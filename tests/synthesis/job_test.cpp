@@ -179,6 +179,52 @@ echo '{"design": {"num_cells_by_type": {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
+// The script of a Cyclone's cells.
+constexpr const char* cyclone_script = R"(#!/bin/sh
+echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas": 20000,
+  "cyclone_block_ram": 3, "cyclone_multiplier": 5}}}' > "$3/cells.json"
+)";
+
+TEST_F(SynthesisJob, takes_all_boards_into_folders_and_makes_one_table) {
+  for (const char* board : {"de2_115", "de2_70"}) {
+    std::filesystem::create_directories(folder_ / "boards" / board);
+    std::ofstream(folder_ / "boards" / board / "device.csv") << device_table;
+  }
+  write_script("write_quartus_project.sh", "#!/bin/sh\nmkdir -p \"$4\"\n");
+  write_script("synthesize_cyclone.sh", cyclone_script);
+  options_.board = "";
+  options_.all = true;
+  options_.seed = 2;
+  EXPECT_TRUE(run());
+  const auto rows = nlohmann::json::parse(text_of("out/boards.json"));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows.at(0).at("board"), "ulx3s");
+  EXPECT_EQ(rows.at(0).at("fastest_mhz"), 63.5);
+  EXPECT_EQ(rows.at(0).at("ram_kbit"), 34 * 18);
+  EXPECT_EQ(rows.at(2).at("logic").at("used"), 30000);
+  EXPECT_EQ(rows.at(2).at("ram_kbit"), (192 + 6) * 4);
+  EXPECT_FALSE(rows.at(2).contains("fastest_mhz"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/core/synthesis.json"));
+  // One that does not fit, or is too slow, makes the whole fail, and the others are made.
+  options_.seed = 1;
+  EXPECT_FALSE(run());
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/ulx3s/ulx3s.bit"));
+}
+
+TEST_F(SynthesisJob, takes_other_pins_where_the_board_has_them) {
+  std::filesystem::create_directories(folder_ / "boards/de2_70_reprap_2012");
+  std::ofstream(folder_ / "boards/de2_70_reprap_2012/device.csv") << device_table;
+  write_script("write_quartus_project.sh",
+               "#!/bin/sh\nmkdir -p \"$4\"\necho \"$*\" >> \"$1/calls\"\n");
+  write_script("synthesize_cyclone.sh", cyclone_script);
+  options_.board = "de2_70";
+  options_.pins = "reprap_2012";
+  EXPECT_TRUE(run());
+  EXPECT_NE(text_of("calls").find(" de2_70_reprap_2012 firmware.elf "), std::string::npos);
+  options_.board = "de2_115";
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
 TEST_F(SynthesisJob, fails_where_a_tool_fails) {
   write_script("place_board.sh", "#!/bin/sh\nexit 3\n");
   EXPECT_THROW(run(), std::runtime_error);

@@ -22,8 +22,8 @@ class Mistake : public testing::Test {
  protected:
   void SetUp() override {
     fs::remove_all(folder_);
-    for (const char* part :
-         {"constraints", "boards/ulx3s", "boards/de2_115", "boards/de2_70", "tools/hardware"}) {
+    for (const char* part : {"constraints", "boards/ulx3s", "boards/de2_115", "boards/de2_70",
+                             "boards/de2_70_reprap_2012", "tools/hardware"}) {
       fs::create_directories(folder_ / part);
       fs::copy(fs::path(PROJECT_DIRECTORY) / part, folder_ / part, fs::copy_options::recursive);
     }
@@ -163,6 +163,18 @@ TEST_F(Mistake, an_output_or_a_pull_on_a_clock_input_is_found) {
 TEST_F(Mistake, an_input_that_a_cyclone_cannot_hold_low_is_found) {
   replace("boards/de2_115/connections.csv", "tck,EX_IO[0]", "motion_start,EX_IO[0]");
   EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("no pull-down for motion_start")));
+}
+
+TEST_F(Mistake, in_the_pins_of_2012_is_found) {
+  const char* board = "de2_70_reprap_2012";
+  const char* table = "boards/de2_70_reprap_2012/connections.csv";
+  ASSERT_THAT(shortcomings(board), IsEmpty());
+  replace(table, "motor_reset_n[0],GPIO_0[4]", "motor_reset_n[0],GPIO_0[6]");
+  EXPECT_THAT(shortcomings(board), Contains(HasSubstr("share a pin")));
+  replace(table, "motor_reset_n[0],GPIO_0[6]", "motor_reset_n[0],GPIO_0[4]");
+  replace(signals, "motor_reset_n,out,down,4,slow,pad,3.3,down,1500",
+          "motor_reset_n,out,down,4,slow,pad,3.3,up,4700");
+  EXPECT_THAT(shortcomings(board), Contains("motor_reset_n[4] needs another resistor outside"));
 }
 
 TEST_F(Mistake, a_pin_that_the_table_does_not_have_is_found) {

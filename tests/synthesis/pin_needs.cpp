@@ -50,6 +50,8 @@ constexpr Kind on_the_board{"out", "NONE", 4, 8};
 constexpr Kind lamp{"out", "NONE", 4, 8, "", false, true};
 constexpr Kind over_a_cable{"out", "NONE", 8, 8, "", true};
 constexpr Kind held_high{"out", "UP", 4, 8, "up", true};
+// Its driver reads less than 0.3 of its supply as low, which is more than a gate may have.
+constexpr Kind held_in_reset{"out", "DOWN", 4, 8, "down", true};
 constexpr Kind held_low{"out", "DOWN", 8, 8, "down", true};
 // Must open without the clock that a register in the pad would need.
 constexpr Kind opens_without_a_clock{"out", "DOWN", 8, 8, "down"};
@@ -78,6 +80,7 @@ constexpr std::array needs{Need{"clk_25mhz", oscillator},
                            Need{"step", over_a_cable},
                            Need{"direction", over_a_cable},
                            Need{"motor_enable_n", held_high},
+                           Need{"motor_reset_n", held_in_reset},
                            Need{"heater_gate", held_low},
                            Need{"heater_supply", opens_without_a_clock},
                            Need{"fan_gate", held_low},

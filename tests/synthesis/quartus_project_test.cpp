@@ -105,8 +105,10 @@ class QuartusProject : public testing::Test {
   const fs::path copy_ = fs::path(testing::TempDir()) / "stepfabric quartus copy";
 };
 
-TEST_F(QuartusProject, of_the_other_board_is_good_too) {
-  EXPECT_THAT(complaints_of(project_of("de2_70"), "de2_70", project / "boards"), IsEmpty());
+TEST_F(QuartusProject, of_the_other_boards_is_good_too) {
+  for (const char* board : {"de2_70", "de2_70_reprap_2012"}) {
+    EXPECT_THAT(complaints_of(project_of(board), board, project / "boards"), IsEmpty()) << board;
+  }
 }
 
 // The contents of a file, in the order of its addresses.

@@ -18,10 +18,11 @@ struct Device {
   std::uint32_t memory_bytes;
 };
 
-constexpr std::array devices{Device{"25k", Family::ecp5, 65536}, Device{"45k", Family::ecp5, 65536},
-                             Device{"85k", Family::ecp5, 65536},
-                             Device{"hx8k", Family::ice40, 4096},
-                             Device{"up5k", Family::ice40, 4096}};
+// A 12F is a 25F of which the maker promises a part.
+constexpr std::array devices{
+    Device{"12k", Family::ecp5, 65536},  Device{"25k", Family::ecp5, 65536},
+    Device{"45k", Family::ecp5, 65536},  Device{"85k", Family::ecp5, 65536},
+    Device{"hx8k", Family::ice40, 4096}, Device{"up5k", Family::ice40, 4096}};
 
 constexpr const char* name_of(Family family) {
   switch (family) {

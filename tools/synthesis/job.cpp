@@ -14,6 +14,7 @@
 #include "tools/files/path_lock.hpp"
 #include "tools/files/write_text.hpp"
 #include "tools/process/process.hpp"
+#include "tools/synthesis/all_boards.hpp"
 #include "tools/synthesis/device.hpp"
 #include "tools/synthesis/quartus.hpp"
 #include "tools/synthesis/report.hpp"
@@ -84,19 +85,29 @@ class Scripts {
 }  // namespace
 
 void add_options(CLI::App& job, Options& options) {
-  job.add_option("board", options.board,
-                 "ulx3s (ECP5); de2_115 or de2_70 (Cyclone): the project for Quartus; or core: the "
-                 "processor with its memory alone")
-      ->required()
-      ->check(CLI::IsMember({"ulx3s", "de2_115", "de2_70", "core"}))
-      ->type_name("BOARD");
+  auto* board = job.add_option("board", options.board,
+                               "ulx3s (ECP5); de2_115 or de2_70 (Cyclone): the project for "
+                               "Quartus; or core: the processor with its memory alone")
+                    ->check(CLI::IsMember({"ulx3s", "de2_115", "de2_70", "core"}))
+                    ->type_name("BOARD");
+  auto* all = job.add_flag("--all", options.all, "all of them, each into a folder of its name")
+                  ->excludes(board);
+  job.callback([board, all] {
+    if (board->count() + all->count() == 0) throw CLI::RequiredError("BOARD or --all");
+  });
+  job.add_option("--pins", options.pins,
+                 "of de2_70: reprap_2012, the pins of the original printer (by default those of "
+                 "the interface board)")
+      ->check(CLI::IsMember({"reprap_2012"}))
+      ->excludes(all);
   job.add_option("--device", options.device,
-                 "the FPGA: ECP5 25k, 45k or 85k (or 25f, ...); for core also an iCE40, "
+                 "the FPGA: ECP5 12k, 25k, 45k or 85k (or 12f, ...); for core also an iCE40, "
                  "hx8k or up5k, with 4 KiB of memory")
       ->transform(CLI::Transformer(
-          std::map<std::string, std::string>{{"25f", "25k"}, {"45f", "45k"}, {"85f", "85k"}},
+          std::map<std::string, std::string>{
+              {"12f", "12k"}, {"25f", "25k"}, {"45f", "45k"}, {"85f", "85k"}},
           CLI::ignore_case))
-      ->check(CLI::IsMember({"25k", "45k", "85k", "hx8k", "up5k"}))
+      ->check(CLI::IsMember({"12k", "25k", "45k", "85k", "hx8k", "up5k"}))
       ->capture_default_str();
   job.add_option("--seed", options.seed, "seed of the placement; the clock rate varies with it")
       ->capture_default_str();
@@ -119,6 +130,16 @@ void add_options(CLI::App& job, Options& options) {
 
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware, const std::function<void()>& look) {
+  if (options.all) return synthesize_all(options, project, firmware, look);
+  if (!options.pins.empty()) {
+    Options variant = options;
+    variant.board += "_" + options.pins;
+    variant.pins.clear();
+    if (!has_cyclone(project, variant.board)) {
+      throw std::runtime_error(fmt::format("{} has no pins {}", options.board, options.pins));
+    }
+    return synthesize(variant, project, firmware, look);
+  }
   const Device& device = device_named(options.device);
   const bool alone = options.board == "core";
   if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");

@@ -15,6 +15,10 @@ namespace synthesis {
 
 struct Options {
   std::string board;
+  // Every board, in the place of one.
+  bool all = false;
+  // Of a board with more than one wiring: boards/BOARD_PINS.
+  std::string pins;
   std::string device = "85k";
   std::uint32_t seed = 1;
   std::uint32_t seeds = 1;
@@ -25,8 +29,9 @@ struct Options {
 
 void add_options(CLI::App& job, Options& options);
 
-// `firmware` is the ELF file that becomes the memory's contents. Writes the netlist, BOARD.bit and
-// synthesis.json of the fastest placement, and a folder for each placement, into the directory.
+// All boards or one. `firmware` is the ELF file that becomes the memory's contents. Writes the
+// netlist, BOARD.bit and synthesis.json of the fastest placement, and a folder for each placement,
+// into the directory.
 // False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
 // tool fails. `look` is called every few milliseconds; where it throws, the tools end.
 bool synthesize(const Options& options, const std::filesystem::path& project,
