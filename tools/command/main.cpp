@@ -68,6 +68,12 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
     become_other_program("stepfabric_traced", "writes waveforms, with the processor by its netlist",
                          count, arguments);
   }
+  if (const std::string& board = jobs.print.board; !board.empty()) {
+    const std::string name = "stepfabric_" + board;
+    if (!this_is_program(arguments[0], name)) {
+      become_other_program(name, "has the board's top entity around it", count, arguments);
+    }
+  }
   if (app.got_subcommand("debug")) {
     if (!this_is_program(arguments[0], "stepfabric_debug")) {
       become_other_program("stepfabric_debug",

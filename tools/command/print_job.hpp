@@ -43,6 +43,7 @@ struct PrintOptions {
   std::filesystem::path report = "report";
   std::filesystem::path edges;
   std::filesystem::path trace;
+  std::string board;  // whose top entity is around the chip; empty: none is
   std::optional<double> until_seconds;
   ReplayChoices replay;
   PrinterChoices printer;

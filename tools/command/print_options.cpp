@@ -40,6 +40,12 @@ void add_options(CLI::App& app, PrintOptions& options) {
       ->type_name("FILE.csv");
   job.add_option("--trace", options.trace, "write all signals of the chip; slow, and large")
       ->type_name("FILE.fst");
+  job.add_option("--board", options.board,
+                 "a board's top entity in the place of the bare chip, at 4 MHz; every clock is "
+                 "evaluated: slow")
+      ->check(CLI::IsMember({"de2_115", "de2_70"}))
+      ->excludes(job.get_option("--trace"))
+      ->type_name("BOARD");
   job.add_option("--stepping", options.printer.stepping,
                  "step generator, or the processor in its timer interrupt")
       ->check(CLI::IsMember({"hardware", "software"}))

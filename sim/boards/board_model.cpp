@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pins, clocks and memory of a board's top entity. BOARD is its name, BOARD_WATCH_CLOCK its second
+// oscillator, BOARD_CLOCK_HZ the clock that the model was made for.
+#include "sim/boards/board_model.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "Vboard___024root.h"
+
+#define JOINED_NAMES(board, rest) board##__DOT__##rest
+#define NAMES_OF(board, rest) JOINED_NAMES(board, rest)
+#define IN_BOARD(name) NAMES_OF(BOARD, name)
+#define IN_CORE(name) IN_BOARD(board__DOT__chip__DOT__core__DOT__##name)
+#define IN_QUEUE(name) IN_CORE(motion__DOT__generator__DOT__core__DOT__##name)
+#define RAM(part) IN_CORE(with_processor_computing__DOT__ram__DOT__##part##_bytes)
+
+namespace sim {
+namespace {
+
+constexpr std::uint32_t memory_start = 0x8000'0000;
+constexpr unsigned fault_lamp = 0;
+constexpr unsigned all_axes = (1U << axis_count) - 1;
+// From power-up to the end of the reset, at most: the loop locks, and 16 clocks.
+constexpr int most_reset_clocks = 64;
+
+template <typename Root>
+auto lower_lanes(Root& root) {
+  return std::array{&root.RAM(lanes_n1), &root.RAM(lanes_n2), &root.RAM(lanes_n3),
+                    &root.RAM(lanes_n4)};
+}
+
+template <typename Root>
+auto upper_lanes(Root& root) {
+  return std::array{&root.RAM(two_banks_upper_lanes_n1), &root.RAM(two_banks_upper_lanes_n2),
+                    &root.RAM(two_banks_upper_lanes_n3), &root.RAM(two_banks_upper_lanes_n4)};
+}
+
+constexpr std::size_t lower_words = sizeof(Vboard___024root::RAM(lanes_n1));
+constexpr std::size_t upper_words = sizeof(Vboard___024root::RAM(two_banks_upper_lanes_n1));
+
+// The word's byte in each lane.
+template <typename Root>
+auto bytes_of_word(Root& root, std::uint32_t address) {
+  const std::uint32_t index = (address - memory_start) / 4;
+  if (address < memory_start || index >= lower_words + upper_words) {
+    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
+  }
+  using Byte = std::remove_reference_t<decltype((*lower_lanes(root)[0])[0])>;
+  std::array<Byte*, 4> bytes{};
+  for (std::size_t lane = 0; lane < bytes.size(); ++lane) {
+    bytes[lane] = index < lower_words ? &(*lower_lanes(root)[lane])[index]
+                                      : &(*upper_lanes(root)[lane])[index - lower_words];
+  }
+  return bytes;
+}
+
+}  // namespace
+
+BoardModel::BoardModel(std::uint32_t clock_hz)
+    : context_(std::make_unique<VerilatedContext>()),
+      model_(std::make_unique<Vboard>(context_.get())) {
+  if (clock_hz != BOARD_CLOCK_HZ) {
+    throw std::runtime_error(
+        fmt::format("the model of this board has a clock of {} Hz", BOARD_CLOCK_HZ));
+  }
+  model_->clock_50mhz = 0;
+  model_->BOARD_WATCH_CLOCK = 0;
+  set_inputs();
+  model_->eval();  // What is there after configuration.
+  outputs_ = sampled_outputs();
+}
+
+BoardModel::~BoardModel() {
+  // As NetlistModel's.
+  Verilated::threadContextp(context_.get());
+}
+
+void BoardModel::permit_software_stepping() {
+  throw std::runtime_error("a board lets no firmware drive the step pins");
+}
+
+// With the program in memory, as on a board.
+void BoardModel::start() {
+  started_ = true;
+  for (int clocks = 0; model_->rootp->IN_BOARD(board__DOT__released) == 0; ++clocks) {
+    if (clocks == most_reset_clocks) throw std::runtime_error("the board's reset does not end");
+    clock();
+  }
+  outputs_ = sampled_outputs();
+}
+
+// The second oscillator has half of the frequency, as on a DE2-115; a DE2-70 has somewhat more.
+void BoardModel::clock() {
+  model_->clock_50mhz = 1;
+  model_->eval();
+  model_->clock_50mhz = 0;
+  model_->BOARD_WATCH_CLOCK = model_->BOARD_WATCH_CLOCK == 0;
+  model_->eval();
+}
+
+void BoardModel::set_inputs() {
+  model_->uart_rxd = inputs_.receive;
+  model_->end_stop = inputs_.end_stops;
+  model_->sensor_sense = inputs_.sense;
+  model_->emergency_stop = inputs_.emergency_stop;
+  model_->tck = inputs_.jtag.tck;
+  model_->tms = inputs_.jtag.tms;
+  model_->tdi = inputs_.jtag.tdi;
+}
+
+OutputPins BoardModel::sampled_outputs() const {
+  const Vboard& model = *model_;
+  constexpr unsigned channel_pins = 3, channel_mask = 7;
+  std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
+                       std::uint64_t{model.direction} << OutputPins::direction_bit |
+                       std::uint64_t{~model.motor_enable_n & all_axes} << OutputPins::enable_bit |
+                       std::uint64_t{model.uart_txd} << OutputPins::transmit_bit |
+                       std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
+                       std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
+                       std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |
+                       std::uint64_t{model.led >> fault_lamp & 1U} << OutputPins::fault_bit |
+                       std::uint64_t{model.tdo} << OutputPins::jtag_bit;
+  // A pin that is left open has no level.
+  const unsigned driven = model.rootp->IN_BOARD(drive_enable), level = model.sensor_resistor;
+  for (unsigned channel = 0; channel < sensor_count; ++channel) {
+    const std::uint64_t drive = driven >> (channel_pins * channel) & channel_mask;
+    const std::uint64_t high = level >> (channel_pins * channel) & drive;
+    word |= (drive | high << OutputPins::sensor_level_bit)
+            << (OutputPins::sensor_bit + 8 * channel);
+  }
+  return {word};
+}
+
+void BoardModel::advance(Clock limit) {
+  set_inputs();
+  if (!started_) start();
+  const OutputPins before = outputs_;
+  while (now_ < limit && outputs_ == before) {
+    clock();
+    ++now_;
+    processor_.sleeping_clocks += model_->rootp->IN_CORE(sleeping);
+    processor_.instructions += model_->rootp->IN_CORE(retired);
+    outputs_ = sampled_outputs();
+  }
+}
+
+void BoardModel::reset() { throw std::logic_error("the board has no reset"); }
+
+std::uint32_t BoardModel::read_memory(std::uint32_t address) const {
+  std::uint32_t word = 0;
+  unsigned shift = 0;
+  for (const auto* byte : bytes_of_word(std::as_const(*model_->rootp), address)) {
+    word |= std::uint32_t{*byte} << shift;
+    shift += 8;
+  }
+  return word;
+}
+
+void BoardModel::write_memory(std::uint32_t address, std::uint32_t word) {
+  for (auto* byte : bytes_of_word(*model_->rootp, address)) {
+    *byte = static_cast<std::uint8_t>(word);
+    word >>= 8;
+  }
+}
+
+QueueStatistics BoardModel::queue_statistics() const {
+  const Vboard___024root& root = *model_->rootp;
+  return {root.IN_QUEUE(underruns), root.IN_QUEUE(stalls), root.IN_QUEUE(level),
+          root.IN_QUEUE(max_level)};
+}
+
+void BoardModel::trace_to(const std::string&) {
+  throw std::runtime_error("the model of a board writes no waveforms");
+}
+
+std::unique_ptr<ChipModel> make_netlist_model(std::uint32_t clock_hz, Edges) {
+  return std::make_unique<BoardModel>(clock_hz);
+}
+
+}  // namespace sim
