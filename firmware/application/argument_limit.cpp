@@ -48,7 +48,7 @@ host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit&
     case Check::number:
       return line.text("Number missing after ").character(limit.letter);
     case Check::refused:
-      line.text(limit.name).text(" not within ").integer(limit.least);
+      line.character(limit.letter).text(" not within ").integer(limit.least);
       return line.text(" to ").integer(limit.most);
     case Check::tool:
       line.text("echo:").character(command.letter).integer(command.code);

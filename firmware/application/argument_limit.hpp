@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string_view>
 
 #include "gcode/command.hpp"
 #include "host_link/text_line.hpp"
@@ -25,9 +23,8 @@ struct ArgumentLimit {
   char letter{};
   Check check{};
   bool required{};
-  std::int32_t least{};
+  std::int8_t least{};
   std::int32_t most{};
-  std::string_view name{};  // "Factor" in "Factor not within 1 to 999"
 
   bool operator==(const ArgumentLimit&) const = default;
 };

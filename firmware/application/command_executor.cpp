@@ -101,7 +101,7 @@ Progress CommandExecutor::proceed() {
   if (begins()) {
     if (const auto progress = prepare()) return *progress;
   }
-  return row_->handler(groups_, active_);
+  return row_->handler()(groups_, active_);
 }
 
 Progress CommandExecutor::refuse_unparsed() {
@@ -125,12 +125,13 @@ std::optional<Progress> CommandExecutor::prepare() {
     return groups_.dry_runs.refuse_line(active_);
   }
   const bool has_subcode = command.subcode != 0 && command.letter != 'T';
-  if (row_ == nullptr || row_->handler == nullptr || has_subcode) return active_.refuse_unknown();
-  if (row_->refuses_others && command.has_besides(row_->letters)) {
+  if (row_ == nullptr || row_->handler() == nullptr || has_subcode) return active_.refuse_unknown();
+  if (row_->refuses_others && command.has_besides(row_->letters())) {
     return active_.refuse("Unknown parameter");
   }
-  if (row_->report != nullptr && !command.has_any(row_->letters)) {
-    return row_->report(groups_, active_);
+  if (const Handler report = row_->report();
+      report != nullptr && !command.has_any(row_->letters())) {
+    return report(groups_, active_);
   }
   if (!may_start()) return Progress::again;
   if (const auto* limit = violated(command, active_.limits)) return active_.refuse(*limit);

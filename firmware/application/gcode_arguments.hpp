@@ -41,9 +41,8 @@ inline constexpr Arguments axis_speeds{numbers("XYZE", "mm/s", most_mm_per_s)};
 inline constexpr Arguments accelerations{numbers("PTRS", "mm/s²", most_mm_per_s2)};
 inline constexpr Arguments advanced{numbers("XYZEST", "mm/s", most_mm_per_s),
                                     numbers("BJ", no_effect)};
-inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor, "Factor"),
-                                        flags("BR")};
-inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor, "Factor")};
+inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor), flags("BR")};
+inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor)};
 inline constexpr Arguments line_number{numbers("N", "number")};
 inline constexpr Arguments repeats{numbers("L", "times")};
 inline constexpr Arguments answer{numbers("S", "button")};

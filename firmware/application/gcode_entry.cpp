@@ -7,96 +7,152 @@
 namespace application {
 namespace {
 
-// What is checked of a row's arguments, or of all rows'.
-class LimitList {
- public:
-  constexpr LimitList() = default;
-  explicit constexpr LimitList(const GcodeRow& row) {
-    for (const Argument& argument : row.arguments) {
-      if (argument.limit.check == Check::none && !argument.limit.required) continue;
-      for (const char letter : argument.letters) {
-        put(argument.limit);
-        limits_[count_ - 1].letter = letter;
-      }
-    }
-  }
+// Two bits for the letter, as many for the code as the table's codes need.
+constexpr unsigned code_bits = 14;
 
-  constexpr const ArgumentLimit* begin() const { return limits_.data(); }
-  constexpr const ArgumentLimit* end() const { return limits_.data() + count_; }
-  constexpr std::size_t size() const { return count_; }
-  // Where those of `part` stand one after the other; size() where they do not.
-  constexpr std::size_t place_of(const LimitList& part) const {
-    return static_cast<std::size_t>(std::ranges::search(*this, part).begin() - begin());
+constexpr std::uint32_t key_of(char letter, std::uint32_t code) {
+  if (letter == 'T') return 2u << code_bits;
+  if (code >> code_bits != 0) {
+    return ~0u;  // of no entry
   }
-  constexpr void put(const ArgumentLimit& limit) { limits_[count_++] = limit; }
+  return letter == 'G' ? code : 1u << code_bits | code;
+}
+
+// A list in the image, in which what is put twice stands once.
+template <class Value>
+class List {
+ public:
+  constexpr const Value* begin() const { return values_.data(); }
+  constexpr const Value* end() const { return values_.data() + count_; }
+  constexpr std::size_t size() const { return count_; }
+
+  constexpr std::uint8_t place_of(const Value& value) const {
+    return static_cast<std::uint8_t>(std::ranges::find(*this, value) - begin());
+  }
+  constexpr void put(const Value& value) {
+    if (place_of(value) == count_) append(value);
+  }
+  constexpr void append(const Value& value) { values_[count_++] = value; }
 
  private:
-  std::array<ArgumentLimit, 255> limits_{};
+  std::array<Value, 255> values_{};
   std::size_t count_{};
 };
 
-// Rows that check the same share it.
-consteval LimitList list_limits() {
-  LimitList all;
+template <auto make>
+consteval auto fitted() {
+  constexpr auto list = make();
+  std::array<typename std::decay_t<decltype(*list.begin())>, list.size()> values{};
+  std::ranges::copy(list, values.begin());
+  return values;
+}
+
+using Limits = List<ArgumentLimit>;
+
+// What is checked of a row's arguments.
+constexpr Limits limits_of(const GcodeRow& row) {
+  Limits limits;
+  for (const Argument& argument : row.arguments) {
+    if (argument.limit.check == Check::none && !argument.limit.required) continue;
+    for (const char letter : argument.letters) {
+      ArgumentLimit limit = argument.limit;
+      limit.letter = letter;
+      limits.append(limit);
+    }
+  }
+  return limits;
+}
+
+constexpr Limits list_limits() {
+  Limits all;
   for (const GcodeRow& row : gcode_table) {
-    const LimitList limits(row);
-    if (all.place_of(limits) != all.size()) continue;
-    for (const ArgumentLimit& limit : limits) all.put(limit);
+    const Limits limits = limits_of(row);
+    if (!std::ranges::search(all, limits).empty() || limits.size() == 0) continue;
+    for (const ArgumentLimit& limit : limits) all.append(limit);
   }
   return all;
 }
 
-constexpr auto all_limits = [] {
-  constexpr LimitList list = list_limits();
-  std::array<ArgumentLimit, list.size()> limits{};
-  std::ranges::copy(list, limits.begin());
-  return limits;
-}();
+constexpr auto all_limits = fitted<list_limits>();
+
+struct ArgumentSet {
+  std::uint32_t letters{};
+  std::uint8_t first_limit{};  // of all limits
+  std::uint8_t limit_count{};
+
+  bool operator==(const ArgumentSet&) const = default;
+};
+
+constexpr ArgumentSet arguments_of(const GcodeRow& row) {
+  ArgumentSet set;
+  for (const Argument& argument : row.arguments) {
+    for (const char letter : argument.letters) set.letters |= gcode::Command::bit(letter);
+  }
+  const Limits limits = limits_of(row);
+  set.limit_count = static_cast<std::uint8_t>(limits.size());
+  if (limits.size() != 0) {
+    set.first_limit = static_cast<std::uint8_t>(std::ranges::search(all_limits, limits).begin() -
+                                                all_limits.begin());
+  }
+  return set;
+}
+
+constexpr List<ArgumentSet> list_argument_sets() {
+  List<ArgumentSet> all;
+  for (const GcodeRow& row : gcode_table) all.put(arguments_of(row));
+  return all;
+}
+
+constexpr List<Handler> list_handlers() {
+  List<Handler> all;
+  for (const GcodeRow& row : gcode_table) {
+    all.put(row.handler);
+    all.put(row.conduct.report);
+  }
+  return all;
+}
+
+constexpr auto argument_sets = fitted<list_argument_sets>();
+constexpr auto handlers = fitted<list_handlers>();
 
 constexpr auto entries = [] {
   std::array<GcodeEntry, gcode_table.size()> list{};
-  const LimitList all = list_limits();
+  const auto all_sets = list_argument_sets();
+  const auto all_handlers = list_handlers();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const GcodeRow& row = gcode_table[i];
-    std::uint32_t letters = 0;
-    for (const Argument& argument : row.arguments) {
-      for (const char letter : argument.letters) letters |= gcode::Command::bit(letter);
-    }
-    const LimitList limits(row);
-    list[i] = {.letter = row.letter,
-               .start = row.conduct.start,
-               .refuses_others = row.conduct.refuses_others,
-               .while_storing = row.conduct.while_storing,
-               .while_dry_run = row.conduct.executed_in_dry_run(),
-               .code = row.code,
-               .first_limit = static_cast<std::uint8_t>(all.place_of(limits)),
-               .limit_count = static_cast<std::uint8_t>(limits.size()),
-               .letters = letters,
-               .handler = row.handler,
-               .report = row.conduct.report};
+    list[i] = GcodeEntry{.key = static_cast<std::uint16_t>(key_of(row.letter, row.code)),
+                         .start = row.conduct.start,
+                         .refuses_others = row.conduct.refuses_others,
+                         .while_storing = row.conduct.while_storing,
+                         .while_dry_run = row.conduct.executed_in_dry_run(),
+                         .argument_set = all_sets.place_of(arguments_of(row)),
+                         .handler_index = all_handlers.place_of(row.handler),
+                         .report_index = all_handlers.place_of(row.conduct.report)};
   }
   return list;
 }();
 
 }  // namespace
 
-ArgumentLimits GcodeEntry::limits() const { return {all_limits.data() + first_limit, limit_count}; }
+bool GcodeEntry::is_of(const gcode::Command& command) const {
+  return key == key_of(command.letter, command.code);
+}
+
+std::uint32_t GcodeEntry::letters() const { return argument_sets[argument_set].letters; }
+
+ArgumentLimits GcodeEntry::limits() const {
+  const ArgumentSet& set = argument_sets[argument_set];
+  return {all_limits.data() + set.first_limit, set.limit_count};
+}
+
+Handler GcodeEntry::handler() const { return handlers[handler_index]; }
+Handler GcodeEntry::report() const { return handlers[report_index]; }
 
 const GcodeEntry* find_entry(const gcode::Command& command) {
-  const std::uint16_t code = command.letter == 'T' ? std::uint16_t{0} : command.code;
-  const GcodeEntry* first = entries.data();
-  const GcodeEntry* last = first + entries.size();
-  while (first != last) {
-    const GcodeEntry* middle = first + (last - first) / 2;
-    if (middle->is_of(command)) return middle;
-    if (middle->letter < command.letter ||
-        (middle->letter == command.letter && middle->code < code)) {
-      first = middle + 1;
-    } else {
-      last = middle;
-    }
-  }
-  return nullptr;
+  const std::uint32_t key = key_of(command.letter, command.code);
+  const auto* entry = std::ranges::lower_bound(entries, key, {}, &GcodeEntry::key);
+  return entry != entries.end() && entry->key == key ? entry : nullptr;
 }
 
 }  // namespace application

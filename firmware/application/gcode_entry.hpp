@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the table of commands that is in the image: without help and units.
+// The part of the table of commands that is in the image: without help and units, and with what
+// rows have in common only once.
 #pragma once
 
 #include "application/gcode_row.hpp"
@@ -7,23 +8,22 @@
 namespace application {
 
 struct GcodeEntry {
-  char letter;
-  Start start;
-  bool refuses_others;
-  bool while_storing;
-  bool while_dry_run;
-  std::uint16_t code;
-  std::uint8_t first_limit;  // of all limits
-  std::uint8_t limit_count;
-  std::uint32_t letters;  // of its arguments, as gcode::Command has them
-  Handler handler;
-  Handler report;
+  std::uint16_t key;  // letter and code, in the order of the table
+  Start start : 2;
+  bool refuses_others : 1;
+  bool while_storing : 1;
+  bool while_dry_run : 1;
+  // Indices: of all sets of arguments, and of all handlers.
+  std::uint8_t argument_set;
+  std::uint8_t handler_index;
+  std::uint8_t report_index;
 
   // There is no second T command: its code is the number of the tool.
-  bool is_of(const gcode::Command& command) const {
-    return command.letter == letter && (command.code == code || letter == 'T');
-  }
+  bool is_of(const gcode::Command& command) const;
+  std::uint32_t letters() const;  // of its arguments, as gcode::Command has them
   ArgumentLimits limits() const;
+  Handler handler() const;
+  Handler report() const;
 };
 
 // Null where there is none. Subcodes are not looked at.

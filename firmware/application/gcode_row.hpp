@@ -42,14 +42,14 @@ consteval Argument strict_numbers(std::string_view letters, std::string_view uni
   return {letters, unit, {.check = Check::number}};
 }
 // The nearest value in the range counts.
-consteval Argument clamped(std::string_view letters, std::string_view unit, std::int32_t least,
+consteval Argument clamped(std::string_view letters, std::string_view unit, std::int8_t least,
                            std::int32_t most) {
   return {letters, unit, {.check = Check::clamped, .least = least, .most = most}};
 }
-// "NAME not within LEAST to MOST"
-consteval Argument refused(std::string_view letters, std::string_view unit, std::int32_t least,
-                           std::int32_t most, std::string_view name) {
-  return {letters, unit, {.check = Check::refused, .least = least, .most = most, .name = name}};
+// "S not within LEAST to MOST"
+consteval Argument refused(std::string_view letters, std::string_view unit, std::int8_t least,
+                           std::int32_t most) {
+  return {letters, unit, {.check = Check::refused, .least = least, .most = most}};
 }
 consteval Argument only_tool(std::string_view letters) {
   return {letters, "(tool 0)", {.check = Check::tool}};

@@ -22,10 +22,10 @@ std::string refusal(std::string_view line, application::ArgumentLimits limits) {
   return limit != nullptr ? std::string(application::describe(command, *limit).view()) : "";
 }
 
-TEST(argument_limit, refuses_what_is_out_of_range_with_name_and_range) {
+TEST(argument_limit, refuses_what_is_out_of_range_with_letter_and_range) {
   constexpr ArgumentLimit limits[]{
-      {.letter = 'S', .check = Check::refused, .least = -2, .most = 30, .name = "Angle"}};
-  constexpr const char* text = "Angle not within -2 to 30";
+      {.letter = 'S', .check = Check::refused, .least = -2, .most = 30}};
+  constexpr const char* text = "S not within -2 to 30";
   EXPECT_EQ(refusal("M1000 S-3", limits), text);
   EXPECT_EQ(refusal("M1000 S31", limits), text);
   EXPECT_EQ(refusal("M1000 S", limits), text);

@@ -91,9 +91,9 @@ TEST(gcode_table, is_searched_to_the_right_entry_for_every_code) {
       const auto* entry = application::find_entry(command_of(letter, code));
       ASSERT_EQ(entry != nullptr, row != application::gcode_table.end()) << letter << code;
       if (entry == nullptr) continue;
-      EXPECT_EQ(entry->letter, letter);
-      EXPECT_EQ(entry->code, code);
-      EXPECT_EQ(entry->handler, row->handler) << letter << code;
+      EXPECT_TRUE(entry->is_of(command_of(letter, code))) << letter << code;
+      EXPECT_EQ(entry->handler(), row->handler) << letter << code;
+      EXPECT_EQ(entry->report(), row->conduct.report) << letter << code;
     }
   }
   EXPECT_EQ(application::find_entry(command_of('T', 7)),
