@@ -6,6 +6,8 @@ use ieee.std_logic_1164.all;
 
 entity ulx3s is
   generic (
+    -- Of the phase-locked loop's output; co-simulation has a slower one.
+    clock_frequency_hz : positive := 50_000_000;
     -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false;
     -- The processor has extension Zbb.
@@ -80,8 +82,6 @@ architecture rtl of ulx3s is
       clk : out std_ulogic
     );
   end component;
-
-  constant clock_frequency_hz : positive := 50_000_000;
 
   -- 2 ms, two frames at 9600 baud: the bridge has sent all that it has.
   constant quiet_clocks : positive := clock_frequency_hz / 500;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins, clocks and memory of a board's top entity. BOARD is its name, BOARD_WATCH_CLOCK its second
-// oscillator, BOARD_CLOCK_HZ the clock that the model was made for.
+// Pins, clocks and memory of a board's top entity, whose names are in the header BOARD_NAMES;
+// BOARD_CLOCK_HZ is the clock that the model was made for.
 #include "sim/boards/board_model.hpp"
 
 #include <fmt/format.h>
@@ -9,12 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "Vboard___024root.h"
+#include BOARD_NAMES
 
-#define JOINED_NAMES(board, rest) board##__DOT__##rest
-#define NAMES_OF(board, rest) JOINED_NAMES(board, rest)
-#define IN_BOARD(name) NAMES_OF(BOARD, name)
-#define IN_CORE(name) IN_BOARD(board__DOT__chip__DOT__core__DOT__##name)
 #define IN_QUEUE(name) IN_CORE(motion__DOT__generator__DOT__core__DOT__##name)
 #define RAM(part) IN_CORE(with_processor_computing__DOT__ram__DOT__##part##_bytes)
 
@@ -67,8 +63,7 @@ BoardModel::BoardModel(std::uint32_t clock_hz)
     throw std::runtime_error(
         fmt::format("the model of this board has a clock of {} Hz", BOARD_CLOCK_HZ));
   }
-  model_->clock_50mhz = 0;
-  model_->BOARD_WATCH_CLOCK = 0;
+  board::set_clock(*model_, false);
   set_inputs();
   model_->eval();  // What is there after configuration.
   outputs_ = sampled_outputs();
@@ -86,24 +81,26 @@ void BoardModel::permit_software_stepping() {
 // With the program in memory, as on a board.
 void BoardModel::start() {
   started_ = true;
-  for (int clocks = 0; model_->rootp->IN_BOARD(board__DOT__released) == 0; ++clocks) {
+  for (int clocks = 0; !board::is_released(*model_); ++clocks) {
     if (clocks == most_reset_clocks) throw std::runtime_error("the board's reset does not end");
     clock();
   }
   outputs_ = sampled_outputs();
 }
 
-// The second oscillator has half of the frequency, as on a DE2-115; a DE2-70 has somewhat more.
 void BoardModel::clock() {
-  model_->clock_50mhz = 1;
+  board::set_clock(*model_, true);
   model_->eval();
-  model_->clock_50mhz = 0;
-  model_->BOARD_WATCH_CLOCK = model_->BOARD_WATCH_CLOCK == 0;
+  board::set_clock(*model_, false);
+  if (++watch_phase_ == board::watch_clocks) {
+    watch_phase_ = 0;
+    board::change_watch_clock(*model_);
+  }
   model_->eval();
 }
 
 void BoardModel::set_inputs() {
-  model_->uart_rxd = inputs_.receive;
+  board::set_receive(*model_, inputs_.receive);
   model_->end_stop = inputs_.end_stops;
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;
@@ -118,7 +115,7 @@ OutputPins BoardModel::sampled_outputs() const {
   std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
                        std::uint64_t{model.direction} << OutputPins::direction_bit |
                        std::uint64_t{~model.motor_enable_n & all_axes} << OutputPins::enable_bit |
-                       std::uint64_t{model.uart_txd} << OutputPins::transmit_bit |
+                       std::uint64_t{board::transmit(model)} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
                        std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |

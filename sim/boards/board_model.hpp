@@ -37,6 +37,7 @@ class BoardModel : public ChipModel {
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Vboard> model_;
   ProcessorStatistics processor_;
+  unsigned watch_phase_ = 0;  // clocks since the second oscillator's last change
   bool started_ = false;
 };
 

@@ -85,7 +85,7 @@ TEST_P(VirtualBoard, prints_the_washer_as_the_bare_chip_does) {
   expect_the_same_print(project / "examples/washer.gcode", GetParam(), true);
 }
 
-INSTANTIATE_TEST_SUITE_P(boards, VirtualBoard, testing::Values("de2_115", "de2_70"),
+INSTANTIATE_TEST_SUITE_P(boards, VirtualBoard, testing::Values("de2_115", "de2_70", "ulx3s"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
