@@ -190,8 +190,8 @@ proc constrain {collection how} {
   set ::constrained($name) $how
 }
 
-# What the boards' oscillators make. The 28 MHz of the DE2-70 are eight times the colour carrier of NTSC by its sample
-# designs, and 28.86 by its manual's text.
+# What the boards' oscillators make, at most. The 28 MHz of the DE2-70 are eight times the colour carrier of NTSC by its
+# sample designs; its manual has not been compared, so a percent more is wanted.
 set oscillator_mhz [dict create clock_50mhz 50 clock_25mhz 25 clock_28mhz 28.86]
 
 proc create_clock {args} {
