@@ -192,6 +192,10 @@ void Application::switch_off_forgotten_heaters(Now now) {
     link_.work_goes_on();
   }
   const units::Milliseconds quiet = now.milliseconds - std::max(last_work_, link_.last_heard());
+  const units::Milliseconds last = executor_.groups().host.inactivity();
+  if (last.count() != 0 && quiet >= last) {
+    return halt("Error:!! KILL caused by too much inactive time");
+  }
   const units::Milliseconds limit = executor_.groups().host.host_silence();
   if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return;
   heat_.set_target(Heater::hotend, thermal::HeaterLoop::off);

@@ -27,7 +27,7 @@ consteval host_link::Capability if_on_reception(std::string_view name, char lett
 }
 
 constexpr std::array<host_link::Capability, capability_count> list{
-    if_executed("EEPROM", 'M', 500),
+    host_link::Capability{"EEPROM", false},
     if_executed("AUTOREPORT_TEMP", 'M', 155),
     if_executed("AUTOREPORT_POS", 'M', 154),
     if_executed("PROGRESS", 'M', 530),

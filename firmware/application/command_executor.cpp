@@ -124,8 +124,10 @@ std::optional<Progress> CommandExecutor::prepare() {
   if (groups_.dry_runs.asked_for() && (row_ == nullptr || !row_->while_dry_run)) {
     return groups_.dry_runs.refuse_line(active_);
   }
-  const bool has_subcode = command.subcode != 0 && command.letter != 'T';
-  if (row_ == nullptr || row_->handler() == nullptr || has_subcode) return active_.refuse_unknown();
+  if (row_ == nullptr || row_->handler() == nullptr) return active_.refuse_unknown();
+  if (command.letter != 'T' && command.subcode > row_->most_subcode) {
+    return active_.refuse_unknown();
+  }
   if (row_->refuses_others && command.has_besides(row_->letters())) {
     return active_.refuse("Unknown parameter");
   }

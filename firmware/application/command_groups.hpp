@@ -13,6 +13,7 @@
 #include "application/motion_commands.hpp"
 #include "application/report_commands.hpp"
 #include "application/setting_commands.hpp"
+#include "application/timer_commands.hpp"
 
 namespace application {
 
@@ -23,7 +24,7 @@ struct CommandGroups {
         modes(coordinates),
         settings(motion_task, coordinates),
         factors(motion_task, coordinates),
-        heat(heat_task, fan),
+        heat(heat_task, fan, timer),
         reports(machine, motion_task, heat_task, coordinates),
         host(link, machine.host_silence) {}
   // The groups refer to the coordinates.
@@ -33,7 +34,7 @@ struct CommandGroups {
   template <class Group>
   Group& of() {
     return std::get<Group&>(
-        std::tie(motion, modes, settings, factors, heat, reports, host, files, dry_runs));
+        std::tie(motion, modes, settings, factors, timer, heat, reports, host, files, dry_runs));
   }
 
   Coordinates coordinates;
@@ -41,6 +42,7 @@ struct CommandGroups {
   CoordinateCommands modes;
   SettingCommands settings;
   FactorCommands factors;
+  TimerCommands timer;
   HeatCommands heat;
   ReportCommands reports;
   HostCommands host;

@@ -126,6 +126,7 @@ constexpr auto entries = [] {
                          .refuses_others = row.conduct.refuses_others,
                          .while_storing = row.conduct.while_storing,
                          .while_dry_run = row.conduct.executed_in_dry_run(),
+                         .most_subcode = static_cast<std::uint8_t>(row.conduct.most_subcode & 7),
                          .argument_set = all_sets.place_of(arguments_of(row)),
                          .handler_index = all_handlers.place_of(row.handler),
                          .report_index = all_handlers.place_of(row.conduct.report)};

@@ -13,6 +13,7 @@ struct GcodeEntry {
   bool refuses_others : 1;
   bool while_storing : 1;
   bool while_dry_run : 1;
+  std::uint8_t most_subcode : 3;
   // Indices: of all sets of arguments, and of all handlers.
   std::uint8_t argument_set;
   std::uint8_t handler_index;

@@ -81,6 +81,7 @@ struct Conduct {
   Handler report{};  // called in its place where none of the arguments is given
   bool
       refuses_others{};  // a letter that is not among the arguments: one of its axes would not move
+  std::uint8_t most_subcode{};  // 6 of M862.6; a higher one is unknown
   bool on_reception{};  // acted on ahead of the lines that wait (host_link/emergency)
   bool answered_ahead{};  // a query that need not wait for them (HostLink::query)
   bool while_storing{};  // executed between M28 and M29

@@ -60,6 +60,8 @@ Progress HeatCommands::take_target(ActiveCommand& command, Heater heater, std::i
   const units::Millicelsius target = temperature_of(millionths);
   if (is_too_hot(heat_.loop(heater), target)) return refuse_heat(command, heat_.loop(heater));
   heat_.set_target(heater, target);
+  // The print begins where heat is waited for, and ends where none is wanted, as in Marlin.
+  if (!heat_.wanted()) timer_.end(command.now.milliseconds);
   return Progress::done;
 }
 
@@ -90,6 +92,7 @@ Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
   const auto temperature = loop.temperature();
   const bool must_cool = temperature && loop.target() < *temperature;
   if (must_cool && !waits_for_cooling) return Progress::done;
+  if (heat_.wanted()) timer_.begin(command.now.milliseconds);
   next_report_ = command.now.milliseconds + report_period;
   command.phase = ActiveCommand::Phase::heating;
   return Progress::done;
@@ -106,6 +109,25 @@ Progress HeatCommands::report_units(ActiveCommand& command) {
   host_link::TextLine line;
   if (other_units_) return command.say(line.text("echo:").text(no_other_units));
   return command.say("echo: M149 C ; Units in Celsius");
+}
+
+// Without P it is as S says: 0 allows all.
+Progress HeatCommands::set_extrusion_limit(ActiveCommand& command) {
+  if (const auto least = command.value('S')) {
+    if (other_units_ && *least > 0) return refuse_units(command);
+    heat_.set_least_extrusion(temperature_of(*least));
+  }
+  const bool asked_for = command.integer('P').value_or(0) != 0;
+  heat_.allow_cold_extrusion(asked_for || heat_.least_extrusion() == units::Millicelsius());
+  return Progress::done;
+}
+
+// In Marlin's words.
+Progress HeatCommands::report_extrusion_limit(ActiveCommand& command) {
+  host_link::TextLine line;
+  line.text("echo:Cold extrudes are ").text(heat_.cold_extrusion_allowed() ? "en" : "dis");
+  line.text("abled (min temp ").integer(heat_.least_extrusion().count() / 1000).text("C)");
+  return command.say(line);
 }
 
 Progress HeatCommands::set_fan(ActiveCommand& command) {

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for heaters and fan: M104 M106 M107 M109 M140 M149 M190, and T, which has one
+// The commands for heaters and fan: M104 M106 M107 M109 M140 M149 M190 M302, and T, which has one
 // hotend to choose from.
 #pragma once
 
 #include "application/active_command.hpp"
 #include "application/heat_task.hpp"
+#include "application/timer_commands.hpp"
 #include "drivers/fan.hpp"
 
 namespace application {
 
 class HeatCommands {
  public:
-  HeatCommands(HeatTask& heat, drivers::Fan& fan) : heat_(heat), fan_(fan) {}
+  HeatCommands(HeatTask& heat, drivers::Fan& fan, TimerCommands& timer)
+      : heat_(heat), fan_(fan), timer_(timer) {}
 
   Progress set_temperature(ActiveCommand& command, Heater heater);
   Progress set_and_wait(ActiveCommand& command, Heater heater);
   // M149: only °C. After F or K no number is taken for a temperature until C, but 0.
   Progress set_units(ActiveCommand& command);
   Progress report_units(ActiveCommand& command);
+  // M302: S is the temperature below which the extruder does not turn, P1 allows it to turn cold.
+  Progress set_extrusion_limit(ActiveCommand& command);
+  Progress report_extrusion_limit(ActiveCommand& command);
   Progress set_fan(ActiveCommand& command);
   Progress stop_fan(ActiveCommand& command);
   Progress select_tool(ActiveCommand& command);
@@ -30,6 +35,7 @@ class HeatCommands {
 
   HeatTask& heat_;
   drivers::Fan& fan_;
+  TimerCommands& timer_;
   units::Milliseconds next_report_{};  // while a heater is waited for
   bool other_units_{};  // of M149 F or K
 };

@@ -81,7 +81,8 @@ HeatTask::HeatTask(const MachineDescription& machine, const ThermalTables& table
                thermal::HeaterLoop(settings_of(machine.hotend))},
               {machine.bed,
                {tables.bed, references_of(machine.converter)},
-               thermal::HeaterLoop(bed_settings_of(machine.bed))}}} {}
+               thermal::HeaterLoop(bed_settings_of(machine.bed))}}},
+      least_extrusion_(machine.min_extrusion) {}
 
 void HeatTask::start() {
   constexpr std::int64_t picoseconds_per_microsecond = 1'000'000;
@@ -203,8 +204,9 @@ bool HeatTask::wanted() const {
 }
 
 bool HeatTask::extrusion_is_cold() const {
+  if (cold_extrusion_allowed_) return false;
   const auto temperature = loop(Heater::hotend).temperature();
-  return !temperature || *temperature < machine_.min_extrusion;
+  return !temperature || *temperature < least_extrusion_;
 }
 
 host_link::HeaterState HeatTask::state(Heater heater) const {

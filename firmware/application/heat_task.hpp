@@ -51,6 +51,11 @@ class HeatTask {
   // Heat is requested.
   bool wanted() const;
   bool extrusion_is_cold() const;
+  // M302: below this temperature the extruder does not turn, but where cold extrusion is allowed.
+  units::Millicelsius least_extrusion() const { return least_extrusion_; }
+  void set_least_extrusion(units::Millicelsius least) { least_extrusion_ = least; }
+  bool cold_extrusion_allowed() const { return cold_extrusion_allowed_; }
+  void allow_cold_extrusion(bool allowed) { cold_extrusion_allowed_ = allowed; }
   host_link::HeaterState state(Heater heater) const;
 
   struct NamedFault {
@@ -86,6 +91,8 @@ class HeatTask {
   std::optional<units::Milliseconds> round_began_;
   std::size_t next_ = 0;  // of parts_
   std::string_view hardware_fault_;
+  units::Millicelsius least_extrusion_;
+  bool cold_extrusion_allowed_{};
   bool supply_closed_{};
   units::Milliseconds supply_missing_since_{};  // though heat is requested
   bool second_key_is_due_{};

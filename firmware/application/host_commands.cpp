@@ -114,6 +114,15 @@ Progress HostCommands::report_busy_interval(ActiveCommand& command) {
   return report_seconds(command, busy_interval_);
 }
 
+Progress HostCommands::set_inactivity(ActiveCommand& command) {
+  inactivity_ = command.seconds().value_or(inactivity_);
+  return Progress::done;
+}
+
+Progress HostCommands::report_inactivity(ActiveCommand& command) {
+  return report_seconds(command, inactivity_);
+}
+
 Progress HostCommands::set_host_silence(ActiveCommand& command) {
   host_silence_ = command.seconds().value_or(host_silence_);
   return Progress::done;
@@ -121,6 +130,30 @@ Progress HostCommands::set_host_silence(ActiveCommand& command) {
 
 Progress HostCommands::report_host_silence(ActiveCommand& command) {
   return report_seconds(command, host_silence_);
+}
+
+// M486 P, C and U, and EXCLUDE_OBJECT itself, leave a part out.
+Progress HostCommands::note_object(ActiveCommand& command) {
+  const std::string_view text = command.command.text;
+  const char first = text.empty() ? '\0' : static_cast<char>(text.front() & ~0x20);
+  if (first == 'P' || first == 'C' || first == 'U' || first == 'N') {
+    return command.refuse("Objects cannot be left out");
+  }
+  if (objects_noted_ || command.say("echo:Names of objects are ignored") == Progress::done) {
+    objects_noted_ = true;
+    return Progress::done;
+  }
+  return Progress::again;
+}
+
+Progress HostCommands::report_not_fitted(ActiveCommand& command) {
+  host_link::TextLine line;
+  line.text("echo:").character(command.command.letter).integer(command.command.code);
+  return command.say(line.text(" not fitted"));
+}
+
+Progress HostCommands::refuse_end_stops(ActiveCommand& command) {
+  return command.refuse("End stops end homing only");
 }
 
 Progress HostCommands::refuse_repeats(ActiveCommand& command) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for host and user: M0 M1 M25 M86 M112 M113 M118 M524 M600 M601 M808 M997, and those
-// that only get an ok.
+// The commands for host and user: M0 M1 M25 M85 M86 M112 M113 M118 M486 M500 M504 M524 M600 M601
+// M808 M997, those that only get an ok, and those for parts that this printer does not have.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -23,8 +23,17 @@ class HostCommands {
   Progress stop_everything(ActiveCommand& command);
   Progress set_busy_interval(ActiveCommand& command);
   Progress report_busy_interval(ActiveCommand& command);
+  Progress set_inactivity(ActiveCommand& command);
+  Progress report_inactivity(ActiveCommand& command);
   Progress set_host_silence(ActiveCommand& command);
   Progress report_host_silence(ActiveCommand& command);
+  // Names of a print's parts are passed over, with a notice at the first; a request to leave one
+  // out is refused.
+  Progress note_object(ActiveCommand& command);
+  // "echo:M906 not fitted"
+  Progress report_not_fitted(ActiveCommand& command);
+  Progress refuse_end_stops(ActiveCommand& command);
+  Progress refuse_to_store(ActiveCommand& command) { return command.refuse("EEPROM disabled"); }
   Progress refuse_repeats(ActiveCommand& command);
   Progress update_firmware(ActiveCommand& command);
   // Done on reception, or there is no display for it.
@@ -32,12 +41,16 @@ class HostCommands {
 
   // M86 S: after how long without a word from the host the heaters are switched off; 0 is never.
   units::Milliseconds host_silence() const { return host_silence_; }
+  // M85 S: after how long without work or a word the printer halts; 0 is never.
+  units::Milliseconds inactivity() const { return inactivity_; }
 
  private:
   host_link::HostLink& link_;
   units::Milliseconds answer_due_{};  // of the user; 0: whenever
   units::Milliseconds busy_interval_{2000};
   units::Milliseconds host_silence_;
+  units::Milliseconds inactivity_{};
+  bool objects_noted_{};
 };
 
 }  // namespace application

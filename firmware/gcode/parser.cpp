@@ -49,7 +49,7 @@ class LineParser {
   std::expected<Command, ParseError> parse() {
     if (!skip_blanks_and_comments()) return failure();
     if (at_end()) return fail(ParseFault::empty_line, position_);
-    if (!read_letter_and_code()) return failure();
+    if (!read_name_of_objects() && !read_letter_and_code()) return failure();
     skip_blanks();
     if (takes_text(command_)) {
       if (!read_text()) return failure();
@@ -103,6 +103,20 @@ class LineParser {
       }
       position_ = closing + 1;
     }
+  }
+
+  // What slicers write for Klipper to know the parts of a print counts as Marlin's M486:
+  // EXCLUDE_OBJECT_START NAME=part, of which "_START NAME=part" is its text.
+  bool read_name_of_objects() {
+    constexpr std::string_view name = "EXCLUDE_OBJECT";
+    if (line_.size() - position_ < name.size()) return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (capital(line_[position_ + i]) != name[i]) return false;
+    }
+    position_ += name.size();
+    command_.letter = 'M';
+    command_.code = 486;
+    return true;
   }
 
   bool read_letter_and_code() {

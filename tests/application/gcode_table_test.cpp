@@ -195,7 +195,7 @@ TEST(gcode_table, reports_the_capabilities_of_the_commands_that_it_has) {
     <- Cap:ADVANCED_OK:0
     <- ok
     -> M500
-    <- echo:Unknown command: "M500"
+    <- echo:EEPROM disabled, not executed: "M500"
     <- ok
     -> M20
     <- echo:Unknown command: "M20"
