@@ -131,8 +131,9 @@ inline constexpr auto gcode_table = [] {
       m(204, handler<&SettingCommands::set_accelerations>,
         "acceleration of print, travel, retraction moves; S: print and travel", accelerations,
         {.report = handler<&SettingCommands::report>}),
-      m(205, handler<&SettingCommands::set_advanced>, "jerk; slowest print and travel move",
-        advanced, {.report = handler<&SettingCommands::report>}),
+      m(205, handler<&SettingCommands::set_advanced>,
+        "jerk; junction deviation, 0 for jerk alone; slowest print and travel move", advanced,
+        {.report = handler<&SettingCommands::report>}),
       m(220, handler<&FactorCommands::set_speed>,
         "speed of the lines after it, or at once if a person sends it; B keeps the factor, R "
         "restores it",

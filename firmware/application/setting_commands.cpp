@@ -85,8 +85,8 @@ Progress SettingCommands::set_accelerations(ActiveCommand& command) {
   return set_limits(command, changed, change_for_all(changed, command, settings));
 }
 
-// X Y Z E jerk, S slowest print move, T slowest travel. B and J are numbers of other planners,
-// which have no effect.
+// X Y Z E jerk, J junction deviation, S slowest print move, T slowest travel. B is a number of
+// another planner, which has no effect.
 Progress SettingCommands::set_advanced(ActiveCommand& command) {
   using Speed = units::MicrometersPerSecond;
   constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
@@ -95,7 +95,8 @@ Progress SettingCommands::set_advanced(ActiveCommand& command) {
   constexpr auto travel = [](motion::Limits& limits, units::Nanometers value) {
     return motion::set_min_travel_speed(limits, micrometers<Speed>(value));
   };
-  static constexpr Setting settings[]{{'S', print}, {'T', travel}};
+  static constexpr Setting settings[]{
+      {'S', print}, {'T', travel}, {'J', motion::set_junction_deviation}};
   motion::Limits changed = motion_.limits();
   motion::Accepted accepted = change_per_axis(changed, command, motion::set_jerk);
   if (accepted) accepted = change_for_all(changed, command, settings);

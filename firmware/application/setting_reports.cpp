@@ -36,6 +36,9 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
   if (code == 205) {
     put(line, 'S', limits.min_print_speed.count());
     put(line, 'T', limits.min_travel_speed.count());
+    if (limits.junction_deviation != units::Nanometers()) {
+      line.text(" J").decimal(static_cast<std::int32_t>(limits.junction_deviation.count()), 6, 6);
+    }
   }
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     put(line, units::axis_letters[i], value_of(limits.axes[i], code));

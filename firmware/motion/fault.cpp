@@ -14,6 +14,8 @@ std::string_view describe(Fault fault) {
       return "acceleration out of range";
     case Fault::jerk_out_of_range:
       return "jerk out of range";
+    case Fault::junction_deviation_out_of_range:
+      return "junction deviation out of range";
     case Fault::feedrate_out_of_range:
       return "feedrate out of range";
     case Fault::target_out_of_range:

@@ -64,6 +64,11 @@ Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value)
   return set_speed(limits.min_travel_speed, value, 0, Fault::speed_out_of_range);
 }
 
+Accepted set_junction_deviation(Limits& limits, units::Nanometers value) {
+  return set(limits.junction_deviation, value, units::Nanometers(), max_junction_deviation,
+             Fault::junction_deviation_out_of_range);
+}
+
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
                                         const units::PerAxis<units::Position>& target) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {

@@ -40,6 +40,8 @@ struct Limits {
   units::MicrometersPerSecondSquared retract_acceleration{};
   units::MicrometersPerSecond min_print_speed{};
   units::MicrometersPerSecond min_travel_speed{};
+  units::Nanometers junction_deviation{};  // 0: X, Y and Z are limited by their jerk
+  std::uint8_t min_cruise_percent{};  // of a line on which the nominal speed is not reached
 
   constexpr AxisLimits& of(units::Axis axis) { return axes[units::index_of(axis)]; }
   constexpr const AxisLimits& of(units::Axis axis) const { return axes[units::index_of(axis)]; }
@@ -49,6 +51,7 @@ struct Limits {
 inline constexpr units::StepsPerMeter max_steps_per_meter{10'000'000};
 inline constexpr units::MicrometersPerSecond max_speed{10'000'000};
 inline constexpr units::MicrometersPerSecondSquared max_acceleration{100'000'000};
+inline constexpr units::Nanometers max_junction_deviation{1'000'000};
 
 // A value out of range changes nothing and is returned as the fault to report.
 using Accepted = std::expected<void, Fault>;
@@ -69,6 +72,8 @@ Accepted set_retract_acceleration(Limits& limits, units::MicrometersPerSecondSqu
 // M205 S, T, 0 or more.
 Accepted set_min_print_speed(Limits& limits, units::MicrometersPerSecond value);
 Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value);
+// M205 J, 0 or more; 0: classic jerk.
+Accepted set_junction_deviation(Limits& limits, units::Nanometers value);
 
 // The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,

@@ -104,7 +104,11 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
 Course Geometry::make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
                            units::Microseconds least_time, Line& line) const {
   const Path path = path_of(displacement, feedrate);
-  Course result{.direction = path.direction, .speed = path.feedrate};
+  Course result{.direction = path.direction,
+                .speed = path.feedrate,
+                .acceleration = {},
+                .work = {},
+                .extruder_leads = path.extruder_leads};
   line.steps = displacement.steps;
   line.ticks = 0;
   Scaled time_of_steps;  // ms, at least
@@ -137,9 +141,10 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
     line.nominal_time = most_time;
   }
   const Scaled ticks_per_length = Scaled::of(line.ticks) / length;
-  const Scaled acceleration = scaled(limited_acceleration(path, ticks_per_length).count());
-  const std::uint64_t work = (acceleration * length).floor();
+  result.acceleration = limited_acceleration(path, ticks_per_length);
+  const std::uint64_t work = (scaled(result.acceleration.count()) * length).floor();
   line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
+  result.work = line.work;
   line.rate_of_root = rate_factor_ * ticks_per_length;
   line.nominal = energy_of(result.speed);
   return result;
@@ -171,20 +176,6 @@ units::MicrometersPerSecondSquared Geometry::limited_acceleration(const Path& pa
   }
   return units::MicrometersPerSecondSquared(
       static_cast<std::int32_t>(std::max<std::uint32_t>(acceleration, 1)));
-}
-
-units::MicrometersPerSecond jerk_limited_speed(const Direction& change, const Limits& limits,
-                                               units::MicrometersPerSecond speed) {
-  auto limited = static_cast<std::uint32_t>(speed.count());
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const std::uint32_t part = magnitude(change[i]);
-    const auto most = static_cast<std::uint64_t>(limits.axes[i].jerk.count())
-                      << direction_fraction_bits;
-    if (std::uint64_t{limited} * part > most) {
-      limited = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of(part)).floor());
-    }
-  }
-  return units::MicrometersPerSecond(static_cast<std::int32_t>(limited));
 }
 
 }  // namespace motion

@@ -63,6 +63,9 @@ struct Displacement {
 struct Course {
   Direction direction{};
   units::MicrometersPerSecond speed{};  // nominal
+  units::MicrometersPerSecondSquared acceleration{};
+  SpecificEnergy work{};  // of the acceleration over the whole length
+  bool extruder_leads{};
 };
 
 // Makes lines from displacements under the limits of the axes and of the step generator.
@@ -100,11 +103,5 @@ class Geometry {
   Scaled rate_factor_{};  // ticks per clock of 1 tick/nm at an energy of 1
   Scaled max_tick_acceleration_{};  // um/s^2 at 1 tick/nm that the segment's format can hold
 };
-
-// The highest speed, not above `speed`, at which no axis changes its speed by more than
-// its jerk when the path's direction changes by `change`. From and to rest, `change` is
-// the direction itself.
-units::MicrometersPerSecond jerk_limited_speed(const Direction& change, const Limits& limits,
-                                               units::MicrometersPerSecond speed);
 
 }  // namespace motion

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "motion/junction.hpp"
 #include "motion/line_start.hpp"
 #include "motion/steps.hpp"
 
@@ -23,12 +24,6 @@ units::Nanometers distance_between(const units::Position& from, const units::Pos
   const units::Nanometers distance = (to - from).nearest();
   if (distance != units::Nanometers() || steps == 0) return distance;
   return units::Nanometers(steps < 0 ? -1 : 1);
-}
-
-Direction change_between(const Direction& before, const Direction& after) {
-  Direction change{};
-  for (std::size_t i = 0; i < change.size(); ++i) change[i] = after[i] - before[i];
-  return change;
 }
 
 }  // namespace
@@ -83,13 +78,11 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   added.start = line_start(added.steps, added.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
-    added.max_entry = energy_of(jerk_limited_speed(course.direction, limits(), course.speed));
+    added.max_entry = energy_from_rest(course, limits());
     added.entry = added.max_entry;
     waiting_since_ = now;
   } else {
-    const Direction change = change_between(last_course_.direction, course.direction);
-    const units::MicrometersPerSecond shared = std::min(last_course_.speed, course.speed);
-    added.max_entry = energy_of(jerk_limited_speed(change, limits(), shared));
+    added.max_entry = junction_energy(last_course_, course, limits());
   }
   last_course_ = course;
   planned_time_ += added.nominal_time;
@@ -160,7 +153,8 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 
 void Planner::hand_over_first(units::Microseconds now) {
   const Line& first = line(0);
-  profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock());
+  profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
+                        limits().min_cruise_percent);
   steps_ = first.steps;
   start_ = first.start;
   ticks_ = first.ticks;

@@ -39,14 +39,25 @@ struct EnergyCourse {
   std::uint32_t accelerating, braking;
 };
 
-EnergyCourse course_of(const Line& line, SpecificEnergy exit) {
+// The highest energy between these ends.
+SpecificEnergy peak_of(const Line& line, SpecificEnergy entry, SpecificEnergy exit,
+                       std::uint32_t min_cruise_percent) {
+  if (min_cruise_percent == 0) return line.nominal;
+  // The work is at most 2^60.
+  const SpecificEnergy ramps = line.work / 128 * (128 - min_cruise_percent * 128 / 100);
+  const SpecificEnergy peak = entry / 2 + exit / 2 + ramps / 2;
+  return std::min(line.nominal, std::max({entry, exit, peak}));
+}
+
+EnergyCourse course_of(const Line& line, SpecificEnergy exit, std::uint32_t min_cruise_percent) {
   const Scaled per_tick = scaled(line.work) / Scaled::of(line.ticks);
   const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), line.nominal);
   EnergyCourse course{.entry = std::clamp(line.entry, least, line.nominal),
-                      .peak = line.nominal,
+                      .peak = {},
                       .exit = std::clamp(exit, least, line.nominal),
                       .accelerating = 0,
                       .braking = 0};
+  course.peak = peak_of(line, course.entry, course.exit, min_cruise_percent);
   course.accelerating = ticks_needed(course.entry, course.peak, per_tick);
   course.braking = ticks_needed(course.exit, course.peak, per_tick);
   if (std::uint64_t{course.accelerating} + course.braking <= line.ticks) return course;
@@ -116,8 +127,9 @@ class Builder {
 
 }  // namespace
 
-Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock) {
-  const EnergyCourse course = course_of(line, exit);
+Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                   std::uint8_t min_cruise_percent) {
+  const EnergyCourse course = course_of(line, exit, min_cruise_percent);
   Builder builder(line, clock);
   builder.add(course.accelerating, course.entry, course.peak);
   builder.add(line.ticks - course.accelerating - course.braking, course.peak, course.peak);

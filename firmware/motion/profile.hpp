@@ -33,6 +33,10 @@ struct Profile {
 // after T clocks its phase is rate T + acceleration T (T - 1) / 2; starting with half an
 // acceleration more makes that the exact parabola. No rate is less than that in the middle of the
 // first tick from rest, sqrt(acceleration), unless the nominal one is.
-Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock);
+//
+// Where the nominal speed is not reached, at least `min_cruise_percent` of what is left for ramps
+// is cruised: short lines to and fro do not shake the machine (Klipper's minimum_cruise_ratio).
+Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                   std::uint8_t min_cruise_percent = 0);
 
 }  // namespace motion

@@ -33,8 +33,9 @@ TEST(setting_commands, refuse_values_that_cannot_be) {
 // A line with any wrong value has no effect.
 TEST(setting_commands, keep_what_was_where_one_value_of_a_line_is_refused) {
   Printer printer;
-  for (const char* line : {"M205 X5 S-1", "M205 X-1 S5", "M205 Z5 T-1", "M204 P500 T-1",
-                           "M204 R500 P0", "M201 X500 Y0", "M203 E20 X-1", "M92 X100 Y0"}) {
+  for (const char* line :
+       {"M205 X5 S-1", "M205 X5 J-0.1", "M205 J1.1 X5", "M205 X-1 S5", "M205 Z5 T-1",
+        "M204 P500 T-1", "M204 R500 P0", "M201 X500 Y0", "M203 E20 X-1", "M92 X100 Y0"}) {
     printer.send(line);
     const auto said = printer.reply();
     ASSERT_TRUE(said.has_value());
@@ -97,6 +98,14 @@ TEST(setting_commands, without_values_report_what_holds) {
     <- echo: M204 P800.00 R1500.00 T1234.50
     <- ok
     -> M205 B20000 J0.02
+    <- ok
+    -> M205
+    <- echo: M205 S0.00 T0.00 J0.020000 X10.00 Y10.00 Z0.40 E2.50
+    <- ok
+    -> M205 J0
+    <- ok
+    -> M205
+    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
     <- ok
   )");
   EXPECT_EQ(printer.counters.commands_refused, 0u);
