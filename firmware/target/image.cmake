@@ -32,6 +32,12 @@ set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)
 add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+foreach(stepping IN ITEMS hardware software)
+  add_custom_target(firmware_other_machine_${stepping}
+    COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
+      --target other_machine_${stepping}.elf
+    DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+endforeach()
 add_custom_target(stepping_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target stepping_benchmark_hardware.elf stepping_benchmark_software.elf

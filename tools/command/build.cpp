@@ -12,22 +12,26 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "machine_generator/header.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/files/file_text.hpp"
+#include "tools/files/write_file.hpp"
 #include "tools/process/process.hpp"
 
 namespace command {
 
 namespace {
 
-// The lock that tools/command/build_and_run.sh takes too.
-class BuildLock {
+// A lock in the build folder, waited for.
+class FolderLock {
  public:
-  BuildLock() : file_(open((build_folder() / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  explicit FolderLock(const char* name)
+      : file_(open((build_folder() / name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
     if (file_ >= 0) flock(file_, LOCK_EX);
   }
-  BuildLock(const BuildLock&) = delete;
-  BuildLock& operator=(const BuildLock&) = delete;
-  ~BuildLock() {
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() {
     if (file_ >= 0) close(file_);
   }
 
@@ -55,7 +59,7 @@ std::filesystem::path build_folder() {
 }
 
 void build(const std::vector<std::string>& targets) {
-  const BuildLock lock;
+  const FolderLock lock("lock");  // that tools/command/build_and_run.sh takes too
   const std::filesystem::path log = build_folder() / "build.log";
   std::vector<std::string> arguments{"cmake", "--build", build_folder().string(), "--target"};
   arguments.insert(arguments.end(), targets.begin(), targets.end());
@@ -65,6 +69,17 @@ void build(const std::vector<std::string>& targets) {
                                          last_lines(log, 40), fmt::join(targets, ", "),
                                          log.string()));
   }
+}
+
+sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
+  const std::string header = machine_generator::header_of(description);
+  const FolderLock lock("other_machine_lock");  // until the image has been read
+  const std::filesystem::path file =
+      build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
+  // The same text is not written again, so that nothing is built for it.
+  if (files::text_of(file) != header) files::write_file(file, header);
+  build({"firmware_other_machine_" + stepping});
+  return sim::read_elf(build_folder() / "firmware" / ("other_machine_" + stepping + ".elf"));
 }
 
 int run_program(const std::vector<std::string>& arguments) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/simulation/elf_image.hpp"
+
 namespace command {
 
 std::filesystem::path project_folder();
@@ -15,6 +17,10 @@ std::filesystem::path build_folder();
 // Builds targets, with the output in <build>/build.log. Throws std::runtime_error with
 // the end of the log. On a signal it ends what it has started and throws Interrupted (signals.hpp).
 void build(const std::vector<std::string>& targets);
+
+// The firmware for another machine than that of the build, with `hardware` or `software` stepping.
+// Throws std::runtime_error with the end of the log, or with what is wrong with the description.
+sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping);
 
 // Runs a program with this one's terminal and waits for it; returns its exit status (128 + signal).
 // On a signal it ends what it has started and throws Interrupted.

@@ -5,6 +5,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "machine/machine.hpp"
+#include "machine_generator/description.hpp"
 #include "sim/devices/gcode_file.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/file_roles.hpp"
@@ -16,13 +18,25 @@
 
 namespace command {
 
+namespace {
+
+machine_generator::Machine machine_of(const PlanOptions& options) {
+  if (!options.machine.empty()) return machine_generator::read_machine(options.machine);
+  return {.name = std::string(machine::machine.name), .description = machine::machine};
+}
+
+}  // namespace
+
 int plan(const PlanOptions& options) {
   let_writes_fail();
-  check_that_files_differ(std::array<NamedFile, 1>{{{"the G-code file", options.file}}},
-                          std::array<NamedFile, 1>{{{"--json", options.json}}});
+  check_that_files_differ(
+      std::array<NamedFile, 2>{{{"the G-code file", options.file}, {"--machine", options.machine}}},
+      std::array<NamedFile, 1>{{{"--json", options.json}}});
+  machine_generator::Machine machine = machine_of(options);
+  machine.description.name = machine.name;
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) throw std::runtime_error(commands.error());
-  planning::PrintPlanner planner(options.clock_hz);
+  planning::PrintPlanner planner(machine.description, options.clock_hz);
   for (const devices::FileCommand& command : *commands) {
     end_if_interrupted();
     if (!planner.take(command.file_line, command.text)) break;

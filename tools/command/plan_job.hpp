@@ -13,6 +13,7 @@ namespace command {
 
 struct PlanOptions {
   std::filesystem::path file;
+  std::filesystem::path machine;  // empty: the machine of the build
   std::filesystem::path json;  // empty: none
   std::uint32_t clock_hz = 4'000'000;  // as `print` has it
 };

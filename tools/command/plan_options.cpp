@@ -9,13 +9,16 @@ void add_options(CLI::App& app, PlanOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "plan", "Calculate time, steps and peaks of a print by the firmware's planner.");
   job.add_option("file", options.file, "the G-code file")->required()->type_name("FILE.gcode");
+  job.add_option("--machine", options.machine,
+                 "description of the machine (TOML); default: that of the build")
+      ->type_name("FILE.toml");
   job.add_option("--json", options.json, "write the plan into this file")->type_name("FILE.json");
   job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
   job.footer(
       R"(The firmware executes the file without the chip: heaters are at their targets at once, and
-lines come as fast as they are taken. The machine is that of the build.
+lines come as fast as they are taken.
 
 Exit status: 0 every line was taken, 1 lines were refused or the print ends early, 2 bad usage or
 not such a file.)");

@@ -9,9 +9,8 @@
 namespace command {
 
 void add_printer_options(CLI::App& job, PrinterChoices& choices) {
-  job.add_option(
-         "--machine", choices.machine,
-         "description of the simulated printer (TOML); the firmware is built for the default")
+  job.add_option("--machine", choices.machine,
+                 "description of the printer (TOML), for which its firmware is built too")
       ->type_name("FILE.toml");
   job.add_option("--baud", choices.baud,
                  "baud rate of the serial line, at both ends; default: the machine's. At most a "

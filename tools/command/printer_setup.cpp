@@ -13,8 +13,9 @@ namespace command {
 
 namespace {
 
-sim::ElfImage built_firmware(const std::string& stepping) {
-  const bool software = stepping == "software";
+sim::ElfImage built_firmware(const PrinterChoices& choices) {
+  if (!choices.machine.empty()) return firmware_for(choices.machine, choices.stepping);
+  const bool software = choices.stepping == "software";
   build({software ? "firmware_software_stepping" : "firmware"});
   return sim::read_elf(build_folder() / "firmware" /
                        (software ? "software_stepping.elf" : "firmware.elf"));
@@ -32,7 +33,7 @@ machine::Description description_of(const PrinterChoices& choices) {
 
 PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm)
     : description_(description_of(choices)),
-      firmware_(built_firmware(choices.stepping)),
+      firmware_(built_firmware(choices)),
       chip_(choices.clock_hz, choices.every_clock ? sim::Edges::all : sim::Edges::leaping,
             choices.every_clock ? sim::Processor::netlist : choices.processor),
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a machine description to the C++ header with the firmware's constants. What an entry may be
-// stands here alone, in the call that reads it (header.cpp).
+// From a machine description to the C++ header with the firmware's constants.
 #pragma once
 
 #include <filesystem>

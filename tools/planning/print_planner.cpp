@@ -13,12 +13,25 @@ namespace planning {
 
 namespace {
 
-constexpr const application::MachineDescription& description = machine::machine;
-constexpr thermal::ThermistorTable hotend_table{description.hotend.thermistor};
-constexpr thermal::ThermistorTable bed_table{description.bed.thermistor};
+// Whatever the machine has: the model of motion answers as this thermistor at 200 degrees does.
+constexpr thermal::ThermistorTable hot_table{
+    {.resistance_25c = units::Milliohms(100'000'000), .beta_kelvin = 4066}};
+constexpr application::ConverterDescription converter{
+    .capacitor_picofarads = 68'000,
+    .reference_low = units::Milliohms(470'000),
+    .reference_high = units::Milliohms(10'000'000),
+    .supply_millivolts = 3'300,
+    .threshold_millivolts = 1'650};
 constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
-    description.converter.capacitor_picofarads, description.converter.supply_millivolts,
-    description.converter.threshold_millivolts);
+    converter.capacitor_picofarads, converter.supply_millivolts, converter.threshold_millivolts);
+
+// Extrusion is never cold.
+application::MachineDescription heated(const application::MachineDescription& machine) {
+  application::MachineDescription changed = machine;
+  changed.converter = converter;
+  changed.min_extrusion = machine.hotend.min;
+  return changed;
+}
 
 // As the firmware's loop: no longer between two passes while it could hand over a line.
 constexpr double shortest_leap_s = 0.25e-3;
@@ -51,14 +64,16 @@ std::string_view unplanned(const gcode::Command& command) {
 
 }  // namespace
 
-PrintPlanner::PrintPlanner(std::uint32_t clock_hz)
+PrintPlanner::PrintPlanner(std::uint32_t clock_hz) : PrintPlanner(machine::machine, clock_hz) {}
+
+PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::uint32_t clock_hz)
     : clock_hz_(clock_hz),
-      machine_(description),
+      machine_(heated(machine)),
       model_(machine_.limits, clock_hz),
       converter_(units::Hertz(clock_hz)),
       heater_control_(units::Hertz(clock_hz)),
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_),
-      heat_(machine_, {hotend_table, bed_table, picoseconds_per_ohm}, units::Hertz(clock_hz),
+      heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm}, units::Hertz(clock_hz),
             converter_, heater_control_),
       executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
   plan_.machine = machine_.name;

@@ -17,7 +17,9 @@ namespace planning {
 
 class PrintPlanner {
  public:
+  // For the machine of the build, or for another one, whose name outlives this.
   explicit PrintPlanner(std::uint32_t clock_hz);
+  PrintPlanner(const application::MachineDescription& machine, std::uint32_t clock_hz);
 
   // Executes a line of the file; false where it ends the print.
   bool take(std::size_t file_line, std::string_view text);

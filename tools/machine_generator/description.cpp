@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads every entry with its type and range, in the firmware's units.
+#include "machine_generator/description.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "machine_generator/heater_description.hpp"
+#include "machine_generator/reader.hpp"
+
+namespace machine_generator {
+namespace {
+
+// Bounds are those of the firmware's arithmetic (motion/limits.hpp), or of the registers.
+constexpr std::int64_t thousand = 1000;
+constexpr std::int64_t nanometers_per_mm = 1'000'000;
+constexpr std::int64_t max_travel_nanometers = 100'000'000'000;
+constexpr std::int64_t max_driver_ns = 100'000;
+constexpr std::int64_t end_stop_inputs = 8;
+constexpr std::int64_t max_silence_seconds = 24 * 3600;
+
+// M115 reports it in a line with other fields.
+constexpr std::size_t longest_name = 64;
+constexpr bool may_stand_in_name(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
+
+units::MicrometersPerSecond speed(Reader& reader, const char* key, std::int64_t least) {
+  return quantity<units::MicrometersPerSecond>(
+      reader.scaled(key, thousand, least, motion::max_speed.count()));
+}
+
+units::MicrometersPerSecondSquared acceleration(Reader& reader, const char* key) {
+  return quantity<units::MicrometersPerSecondSquared>(
+      reader.scaled(key, thousand, 1, motion::max_acceleration.count()));
+}
+
+units::Nanometers length(Reader& reader, const char* key) {
+  return units::Nanometers(reader.scaled(key, nanometers_per_mm, 1, max_travel_nanometers));
+}
+
+motion::HomingParameters homing(Reader& axis) {
+  return {.fast_speed = speed(axis, "homing_speed_mm_s", 1),
+          .slow_speed = speed(axis, "homing_slow_speed_mm_s", 1),
+          .back_off = length(axis, "homing_backoff_mm"),
+          .end_stop = static_cast<std::uint8_t>(axis.whole("endstop", 0, end_stop_inputs - 1))};
+}
+
+motion::AxisLimits axis_limits(Reader& axis, bool bounded) {
+  motion::AxisLimits limits{.steps_per_meter = quantity<units::StepsPerMeter>(axis.scaled(
+                                "steps_per_mm", thousand, 1, motion::max_steps_per_meter.count())),
+                            .max_speed = speed(axis, "max_speed_mm_s", 1),
+                            .max_acceleration = acceleration(axis, "max_acceleration_mm_s2"),
+                            .jerk = speed(axis, "jerk_mm_s", 0)};
+  if (!bounded) return limits;
+  limits.travel = length(axis, "travel_mm");
+  limits.homing = homing(axis);
+  return limits;
+}
+
+drivers::DriverChipTimings driver_timings(Reader driver) {
+  const auto time = [&driver](const char* key) {
+    return static_cast<std::uint32_t>(driver.whole(key, 0, max_driver_ns));
+  };
+  const drivers::DriverChipTimings timings{.high_ns = time("high_ns"),
+                                           .low_ns = time("low_ns"),
+                                           .direction_setup_ns = time("direction_setup_ns"),
+                                           .direction_hold_ns = time("direction_hold_ns")};
+  driver.finish();
+  return timings;
+}
+
+void read_serial(Reader serial, application::MachineDescription& machine) {
+  machine.baud = static_cast<std::uint32_t>(serial.whole("baud", 1200, 10'000'000));
+  machine.advanced_ok = serial.truth("advanced_ok");
+  machine.host_silence =
+      units::Milliseconds(thousand * serial.whole("host_silence_s", 0, max_silence_seconds));
+  serial.finish();
+}
+
+void read_axes(Reader axes, Reader driver_chips, application::MachineDescription& machine) {
+  std::uint32_t used_end_stops = 0;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const char letter = static_cast<char>(units::axis_letters[i] - 'A' + 'a');
+    const bool bounded = letter != 'e';
+    Reader axis = axes.table(std::string(1, letter));
+    motion::AxisLimits& limits = machine.limits.axes[i];
+    limits = axis_limits(axis, bounded);
+    const std::string chip = axis.text("driver");
+    if (!driver_chips.has(chip)) axis.fail("driver", "names none of [drivers]");
+    machine.drivers[i] = driver_timings(driver_chips.table(chip));
+    const char* search = axis.has("homing_search_mm") ? "homing_search_mm" : "travel_mm";
+    if (bounded) {
+      machine.homing_search[i] = length(axis, search);
+      const std::uint32_t bit = 1u << limits.homing->end_stop;
+      if ((used_end_stops & bit) != 0) axis.fail("endstop", "is the input of another axis already");
+      used_end_stops |= bit;
+    }
+    axis.finish();
+  }
+  axes.finish();
+}
+
+void read_motion(Reader motion, motion::Limits& limits) {
+  limits.print_acceleration = acceleration(motion, "acceleration_mm_s2");
+  limits.travel_acceleration = acceleration(motion, "travel_acceleration_mm_s2");
+  limits.retract_acceleration = acceleration(motion, "retract_acceleration_mm_s2");
+  if (motion.has("junction_deviation_mm")) {
+    limits.junction_deviation = units::Nanometers(motion.scaled(
+        "junction_deviation_mm", nanometers_per_mm, 0, motion::max_junction_deviation.count()));
+  }
+  if (motion.has("minimum_cruise_ratio")) {
+    limits.min_cruise_percent =
+        static_cast<std::uint8_t>(motion.scaled("minimum_cruise_ratio", 100, 0, 99));
+  }
+  motion.finish();
+}
+
+}  // namespace
+
+Machine read_machine(const toml::table& table, const std::filesystem::path& file) {
+  Machine machine;
+  Reader root(file, table);
+  machine.name = root.text("name");
+  if (machine.name.size() > longest_name || !std::ranges::all_of(machine.name, may_stand_in_name)) {
+    root.fail("name", "is longer than 64 bytes, or holds \", \\ or what is not printable ASCII");
+  }
+  if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
+  read_serial(root.table("serial"), machine.description);
+  read_axes(root.table("axes"), root.table("drivers"), machine.description);
+  read_motion(root.table("motion"), machine.description.limits);
+  read_heaters(root, machine.description);
+  root.finish();
+  return machine;
+}
+
+Machine read_machine(const std::filesystem::path& file) {
+  return read_machine(Reader::parse(file), file);
+}
+
+}  // namespace machine_generator

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a machine description file to the firmware's parameters. What an entry may be stands here
+// alone, in the call that reads it (description.cpp).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <toml++/toml.hpp>
+
+#include "application/machine_description.hpp"
+
+namespace machine_generator {
+
+struct Machine {
+  std::string name;
+  application::MachineDescription description{};  // but for its name
+};
+
+// Throws DescriptionError on anything missing, ill-typed, out of the firmware's range or unknown.
+Machine read_machine(const std::filesystem::path& file);
+// `file` is for the message.
+Machine read_machine(const toml::table& table, const std::filesystem::path& file);
+
+}  // namespace machine_generator
