@@ -21,6 +21,7 @@ struct QueueStatistics {
 struct ProcessorStatistics {
   std::uint64_t sleeping_clocks{};
   std::uint64_t instructions{};
+  std::uint32_t program_counter{};  // of the next instruction; of the processor's model only
 };
 
 class Chip {

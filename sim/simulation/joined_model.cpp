@@ -213,7 +213,8 @@ void JoinedModel::write_memory(std::uint32_t address, std::uint32_t word) {
 ProcessorStatistics JoinedModel::processor_statistics() const {
   if (started_) processor_->bring_to(now_);
   return {.sleeping_clocks = processor_->sleeping_clocks(now_),
-          .instructions = processor_->instructions()};
+          .instructions = processor_->instructions(),
+          .program_counter = processor_->state().program_counter};
 }
 
 // After some clocks, and permanently.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chip with a program in it, on a printer at room temperature.
+// A chip with a program in it, on a printer at room temperature, or with a hot hotend.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ struct ColdPrinter {
   static constexpr double room_c = 25;
 
   ColdPrinter(const sim::ElfImage& firmware, const machine::Description& description,
-              std::uint32_t clock_hz, std::uint32_t baud)
+              std::uint32_t clock_hz, std::uint32_t baud, double hotend_c = room_c)
       : chip(clock_hz),
         simulation(chip, sim::ClockRate(clock_hz)),
         printer(description,
-                {.baud = baud, .hotend_start_c = room_c, .bed_start_c = room_c, .faults = {}},
+                {.baud = baud, .hotend_start_c = hotend_c, .bed_start_c = room_c, .faults = {}},
                 simulation) {
     sim::load(firmware, chip);
   }

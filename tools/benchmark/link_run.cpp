@@ -57,7 +57,7 @@ void NumberedLines::add_move(double x_mm, double y_mm, std::size_t length) {
 
 LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& description,
                  const LinkOrder& order, const std::function<void()>& look) {
-  ColdPrinter cold(firmware, description, order.clock_hz, order.baud);
+  ColdPrinter cold(firmware, description, order.clock_hz, order.baud, order.hotend_c);
   sim::Simulation& simulation = cold.simulation;
   const sim::ClockRate rate = simulation.rate();
   PinWatch pins;
@@ -72,9 +72,21 @@ LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& desc
   const auto awake = [&] {
     return simulation.now() - cold.chip.processor_statistics().sleeping_clocks;
   };
+  LinkRun run;
+  const auto sample = [&](sim::Clock end) {
+    std::uint64_t slept = cold.chip.processor_statistics().sleeping_clocks;
+    while (simulation.now() < end) {
+      simulation.run_until(std::min(end, simulation.now() + order.sample_clocks));
+      const sim::ProcessorStatistics statistics = cold.chip.processor_statistics();
+      if (statistics.sleeping_clocks == slept) ++run.samples[statistics.program_counter];
+      slept = statistics.sleeping_clocks;
+    }
+  };
   while (!host.done()) {
     look();
-    simulation.run_until(simulation.now() + looks_clocks);
+    const sim::Clock end = simulation.now() + looks_clocks;
+    if (measured_from != 0 && order.sample_clocks != 0) sample(end);
+    simulation.run_until(end);
     if (!host.complaint().empty()) {
       throw std::runtime_error(fmt::format("a line was refused: {}", host.complaint()));
     }
@@ -90,7 +102,6 @@ LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& desc
   }
 
   const auto& answers = host.answers();
-  LinkRun run;
   run.busy_percent = 100.0 * static_cast<double>(awake() - awake_from) /
                      static_cast<double>(simulation.now() - measured_from);
   run.lines_per_second = static_cast<double>(answers.size() - 1 - order.first_measured) /

@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "sim/machine/description.hpp"
 #include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/simulation.hpp"
 
 namespace benchmarks {
 
@@ -38,6 +40,9 @@ struct LinkOrder {
   std::size_t window = 1;
   std::uint32_t clock_hz{};
   std::uint32_t baud{};
+  double hotend_c = 25;  // at the start
+  // So often the program counter is looked at while lines are measured; 0: never.
+  sim::Clock sample_clocks{};
 };
 
 struct LinkRun {
@@ -47,6 +52,7 @@ struct LinkRun {
   double busy_percent{};  // of the processor's clocks, those in which it does not sleep
   double motion_seconds{};  // from the first step pulse to the last
   std::uint64_t underruns{};
+  std::map<std::uint32_t, std::uint64_t> samples{};  // by program counter, awake
 };
 
 // Prints to the last answer. `look` is called many times a second; what it throws ends the run.

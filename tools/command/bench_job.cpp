@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tools/benchmark/lines_figures.hpp"
 #include "tools/benchmark/link_figures.hpp"
 #include "tools/benchmark/model_profile.hpp"
 #include "tools/benchmark/model_speed.hpp"
@@ -178,10 +179,26 @@ int bench_link(const BenchOptions& options) {
   return success;
 }
 
+int bench_lines(const BenchOptions& options) {
+  build({"link_benchmark_programs"});
+  benchmarks::LinesScope scope{.programs = {},
+                               .machine = description_of("prusa_mendel.toml"),
+                               .quick = options.quick,
+                               .look = end_if_interrupted};
+  for (const std::uint32_t baud : {1'000'000u, 3'000'000u}) {
+    scope.programs.emplace(baud, programs_folder() / fmt::format("link_benchmark_{}.elf", baud));
+  }
+  const auto figures = benchmarks::measure_lines(scope, note);
+  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(figures));
+  say("{}", benchmarks::to_table(figures));
+  return success;
+}
+
 int bench_one(const std::string& name, const BenchOptions& options) {
   if (name == "stepping") return bench_stepping(options);
   if (name == "model") return bench_model(options);
   if (name == "link") return bench_link(options);
+  if (name == "lines") return bench_lines(options);
   return bench_processor(options);
 }
 
@@ -196,7 +213,7 @@ int bench(const BenchOptions& options) {
   if (chosen.profile && chosen.names != std::vector<std::string>{"model"}) {
     throw std::runtime_error("--profile is of the benchmark model: name it alone");
   }
-  if (chosen.names.empty()) chosen.names = {"link", "model", "processor", "stepping"};
+  if (chosen.names.empty()) chosen.names = {"lines", "link", "model", "processor", "stepping"};
   if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   }
