@@ -35,7 +35,7 @@ TEST(verdict, is_bad_where_moves_and_heat_are_refused_and_names_the_lines) {
 }
 
 TEST(verdict, is_good_where_only_codes_that_move_nothing_are_unknown) {
-  const Print print = print_text("M862.3 P \"MK3S\"\nM900 K30\nG28 X Y\nG1 X30 F9000\n");
+  const Print print = print_text("M863 M\nM900 K30\nG28 X Y\nG1 X30 F9000\n");
   EXPECT_EQ(print.job.status, 0) << print.job.output;
   EXPECT_EQ(print.report["verdict"], "good");
   EXPECT_EQ(print.report["lines"]["warnings"], 2);
