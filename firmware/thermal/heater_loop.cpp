@@ -25,6 +25,7 @@ Duty HeaterLoop::update(const Temperature& measured, units::Milliseconds now) {
   watch_plausibility(measured, now);
   if (measured) {
     faulty_since_.reset();
+    if (!temperature_) latest_.fill(*measured);
     temperature_ = *measured;
     duty_ = heat(*measured, now);
   } else {
@@ -73,8 +74,12 @@ Duty HeaterLoop::wait_for_sensor(Fault fault, units::Milliseconds now) {
 
 Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
   if (measured > settings_.maximum) stop_with(Fault::max_temperature);
-  if (measured < settings_.minimum && target_ != off) stop_with(Fault::min_temperature);
-  if (const auto fault = protection_.update(target_, measured, now)) stop_with(*fault);
+  // The middle one of three, so that a single wild conversion is neither a cold heater nor a goal.
+  const auto [lower, upper] = std::minmax({latest_[0], latest_[1]});
+  const units::Millicelsius steady = std::clamp(measured, lower, upper);
+  latest_ = {latest_[1], measured};
+  if (steady < settings_.minimum && target_ != off) stop_with(Fault::min_temperature);
+  if (const auto fault = protection_.update(target_, steady, now)) stop_with(*fault);
   if (fault_ || target_ == off) return plausibility_.probe(false, 0);
   arrival_.update(target_, measured, now);
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);

@@ -2,6 +2,7 @@
 // One heater with its sensor: control to the target, arrival, protections, and a latched fault.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "thermal/arrival.hpp"
@@ -83,6 +84,7 @@ class HeaterLoop {
   Duty duty_ = 0;
   std::optional<Fault> fault_;
   std::optional<units::Millicelsius> temperature_;
+  std::array<units::Millicelsius, 2> latest_{};
   std::optional<units::Milliseconds> last_update_;
   std::optional<units::Milliseconds> faulty_since_;
 };

@@ -12,6 +12,10 @@ namespace thermal {
 namespace {
 
 constexpr units::Millicelsius surroundings{25'000};
+// Rooms are of 5 to 45 degrees. The least that a block loses is that in the warmest room, up to 125
+// degrees; above, the tolerance of the losses covers rooms. The most, where it is colder than
+// `coldest`, is what the model loses at `coldest`.
+constexpr units::Millicelsius warmest_room{45'000}, coldest{50'000};
 // So far beyond its target the heat that a block needs is not compared with what it needed before;
 // nor, once it has come so near, at targets at which an enclosure that is opened counts for more
 // than draught.
@@ -228,11 +232,16 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
   const std::int32_t spread = in_window(model_->rise * offset / 100);
   const std::int32_t measured = in_window(slopes.measured);
   const std::int32_t heating = in_window(slopes.heating);
-  const std::int32_t lost = in_window(slopes.still + slopes.blown + slopes.melted);
-  const std::int32_t uncertain = slopes.blown * wind + slopes.melted * filament;
-  const std::int32_t least_lost = lost - in_window(uncertain / 100);
+  const std::int32_t in_warmest_room =
+      slopes.still - slope_lost(warmest_room.count(), model_->loss);
+  const std::int32_t least_still =
+      std::clamp<std::int32_t>(in_warmest_room * 5 / 4, 0, slopes.still);
+  const std::int32_t most_still = std::max(slopes.still, slope_lost(coldest.count(), model_->loss));
+  const std::int32_t carried = slopes.blown + slopes.melted;
+  const std::int32_t uncertain = (slopes.blown * wind + slopes.melted * filament) / 100;
+  const std::int32_t least_lost = in_window(least_still + carried - uncertain);
   const std::int32_t most_lost =
-      lost + in_window((uncertain + slopes.still * model_->draught) / 100);
+      in_window(most_still + carried + uncertain + most_still * model_->draught / 100);
 
   const auto rules_out = [=](std::int16_t& sum, std::int32_t change) {
     if (sum > limit) {
