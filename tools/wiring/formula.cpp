@@ -1,99 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A parser of formulas by recursive descent, and the form of numbers.
+// Formulas of known numbers, and the form of numbers.
 #include "tools/wiring/formula.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
-#include <system_error>
+
+#include "tools/formula/formula.hpp"
 
 namespace wiring {
 namespace {
-
-bool is_part_of_name(char c) {
-  return std::islower(static_cast<unsigned char>(c)) || c == '_' ||
-         std::isdigit(static_cast<unsigned char>(c));
-}
-
-class Parser {
- public:
-  Parser(std::string_view text, const Numbers& numbers) : rest_(text), numbers_(numbers) {}
-
-  double all() {
-    const double value = sum();
-    if (next() != '\0') throw std::runtime_error(fmt::format("\"{}\" is too much", rest_));
-    return value;
-  }
-
- private:
-  double sum() {
-    double value = product();
-    for (char sign = next(); sign == '+' || sign == '-'; sign = next()) {
-      rest_.remove_prefix(1);
-      value += sign == '+' ? product() : -product();
-    }
-    return value;
-  }
-
-  double product() {
-    double value = factor();
-    for (char sign = next(); sign == '*' || sign == '/'; sign = next()) {
-      rest_.remove_prefix(1);
-      value = sign == '*' ? value * factor() : value / factor();
-    }
-    return value;
-  }
-
-  double factor() {
-    const char first = next();
-    if (first == '(') {
-      return in_parentheses();
-    }
-    if (std::isdigit(static_cast<unsigned char>(first))) return number();
-    std::size_t length = 0;
-    while (length < rest_.size() && is_part_of_name(rest_[length])) ++length;
-    if (length == 0) throw std::runtime_error("a number or a name is missing");
-    const std::string_view name = rest_.substr(0, length);
-    rest_.remove_prefix(length);
-    if (name == "ln") return std::log(in_parentheses());
-    if (name == "exp") return std::exp(in_parentheses());
-    const auto found = numbers_.find(name);
-    if (found == numbers_.end()) throw std::runtime_error(fmt::format("{} has no value", name));
-    return found->second;
-  }
-
-  double in_parentheses() {
-    take('(');
-    const double value = sum();
-    take(')');
-    return value;
-  }
-
-  double number() {
-    double value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc()) throw std::runtime_error("a number is too large");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
-    return value;
-  }
-
-  void take(char wanted) {
-    if (next() != wanted) throw std::runtime_error(fmt::format("\"{}\" is missing", wanted));
-    rest_.remove_prefix(1);
-  }
-
-  char next() {
-    while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
-    return rest_.empty() ? '\0' : rest_.front();
-  }
-
-  std::string_view rest_;
-  const Numbers& numbers_;
-};
 
 struct Prefix {
   double factor;
@@ -106,13 +24,17 @@ constexpr std::array prefixes{Prefix{1e6, "M"},  Prefix{1e3, "k"},  Prefix{1, ""
 
 }  // namespace
 
-double value_of(std::string_view formula, const Numbers& numbers) {
+double value_of(std::string_view text, const Numbers& numbers) {
   try {
-    const double value = Parser(formula, numbers).all();
+    const double value = formula::evaluate(text, [&](std::string_view name) {
+      const auto found = numbers.find(name);
+      if (found == numbers.end()) throw std::runtime_error(fmt::format("{} has no value", name));
+      return found->second;
+    });
     if (!std::isfinite(value)) throw std::runtime_error("it has no finite value");
     return value;
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("formula \"{}\": {}", formula, error.what()));
+    throw std::runtime_error(fmt::format("formula \"{}\": {}", text, error.what()));
   }
 }
 
