@@ -36,20 +36,23 @@ void expect_figure(const json& figures, const char* name, int found) {
 }
 
 void expect_cyclone(const std::string& board) {
-  Options options;
-  options.board = board;
-  options.directory = output / board;
-  EXPECT_TRUE(run(options)) << "it does not fit";
-  const json result = json_of(options.directory / "synthesis.json"),
+  const json result = json_of(output / board / "synthesis.json"),
              figures = json_of(project / "tools/figures/figures.json").at(board);
   for (const char* name : {"logic_elements", "registers", "block_rams", "multipliers"}) {
     expect_figure(figures, name, result.at(name).at("used"));
   }
 }
 
+// synthesize_board has synthesised it, now or when its sources last changed.
 TEST(BoardSynthesis, of_the_de2_115_takes_what_the_pages_show) { expect_cyclone("de2_115"); }
 
-TEST(BoardSynthesis, of_the_de2_70_takes_what_the_pages_show) { expect_cyclone("de2_70"); }
+TEST(BoardSynthesis, of_the_de2_70_takes_what_the_pages_show) {
+  Options options;
+  options.board = "de2_70";
+  options.directory = output / options.board;
+  EXPECT_TRUE(run(options)) << "it does not fit";
+  expect_cyclone(options.board);
+}
 
 TEST(BoardSynthesis, of_all_boards_makes_one_table) {
   Options options;
