@@ -49,7 +49,11 @@ module altsyncram #(
 
 endmodule
 
-// Cells of Yosys' own names, which it takes for such as it does not know (cyclone_map.v).
+// Two cells for what Yosys has no vendor's cells for (cyclone_map.v).
+
+// Block RAM, of which one port writes and one reads, of the same width. The address counts single bits, or eighths of nine;
+// its lowest bits have no meaning in a wider word. A word that is written while it is read shows what it was, as the
+// device's does where both ports have one clock.
 module cyclone_block_ram #(
   parameter write_width = 9,
   parameter read_width = 9
@@ -61,19 +65,43 @@ module cyclone_block_ram #(
   input read_clk,
   input read_enable,
   input [12:0] read_address,
-  output [read_width - 1:0] read_data
+  output reg [read_width - 1:0] read_data
 );
+
+  localparam skipped_bits = read_width < 9 ? $clog2(read_width) : 3 + $clog2(read_width / 9);
+
+  reg [read_width - 1:0] words [0:(8192 >> skipped_bits) - 1];
+  integer place;
+
+  initial begin
+    read_data = 0;
+    for (place = 0; place < 8192 >> skipped_bits; place = place + 1) words[place] = 0;
+    if (write_width != read_width) $fatal(1, "%m: a block RAM in a way that this model does not know");
+  end
+
+  always @(posedge write_clk) if (write_enable) words[write_address[12:skipped_bits]] <= write_data;
+  always @(posedge read_clk) if (read_enable) read_data <= words[read_address[12:skipped_bits]];
+
 endmodule
 
+// A multiplier of 18 by 18 or 9 by 9 bits without registers.
 module cyclone_multiplier #(
   parameter a_width = 18,
   parameter b_width = 18,
-  parameter y_width = 36
+  parameter y_width = 36,
+  parameter a_signed = 0,
+  parameter b_signed = 0
 ) (
   input [a_width - 1:0] a,
   input [b_width - 1:0] b,
   output [y_width - 1:0] y
 );
+
+  wire signed [a_width:0] left = {a_signed != 0 && a[a_width - 1], a};
+  wire signed [b_width:0] right = {b_signed != 0 && b[b_width - 1], b};
+  wire signed [a_width + b_width + 1:0] product = left * right;
+  assign y = product[y_width - 1:0];
+
 endmodule
 
 // Multiplies by one.

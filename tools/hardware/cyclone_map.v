@@ -3,7 +3,6 @@
 module \$__CYCLONE_BLOCK_RAM_ (
   PORT_W_CLK, PORT_W_WR_EN, PORT_W_ADDR, PORT_W_WR_DATA, PORT_R_CLK, PORT_R_RD_EN, PORT_R_ADDR, PORT_R_RD_DATA
 );
-  parameter INIT = 0;
   parameter PORT_W_WIDTH = 9;
   parameter PORT_R_WIDTH = 9;
   input PORT_W_CLK, PORT_W_WR_EN, PORT_R_CLK, PORT_R_RD_EN;
@@ -24,7 +23,8 @@ module \$__MUL18X18 (A, B, Y);
   input [A_WIDTH - 1:0] A;
   input [B_WIDTH - 1:0] B;
   output [Y_WIDTH - 1:0] Y;
-  cyclone_multiplier #(.a_width(A_WIDTH), .b_width(B_WIDTH), .y_width(Y_WIDTH)) _TECHMAP_REPLACE_ (.a(A), .b(B), .y(Y));
+  cyclone_multiplier #(.a_width(A_WIDTH), .b_width(B_WIDTH), .y_width(Y_WIDTH), .a_signed(A_SIGNED),
+    .b_signed(B_SIGNED)) _TECHMAP_REPLACE_ (.a(A), .b(B), .y(Y));
 endmodule
 
 module \$__MUL9X9 (A, B, Y);
@@ -36,5 +36,6 @@ module \$__MUL9X9 (A, B, Y);
   input [A_WIDTH - 1:0] A;
   input [B_WIDTH - 1:0] B;
   output [Y_WIDTH - 1:0] Y;
-  cyclone_multiplier #(.a_width(A_WIDTH), .b_width(B_WIDTH), .y_width(Y_WIDTH)) _TECHMAP_REPLACE_ (.a(A), .b(B), .y(Y));
+  cyclone_multiplier #(.a_width(A_WIDTH), .b_width(B_WIDTH), .y_width(Y_WIDTH), .a_signed(A_SIGNED),
+    .b_signed(B_SIGNED)) _TECHMAP_REPLACE_ (.a(A), .b(B), .y(Y));
 endmodule
