@@ -11,6 +11,7 @@
 
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
+#include "tools/command/signals.hpp"
 #include "tools/figures/test_costs.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_text.hpp"
@@ -31,6 +32,18 @@ void write_costs(const std::filesystem::path& folder, const std::filesystem::pat
   files::write_text(folder / "costs.json", figures::json_of(costs));
 }
 
+// Before the tests, because jobs that they call would wait for a build by ctest. Where it fails,
+// ctest builds it again, and those tests fail that need it.
+void build_what_slow_tests_need() {
+  try {
+    build({"tested_late"});
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "stepfabric: {}\n", error.what());
+  }
+}
+
 }  // namespace
 
 int test(const TestOptions& options) {
@@ -42,9 +55,8 @@ int test(const TestOptions& options) {
   }
   fmt::print(stderr, "stepfabric: building everything that is tested, log in {}\n",
              (build_folder() / "build.log").string());
-  // What only slow tests need is built when ctest comes to it; but first where all tests run, since
-  // the jobs that they call would wait for its build.
-  build(all ? std::vector<std::string>{"all", "tested_late"} : std::vector<std::string>{"all"});
+  build({"all"});
+  if (all) build_what_slow_tests_need();
   std::vector<std::string> arguments{
       "ctest",
       "--test-dir",
