@@ -22,7 +22,7 @@ struct CommandGroups {
                 drivers::Fan& fan, host_link::HostLink& link)
       : motion(motion_task, heat_task, coordinates),
         modes(coordinates),
-        settings(motion_task, coordinates),
+        settings(machine, motion_task, coordinates),
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),
         reports(machine, motion_task, heat_task, coordinates),

@@ -25,6 +25,7 @@ class Coordinates {
   void set_extruder_relative(bool relative) { extruder_relative_ = relative; }
   // G20, G21.
   void set_inches(bool inches) { inches_ = inches; }
+  bool inches() const { return inches_; }
   // G17 to G19.
   void set_plane(motion::Plane plane) { plane_ = plane; }
   motion::Plane plane() const { return plane_; }

@@ -48,6 +48,9 @@ inline constexpr Arguments repeats{numbers("L", "times")};
 inline constexpr Arguments answer{numbers("S", "button")};
 inline constexpr Arguments simulation{numbers("S", "mode"), flags("P")};
 inline constexpr Arguments debug_bits{clamped("S", "bits", 0, 255)};
+inline constexpr Arguments progress{clamped("P", "%", 0, 100), clamped("R", "min", 0, 65535),
+                                    numbers("CQDS", no_effect)};
+inline constexpr Arguments soft_limits{refused("S", "", 0, 1)};
 inline constexpr Arguments temperature_units{flags("CFK")};
 inline constexpr Arguments statistics{numbers("S", "78")};
 inline constexpr Arguments tone{numbers("PS", no_effect)};

@@ -12,13 +12,6 @@ namespace {
 constexpr units::Milliseconds report_period{1000};
 constexpr std::int64_t millionths_per_millicelsius = 1000;
 
-// Above the range of any heater, and so refused.
-units::Millicelsius temperature_of(std::int64_t millionths) {
-  constexpr std::int64_t highest = 2'000'000;
-  return units::Millicelsius(static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(millionths / millionths_per_millicelsius, 0, highest)));
-}
-
 std::optional<std::int32_t> whole_seconds(std::optional<units::Milliseconds> time) {
   if (!time) return std::nullopt;
   return static_cast<std::int32_t>((time->count() + 999) / 1000);
@@ -36,12 +29,6 @@ Progress refuse_heat(ActiveCommand& command, const thermal::HeaterLoop& loop) {
   return command.refuse(reason.decimal(loop.highest_target().count(), 3, 2).view());
 }
 
-constexpr std::string_view no_other_units =
-    "Temperatures only in degrees Celsius, none is set until M149 C";
-
-// A number in Fahrenheit or Kelvin would be a much hotter one in °C.
-Progress refuse_units(ActiveCommand& command) { return command.refuse(no_other_units); }
-
 // There is one fan, number 0.
 bool is_for_another_fan(const ActiveCommand& command) {
   return command.integer('P').value_or(0) != 0;
@@ -49,14 +36,23 @@ bool is_for_another_fan(const ActiveCommand& command) {
 
 }  // namespace
 
+// To a thousandth of a degree, as the heaters have it. 0 or less is off, whatever the unit: 0 °F
+// and 0 K are below the 0 °C of a heater that is off.
+units::Millicelsius HeatCommands::temperature_of(std::int64_t millionths) const {
+  constexpr std::int32_t highest = 2'000'000;  // above the range of any heater, and so refused
+  std::int32_t value = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>(millionths / millionths_per_millicelsius, 0, 4 * highest));
+  if (unit_ == Unit::fahrenheit) value = (value - 32'000) * 5 / 9;
+  if (unit_ == Unit::kelvin) value -= 273'150;
+  return units::Millicelsius(std::clamp<std::int32_t>(value, 0, highest));
+}
+
 Progress HeatCommands::set_temperature(ActiveCommand& command, Heater heater) {
   const auto value = command.value('S');
   return value ? take_target(command, heater, *value) : Progress::done;
 }
 
-// 0 or less is off, whatever the unit: 0 °F and 0 K are below the 0 °C of a heater that is off.
 Progress HeatCommands::take_target(ActiveCommand& command, Heater heater, std::int64_t millionths) {
-  if (other_units_ && millionths > 0) return refuse_units(command);
   const units::Millicelsius target = temperature_of(millionths);
   if (is_too_hot(heat_.loop(heater), target)) return refuse_heat(command, heat_.loop(heater));
   heat_.set_target(heater, target);
@@ -98,25 +94,25 @@ Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
   return Progress::done;
 }
 
-// C counts before the others, as in Marlin.
+// C counts before K and this before F, as in Marlin.
 Progress HeatCommands::set_units(ActiveCommand& command) {
-  other_units_ = !command.command.has('C');
-  return other_units_ ? refuse_units(command) : Progress::done;
+  unit_ = command.command.has('C')   ? Unit::celsius
+          : command.command.has('K') ? Unit::kelvin
+                                     : Unit::fahrenheit;
+  return Progress::done;
 }
 
 // As Marlin does.
 Progress HeatCommands::report_units(ActiveCommand& command) {
+  static constexpr std::string_view names[]{"Celsius", "Fahrenheit", "Kelvin"};
+  const std::string_view name = names[static_cast<std::size_t>(unit_)];
   host_link::TextLine line;
-  if (other_units_) return command.say(line.text("echo:").text(no_other_units));
-  return command.say("echo: M149 C ; Units in Celsius");
+  return command.say(line.text("echo: M149 ").character(name[0]).text(" ; Units in ").text(name));
 }
 
 // Without P it is as S says: 0 allows all.
 Progress HeatCommands::set_extrusion_limit(ActiveCommand& command) {
-  if (const auto least = command.value('S')) {
-    if (other_units_ && *least > 0) return refuse_units(command);
-    heat_.set_least_extrusion(temperature_of(*least));
-  }
+  if (const auto least = command.value('S')) heat_.set_least_extrusion(temperature_of(*least));
   const bool asked_for = command.integer('P').value_or(0) != 0;
   heat_.allow_cold_extrusion(asked_for || heat_.least_extrusion() == units::Millicelsius());
   return Progress::done;

@@ -17,7 +17,7 @@ class HeatCommands {
 
   Progress set_temperature(ActiveCommand& command, Heater heater);
   Progress set_and_wait(ActiveCommand& command, Heater heater);
-  // M149: only °C. After F or K no number is taken for a temperature until C, but 0.
+  // M149: the unit of temperatures in commands. Reports stay in °C, as in Marlin.
   Progress set_units(ActiveCommand& command);
   Progress report_units(ActiveCommand& command);
   // M302: S is the temperature below which the extruder does not turn, P1 allows it to turn cold.
@@ -28,6 +28,9 @@ class HeatCommands {
   Progress select_tool(ActiveCommand& command);
 
  private:
+  enum class Unit : std::uint8_t { celsius, fahrenheit, kelvin };
+
+  units::Millicelsius temperature_of(std::int64_t millionths) const;
   // Sets it, or refuses it.
   Progress take_target(ActiveCommand& command, Heater heater, std::int64_t millionths);
   // S waits only for heating, R for cooling too.
@@ -37,7 +40,7 @@ class HeatCommands {
   drivers::Fan& fan_;
   TimerCommands& timer_;
   units::Milliseconds next_report_{};  // while a heater is waited for
-  bool other_units_{};  // of M149 F or K
+  Unit unit_{};
 };
 
 }  // namespace application

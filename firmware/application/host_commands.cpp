@@ -146,7 +146,22 @@ Progress HostCommands::note_object(ActiveCommand& command) {
   return Progress::again;
 }
 
+Progress HostCommands::set_progress(ActiveCommand& command) {
+  percent_done_ = static_cast<std::uint8_t>(command.integer('P').value_or(percent_done_));
+  time_left_ = static_cast<std::uint16_t>(command.integer('R').value_or(time_left_));
+  return Progress::done;
+}
+
+// In Marlin's words.
+Progress HostCommands::report_progress(ActiveCommand& command) {
+  host_link::TextLine line;
+  line.text("echo: M73 Progress: ").integer(percent_done_).text("%; Time left: ");
+  return command.say(line.integer(time_left_).text("m;"));
+}
+
+// A G code would have moved something, and so counts as refused.
 Progress HostCommands::report_not_fitted(ActiveCommand& command) {
+  command.refused = command.command.letter == 'G';
   host_link::TextLine line;
   line.text("echo:").character(command.command.letter).integer(command.command.code);
   return command.say(line.text(" not fitted"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for host and user: M0 M1 M25 M85 M86 M112 M113 M118 M486 M500 M504 M524 M600 M601
-// M808 M997, those that only get an ok, and those for parts that this printer does not have.
+// The commands for host and user: M0 M1 M25 M73 M85 M86 M112 M113 M118 M486 M500 M504 M524 M600
+// M601 M808 M997, those that only get an ok, and those for parts that this printer does not have.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -30,6 +30,8 @@ class HostCommands {
   // Names of a print's parts are passed over, with a notice at the first; a request to leave one
   // out is refused.
   Progress note_object(ActiveCommand& command);
+  Progress set_progress(ActiveCommand& command);
+  Progress report_progress(ActiveCommand& command);
   // "echo:M906 not fitted"
   Progress report_not_fitted(ActiveCommand& command);
   Progress refuse_end_stops(ActiveCommand& command);
@@ -50,6 +52,9 @@ class HostCommands {
   units::Milliseconds busy_interval_{2000};
   units::Milliseconds host_silence_;
   units::Milliseconds inactivity_{};
+  // M73, of the print; minutes.
+  std::uint16_t time_left_{};
+  std::uint8_t percent_done_{};
   bool objects_noted_{};
 };
 

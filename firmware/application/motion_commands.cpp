@@ -140,6 +140,7 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Targ
 std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& command,
                                                              const Positions& machine) {
   if (!representable(machine)) return command.refuse("Number out of range");
+  if (!soft_limits_) return std::nullopt;
   if (const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine)) {
     return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel).view());
   }
@@ -198,6 +199,23 @@ Progress MotionCommands::switch_motors(const ActiveCommand& command, bool enable
 Progress MotionCommands::quick_stop(ActiveCommand&) {
   motion_.quick_stop();
   return Progress::done;
+}
+
+Progress MotionCommands::set_soft_limits(ActiveCommand& command) {
+  soft_limits_ = command.integer('S').value_or(0) != 0;
+  return Progress::done;
+}
+
+// "echo:Soft endstops: ON  Min: X0.00 Y0.00 Z0.00  Max: X200.00 Y200.00 Z110.00"
+Progress MotionCommands::report_soft_limits(ActiveCommand& command) {
+  host_link::TextLine line;
+  line.text("echo:Soft endstops: ").text(soft_limits_ ? "ON" : "OFF");
+  line.text("  Min: X0.00 Y0.00 Z0.00  Max:");
+  for (std::size_t i = 0; i < index_of(Axis::e); ++i) {
+    line.character(' ').character(units::axis_letters[i]);
+    line.decimal(motion_.limits().axes[i].travel.count(), 6, 2);
+  }
+  return command.say(line);
 }
 
 }  // namespace application

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that move, stop or switch motors: G0 to G4 G28 M17 M18 M84 M400 M410.
+// The commands that move, stop or switch motors: G0 to G4 G28 M17 M18 M84 M211 M400 M410.
 #pragma once
 
 #include <optional>
@@ -24,6 +24,10 @@ class MotionCommands {
   Progress switch_on(ActiveCommand& command);
   Progress switch_off(ActiveCommand& command);
   Progress quick_stop(ActiveCommand& command);
+
+  // M211: whether a target beyond the travel of a homed axis is refused.
+  Progress set_soft_limits(ActiveCommand& command);
+  Progress report_soft_limits(ActiveCommand& command);
 
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
@@ -53,6 +57,7 @@ class MotionCommands {
   units::AxisSet homing_axes_;
   units::Milliseconds dwell_end_{};
   units::Milliseconds motor_timeout_{};
+  bool soft_limits_{true};
 };
 
 }  // namespace application

@@ -125,15 +125,35 @@ Progress SettingCommands::set_steps_per_millimeter(ActiveCommand& command) {
 
 // "echo: M203 X200.00 Y200.00 Z12.00 E80.00"
 Progress SettingCommands::report(ActiveCommand& command) {
-  return command.say(setting_report(command.command.code, motion_.limits()));
+  return command.say(setting_report(command.command.code, motion_.limits(), coordinates_.inches()));
 }
 
+// In millimetres as they are, in inches with a first line that says so.
 Progress SettingCommands::list(ActiveCommand& command) {
-  for (; command.lines_said < reported_settings.size(); ++command.lines_said) {
-    const auto line = setting_report(reported_settings[command.lines_said], motion_.limits());
+  const std::size_t first = coordinates_.inches() ? 0 : 1;
+  std::size_t& said = command.lines_said;
+  for (said = std::max(said, first); said <= reported_settings.size(); ++said) {
+    if (said == 0) {
+      if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
+      continue;
+    }
+    const auto line =
+        setting_report(reported_settings[said - 1], motion_.limits(), coordinates_.inches());
     if (command.say(line) == Progress::again) return Progress::again;
   }
   return Progress::done;
+}
+
+Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
+  if (command.phase == ActiveCommand::Phase::begin) {
+    if (command.say("echo:Hardcoded Default Settings Loaded") == Progress::again) {
+      return Progress::again;
+    }
+    motion_.set_steps_per_meter(machine_.limits);
+    coordinates_.set_planned(motion_.position());
+    command.phase = ActiveCommand::Phase::working;
+  }
+  return lists ? list(command) : Progress::done;
 }
 
 }  // namespace application

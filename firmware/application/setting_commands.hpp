@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for the limits of the axes: M92 M201 M203 M204 M205 M503.
+// The commands for the limits of the axes: M92 M201 M203 M204 M205 M501 to M503.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace application {
 
 class SettingCommands {
  public:
-  SettingCommands(MotionTask& motion, Coordinates& coordinates)
-      : motion_(motion), coordinates_(coordinates) {}
+  SettingCommands(const MachineDescription& machine, MotionTask& motion, Coordinates& coordinates)
+      : machine_(machine), motion_(motion), coordinates_(coordinates) {}
 
   Progress set_steps_per_millimeter(ActiveCommand& command);
   Progress set_max_accelerations(ActiveCommand& command);
@@ -24,6 +24,8 @@ class SettingCommands {
   // Any of these without values.
   Progress report(ActiveCommand& command);
   Progress list(ActiveCommand& command);
+  // M501, which then lists them, and M502: as the machine description has them.
+  Progress restore(ActiveCommand& command, bool lists);
 
  private:
   // A limit that is not of one axis, and the letter of its value.
@@ -43,6 +45,7 @@ class SettingCommands {
   Progress set_limits(ActiveCommand& command, const motion::Limits& changed,
                       motion::Accepted accepted);
 
+  const MachineDescription& machine_;
   MotionTask& motion_;
   Coordinates& coordinates_;
 };

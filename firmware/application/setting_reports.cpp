@@ -18,30 +18,37 @@ std::int32_t value_of(const motion::AxisLimits& axis, std::uint16_t code) {
   }
 }
 
-void put(host_link::TextLine& line, char letter, std::int32_t thousandths) {
-  line.character(' ').character(letter).decimal(thousandths, 3, 2);
+// Inches have one more decimal, since they are long.
+void put(host_link::TextLine& line, char letter, std::int64_t nanometers, bool inches) {
+  line.character(' ').character(letter);
+  line.decimal(inches ? nanometers * 10 / 254 : nanometers, 6, inches ? 3 : 2);
 }
 
 }  // namespace
 
-host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits) {
+host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits, bool inches) {
+  constexpr std::int64_t nanometers_per_micrometer = 1000;
   host_link::TextLine line;
+  const auto put_micrometers = [&](char letter, std::int32_t micrometers) {
+    put(line, letter, micrometers * nanometers_per_micrometer, inches && code != 92);
+  };
   line.text("echo: M").integer(code);
   if (code == 204) {
-    put(line, 'P', limits.print_acceleration.count());
-    put(line, 'R', limits.retract_acceleration.count());
-    put(line, 'T', limits.travel_acceleration.count());
+    put_micrometers('P', limits.print_acceleration.count());
+    put_micrometers('R', limits.retract_acceleration.count());
+    put_micrometers('T', limits.travel_acceleration.count());
     return line;
   }
   if (code == 205) {
-    put(line, 'S', limits.min_print_speed.count());
-    put(line, 'T', limits.min_travel_speed.count());
+    put_micrometers('S', limits.min_print_speed.count());
+    put_micrometers('T', limits.min_travel_speed.count());
     if (limits.junction_deviation != units::Nanometers()) {
-      line.text(" J").decimal(static_cast<std::int32_t>(limits.junction_deviation.count()), 6, 6);
+      const std::int64_t deviation = limits.junction_deviation.count();
+      line.text(" J").decimal(inches ? deviation * 10 / 254 : deviation, 6, 6);
     }
   }
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    put(line, units::axis_letters[i], value_of(limits.axes[i], code));
+    put_micrometers(units::axis_letters[i], value_of(limits.axes[i], code));
   }
   return line;
 }

@@ -13,7 +13,8 @@ namespace application {
 // The commands that M503 lists, in Marlin's order.
 inline constexpr std::array<std::uint16_t, 5> reported_settings{92, 203, 201, 204, 205};
 
-// "echo: M203 X200.00 Y200.00 Z12.00 E80.00", with the code of one of these commands. In mm and s.
-host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits);
+// "echo: M203 X200.00 Y200.00 Z12.00 E80.00", with the code of one of these commands. In s and
+// in mm or inches, but steps always per mm.
+host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits, bool inches);
 
 }  // namespace application

@@ -2,6 +2,8 @@
 // A small interpreter of the G-codes that move, in whole femtometres.
 #include "sim/report/gcode_path.hpp"
 
+#include <algorithm>
+
 namespace report {
 
 namespace {
@@ -53,8 +55,10 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     const auto target = words.value(waits && words.has('R') ? 'R' : 'S');
     if (target) {
       request = TemperatureTarget{is_any(words, 'M', 140, 190),
-                                  static_cast<double>(*target) / billionths, waits};
+                                  celsius(static_cast<double>(*target) / billionths), waits};
     }
+  } else if (words.is('M', 149) && words.all().size() > 1) {
+    temperature_unit_ = words.has('C') ? 'C' : words.has('K') ? 'K' : 'F';
   } else if (words.is('M', 92)) {
     NewResolution resolution;
     for (std::size_t i = 0; i < axis_words.size(); ++i) {
@@ -69,6 +73,16 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
   } else if (words.is('M', 410)) {
     request = QuickStop{};
   }
+}
+
+// 0 is off in each unit.
+double GcodePath::celsius(double temperature) const {
+  constexpr double kelvin_at_0_c = 273.15, fahrenheit_at_0_c = 32, kelvin_per_fahrenheit = 5.0 / 9;
+  if (temperature_unit_ == 'F') {
+    temperature = (temperature - fahrenheit_at_0_c) * kelvin_per_fahrenheit;
+  }
+  if (temperature_unit_ == 'K') temperature -= kelvin_at_0_c;
+  return std::max(temperature, 0.0);
 }
 
 std::optional<Femtometers> GcodePath::length(const GcodeWords& words, char letter) const {

@@ -49,7 +49,7 @@ using Request =
     std::variant<NoMotion, Move, Homing, TemperatureTarget, NewResolution, Rest, QuickStop>;
 
 // Understands G0 to G3, G17 to G21, G28, G90 to G92, M82 M83 M92 M221 M400 M410 and M104 M109 M140
-// M190; all else asks no motion.
+// M149 M190; all else asks no motion.
 class GcodePath {
  public:
   Request read(std::string_view command);
@@ -62,6 +62,7 @@ class GcodePath {
  private:
   void read_g(const GcodeWords& words, Request& request);
   void read_m(const GcodeWords& words, Request& request);
+  double celsius(double temperature) const;
   std::optional<Femtometers> length(const GcodeWords& words, char letter) const;
   Request move(const GcodeWords& words);
   std::optional<ArcShape> arc_of(const GcodeWords& words, const Move& move) const;
@@ -73,6 +74,7 @@ class GcodePath {
   std::int64_t flow_percent_ = 100;
   std::size_t plane_ = 0;  // G17 XY, G18 ZX, G19 YZ
   bool inches_ = false;
+  char temperature_unit_ = 'C';  // or F or K
   bool absolute_ = true;
   bool extruder_absolute_ = true;
 };

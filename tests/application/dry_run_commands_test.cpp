@@ -167,15 +167,14 @@ TEST(dry_run_commands, follows_units_and_files_in_a_dry_run) {
     <* No dry run
     <- ok
     -> M149 F
-    <* only in degrees Celsius
     <- ok
     -> M23 part.gco
     <* No SD card
     <- ok
     -> M111 S0
     <- ok
-    -> M104 S200
-    <* only in degrees Celsius
+    -> M149
+    <- echo: M149 F ; Units in Fahrenheit
     <- ok
     -> M24
     <- echo:No SD card, not executed: "M24"

@@ -56,37 +56,71 @@ TEST(heat_commands, m108_ends_the_wait) {
   EXPECT_LT(printer.chip.heaters[1].celsius, 60);
 }
 
-// 205 in Fahrenheit are 96 °C: the number may not be taken for another temperature.
-TEST(heat_commands, takes_no_temperature_for_celsius_in_other_units) {
-  for (const std::string unit : {"F", "K"}) {
-    Printer printer;
-    printer.run(0.3);
-    printer.talk("-> M140 S50\n<- ok\n-> M149 " + unit + "\n<* \"M149 " + unit + "\"\n<- ok");
-    for (const char* line : {"M104 S205", "M109 S205", "M109 R205", "M140 S140", "M190 S140",
-                             "M190 R140", "M104 S0.5"}) {
-      printer.send(line);
-      EXPECT_EQ(printer.reply(),
-                "echo:Temperatures only in degrees Celsius, none is set until M149 C, "
-                "not executed: \"" +
-                    std::string(line) + "\"");
-      EXPECT_EQ(printer.reply(), "ok");
-    }
-    EXPECT_EQ(printer.counters.commands_refused, 8u);
-    printer.talk(
-        "-> M149\n<- echo:Temperatures only in degrees Celsius, none is set until M149 C\n<- ok\n"
-        "-> M105\n<*  /50.00 ");
-    EXPECT_EQ(printer.counters.commands_refused, 8u);
+// Targets and reports: of 205 °F, 96 °C are heated.
+TEST(heat_commands, takes_temperatures_in_the_unit_of_m149) {
+  Printer printer;
+  printer.run(0.3);
+  printer.talk(R"(
+    -> M149 F
+    <- ok
+    -> M149
+    <- echo: M149 F ; Units in Fahrenheit
+    <- ok
+    -> M104 S401
+    <- ok
+    -> M140 S140
+    <- ok
+    -> M105
+    <* /205.00 B:
+    -> M105
+    <*  /60.00 
+    -> M104 S205
+    <- ok
+    -> M105
+    <* /96.11 B:
+    -> M302 S338
+    <- ok
+    -> M302
+    <- echo:Cold extrudes are disabled (min temp 170C)
+    <- ok
+    -> M149 K
+    <- ok
+    -> M104 S478.15
+    <- ok
+    -> M105
+    <* /205.00 B:
+    -> M149 C F K
+    <- ok
+    -> M149
+    <- echo: M149 C ; Units in Celsius
+    <- ok
+    -> M104 S100
+    <- ok
+    -> M105
+    <* /100.00 B:
+  )");
+  EXPECT_EQ(printer.counters.commands_refused, 0u);
+}
+
+TEST(heat_commands, refuses_what_is_too_hot_in_each_unit) {
+  Printer printer;
+  printer.run(0.3);
+  for (const std::string unit : {"F", "K", "C"}) {
+    printer.talk("-> M149 " + unit + "\n<- ok\n-> M104 S" +
+                 (unit == "F"   ? "1000"
+                  : unit == "K" ? "800"
+                                : "500") +
+                 "\n<* Above the highest target of \n<- ok\n-> M109 R999999999\n"
+                 "<* Above the highest target of \n<- ok");
     EXPECT_EQ(printer.chip.heater_duty(0), 0u);
-    printer.talk(
-        "-> M149 C\n<- ok\n-> M149\n<- echo: M149 C ; Units in Celsius\n<- ok\n"
-        "-> M104 S205\n<- ok\n-> M105\n<* /205.00 ");
   }
+  EXPECT_EQ(printer.counters.commands_refused, 6u);
 }
 
 TEST(heat_commands, switches_off_in_any_units) {
   Printer printer;
   printer.run(0.3);
-  printer.talk("-> M104 S200\n<- ok\n-> M140 S50\n<- ok\n-> M149 F\n<* Celsius\n<- ok");
+  printer.talk("-> M104 S200\n<- ok\n-> M140 S50\n<- ok\n-> M149 F\n<- ok");
   printer.run(0.3);
   EXPECT_NE(printer.chip.heater_duty(0), 0u);
   printer.talk("-> M104 S0\n<- ok\n-> M190 S0\n<- ok");

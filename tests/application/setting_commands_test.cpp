@@ -126,5 +126,131 @@ TEST(setting_commands, m503_lists_all_in_the_form_that_sets_them) {
   )");
 }
 
+// So its lines set the same again.
+TEST(setting_commands, reports_in_inches_after_g20) {
+  Printer printer;
+  printer.talk(R"(
+    -> M203 X254
+    <- ok
+    -> G20
+    <- ok
+    -> M203
+    <- echo: M203 X10.000 Y7.874 Z0.472 E3.150
+    <- ok
+    -> M203 X20
+    <- ok
+    -> M205 J0.01
+    <- ok
+    -> M503
+    <- echo: G20 ; Units in inches
+    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
+    <- echo: M203 X20.000 Y7.874 Z0.472 E3.150
+    <- echo: M201 X118.110 Y118.110 Z19.685 E393.701
+    <- echo: M204 P59.055 R59.055 T59.055
+    <- echo: M205 S0.000 T0.000 J0.010000 X0.394 Y0.394 Z0.016 E0.098
+    <- ok
+    -> G21
+    <- ok
+    -> M203
+    <- echo: M203 X508.00 Y200.00 Z12.00 E80.00
+    <- ok
+  )");
+}
+
+// While it moves it waits for the end: the steps of the move are those that it began with.
+TEST(setting_commands, m502_restores_what_the_machine_description_says) {
+  Printer printer;
+  printer.talk(R"(
+    -> G28
+    <- ok
+    -> M92 X100
+    <- ok
+    -> M203 X100
+    <- ok
+    -> M204 T700
+    <- ok
+    -> G1 X10 F3000
+    <- ok
+    -> M502
+    <- echo:Hardcoded Default Settings Loaded
+    <- ok
+  )");
+  EXPECT_EQ(printer.mm(0), 10);
+  EXPECT_EQ(printer.chip.position[0], 800);
+  printer.talk(R"(
+    -> M203 Y100
+    <- ok
+    -> M501
+    <- echo:Hardcoded Default Settings Loaded
+    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
+    <- echo: M203 X200.00 Y200.00 Z12.00 E80.00
+    <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
+    <- echo: M204 P1500.00 R1500.00 T1500.00
+    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
+    <- ok
+    -> G1 X20
+    <- ok
+    -> M400
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.position[0], 1600);
+}
+
+TEST(setting_commands, m211_opens_and_closes_the_limits_of_the_travel) {
+  Printer printer;
+  printer.talk(R"(
+    -> G28
+    <- ok
+    -> M211
+    <- echo:Soft endstops: ON  Min: X0.00 Y0.00 Z0.00  Max: X200.00 Y200.00 Z110.00
+    <- ok
+    -> G1 X-1 F6000
+    <* Move beyond the end of X
+    <- ok
+    -> M211 S2
+    <- echo:S not within 0 to 1, not executed: "M211 S2"
+    <- ok
+    -> G1 X-1
+    <* Move beyond the end of X
+    <- ok
+    -> M211 S0
+    <- ok
+    -> G1 X-1
+    <- ok
+    -> M400
+    <- ok
+  )");
+  EXPECT_EQ(printer.chip.position[0], -80);
+  printer.talk(R"(
+    -> M211
+    <* Soft endstops: OFF
+    <- ok
+    -> M211 S1
+    <- ok
+    -> G1 X-2
+    <* Move beyond the end of X
+    <- ok
+    -> G2 X4 Y0 I2.5
+    <* Move beyond
+    <- ok
+  )");
+}
+
+TEST(progress, is_what_the_host_has_said) {
+  Printer printer;
+  printer.talk(R"(
+    -> M73
+    <- echo: M73 Progress: 0%; Time left: 0m;
+    <- ok
+    -> M73 P25 R12
+    <- ok
+    -> M73 P130
+    <- ok
+    -> M73
+    <- echo: M73 Progress: 100%; Time left: 12m;
+    <- ok
+  )");
+}
+
 }  // namespace
 }  // namespace application_test

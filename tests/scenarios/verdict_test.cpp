@@ -21,7 +21,7 @@ std::vector<int> lines_of(const nlohmann::json& list) {
 
 TEST(verdict, is_bad_where_moves_and_heat_are_refused_and_names_the_lines) {
   const Print print = print_text(
-      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I9 J0\nG29\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
+      "G28 X Y\nG1 X30 Y10 F9000\nG2 X40 Y10 I9 J0\nG999\nT1\nM104 T1 S200\nG38.2 X5\nG1 X31\n");
   EXPECT_EQ(print.job.status, 1) << print.job.output;
   EXPECT_EQ(print.report["result"], "completed");
   EXPECT_EQ(print.report["verdict"], "bad");
@@ -35,7 +35,7 @@ TEST(verdict, is_bad_where_moves_and_heat_are_refused_and_names_the_lines) {
 }
 
 TEST(verdict, is_good_where_only_codes_that_move_nothing_are_unknown) {
-  const Print print = print_text("M863 M\nM900 K30\nG28 X Y\nG1 X30 F9000\n");
+  const Print print = print_text("M863 M\nM9001 K30\nG28 X Y\nG1 X30 F9000\n");
   EXPECT_EQ(print.job.status, 0) << print.job.output;
   EXPECT_EQ(print.report["verdict"], "good");
   EXPECT_EQ(print.report["lines"]["warnings"], 2);

@@ -115,4 +115,20 @@ TEST(GcodePath, reads_targets_of_both_heaters) {
   EXPECT_TRUE(std::get<report::TemperatureTarget>(path.read("M140 S60")).bed);
 }
 
+TEST(GcodePath, reads_targets_in_the_unit_of_m149) {
+  GcodePath path;
+  const auto target = [&](std::string_view line) {
+    return std::get<report::TemperatureTarget>(path.read(line)).celsius;
+  };
+  path.read("M149 F");
+  EXPECT_DOUBLE_EQ(target("M104 S401"), 205);
+  EXPECT_EQ(target("M104 S0"), 0);
+  path.read("M149 K");
+  path.read("M149");
+  EXPECT_NEAR(target("M109 R478.15"), 205, 1e-9);
+  EXPECT_EQ(target("M140 S0"), 0);
+  path.read("M149 C");
+  EXPECT_EQ(target("M109 S205"), 205);
+}
+
 }  // namespace
