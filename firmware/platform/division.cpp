@@ -5,6 +5,8 @@
 
 #include <bit>
 
+#include "units/loop_bound.hpp"
+
 namespace platform {
 namespace {
 
@@ -18,7 +20,10 @@ std::uint32_t half_digit(std::uint32_t& rest, std::uint32_t next, std::uint32_t 
   const std::uint32_t high = divisor >> half_bits;
   std::uint32_t digit = rest / high;
   std::uint32_t over = rest % high;
+  // The divisor's highest bit is 1: the digit is at most 2 too large (theorem B).
+  units::LoopBound<2> corrections;
   while (digit > half_mask || digit * (divisor & half_mask) > (over << half_bits | next)) {
+    corrections.next();
     --digit;
     over += high;
     if (over > half_mask) break;

@@ -5,10 +5,10 @@
 
 #include <set>
 
+#include "sim/processor/timing_table.hpp"
 #include "tests/processor/chip.hpp"
 #include "tests/processor/encode_compressed.hpp"
 #include "tests/processor/timing_kinds.hpp"
-#include "tests/processor/timing_table.hpp"
 
 namespace processor {
 namespace {

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "sim/processor/times.hpp"
+#include "sim/processor/timing_table.hpp"
 #include "tests/processor/chip.hpp"
 #include "tests/processor/model_lockstep.hpp"
 #include "tests/processor/program.hpp"
 #include "tests/processor/random_program.hpp"
 #include "tests/processor/timed_program.hpp"
 #include "tests/processor/timing_kinds.hpp"
-#include "tests/processor/timing_table.hpp"
 
 namespace processor {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/processor/timing_table.hpp"
 #include "tests/processor/chip.hpp"
 #include "tests/processor/encode_compressed.hpp"
 #include "tests/processor/timing_kinds.hpp"
-#include "tests/processor/timing_table.hpp"
 
 namespace processor {
 namespace {

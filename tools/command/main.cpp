@@ -23,6 +23,7 @@
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/command/test_job.hpp"
+#include "tools/command/timing_job.hpp"
 #include "tools/figures/job.hpp"
 #include "tools/process/process.hpp"
 #include "tools/proof/run.hpp"
@@ -45,6 +46,7 @@ struct Jobs {
   FuzzOptions fuzz;
   figures::Options figures;
   TestOptions test;
+  TimingOptions timing;
 };
 
 // Waveforms and the debug port need other builds of the chip's model, so that they do not slow down
@@ -90,6 +92,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("bench")) return bench(jobs.bench);
   if (app.got_subcommand("fuzz")) return fuzz(jobs.fuzz);
   if (app.got_subcommand("test")) return test(jobs.test);
+  if (app.got_subcommand("timing")) return timing_of(jobs.timing);
   if (app.got_subcommand("figures")) {
     const bool good =
         figures::run(jobs.figures, project_folder(), build_folder(), build, end_if_interrupted);
@@ -150,6 +153,7 @@ int run_command(int count, char** arguments) {
       *app.add_subcommand("figures", "Measure the figures that the pages show, and write them."),
       jobs.figures);
   add_options(app, jobs.debug);
+  add_options(app, jobs.timing);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

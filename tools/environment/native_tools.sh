@@ -25,6 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, std::size_t) { retur
 native_libraries_compile() {
   g++ -std=c++20 -fsyntax-only -x c++ - 2>/dev/null <<'CPP' || return 1
 #include <CLI/CLI.hpp>
+#include <elfutils/libdw.h>
 #include <fmt/format.h>
 #include <gelf.h>
 #include <gtest/gtest.h>
@@ -33,6 +34,9 @@ native_libraries_compile() {
 #include <nlohmann/json.hpp>
 #include <toml++/toml.hpp>
 #include <zlib.h>
+#if !__has_include(<highs/Highs.h>)
+#error
+#endif
 CPP
   riscv64-unknown-elf-g++ -march=rv32im_zicsr -mabi=ilp32 --specs=picolibc.specs -std=c++23 -fsyntax-only \
     -x c++ - 2>/dev/null <<< '#include <array>

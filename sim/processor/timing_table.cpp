@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading of the table of times.
-#include "tests/processor/timing_table.hpp"
-#include "directories.hpp"
+#include "sim/processor/timing_table.hpp"
 
 #include <fstream>
 #include <regex>
@@ -10,7 +9,7 @@
 namespace processor {
 
 TimingTable::TimingTable() {
-  std::ifstream file(PROJECT_DIRECTORY "/rtl/processor/timing.md");
+  std::ifstream file(TIMING_TABLE_FILE);
   const std::regex row(R"(\| ([^|]+) \| (\d+) \|.*)");
   std::string line;
   std::smatch match;

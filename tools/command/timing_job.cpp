@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds the firmware, and shows what bounds its functions have.
+#include "tools/command/timing_job.hpp"
+
+#include <algorithm>
+#include <CLI/CLI.hpp>
+
+#include "sim/processor/timing_table.hpp"
+#include "tools/command/build.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
+#include "tools/timing/report.hpp"
+
+namespace command {
+
+void add_options(CLI::App& app, TimingOptions& options) {
+  CLI::App& job =
+      *app.add_subcommand("timing", "Bound the execution times of the firmware's functions.");
+  job.add_option("functions", options.functions, "as in the source; default: all")
+      ->type_name("FUNCTION...");
+  job.add_flag("--json", options.json, "write JSON instead of text");
+  job.footer(
+      R"(Clocks from the first instruction to the return, with all that is called, without sleep.
+A function without a bound is listed with the place, the reason and a remedy.
+
+Exit status: 0 every function named has a bound, or none was named; 1 one has none; 2 bad usage or
+no such function.)");
+}
+
+int timing_of(const TimingOptions& options) {
+  build({"firmware"});
+  timing::Program program = timing::read_program(build_folder() / "firmware" / "firmware.elf");
+  program.memory_bytes = CHIP_MEMORY_BYTES;
+  const timing::Costs costs{processor::TimingTable()};
+  const auto rows = timing::bounds(program, costs, false, options.functions);
+  say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows));
+  const bool all =
+      std::ranges::all_of(rows, [](const timing::Row& row) { return row.clocks.has_value(); });
+  return all || options.functions.empty() ? success : failure;
+}
+
+}  // namespace command
