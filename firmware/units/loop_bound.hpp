@@ -7,26 +7,44 @@
 
 namespace units {
 
-// Declared before a loop; `next()` is the first in it. On the chip this is no instruction, only an
-// entry in a section that is not loaded. On a host a round too many ends the program.
-template <std::uint32_t most>
+// Declared before a loop; `next()` is the first in each of its rounds. On the chip these are no
+// instructions, only entries in a section that is not loaded: the place of each next(), and where
+// the bound ends. On a host a round too many ends the program.
+//
+// Bounds of the same number need different tags where one loop lies in another, or follows it
+// without anything between them.
+template <std::uint32_t most, std::uint32_t tag = 0>
 class LoopBound {
  public:
-  [[gnu::always_inline]] inline void next([[maybe_unused]] unsigned line = __builtin_LINE()) {
+  LoopBound() = default;
+  LoopBound(const LoopBound&) = delete;
+  LoopBound& operator=(const LoopBound&) = delete;
+  [[gnu::always_inline]] inline ~LoopBound() {
 #ifdef __riscv
-    asm volatile(
-        ".pushsection .loop_bounds,\"\",@progbits\n"
-        ".word 1f, %c0, %c1\n"
-        ".popsection\n"
-        "1:" ::"i"(most),
-        "i"(line));
+    mark<1>();
+#endif
+  }
+
+  [[gnu::always_inline]] inline void next() {
+#ifdef __riscv
+    mark<0>();
 #else
     if (++rounds_ > most) std::abort();
 #endif
   }
 
-#ifndef __riscv
  private:
+#ifdef __riscv
+  template <std::uint32_t is_end>
+  [[gnu::always_inline]] static inline void mark() {
+    asm volatile(
+        ".pushsection .loop_bounds,\"\",@progbits\n"
+        ".word 1f, %c0, %c1, %c2\n"
+        ".popsection\n"
+        "1:" ::"i"(most),
+        "i"(tag), "i"(is_end));
+  }
+#else
   std::uint32_t rounds_ = 0;
 #endif
 };

@@ -32,7 +32,7 @@ int timing_of(const TimingOptions& options) {
   timing::Program program = timing::read_program(build_folder() / "firmware" / "firmware.elf");
   program.memory_bytes = CHIP_MEMORY_BYTES;
   const timing::Costs costs{processor::TimingTable()};
-  const auto rows = timing::bounds(program, costs, false, options.functions);
+  const auto rows = timing::bounds(program, costs, CHIP_HAS_ZBB, options.functions);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows));
   const bool all =
       std::ranges::all_of(rows, [](const timing::Row& row) { return row.clocks.has_value(); });

@@ -23,7 +23,31 @@ bool is_trap(Operation operation) {
          operation == Operation::breakpoint || operation == Operation::fetch_fault;
 }
 
+constexpr std::uint32_t status_register = 0x300, interrupt_enable = 8;
+
+// May set mstatus.MIE.
+bool enables_interrupts(const Instruction& instruction) {
+  if (instruction.operation == Operation::trap_return) return true;
+  if (instruction.operation != Operation::csr || instruction.immediate != status_register) {
+    return false;
+  }
+  const std::uint32_t kind = instruction.word >> 12 & 7, value = instruction.word >> 15 & 31;
+  constexpr std::uint32_t write = 1, set = 2, write_immediate = 5, set_immediate = 6;
+  if (kind == write || kind == set) return value != 0;
+  return (kind == write_immediate || kind == set_immediate) && (value & interrupt_enable) != 0;
+}
+
 }  // namespace
+
+std::optional<Address> place_that_enables_interrupts(const Program& program, bool has_zbb) {
+  const Flows flows(program, has_zbb);
+  for (Address address = program.first; address < program.code_end;) {
+    const Instruction instruction = flows.at(address);
+    if (enables_interrupts(instruction)) return address;
+    address += instruction.bytes;
+  }
+  return std::nullopt;
+}
 
 Instruction Flows::at(Address address) const {
   return processor::decode(program_.word_at(address), address, has_zbb_);
@@ -55,12 +79,19 @@ const Flow& Flows::of(Entry entry) {
 }
 
 bool Flows::returns(Entry entry) {
+  std::set<Address> asked;
+  return returns(entry, asked);
+}
+
+bool Flows::returns(Entry entry, std::set<Address>& asked) {
+  // Functions that only go on in each other do not return; `bound` refuses them.
+  if (!asked.insert(entry.address).second) return false;
   return std::ranges::any_of(of(entry).nodes, [&](const Node& node) {
     if (node.end == End::returns) return true;
     if (node.end != End::goes_on_elsewhere) return false;
     // Where an indirect jump goes is not known yet.
     return node.instruction.operation != Operation::jump ||
-           returns({.address = node.instruction.immediate, .link = entry.link});
+           returns({.address = node.instruction.immediate, .link = entry.link}, asked);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -52,6 +53,7 @@ class Flows {
   processor::Instruction at(Address address) const;
 
  private:
+  bool returns(Entry entry, std::set<Address>& asked);
   Flow explore(Entry entry);
   bool is_other_function(Address target, Entry entry) const;
 
@@ -60,5 +62,8 @@ class Flows {
   std::map<Entry, Flow> flows_;
   std::set<Entry> under_way_;
 };
+
+// In all the code: nothing where no interrupt ever runs code. Bounds hold for such programs only.
+std::optional<Address> place_that_enables_interrupts(const Program& program, bool has_zbb);
 
 }  // namespace timing

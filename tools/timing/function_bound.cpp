@@ -2,7 +2,7 @@
 // From inner loops outwards: a loop becomes a node whose ways out cost all its rounds.
 #include "tools/timing/function_bound.hpp"
 
-#include <fmt/format.h>
+#include "tools/timing/markers.hpp"
 
 namespace timing {
 
@@ -26,14 +26,14 @@ FunctionBound::FunctionBound(Analysis& analysis, const Flow& flow, Entry entry, 
       entry_(entry),
       start_(start),
       reached_(analysis.reach_.all(flow, start)),
-      ways_(flow.nodes.size()) {
-  Graph graph(flow.nodes.size());
+      ways_(flow.nodes.size()),
+      graph_(flow.nodes.size()) {
   for (std::size_t i = 0; i < flow.nodes.size(); ++i) {
     if (!reached_.before[i]) continue;
     ways_[i] = Reach::ways(flow.nodes[i], *reached_.before[i]);
-    for (const Way& way : ways_[i]) graph[i].push_back(way.to);
+    for (const Way& way : ways_[i]) graph_[i].push_back(way.to);
   }
-  loops_ = find_loops(graph);
+  loops_ = find_loops(graph_);
 }
 
 void FunctionBound::add_problem(Address address, std::string what, std::string remedy) {
@@ -60,8 +60,13 @@ Clocks FunctionBound::called(std::size_t node) {
                 "call it by its name, or by a constant table at a known place");
     return 0;
   }
-  // Another program takes over, and does not return.
-  if (!analysis_.program_.is_code(*target)) return 0;
+  if (!analysis_.program_.is_code(*target)) {
+    if (caller.calls) {
+      add_problem(caller.address, "what is called here lies outside the code", "jump to it");
+    }
+    // Another program takes over, and does not return.
+    return 0;
+  }
   const unsigned link = caller.calls ? caller.instruction.destination : entry_.link;
   const auto clocks = analysis_.bound({.address = *target, .link = link}, *reached_.before[node]);
   is_bounded_ = is_bounded_ && clocks;
@@ -106,28 +111,6 @@ FunctionBound::Level FunctionBound::level(std::size_t start, const Loop* loop) {
   return result;
 }
 
-const Loop* FunctionBound::loop_around(std::size_t node) const {
-  const auto found =
-      std::ranges::find_if(loops_.loops, [&](const Loop& loop) { return loop.nodes[node]; });
-  return found == loops_.loops.end() ? nullptr : &*found;
-}
-
-// A marker in front of an inner loop may have the address of that loop's header: so of several
-// there the last one counts.
-const LoopMarker* FunctionBound::marker_of(const Loop& loop) const {
-  const LoopMarker* found = nullptr;
-  for (const LoopMarker& marker : analysis_.program_.markers) {
-    for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
-      if (flow_.nodes[node].address != marker.address || loop_around(node) != &loop) continue;
-      const bool replaces = found == nullptr ||
-                            (found->address == marker.address && node == loop.header) ||
-                            marker.most > found->most;
-      if (replaces) found = &marker;
-    }
-  }
-  return found;
-}
-
 std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop) const {
   constexpr Clocks most_rounds = 20'000;
   constexpr std::size_t most_visits = 200'000;
@@ -165,26 +148,15 @@ std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop) const {
 }
 
 std::optional<Clocks> FunctionBound::most_rounds(const Loop& loop) {
-  const auto counted = counted_rounds(loop);
-  const LoopMarker* marker = marker_of(loop);
-  const Address address = flow_.nodes[loop.header].address;
-  if (marker != nullptr) {
-    for (const Loop& outer : loops_.loops) {
-      const LoopMarker* other =
-          outer.nodes[loop.header] && outer.size > loop.size ? marker_of(outer) : nullptr;
-      if (other == nullptr || other->line != marker->line) continue;
-      add_problem(address, "one bound stands for two loops, one in the other",
-                  "give each of them a LoopBound of its own");
-      return std::nullopt;
-    }
-    return std::min<Clocks>(marker->most, counted.value_or(marker->most));
-  }
-  if (!counted) {
+  // What the code itself shows needs no trust in the source.
+  if (const auto counted = counted_rounds(loop)) return counted;
+  const auto declared = declared_rounds(analysis_.program_.markers, flow_, graph_, loops_, loop);
+  if (!declared) {
     add_problem(
-        address, "a loop has no bound",
+        flow_.nodes[loop.header].address, "a loop has no bound",
         "declare LoopBound<N> before it and call next() first in it (units/loop_bound.hpp)");
   }
-  return counted;
+  return declared;
 }
 
 bool FunctionBound::only_sleeps(const Loop& loop) const {

@@ -30,8 +30,6 @@ class FunctionBound {
   Level rounds(const Loop& loop);
   std::optional<Clocks> most_rounds(const Loop& loop);
   std::optional<Clocks> counted_rounds(const Loop& loop) const;
-  const LoopMarker* marker_of(const Loop& loop) const;
-  const Loop* loop_around(std::size_t node) const;
   Clocks cost(std::size_t node, const Way* way);
   Clocks called(std::size_t node);
   bool on_bus(std::size_t node) const;
@@ -44,6 +42,7 @@ class FunctionBound {
   State start_;
   Reached reached_;
   std::vector<std::vector<Way>> ways_;
+  Graph graph_;  // the same without branches
   Loops loops_;
   std::map<std::size_t, Level> levels_;  // of loops, by their header
   bool is_bounded_ = true;

@@ -16,11 +16,13 @@ namespace timing {
 
 using Address = std::uint32_t;
 
-// What `LoopBound<N>::next()` leaves in the image (firmware/units/loop_bound.hpp).
+// What `LoopBound<most, tag>` leaves in the image (firmware/units/loop_bound.hpp): the place of a
+// call of next(), or of the end of the object.
 struct LoopMarker {
   Address address{};
-  std::uint32_t most{};  // calls in a run of the loop
-  std::uint32_t line{};
+  std::uint32_t most{};  // calls in the life of the object
+  std::uint32_t tag{};
+  std::uint32_t is_end{};
 };
 
 struct Symbol {

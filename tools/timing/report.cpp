@@ -11,6 +11,10 @@ namespace timing {
 
 std::vector<Row> bounds(const Program& program, const Costs& costs, bool has_zbb,
                         const std::vector<std::string>& names) {
+  if (const auto place = place_that_enables_interrupts(program, has_zbb)) {
+    throw std::runtime_error(program.place_of(*place) +
+                             " enables interrupts, whose time no bound contains");
+  }
   std::vector<Address> functions;
   for (const std::string& name : names) {
     const auto found = program.find(name);
