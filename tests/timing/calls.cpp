@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls and returns, followed by the addresses at which they go on.
+#include "tests/timing/calls.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace timing {
+
+using processor::Operation;
+
+void Calls::take(const Sample& sample) {
+  if (sample.instructions > last_.instructions + 1) {
+    throw std::runtime_error("two instructions in a clock");
+  }
+  if (sample.instructions != last_.instructions) jump(last_, sample);
+  last_ = sample;
+}
+
+void Calls::jump(const Sample& before, const Sample& behind) {
+  const Address address = before.program_counter;
+  if (!program_.is_code(address)) return;
+  const auto instruction = processor::decode(program_.word_at(address), address, has_zbb_);
+  const bool is_jump = instruction.operation == Operation::jump;
+  if (!is_jump && instruction.operation != Operation::jump_register) return;
+  const unsigned link = instruction.destination;
+  const std::uint64_t begins = behind.clock + costs_.of(instruction, false, false);
+  const Address target = behind.program_counter;
+  if (link == return_register || link == second_link) {
+    frames_.push_back({target, address + instruction.bytes, begins, behind.slept});
+  } else if (is_jump) {
+    // In place of a return.
+    const bool is_function = program_.symbols.contains(target);
+    if (is_function && !frames_.empty() && frames_.back().function != target) {
+      frames_.push_back({target, frames_.back().back, begins, behind.slept});
+    }
+  } else if (!frames_.empty() && instruction.immediate == 0) {
+    end(target, begins, behind.slept);
+  }
+}
+
+void Calls::end(Address back, std::uint64_t begins, std::uint64_t slept) {
+  if (frames_.back().back != back) {
+    ++strays_;
+    frames_.clear();
+  }
+  while (!frames_.empty() && frames_.back().back == back) {
+    const Frame& frame = frames_.back();
+    Measured& measured = measured_[frame.function];
+    ++measured.calls;
+    measured.longest = std::max(measured.longest, begins - frame.begins - (slept - frame.slept));
+    frames_.pop_back();
+  }
+}
+
+}  // namespace timing

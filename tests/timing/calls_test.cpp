@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The firmware prints on the whole chip: no call takes longer than the bound of its function.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "sim/devices/file_host.hpp"
+#include "sim/processor/timing_table.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tests/loaded_printer.hpp"
+#include "tests/timing/calls.hpp"
+
+namespace timing {
+namespace {
+
+constexpr std::uint32_t clock_hz = 4'000'000;
+constexpr sim::Clock most_clocks = 3 * clock_hz;
+
+// Moves of all kinds, settings, reports and mistakes, with heat.
+const std::string gcode =
+    "M105\nM115\nM503\nM104 S200\nM140 S60\nM106 S128\nG91\nG1 X3 Y2 F6000\nG1 X-1 Y1 E0.1\n"
+    "G2 X2 Y2 I2 J0\nG3 X-1 Y1 R4\nM220 S120\nM221 S95\nM114\nM201 X900\nM203 X120\nM204 P800\n"
+    "M205 X8\nM92 X80\nM119\nG1 Z0.2 F300\nG92 E0\nG90\nG1 X5 F3000\nG4 P5\nM117 text\nM400\n"
+    "M17 X\nM18 E\nG21\nM82\nM83\nM85 S0\nM107\nG17\nM999\nT0\nM31\nM78\nX1\nM12345\n";
+
+class Run {
+ public:
+  Run() : program_(read_program(tests::firmware_file)), calls_(program_, costs_, CHIP_HAS_ZBB) {
+    program_.memory_bytes = CHIP_MEMORY_BYTES;
+    sim::VerilatedChip chip(clock_hz);
+    tests::LoadedPrinter loaded(chip, clock_hz, 200, 60);
+    sim::Simulation& simulation = loaded.simulation;
+    devices::FileHost host(devices::parse_gcode_text(gcode, "test").value(),
+                           loaded.printer.serial_line(), simulation.rate(), {.window = 4});
+    simulation.attach(host, {});
+    while (simulation.now() < most_clocks && !host.ended()) {
+      simulation.run_until(simulation.now() + 1);
+      const sim::ProcessorStatistics now = chip.processor_statistics();
+      calls_.take({.clock = simulation.now(),
+                   .instructions = now.instructions,
+                   .slept = now.sleeping_clocks,
+                   .program_counter = now.program_counter});
+    }
+  }
+
+  struct Comparison {
+    std::size_t functions = 0;  // that have a bound and were called
+    std::uint64_t calls = 0;
+    std::string too_long, closest, farthest;
+    double least_ratio = 1e9, most_ratio = 0;  // of bound and measured time
+  };
+
+  Comparison compare(const Program& program, const Costs& costs) const {
+    Comparison result;
+    Analysis analysis(program, costs, CHIP_HAS_ZBB);
+    for (const auto& [function, measured] : calls_.measured()) {
+      const auto bound = analysis.bound(function);
+      if (!bound) continue;
+      ++result.functions;
+      result.calls += measured.calls;
+      const std::string text =
+          fmt::format("{}: {} of {} clocks", program.name_of(function), measured.longest, *bound);
+      const double ratio = static_cast<double>(*bound) / static_cast<double>(measured.longest);
+      if (measured.longest > *bound) result.too_long += text + "\n";
+      if (ratio < result.least_ratio) {
+        result.least_ratio = ratio;
+        result.closest = text;
+      }
+      if (ratio > result.most_ratio) {
+        result.most_ratio = ratio;
+        result.farthest = text;
+      }
+    }
+    return result;
+  }
+
+  const Costs costs_{processor::TimingTable()};
+  Program program_;
+  Calls calls_;
+};
+
+const Run& run() {
+  static const Run once;
+  return once;
+}
+
+TEST(Calls, take_at_most_the_bound_of_their_function) {
+  const auto result = run().compare(run().program_, run().costs_);
+  EXPECT_EQ(run().calls_.strays(), 0U);
+  EXPECT_GT(result.functions, 50U);
+  EXPECT_GT(result.calls, 10'000U);
+  EXPECT_EQ(result.too_long, "");
+  fmt::print("{} calls of {} functions\nnearest to its bound: {}\nfarthest: {}\n", result.calls,
+             result.functions, result.closest, result.farthest);
+}
+
+TEST(Calls, a_wrong_cost_is_found) {
+  const std::vector<std::pair<const char*, unsigned Costs::*>> rows{
+      {"simple", &Costs::simple},       {"multiplication", &Costs::multiplication},
+      {"division", &Costs::division},   {"load", &Costs::load},
+      {"store", &Costs::store},         {"bus load", &Costs::bus_load},
+      {"bus store", &Costs::bus_store}, {"not taken", &Costs::not_taken},
+      {"taken", &Costs::taken},         {"predicted, taken", &Costs::predicted_taken},
+      {"jump", &Costs::jump},           {"jump to a register", &Costs::jump_register},
+      {"late result", &Costs::hazard}};
+  for (const auto& [name, row] : rows) {
+    Costs costs = run().costs_;
+    costs.*row -= 1;
+    EXPECT_NE(run().compare(run().program_, costs).too_long, "") << name;
+  }
+}
+
+TEST(Calls, the_bus_taken_for_memory_is_found) {
+  Program program = run().program_;
+  program.memory_start = 0;
+  program.memory_bytes = ~Address{0};
+  EXPECT_NE(run().compare(program, run().costs_).too_long, "");
+}
+
+TEST(Calls, a_declared_bound_that_is_too_small_is_found) {
+  Program program = run().program_;
+  ASSERT_FALSE(program.markers.empty());
+  for (LoopMarker& marker : program.markers) marker.most = 0;
+  EXPECT_NE(run().compare(program, run().costs_).too_long, "");
+}
+
+}  // namespace
+}  // namespace timing
