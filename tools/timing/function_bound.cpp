@@ -111,13 +111,14 @@ FunctionBound::Level FunctionBound::level(std::size_t start, const Loop* loop) {
   return result;
 }
 
+// Each way in by itself, since one alone may bring a number that is known.
 std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop) const {
-  constexpr Clocks most_rounds = 20'000;
-  constexpr std::size_t most_visits = 200'000;
-  std::optional<State> state;
+  std::optional<Clocks> most = 0;
   const auto arrive = [&](const State& arriving) {
-    if (!state) state = arriving;
-    join_at(flow_.nodes[loop.header].address, *state, arriving);
+    State state = arriving;
+    join_at(flow_.nodes[loop.header].address, state, arriving);
+    const auto rounds = most ? counted_rounds(loop, state) : std::nullopt;
+    most = rounds ? std::max(most, rounds) : std::nullopt;
   };
   if (loop.header == 0) arrive(start_);
   for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
@@ -128,9 +129,15 @@ std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop) const {
       }
     }
   }
+  return most;
+}
+
+std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop, State state) const {
+  constexpr Clocks most_rounds = 20'000;
+  constexpr std::size_t most_visits = 200'000;
   std::size_t visits = 0;
   for (Clocks rounds = 0; rounds <= most_rounds && visits <= most_visits; ++rounds) {
-    const Reached reached = analysis_.reach_.once(flow_, loop.header, *state, loop.nodes);
+    const Reached reached = analysis_.reach_.once(flow_, loop.header, state, loop.nodes);
     if (!reached.back) return rounds;
     // Without a branch that is known nothing counts the rounds.
     bool knows = false;
@@ -141,7 +148,7 @@ std::optional<Clocks> FunctionBound::counted_rounds(const Loop& loop) const {
     }
     if (!knows) return std::nullopt;
     if (reached.back == state) return std::nullopt;
-    state = reached.back;
+    state = *reached.back;
     visits += reached.visits;
   }
   return std::nullopt;

@@ -30,6 +30,7 @@ class FunctionBound {
   Level rounds(const Loop& loop);
   std::optional<Clocks> most_rounds(const Loop& loop);
   std::optional<Clocks> counted_rounds(const Loop& loop) const;
+  std::optional<Clocks> counted_rounds(const Loop& loop, State state) const;
   Clocks cost(std::size_t node, const Way* way);
   Clocks called(std::size_t node);
   bool on_bus(std::size_t node) const;
