@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
+
 namespace application {
 namespace {
 
@@ -31,7 +33,9 @@ bool is_kept(const gcode::Command& command, const ArgumentLimit& limit) {
 }  // namespace
 
 const ArgumentLimit* violated(const gcode::Command& command, ArgumentLimits limits) {
+  units::LoopBound<most_limits> bound;
   for (const ArgumentLimit& limit : limits) {
+    bound.next();
     if (!is_kept(command, limit)) return &limit;
   }
   return nullptr;
@@ -60,7 +64,9 @@ host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit&
 
 std::int64_t clamped(ArgumentLimits limits, char letter, std::int64_t value,
                      std::int64_t units_per_one) {
+  units::LoopBound<most_limits> bound;
   for (const ArgumentLimit& limit : limits) {
+    bound.next();
     if (limit.letter != letter || limit.check != Check::clamped) continue;
     return std::clamp(value, limit.least * units_per_one, limit.most * units_per_one);
   }

@@ -2,6 +2,7 @@
 // The checks of a command's arguments before its handler is called: part of its row.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -30,6 +31,7 @@ struct ArgumentLimit {
 };
 
 using ArgumentLimits = std::span<const ArgumentLimit>;
+inline constexpr std::size_t most_limits = 9;  // of a row
 
 // The first that the command does not keep; null where it keeps all.
 const ArgumentLimit* violated(const gcode::Command& command, ArgumentLimits limits);

@@ -113,6 +113,8 @@ constexpr List<Handler> list_handlers() {
 }
 
 constexpr auto argument_sets = fitted<list_argument_sets>();
+static_assert(std::ranges::max(argument_sets, {}, &ArgumentSet::limit_count).limit_count <=
+              most_limits);
 constexpr auto handlers = fitted<list_handlers>();
 
 constexpr auto entries = [] {

@@ -2,7 +2,9 @@
 // Recognises the commands that act at once.
 #include "host_link/emergency.hpp"
 
+#include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 namespace {
@@ -56,9 +58,15 @@ std::uint8_t button_in(std::string_view parameters) {
 std::uint32_t take_m_code(std::string_view& text) {
   if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
   std::size_t end = 1;
-  while (end < text.size() && is_blank(text[end])) ++end;
+  units::LoopBound<max_line_length> blanks;
+  while (end < text.size() && is_blank(text[end])) {
+    blanks.next();
+    ++end;
+  }
   std::uint32_t code = 0;
+  units::LoopBound<max_line_length, 1> digits;
   for (; end < text.size() && is_digit(text[end]); ++end) {
+    digits.next();
     code = code * 10 + static_cast<std::uint32_t>(text[end] - '0');
     if (code > largest_code) return 0;
   }

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "host_link/emergency.hpp"
+#include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 
@@ -18,7 +20,9 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
   if (position >= text.size() || !is_digit(text[position])) return std::nullopt;
   const std::uint32_t limit = negative ? 1u << 31 : std::numeric_limits<std::uint32_t>::max();
   std::uint32_t magnitude = 0;
+  units::LoopBound<max_line_length> digits;
   for (; position < text.size() && is_digit(text[position]); ++position) {
+    digits.next();
     const auto digit = static_cast<std::uint32_t>(text[position] - '0');
     if (magnitude > (limit - digit) / 10) return std::nullopt;
     magnitude = magnitude * 10 + digit;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace host_link {
@@ -13,7 +14,11 @@ constexpr unsigned longest_number = 20;  // digits of 2^64
 
 constexpr std::uint64_t power_of_ten(unsigned exponent) {
   std::uint64_t power = 1;
-  while (exponent-- > 0) power *= 10;
+  units::LoopBound<longest_number> factors;
+  while (exponent-- > 0) {
+    factors.next();
+    power *= 10;
+  }
   return power;
 }
 
@@ -21,13 +26,20 @@ constexpr std::uint64_t power_of_ten(unsigned exponent) {
 
 TextLine& TextLine::text(std::string_view part) {
   const std::size_t taken = complete_ ? std::min(part.size(), capacity - length_) : 0;
-  std::copy_n(part.data(), taken, buffer_.data() + length_);
-  length_ += taken;
+  units::LoopBound<capacity> characters;
+  for (std::size_t i = 0; i < taken; ++i) {
+    characters.next();
+    buffer_[length_++] = part[i];
+  }
   if (taken < part.size()) complete_ = false;
   return *this;
 }
 
-TextLine& TextLine::character(char c) { return text({&c, 1}); }
+TextLine& TextLine::character(char c) {
+  if (length_ == capacity) complete_ = false;
+  if (complete_) buffer_[length_++] = c;
+  return *this;
+}
 
 TextLine& TextLine::integer(std::int64_t value) {
   if (value < 0) character('-');
@@ -49,15 +61,27 @@ TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
   unsigned count = 0;
   // 64-bit division is a library call of a thousand clocks on the soft core: only where it
   // is needed.
+  units::LoopBound<longest_number / 2> upper_digits;
   while (value > UINT32_MAX) {
+    upper_digits.next();
     reversed[count++] = static_cast<char>('0' + value % 10);
     value /= 10;
   }
+  units::LoopBound<longest_number / 2, 1> lower_digits;
   for (auto rest = static_cast<std::uint32_t>(value); rest != 0; rest /= 10) {
+    lower_digits.next();
     reversed[count++] = static_cast<char>('0' + rest % 10);
   }
-  while (count < at_least) reversed[count++] = '0';
-  while (count > 0) character(reversed[--count]);
+  units::LoopBound<longest_number> zeros;
+  while (count < at_least) {
+    zeros.next();
+    reversed[count++] = '0';
+  }
+  units::LoopBound<longest_number, 1> characters;
+  while (count > 0) {
+    characters.next();
+    character(reversed[--count]);
+  }
   return *this;
 }
 

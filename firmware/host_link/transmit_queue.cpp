@@ -4,14 +4,26 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
+
 namespace host_link {
 
 bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std::size_t spare) {
   std::size_t length = 1;
-  for (const std::string_view part : parts) length += part.size();
-  if (length + spare > room()) return false;
+  units::LoopBound<most_parts> counted;
   for (const std::string_view part : parts) {
-    for (const char c : part) put(c >= ' ' && c <= '~' ? c : '?');
+    counted.next();
+    length += part.size();
+  }
+  if (length + spare > room()) return false;
+  units::LoopBound<most_parts, 1> copied;
+  for (const std::string_view part : parts) {
+    copied.next();
+    units::LoopBound<capacity> characters;
+    for (const char c : part) {
+      characters.next();
+      put(c >= ' ' && c <= '~' ? c : '?');
+    }
   }
   put('\n');
   return true;

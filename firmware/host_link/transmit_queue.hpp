@@ -17,8 +17,9 @@ class TransmitQueue {
   std::size_t room() const { return capacity - size_; }
   bool empty() const { return size_ == 0; }
 
-  // Appends the parts as one line, with its line end; false, and nothing done, unless
-  // `spare` bytes remain free afterwards. Bytes outside 0x20 .. 0x7e become '?': a host that
+  static constexpr std::size_t most_parts = 3;
+  // Appends the parts, at most so many, as one line, with its line end; false, and nothing done,
+  // unless `spare` bytes remain free afterwards. Bytes outside 0x20 .. 0x7e become '?': a host that
   // reads UTF-8 survives.
   bool put_line(std::initializer_list<std::string_view> parts, std::size_t spare = 0);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace motion {
@@ -20,7 +21,9 @@ units::MicrometersPerSecond jerk_limited_speed(const Direction& change, std::siz
                                                const Limits& limits,
                                                units::MicrometersPerSecond speed) {
   auto limited = static_cast<std::uint32_t>(speed.count());
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = first; i < units::axis_count; ++i) {
+    axes.next();
     const std::uint32_t part = magnitude(change[i]);
     const auto most = static_cast<std::uint64_t>(limits.axes[i].jerk.count())
                       << direction_fraction_bits;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace motion {
@@ -154,7 +155,9 @@ Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
   Scaled length;
   if (line.ticks > few_ticks) return length;
   const std::size_t axes = path.extruder_leads ? units::axis_count : extruder;
+  units::LoopBound<units::axis_count> bound;
   for (std::size_t i = 0; i < axes; ++i) {
+    bound.next();
     length = std::max(length, Scaled::of(magnitude(line.steps[i])) * length_per_step_[i]);
   }
   return length;

@@ -7,6 +7,7 @@
 #include "motion/junction.hpp"
 #include "motion/line_start.hpp"
 #include "motion/steps.hpp"
+#include "units/loop_bound.hpp"
 
 namespace motion {
 
@@ -103,14 +104,18 @@ Stock Planner::stock(units::Microseconds now) const {
 void Planner::look_ahead() {
   std::size_t changed = count_ - 1;
   SpecificEnergy exit{};
+  units::LoopBound<capacity> backwards;
   for (; changed > settled_; --changed) {
+    backwards.next();
     Line& here = line(changed);
     const SpecificEnergy entry = std::min(here.max_entry, exit + here.work);
     if (entry == here.entry && changed + 1 < count_) break;
     here.entry = entry;
     exit = entry;
   }
+  units::LoopBound<capacity, 1> forwards;
   for (std::size_t i = changed; i + 1 < count_; ++i) {
+    forwards.next();
     const SpecificEnergy reachable = line(i).entry + line(i).work;
     Line& next = line(i + 1);
     if (next.entry >= reachable) {

@@ -5,6 +5,8 @@
 
 #include <bit>
 
+#include "units/loop_bound.hpp"
+
 namespace motion {
 
 namespace {
@@ -18,7 +20,10 @@ std::uint32_t divide(std::uint32_t high, std::uint32_t low, std::uint32_t diviso
   const auto digit = [=](std::uint32_t upper, std::uint32_t next) {
     std::uint32_t quotient = upper / divisor_high;
     std::uint32_t rest = upper - quotient * divisor_high;
+    // The divisor's highest bit is 1: the digit is at most 2 too large (theorem B).
+    units::LoopBound<2> corrections;
     while (quotient > 0xFFFF || quotient * divisor_low > (rest << 16 | next)) {
+      corrections.next();
       --quotient;
       rest += divisor_high;
       if (rest > 0xFFFF) break;

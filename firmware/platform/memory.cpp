@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "units/loop_bound.hpp"
+
 namespace platform {
 namespace {
 
@@ -15,19 +17,45 @@ bool on_word(const void* address) {
   return (reinterpret_cast<std::uintptr_t>(address) & within_word) == 0;
 }
 
+// Behind the words there are at most 3 bytes. A loop of its own for them has a bound where nothing
+// is known of the length, and leaves that of a known length to be counted.
+using TailBound = units::LoopBound<within_word>;
+struct NoBound {
+  static void next() {}
+};
+
+template <class Bound>
+[[gnu::always_inline]] inline void copy_bytes(void* to, const void* from, std::size_t bytes) {
+  auto* end = static_cast<unsigned char*>(to);
+  const auto* source = static_cast<const unsigned char*>(from);
+  Bound bound;
+  for (; bytes != 0; --bytes) {
+    bound.next();
+    *end++ = *source++;
+  }
+}
+
+template <class Bound>
+[[gnu::always_inline]] inline void fill_bytes(void* begin, unsigned char byte, std::size_t bytes) {
+  auto* end = static_cast<unsigned char*>(begin);
+  Bound bound;
+  for (; bytes != 0; --bytes) {
+    bound.next();
+    *end++ = byte;
+  }
+}
+
 }  // namespace
 
 void copy(void* to, const void* from, std::size_t bytes) {
   if (on_word(to) && on_word(from)) {
     auto* words = static_cast<Word*>(to);
     const auto* source = static_cast<const Word*>(from);
-    for (; bytes >= sizeof(Word); bytes -= sizeof(Word)) *words++ = *source++;
-    to = words;
-    from = source;
+    for (std::size_t count = bytes / sizeof(Word); count != 0; --count) *words++ = *source++;
+    copy_bytes<TailBound>(words, source, bytes & within_word);
+    return;
   }
-  auto* end = static_cast<unsigned char*>(to);
-  const auto* source = static_cast<const unsigned char*>(from);
-  for (; bytes != 0; --bytes) *end++ = *source++;
+  copy_bytes<NoBound>(to, from, bytes);
 }
 
 void move(void* to, const void* from, std::size_t bytes) {
@@ -46,11 +74,11 @@ void fill(void* begin, unsigned char byte, std::size_t bytes) {
     constexpr std::uint32_t in_every_byte = 0x0101'0101;
     const std::uint32_t word = byte * in_every_byte;
     auto* words = static_cast<Word*>(begin);
-    for (; bytes >= sizeof(Word); bytes -= sizeof(Word)) *words++ = word;
-    begin = words;
+    for (std::size_t count = bytes / sizeof(Word); count != 0; --count) *words++ = word;
+    fill_bytes<TailBound>(words, byte, bytes & within_word);
+    return;
   }
-  auto* end = static_cast<unsigned char*>(begin);
-  for (; bytes != 0; --bytes) *end++ = byte;
+  fill_bytes<NoBound>(begin, byte, bytes);
 }
 
 }  // namespace platform

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "units/loop_bound.hpp"
+
 namespace thermal {
 namespace {
 
@@ -16,6 +18,10 @@ constexpr std::int32_t least_expected = 20;
 
 using Values = std::span<std::int32_t>;
 using ConstValues = Stillness::ConstValues;
+
+// Of loops over the values of a course.
+template <std::uint32_t tag>
+using CourseBound = units::LoopBound<Stillness::longest, tag>;
 
 // Rounded to zero, for sums of three that are up to 2^31: a division takes the processor 18 clocks.
 constexpr std::int32_t third(std::int32_t sum) {
@@ -29,7 +35,9 @@ static_assert(third(std::numeric_limits<std::int32_t>::min()) == -715'827'882);
 // The mean with both neighbours, which takes noise and leaves a slow rhythm.
 void smooth(Values values) {
   std::int32_t before = values.front();
+  CourseBound<0> bound;
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    bound.next();
     const std::int32_t now = values[i];
     values[i] = third(before + now + values[i + 1]);
     before = now;
@@ -39,9 +47,17 @@ void smooth(Values values) {
 
 void subtract_mean(Values values) {
   std::int32_t sum = 0;
-  for (const std::int32_t value : values) sum += value;
+  CourseBound<1> summed;
+  for (const std::int32_t value : values) {
+    summed.next();
+    sum += value;
+  }
   const std::int32_t mean = sum / static_cast<std::int32_t>(values.size());
-  for (std::int32_t& value : values) value = std::clamp(value - mean, -farthest, farthest);
+  CourseBound<2> changed;
+  for (std::int32_t& value : values) {
+    changed.next();
+    value = std::clamp(value - mean, -farthest, farthest);
+  }
 }
 
 // value -= factor * place / divisor, rounded to zero, at the places -(count - 1) to count - 1 in
@@ -54,7 +70,9 @@ void subtract_slope(Values values, std::int32_t factor, std::int32_t divisor) {
   const std::int32_t nearest = values.size() % 2 == 0 ? 1 : 2;
   std::int32_t quotient = magnitude * nearest / divisor;
   std::int32_t remainder = magnitude * nearest % divisor;
+  units::LoopBound<Stillness::longest / 2> bound;
   while (below > 0) {
+    bound.next();
     values[above++] -= sign * quotient;
     values[--below] += sign * quotient;
     quotient += step;
@@ -72,7 +90,9 @@ void subtract_line(Values values) {
   const auto count = static_cast<std::int32_t>(values.size());
   const std::int32_t squares = count * (count * count - 1) / 3;  // of `place` below
   std::int32_t sum = 0, place = 1 - count;
+  CourseBound<3> bound;
   for (const std::int32_t value : values) {
+    bound.next();
     sum += value * place;
     place += 2;
   }
@@ -81,7 +101,11 @@ void subtract_line(Values values) {
 
 std::int64_t product(ConstValues one, ConstValues other) {
   std::int64_t sum = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) sum += one[i] * other[i];
+  CourseBound<4> bound;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    bound.next();
+    sum += one[i] * other[i];
+  }
   return sum;
 }
 std::int64_t energy(ConstValues values) { return product(values, values); }
@@ -89,7 +113,9 @@ std::int64_t energy(ConstValues values) { return product(values, values); }
 // Of `one` less `percent` of the other.
 std::int64_t energy_less(ConstValues one, ConstValues other, std::int32_t percent) {
   std::int64_t sum = 0;
+  CourseBound<5> bound;
   for (std::size_t i = 0; i < one.size(); ++i) {
+    bound.next();
     const std::int64_t difference = one[i] - other[i] * percent / 100;
     sum += difference * difference;
   }
@@ -99,7 +125,9 @@ std::int64_t energy_less(ConstValues one, ConstValues other, std::int32_t percen
 // The energy that a course has in common with `answer` and its slope.
 std::int64_t energy_in_common(ConstValues course, ConstValues answer, Values slope) {
   const std::size_t last = answer.size() - 1;
+  CourseBound<6> bound;
   for (std::size_t i = 0; i <= last; ++i) {
+    bound.next();
     slope[i] = answer[std::min(i + 1, last)] - answer[i == 0 ? 0 : i - 1];
   }
   subtract_line(slope);
@@ -128,10 +156,16 @@ bool is_within(std::int64_t part, std::int64_t whole, std::int32_t percent) {
 template <class Gain>
 void accumulate(Values course, Gain gain) {
   std::int32_t mean = 0;
-  for (std::size_t i = 0; i < course.size(); ++i) mean += gain(i);
+  CourseBound<7> summed;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    summed.next();
+    mean += gain(i);
+  }
   mean /= static_cast<std::int32_t>(course.size());
   course[0] = 0;
+  CourseBound<8> changed;
   for (std::size_t i = 1; i < course.size(); ++i) {
+    changed.next();
     course[i] = course[i - 1] + (gain(i - 1) + gain(i)) / 2 - mean;
   }
   subtract_line(course);
@@ -175,7 +209,9 @@ bool Stillness::is_still(const Limits& limits) const {
   if (seen_ < length || undisturbed_ < length) return false;
   Course courses{}, answers{};
   const Values course = Values(courses).first(length), answer = Values(answers).first(length);
+  CourseBound<9> bound;
   for (std::size_t i = 0; i < length; ++i) {
+    bound.next();
     course[i] = window(length, i).celsius - window(length, 0).celsius;
     answer[i] = window(length, i).answer;
   }
@@ -193,7 +229,9 @@ bool Stillness::is_still(const Limits& limits) const {
 // variance of 1/76 of their spread's square, a third of it if smoothed; half of that is enough.
 bool Stillness::is_too_noisy(const Limits& limits, std::int64_t expected) const {
   std::int64_t squares = 0;
+  CourseBound<10> bound;
   for (std::size_t i = 0; i < limits.length; ++i) {
+    bound.next();
     const std::int64_t spread = window(limits.length, i).spread;
     squares += spread * spread;
   }

@@ -19,6 +19,7 @@ namespace thermal {
 class Stillness {
  public:
   using ConstValues = std::span<const std::int32_t>;
+  static constexpr std::size_t longest = 54;  // windows
   // In thousandths of a degree. What is given and taken is per window, as the sensor feels it.
   struct Window {
     std::int32_t celsius{};
@@ -42,7 +43,6 @@ class Stillness {
   void disturb() { undisturbed_ = 0; }
 
  private:
-  static constexpr std::size_t longest = 54;
   using Course = std::array<std::int32_t, longest>;
 
   struct Limits {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many of the firmware's functions have a bound: no fewer from one change to the next.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "directories.hpp"
+#include "sim/processor/timing_table.hpp"
+#include "tools/timing/report.hpp"
+
+namespace timing {
+namespace {
+
+// To be lowered with each loop that gets a bound. A new function shall have one.
+constexpr std::ptrdiff_t most_without_bound = 85;
+
+TEST(Coverage, few_functions_of_the_firmware_have_no_bound) {
+  Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
+  program.memory_bytes = CHIP_MEMORY_BYTES;
+  const auto rows = bounds(program, Costs{processor::TimingTable()}, CHIP_HAS_ZBB, {});
+  const auto without = std::ranges::count_if(rows, [](const Row& row) { return !row.clocks; });
+  EXPECT_GT(rows.size(), 300U);
+  EXPECT_LE(without, most_without_bound) << "see ./stepfabric timing";
+  for (const Row& row : rows) EXPECT_EQ(row.clocks.has_value(), row.problems.empty()) << row.name;
+}
+
+}  // namespace
+}  // namespace timing
