@@ -11,7 +11,9 @@ add_unit_test(step_generator_test
   LABELS unit driver ARGUMENTS --gtest_filter=-*whole*)
 
 # A ramp of a hundred million clocks.
-add_test(NAME step_generator_slow_test COMMAND step_generator_test --gtest_filter=*whole*)
+keep_result(kept step_generator_slow_test)
+add_test(NAME step_generator_slow_test
+  COMMAND ${kept} -- $<TARGET_FILE:step_generator_test> --gtest_filter=*whole*)
 set_tests_properties(step_generator_slow_test PROPERTIES LABELS slow TIMEOUT 1800)
 
 add_unit_test(step_generator_reference_test
@@ -25,17 +27,20 @@ add_unit_test(step_generator_wild_test
   LABELS unit driver)
 
 # The same with more runs than an everyday check has time for.
-add_test(NAME step_generator_reference_slow_test COMMAND step_generator_reference_test)
-add_test(NAME step_generator_wild_slow_test COMMAND step_generator_wild_test)
-set_tests_properties(step_generator_reference_slow_test step_generator_wild_slow_test PROPERTIES
-  LABELS slow TIMEOUT 1800 ENVIRONMENT STEP_GENERATOR_RUNS=250)
+foreach(name reference wild)
+  keep_result(kept step_generator_${name}_slow_test)
+  add_test(NAME step_generator_${name}_slow_test
+    COMMAND ${kept} -- ${CMAKE_COMMAND} -E env STEP_GENERATOR_RUNS=250 $<TARGET_FILE:step_generator_${name}_test>)
+  set_tests_properties(step_generator_${name}_slow_test PROPERTIES LABELS slow TIMEOUT 1800)
+endforeach()
 
 # The VHDL in GHDL against the netlist in Verilator.
 add_executable(step_generator_edges step_generator_edges.cpp)
 target_link_libraries(step_generator_edges
   PRIVATE strict_warnings verilated_bus motion_reference step_generator_model)
+keep_result(kept step_generator_cross_check)
 add_test(NAME step_generator_cross_check
-  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/step_generator_cross_check.sh $<TARGET_FILE:step_generator_edges>
+  COMMAND ${kept} ${bench_contents} ${CMAKE_SOURCE_DIR}/tools/hardware -- ${CMAKE_CURRENT_SOURCE_DIR}/step_generator_cross_check.sh $<TARGET_FILE:step_generator_edges>
     ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/step_generator_cross_check 0 1 2 3)
 set_tests_properties(step_generator_cross_check PROPERTIES LABELS "driver;testbench" TIMEOUT 600)
 

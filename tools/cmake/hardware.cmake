@@ -11,6 +11,10 @@ find_program(GHDL ghdl REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT
   OUTPUT_VARIABLE verilator_root OUTPUT_STRIP_TRAILING_WHITESPACE)
 
+# What tools/hardware/run_testbench.sh reads.
+set(bench_contents ${CMAKE_SOURCE_DIR}/rtl ${CMAKE_SOURCE_DIR}/boards ${CMAKE_SOURCE_DIR}/testbench
+  ${CMAKE_SOURCE_DIR}/tools/hardware/weave_properties.sh)
+
 function(add_testbench name)
   cmake_parse_arguments(PARSE_ARGV 1 argument "WITHOUT_PROPERTIES" "TIMEOUT;BENCH" "GENERICS;LABELS")
   set(options)
@@ -25,7 +29,8 @@ function(add_testbench name)
   endif()
   list(TRANSFORM argument_GENERICS PREPEND -g)
   file(GLOB_RECURSE bench_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/*.vhd)
-  add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh ${options}
+  keep_result(kept ${name})
+  add_test(NAME ${name} COMMAND ${kept} ${bench_contents} -- ${CMAKE_SOURCE_DIR}/tools/hardware/run_testbench.sh ${options}
     ${CMAKE_BINARY_DIR}/testbench/${name} ${argument_BENCH} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT}
     LABELS "testbench;${argument_LABELS}" SKIP_RETURN_CODE 77)
