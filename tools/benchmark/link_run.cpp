@@ -106,13 +106,19 @@ LinkRun run_link(const sim::ElfImage& firmware, const machine::Description& desc
                      static_cast<double>(simulation.now() - measured_from);
   run.lines_per_second = static_cast<double>(answers.size() - 1 - order.first_measured) /
                          rate.seconds(answers.back().heard - answers[order.first_measured].heard);
-  const double bit_us = 1e6 / order.baud;
+  // In whole clocks, so that rounding leaves no mean above the longest.
+  sim::Clock sum = 0, longest = 0;
   for (std::size_t i = order.first_measured; i < answers.size(); ++i) {
-    const double latency_us =
-        1e6 * rate.seconds(answers[i].heard_from - answers[i].sent) - bits_until_heard * bit_us;
-    run.mean_latency_us += latency_us / static_cast<double>(answers.size() - order.first_measured);
-    run.longest_latency_us = std::max(run.longest_latency_us, latency_us);
+    const sim::Clock latency = answers[i].heard_from - answers[i].sent;
+    sum += latency;
+    longest = std::max(longest, latency);
   }
+  const auto latency_us = [&](double clocks) {
+    return 1e6 * (clocks / order.clock_hz - bits_until_heard / order.baud);
+  };
+  run.mean_latency_us = latency_us(static_cast<double>(sum) /
+                                   static_cast<double>(answers.size() - order.first_measured));
+  run.longest_latency_us = latency_us(static_cast<double>(longest));
   run.motion_seconds = motion_seconds(pins, rate);
   run.underruns = cold.chip.queue_statistics().underruns;
   return run;
