@@ -10,23 +10,22 @@ namespace processor {
 void ProcessorModel::begin_access(const Instruction& instruction, std::uint32_t address,
                                   Clock clock) {
   accessing_ = instruction;
-  const bool is_store = instruction.operation >= Operation::store_byte;
+  const bool writes = is_store(instruction.operation);
   // After the three signed loads come the two unsigned ones.
-  const auto size = is_store ? static_cast<unsigned>(instruction.operation) -
-                                   static_cast<unsigned>(Operation::store_byte)
-                             : (static_cast<unsigned>(instruction.operation) -
-                                static_cast<unsigned>(Operation::load_byte)) %
-                                   3;
+  const auto size = writes ? static_cast<unsigned>(instruction.operation) -
+                                 static_cast<unsigned>(Operation::store_byte)
+                           : (static_cast<unsigned>(instruction.operation) -
+                              static_cast<unsigned>(Operation::load_byte)) %
+                                 3;
   const unsigned bytes = 1U << size;
   constexpr std::array<std::uint32_t, 3> copies{0x0101'0101, 0x0001'0001, 1};
   // With a load the lines of the data carry its second operand, the offset.
-  const std::uint32_t data =
-      is_store ? state_.registers[instruction.second] : instruction.immediate;
+  const std::uint32_t data = writes ? state_.registers[instruction.second] : instruction.immediate;
   const std::uint32_t mask = bytes == 4 ? ~std::uint32_t{0} : (1U << (8 * bytes)) - 1;
   access_ = {.address = address,
              .data = (data & mask) * copies[size],
              .lanes = static_cast<std::uint8_t>(((1U << bytes) - 1) << (address & 3)),
-             .write = is_store};
+             .write = writes};
   state_.accesses = true;
   state_.access_clock = clock;
 }

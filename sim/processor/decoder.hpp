@@ -62,6 +62,16 @@ enum class Operation : std::uint8_t {
   trap_return,
 };
 
+constexpr bool is_branch(Operation operation) {
+  return operation >= Operation::branch_equal && operation <= Operation::branch_not_below;
+}
+constexpr bool is_load(Operation operation) {
+  return operation >= Operation::load_byte && operation <= Operation::load_unsigned_half;
+}
+constexpr bool is_store(Operation operation) {
+  return operation >= Operation::store_byte && operation <= Operation::store_word;
+}
+
 // Replaces x0 as a destination, and means "no register" in comparisons.
 inline constexpr std::uint8_t no_register = 32;
 

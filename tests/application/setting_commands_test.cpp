@@ -7,6 +7,16 @@
 namespace application_test {
 namespace {
 
+// M503 of what the machine description says.
+const std::string described_settings = R"(
+    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
+    <- echo: M203 X200.00 Y200.00 Z12.00 E80.00
+    <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
+    <- echo: M204 P1500.00 R1500.00 T1500.00
+    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
+    <- ok
+)";
+
 TEST(setting_commands, take_what_sliced_files_begin_with) {
   Printer printer;
   printer.talk(R"(
@@ -42,15 +52,7 @@ TEST(setting_commands, keep_what_was_where_one_value_of_a_line_is_refused) {
     EXPECT_TRUE(said->contains("not executed")) << line << ": " << *said;
     EXPECT_EQ(printer.reply(), "ok");
   }
-  printer.talk(R"(
-    -> M503
-    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
-    <- echo: M203 X200.00 Y200.00 Z12.00 E80.00
-    <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
-    <- echo: M204 P1500.00 R1500.00 T1500.00
-    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
-    <- ok
-  )");
+  printer.talk("-> M503\n" + described_settings);
 }
 
 TEST(setting_commands, m92_changes_the_steps_of_later_moves) {
@@ -182,12 +184,8 @@ TEST(setting_commands, m502_restores_what_the_machine_description_says) {
     <- ok
     -> M501
     <- echo:Hardcoded Default Settings Loaded
-    <- echo: M92 X80.00 Y80.00 Z2560.00 E500.00
-    <- echo: M203 X200.00 Y200.00 Z12.00 E80.00
-    <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
-    <- echo: M204 P1500.00 R1500.00 T1500.00
-    <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
-    <- ok
+)" + described_settings +
+               R"(
     -> G1 X20
     <- ok
     -> M400

@@ -3,13 +3,6 @@
 # program, registered with ctest as one test.
 find_package(GTest REQUIRED)
 
-# Before the command of a test that is the same whenever it runs, with paths of its contents and `--` behind it: a result
-# is kept as long as these contents and those of the files in the command line are the same.
-function(keep_result variable name)
-  set(${variable} ${CMAKE_SOURCE_DIR}/tools/cmake/kept_result.sh ${CMAKE_BINARY_DIR}/kept_results/${name}
-    ${CMAKE_SOURCE_DIR}/tools/environment/packages.txt PARENT_SCOPE)
-endfunction()
-
 function(add_unit_test name)
   cmake_parse_arguments(PARSE_ARGV 1 argument "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS;ARGUMENTS")
   add_executable(${name} ${argument_SOURCES})

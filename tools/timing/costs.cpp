@@ -19,16 +19,6 @@ bool is_late(Operation operation) {
 
 }  // namespace
 
-bool is_load(Operation operation) {
-  return operation >= Operation::load_byte && operation <= Operation::load_unsigned_half;
-}
-bool is_store(Operation operation) {
-  return operation >= Operation::store_byte && operation <= Operation::store_word;
-}
-bool is_branch(Operation operation) {
-  return operation >= Operation::branch_equal && operation <= Operation::branch_not_below;
-}
-
 Costs::Costs(const processor::TimingTable& table)
     : simple(table.at("arithmetic and logic")),
       multiplication(table.at("multiplication")),

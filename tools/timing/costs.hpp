@@ -28,8 +28,4 @@ struct Costs {
                    const processor::Instruction& next) const;
 };
 
-bool is_load(processor::Operation operation);
-bool is_store(processor::Operation operation);
-bool is_branch(processor::Operation operation);
-
 }  // namespace timing

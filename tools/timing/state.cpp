@@ -107,7 +107,7 @@ Value result_of(const Program& program, Address address, const Instruction& inst
   if (operation == Operation::jump || operation == Operation::jump_register) {
     return number(address + instruction.bytes);
   }
-  if (operation >= Operation::load_byte && operation <= Operation::load_unsigned_half) {
+  if (is_load(operation)) {
     const auto value = loaded(program, instruction, first);
     return value ? number(*value) : Value{};
   }
