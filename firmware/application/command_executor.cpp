@@ -124,7 +124,7 @@ std::optional<Progress> CommandExecutor::prepare() {
   if (groups_.dry_runs.asked_for() && (row_ == nullptr || !row_->while_dry_run)) {
     return groups_.dry_runs.refuse_line(active_);
   }
-  if (row_ == nullptr || row_->handler() == nullptr) return active_.refuse_unknown();
+  if (row_ == nullptr || !row_->has_handler()) return active_.refuse_unknown();
   if (command.letter != 'T' && command.subcode > row_->most_subcode) {
     return active_.refuse_unknown();
   }

@@ -3,6 +3,7 @@
 #include "application/gcode_entry.hpp"
 
 #include "application/gcode_table.hpp"
+#include "units/call_table.hpp"
 
 namespace application {
 namespace {
@@ -105,10 +106,13 @@ constexpr List<ArgumentSet> list_argument_sets() {
 
 constexpr List<Handler> list_handlers() {
   List<Handler> all;
-  for (const GcodeRow& row : gcode_table) {
-    all.put(row.handler);
-    all.put(row.conduct.report);
-  }
+  for (const GcodeRow& row : gcode_table) all.put(row.handler);
+  return all;
+}
+
+constexpr List<Handler> list_reports() {
+  List<Handler> all;
+  for (const GcodeRow& row : gcode_table) all.put(row.conduct.report);
   return all;
 }
 
@@ -116,11 +120,13 @@ constexpr auto argument_sets = fitted<list_argument_sets>();
 static_assert(std::ranges::max(argument_sets, {}, &ArgumentSet::limit_count).limit_count <=
               most_limits);
 constexpr auto handlers = fitted<list_handlers>();
+constexpr auto reports = fitted<list_reports>();
 
 constexpr auto entries = [] {
   std::array<GcodeEntry, gcode_table.size()> list{};
   const auto all_sets = list_argument_sets();
   const auto all_handlers = list_handlers();
+  const auto all_reports = list_reports();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const GcodeRow& row = gcode_table[i];
     list[i] = GcodeEntry{.key = static_cast<std::uint16_t>(key_of(row.letter, row.code)),
@@ -131,7 +137,7 @@ constexpr auto entries = [] {
                          .most_subcode = static_cast<std::uint8_t>(row.conduct.most_subcode & 7),
                          .argument_set = all_sets.place_of(arguments_of(row)),
                          .handler_index = all_handlers.place_of(row.handler),
-                         .report_index = all_handlers.place_of(row.conduct.report)};
+                         .report_index = all_reports.place_of(row.conduct.report)};
   }
   return list;
 }();
@@ -149,8 +155,17 @@ ArgumentLimits GcodeEntry::limits() const {
   return {all_limits.data() + set.first_limit, set.limit_count};
 }
 
-Handler GcodeEntry::handler() const { return handlers[handler_index]; }
-Handler GcodeEntry::report() const { return handlers[report_index]; }
+bool GcodeEntry::has_handler() const { return handlers[handler_index] != nullptr; }
+
+Handler GcodeEntry::handler() const {
+  units::declare_call_by<handlers>();
+  return handlers[handler_index];
+}
+
+Handler GcodeEntry::report() const {
+  units::declare_call_by<reports>();
+  return reports[report_index];
+}
 
 const GcodeEntry* find_entry(const gcode::Command& command) {
   const std::uint32_t key = key_of(command.letter, command.code);

@@ -14,7 +14,7 @@ struct GcodeEntry {
   bool while_storing : 1;
   bool while_dry_run : 1;
   std::uint8_t most_subcode : 3;
-  // Indices: of all sets of arguments, and of all handlers.
+  // Indices: of all sets of arguments, all handlers, all reports.
   std::uint8_t argument_set;
   std::uint8_t handler_index;
   std::uint8_t report_index;
@@ -23,6 +23,7 @@ struct GcodeEntry {
   bool is_of(const gcode::Command& command) const;
   std::uint32_t letters() const;  // of its arguments, as gcode::Command has them
   ArgumentLimits limits() const;
+  bool has_handler() const;
   Handler handler() const;
   Handler report() const;
 };

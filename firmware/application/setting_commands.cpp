@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "application/setting_reports.hpp"
+#include "units/call_table.hpp"
 
 namespace application {
 namespace {
@@ -21,7 +22,25 @@ Quantity micrometers(units::Nanometers length) {
   return Quantity(static_cast<Representation>(std::clamp(value, -most, most)));
 }
 
+template <auto set, class Quantity>
+motion::Accepted set_micrometers(motion::Limits& limits, units::Nanometers value) {
+  return set(limits, micrometers<Quantity>(value));
+}
+
 }  // namespace
+
+constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
+  using Acceleration = units::MicrometersPerSecondSquared;
+  using Speed = units::MicrometersPerSecond;
+  constexpr auto print = set_micrometers<motion::set_print_acceleration, Acceleration>;
+  constexpr auto travel = set_micrometers<motion::set_travel_acceleration, Acceleration>;
+  constexpr auto retract = set_micrometers<motion::set_retract_acceleration, Acceleration>;
+  return Settings{
+      .accelerations{{{'S', print}, {'S', travel}, {'P', print}, {'T', travel}, {'R', retract}}},
+      .advanced{{{'S', set_micrometers<motion::set_min_print_speed, Speed>},
+                 {'T', set_micrometers<motion::set_min_travel_speed, Speed>},
+                 {'J', motion::set_junction_deviation}}}};
+}();
 
 // A line with one value out of range changes nothing.
 template <class Quantity>
@@ -40,6 +59,7 @@ motion::Accepted SettingCommands::change_per_axis(motion::Limits& changed,
 motion::Accepted SettingCommands::change_for_all(motion::Limits& changed,
                                                  const ActiveCommand& command,
                                                  std::span<const Setting> settings) const {
+  units::declare_call_by<settings_>();
   for (const Setting& setting : settings) {
     const auto value = coordinates_.rounded_length(command.command, setting.letter);
     if (!value) continue;
@@ -69,37 +89,16 @@ Progress SettingCommands::set_max_speeds(ActiveCommand& command) {
 
 // P printing, T travel, R retraction; S is both P and T, as old slicers write it.
 Progress SettingCommands::set_accelerations(ActiveCommand& command) {
-  using Acceleration = units::MicrometersPerSecondSquared;
-  constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
-    return motion::set_print_acceleration(limits, micrometers<Acceleration>(value));
-  };
-  constexpr auto travel = [](motion::Limits& limits, units::Nanometers value) {
-    return motion::set_travel_acceleration(limits, micrometers<Acceleration>(value));
-  };
-  constexpr auto retract = [](motion::Limits& limits, units::Nanometers value) {
-    return motion::set_retract_acceleration(limits, micrometers<Acceleration>(value));
-  };
-  static constexpr Setting settings[]{
-      {'S', print}, {'S', travel}, {'P', print}, {'T', travel}, {'R', retract}};
   motion::Limits changed = motion_.limits();
-  return set_limits(command, changed, change_for_all(changed, command, settings));
+  return set_limits(command, changed, change_for_all(changed, command, settings_.accelerations));
 }
 
 // X Y Z E jerk, J junction deviation, S slowest print move, T slowest travel. B is a number of
 // another planner, which has no effect.
 Progress SettingCommands::set_advanced(ActiveCommand& command) {
-  using Speed = units::MicrometersPerSecond;
-  constexpr auto print = [](motion::Limits& limits, units::Nanometers value) {
-    return motion::set_min_print_speed(limits, micrometers<Speed>(value));
-  };
-  constexpr auto travel = [](motion::Limits& limits, units::Nanometers value) {
-    return motion::set_min_travel_speed(limits, micrometers<Speed>(value));
-  };
-  static constexpr Setting settings[]{
-      {'S', print}, {'T', travel}, {'J', motion::set_junction_deviation}};
   motion::Limits changed = motion_.limits();
   motion::Accepted accepted = change_per_axis(changed, command, motion::set_jerk);
-  if (accepted) accepted = change_for_all(changed, command, settings);
+  if (accepted) accepted = change_for_all(changed, command, settings_.advanced);
   return set_limits(command, changed, accepted);
 }
 

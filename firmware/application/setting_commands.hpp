@@ -2,6 +2,7 @@
 // The commands for the limits of the axes: M92 M201 M203 M204 M205 M501 to M503.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "application/active_command.hpp"
@@ -33,6 +34,10 @@ class SettingCommands {
     char letter;
     motion::Accepted (*set)(motion::Limits&, units::Nanometers);
   };
+  struct Settings {
+    std::array<Setting, 5> accelerations;
+    std::array<Setting, 3> advanced;
+  };
   template <class Quantity>
   using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
 
@@ -44,6 +49,8 @@ class SettingCommands {
                                    SetOfAxis<Quantity> set) const;
   Progress set_limits(ActiveCommand& command, const motion::Limits& changed,
                       motion::Accepted accepted);
+
+  static const Settings settings_;
 
   const MachineDescription& machine_;
   MotionTask& motion_;

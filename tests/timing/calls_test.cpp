@@ -11,6 +11,7 @@
 #include "sim/simulation/verilated_chip.hpp"
 #include "tests/loaded_printer.hpp"
 #include "tests/timing/calls.hpp"
+#include "tools/timing/stack.hpp"
 
 namespace timing {
 namespace {
@@ -43,6 +44,11 @@ class Run {
                    .slept = now.sleeping_clocks,
                    .program_counter = now.program_counter});
     }
+    // start.S has painted it.
+    const Address top = program_.addresses.at("_stack_top");
+    Address used = program_.addresses.at("_stack_bottom");
+    while (used < top && chip.read_memory(used) == 0xA5A5'A5A5) used += 4;
+    stack_bytes_ = top - used;
   }
 
   struct Comparison {
@@ -79,6 +85,7 @@ class Run {
   const Costs costs_{processor::TimingTable()};
   Program program_;
   Calls calls_;
+  std::uint32_t stack_bytes_ = 0;
 };
 
 const Run& run() {
@@ -94,6 +101,15 @@ TEST(Calls, take_at_most_the_bound_of_their_function) {
   EXPECT_EQ(result.too_long, "");
   fmt::print("{} calls of {} functions\nnearest to its bound: {}\nfarthest: {}\n", result.calls,
              result.functions, result.closest, result.farthest);
+}
+
+TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {
+  Stack stack(run().program_, CHIP_HAS_ZBB);
+  const auto bound = stack.depth(run().program_.find("main").at(0));
+  ASSERT_TRUE(bound);
+  fmt::print("{} of {} bytes\n", run().stack_bytes_, *bound);
+  EXPECT_LE(run().stack_bytes_, *bound);
+  EXPECT_GT(run().stack_bytes_, *bound / 2);
 }
 
 TEST(Calls, a_wrong_cost_is_found) {

@@ -2,16 +2,13 @@
 // The longest time that a function takes, with all that it calls.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
-#include <utility>
 
+#include "tools/timing/call_tree.hpp"
 #include "tools/timing/costs.hpp"
 #include "tools/timing/flow.hpp"
-#include "tools/timing/problem.hpp"
 #include "tools/timing/reach.hpp"
 
 namespace timing {
@@ -27,17 +24,11 @@ class Analysis {
   // From the clock of its first instruction to that of the first one behind its end, without
   // sleep; nothing where there are problems. Nothing is known of its arguments.
   std::optional<Clocks> bound(Address function);
-  const std::set<Problem>& problems() const { return problems_; }
-  void forget_problems() { problems_.clear(); }
+  const std::set<Problem>& problems() const { return tree_.problems(); }
+  void forget_problems() { tree_.forget_problems(); }
 
  private:
   friend class FunctionBound;
-  using Arguments = std::array<Value, last_argument - first_argument + 1>;
-  struct Context {
-    Entry entry;
-    std::array<std::pair<bool, std::uint32_t>, std::tuple_size_v<Arguments>> arguments;
-    auto operator<=>(const Context&) const = default;
-  };
 
   std::optional<Clocks> bound(Entry entry, const State& at_call);
 
@@ -45,9 +36,7 @@ class Analysis {
   Costs costs_;
   Flows flows_;
   Reach reach_;
-  std::map<Context, std::optional<Clocks>> known_;
-  std::set<Address> under_way_;
-  std::set<Problem> problems_;
+  CallTree<Clocks> tree_;
 };
 
 }  // namespace timing

@@ -2,6 +2,7 @@
 // From inner loops outwards: a loop becomes a node whose ways out cost all its rounds.
 #include "tools/timing/function_bound.hpp"
 
+#include "tools/timing/callees.hpp"
 #include "tools/timing/markers.hpp"
 
 namespace timing {
@@ -38,10 +39,10 @@ FunctionBound::FunctionBound(Analysis& analysis, const Flow& flow, Entry entry, 
 
 void FunctionBound::add_problem(Address address, std::string what, std::string remedy) {
   is_bounded_ = false;
-  analysis_.problems_.insert({.place = analysis_.program_.place_of(address),
-                              .function = analysis_.program_.name_of(entry_.address),
-                              .what = std::move(what),
-                              .remedy = std::move(remedy)});
+  analysis_.tree_.add({.place = analysis_.program_.place_of(address),
+                       .function = analysis_.program_.name_of(entry_.address),
+                       .what = std::move(what),
+                       .remedy = std::move(remedy)});
 }
 
 // The stack lies in memory. Any other address that is not known may be a peripheral's.
@@ -54,23 +55,26 @@ bool FunctionBound::on_bus(std::size_t node) const {
 
 Clocks FunctionBound::called(std::size_t node) {
   const Node& caller = flow_.nodes[node];
-  const auto target = Reach::target(caller, *reached_.before[node]);
-  if (!target) {
+  const auto targets = callees(analysis_.program_, flow_, reached_, node);
+  if (targets.empty()) {
     add_problem(caller.address, "the function called here is not known",
-                "call it by its name, or by a constant table at a known place");
-    return 0;
-  }
-  if (!analysis_.program_.is_code(*target)) {
-    if (caller.calls) {
-      add_problem(caller.address, "what is called here lies outside the code", "jump to it");
-    }
-    // Another program takes over, and does not return.
-    return 0;
+                "call it by its name, or declare the table of its pointer (units/call_table.hpp)");
   }
   const unsigned link = caller.calls ? caller.instruction.destination : entry_.link;
-  const auto clocks = analysis_.bound({.address = *target, .link = link}, *reached_.before[node]);
-  is_bounded_ = is_bounded_ && clocks;
-  return clocks.value_or(0);
+  Clocks longest = 0;
+  for (const Address target : targets) {
+    if (!analysis_.program_.is_code(target)) {
+      if (caller.calls) {
+        add_problem(caller.address, "what is called here lies outside the code", "jump to it");
+      }
+      // Another program takes over, and does not return.
+      continue;
+    }
+    const auto clocks = analysis_.bound({.address = target, .link = link}, *reached_.before[node]);
+    is_bounded_ = is_bounded_ && clocks;
+    longest = std::max(longest, clocks.value_or(0));
+  }
+  return longest;
 }
 
 Clocks FunctionBound::cost(std::size_t node, const Way* way) {

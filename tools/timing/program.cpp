@@ -69,7 +69,8 @@ class Reader {
       const char* name = elf_strptr(elf_, names, header.sh_name);
       const std::string_view called = name == nullptr ? "" : name;
       if (called == ".text") read_text(section, header, program);
-      if (called == ".loop_bounds") read_markers(section, program);
+      if (called == ".loop_bounds") read_facts(section, program.markers);
+      if (called == ".call_tables") read_facts(section, program.call_tables);
       if (header.sh_type == SHT_SYMTAB) read_symbols(section, header, program);
     }
     if (program.bytes.empty()) throw std::runtime_error(file_ + ": has no section .text");
@@ -93,13 +94,14 @@ class Reader {
     program.bytes.assign(begin, begin + data->d_size);
   }
 
-  static void read_markers(Elf_Scn* section, Program& program) {
+  template <class Fact>
+  static void read_facts(Elf_Scn* section, std::vector<Fact>& facts) {
     const Elf_Data* data = elf_getdata(section, nullptr);
     if (data == nullptr) return;
-    for (std::size_t i = 0; i + sizeof(LoopMarker) <= data->d_size; i += sizeof(LoopMarker)) {
-      LoopMarker marker;
-      std::memcpy(&marker, static_cast<const char*>(data->d_buf) + i, sizeof marker);
-      program.markers.push_back(marker);
+    for (std::size_t i = 0; i + sizeof(Fact) <= data->d_size; i += sizeof(Fact)) {
+      Fact fact;
+      std::memcpy(&fact, static_cast<const char*>(data->d_buf) + i, sizeof fact);
+      facts.push_back(fact);
     }
   }
 

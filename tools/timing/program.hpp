@@ -25,6 +25,12 @@ struct LoopMarker {
   std::uint32_t is_end{};
 };
 
+// What `declare_call_by<table>()` leaves in the image (firmware/units/call_table.hpp): its place, and
+// the table.
+struct CallTable {
+  Address place{}, first{}, bytes{};
+};
+
 struct Symbol {
   std::string name;  // demangled, without its arguments
   Address size{};
@@ -41,6 +47,7 @@ struct Program {
   std::map<Address, Symbol> symbols;  // of code
   std::map<std::string, Address> addresses;  // of all symbols, by their names as in the file
   std::vector<LoopMarker> markers;
+  std::vector<CallTable> call_tables;
   // Memory that answers at once; all else is on the bus.
   Address memory_start = 0x8000'0000;
   Address memory_bytes{};

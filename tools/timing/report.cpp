@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tools/timing/stack.hpp"
+
 namespace timing {
 
 std::vector<Row> bounds(const Program& program, const Costs& costs, bool has_zbb,
@@ -33,9 +35,11 @@ std::vector<Row> bounds(const Program& program, const Costs& costs, bool has_zbb
     // A new one each time, so that each row has its own problems.
     Analysis analysis(program, costs, has_zbb);
     const auto clocks = analysis.bound(function);
+    Stack stack(program, has_zbb);
     rows.push_back({.name = program.symbols.at(function).name,
                     .address = function,
                     .clocks = clocks,
+                    .stack_bytes = stack.depth(function),
                     .problems = analysis.problems()});
   }
   return rows;
@@ -74,6 +78,7 @@ std::string to_json(const std::vector<Row>& rows) {
     }
     nlohmann::json function{{"name", row.name}, {"address", row.address}, {"problems", problems}};
     if (row.clocks) function["clocks"] = *row.clocks;
+    if (row.stack_bytes) function["stack_bytes"] = *row.stack_bytes;
     functions.push_back(function);
   }
   return nlohmann::json{{"functions", functions}}.dump(2) + "\n";

@@ -15,6 +15,7 @@ struct Row {
   std::string name;
   Address address{};
   std::optional<Clocks> clocks;
+  std::optional<std::uint32_t> stack_bytes;
   std::set<Problem> problems;  // of it and of what it calls
 };
 
