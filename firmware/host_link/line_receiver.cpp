@@ -13,7 +13,7 @@ namespace {
 
 using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
-constexpr bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+constexpr bool is_text(char c) { return c == '\t' || (c >= ' ' && c <= '~'); }
 
 // Noise that leaves the checksum intact mostly corrupts this.
 constexpr bool may_follow_number(char c) {
@@ -62,7 +62,7 @@ void LineReceiver::put_into_line(char byte) {
     put_into_checksum(byte);
   }
   exclusive_or_ = static_cast<std::uint8_t>(exclusive_or_ ^ static_cast<std::uint8_t>(byte));
-  if (!is_printable(byte)) unprintable_ = true;
+  if (!is_text(byte)) unprintable_ = true;
   if (length_ < std::numeric_limits<std::uint32_t>::max()) ++length_;
 }
 

@@ -27,7 +27,7 @@ struct ReceivedLine {
   Checksum checksum{};
   std::string_view behind_star{};  // of the last '*': the digits of a checksum, or something else
   bool too_long{};  // more than max_line_length: text is its beginning
-  bool unprintable{};  // holds a byte outside 0x20 .. 0x7e
+  bool unprintable{};  // holds a byte outside 0x20 .. 0x7e that is no tab
   bool corrupted{};  // the uart saw an error in it
   bool torn{};  // after a line that was given up: it may be the rest of that
   // Number or checksum is there: the host keeps it for a resend.

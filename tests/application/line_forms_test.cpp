@@ -28,17 +28,17 @@ TEST(line_forms, are_executed_to_the_same_step) {
   int number = 0;
   int millimeters = 0;
   for (const std::string_view command : Texts{"G1 X1 F6000", "g1x1f6000", "G01 X+01. F6000",
-                                              "G1(X9)X1.000F6000", " G1  X 1  F 6000 "}) {
-    for (const std::string_view end : Texts{"", "\r", " ", " \r"}) {
+                                              "G1(X9)X1.000F6000", " G1  X 1  F 6000 ", "G1\tX1\tF6000"}) {
+    for (const std::string_view end : Texts{"", "\r", " ", "\t", " \r"}) {
       printer.send(std::string(command) + std::string(end));
       EXPECT_EQ(printer.reply(), "ok") << command;
       printer.send(std::string(command) + " ; X9" + std::string(end));
       EXPECT_EQ(printer.reply(), "ok") << command;
-      for (const std::string_view gap : Texts{"", " "}) {
+      for (const std::string_view gap : Texts{"", " ", "\t"}) {
         printer.send(numbered(++number, command, gap) + std::string(end));
         EXPECT_EQ(printer.reply(), "ok") << command;
       }
-      millimeters += 4;
+      millimeters += 5;
       printer.talk("-> M400\n<- ok");
       EXPECT_EQ(printer.chip.position[0], 80 * millimeters) << command;
     }
