@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "application/setting_reports.hpp"
 #include "units/call_table.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -60,7 +62,9 @@ motion::Accepted SettingCommands::change_for_all(motion::Limits& changed,
                                                  const ActiveCommand& command,
                                                  std::span<const Setting> settings) const {
   units::declare_call_by<settings_>();
+  units::LoopBound<std::tuple_size_v<decltype(settings_.accelerations)>> bound;
   for (const Setting& setting : settings) {
+    bound.next();
     const auto value = coordinates_.rounded_length(command.command, setting.letter);
     if (!value) continue;
     const motion::Accepted accepted = setting.set(changed, *value);

@@ -4,13 +4,19 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
+
 namespace host_link {
 namespace {
 
 // FNV-1a (Fowler, Noll, Vo), 32 bits: shows whether a repeated number brings the same text.
 std::uint32_t fingerprint_of(std::string_view text) {
   std::uint32_t hash = 2'166'136'261;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
+  units::LoopBound<max_line_length> bound;
+  for (const char c : text) {
+    bound.next();
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
+  }
   return hash;
 }
 
@@ -230,7 +236,9 @@ void LineNumbering::resend_sent(units::Milliseconds now) {
 }
 
 bool LineNumbering::taken_before(LineNumber number, std::uint32_t fingerprint) const {
+  units::LoopBound<history_length> bound;
   for (std::size_t i = 0; i < history_size_; ++i) {
+    bound.next();
     if (history_[i] == Taken{number, fingerprint}) return true;
   }
   return false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host_link/line_number.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 
@@ -35,7 +36,9 @@ void LineQueue::drop() {
 std::size_t LineQueue::numbered_in_sequence() const {
   std::size_t count = 0;
   LineNumber next = 0;
+  units::LoopBound<capacity> bound;
   for (std::size_t i = 0; i < size_; ++i) {
+    bound.next();
     const Slot& line = slot(i);
     if (sets_numbering({line.text.data(), line.length})) return 0;
     if (!line.numbered) continue;
@@ -47,7 +50,9 @@ std::size_t LineQueue::numbered_in_sequence() const {
 }
 
 void LineQueue::withdraw_numbered() {
+  units::LoopBound<capacity> bound;
   for (std::size_t i = 0; i < size_; ++i) {
+    bound.next();
     Slot& line = slots_[(first_ + i) % capacity];
     line.withdrawn = line.withdrawn || line.numbered;
   }
@@ -55,7 +60,9 @@ void LineQueue::withdraw_numbered() {
 
 std::size_t LineQueue::waiting() const {
   std::size_t count = 0;
+  units::LoopBound<capacity> bound;
   for (std::size_t i = 0; i < size_; ++i) {
+    bound.next();
     if (!slot(i).withdrawn) ++count;
   }
   return count;

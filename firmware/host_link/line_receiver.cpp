@@ -7,6 +7,7 @@
 
 #include "host_link/line_number.hpp"
 #include "units/digits.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 namespace {
@@ -21,8 +22,16 @@ constexpr bool may_follow_number(char c) {
 }
 
 void trim(std::string_view& text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  units::LoopBound<max_line_length> front;
+  while (!text.empty() && is_blank(text.front())) {
+    front.next();
+    text.remove_prefix(1);
+  }
+  units::LoopBound<max_line_length, 1> back;
+  while (!text.empty() && is_blank(text.back())) {
+    back.next();
+    text.remove_suffix(1);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "units/loop_bound.hpp"
+
 namespace thermal {
 namespace {
 
@@ -62,7 +64,9 @@ void Demand::find_pairs() {
   const Span now = both(spans_[length - 2], spans_[length - 1]);
   least_heating_ = now.heating - stored(now);
   measured_ = now.measured;
+  units::LoopBound<length> bound;
   for (std::size_t i = length - seen_; i + 3 < length; ++i) {
+    bound.next();
     const Span before = both(spans_[i], spans_[i + 1]);
     // Of a block that was much colder too little is known.
     if (before.still < now.still / 2 || before.still <= 0) continue;
@@ -80,7 +84,9 @@ bool Demand::has_grown(const Power& power) const {
   const std::int32_t least_heat = least_heating_ * power.least / Power::scale;
   const std::int32_t explained =
       (least_heat * least_supply / 100 - measured_) * 100 / (100 + model_->draught);
+  units::LoopBound<length> bound;
   for (std::size_t i = 0; i < pairs_seen_; ++i) {
+    bound.next();
     const Pair& before = pairs_[i];
     const std::int32_t most_before =
         before.most_heating * power.most / Power::scale - before.measured;

@@ -4,8 +4,8 @@
 
 namespace units {
 
-// In the function that calls one: its pointer comes from this table, an array that is never written.
-// On the chip this is no instruction, only an entry in a section that is not loaded.
+// In the function that calls one: its pointer comes from this table, a constant. No instruction on
+// the chip, only an entry in a section that is not loaded.
 template <const auto& table>
 [[gnu::always_inline]] inline void declare_call_by() {
 #ifdef __riscv

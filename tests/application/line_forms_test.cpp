@@ -27,8 +27,9 @@ TEST(line_forms, are_executed_to_the_same_step) {
   printer.talk("-> G28\n<- ok\n-> G91\n<- ok");
   int number = 0;
   int millimeters = 0;
-  for (const std::string_view command : Texts{"G1 X1 F6000", "g1x1f6000", "G01 X+01. F6000",
-                                              "G1(X9)X1.000F6000", " G1  X 1  F 6000 ", "G1\tX1\tF6000"}) {
+  for (const std::string_view command :
+       Texts{"G1 X1 F6000", "g1x1f6000", "G01 X+01. F6000", "G1(X9)X1.000F6000",
+             " G1  X 1  F 6000 ", "G1\tX1\tF6000"}) {
     for (const std::string_view end : Texts{"", "\r", " ", "\t", " \r"}) {
       printer.send(std::string(command) + std::string(end));
       EXPECT_EQ(printer.reply(), "ok") << command;

@@ -19,7 +19,7 @@ namespace timing {
 // another register than all else.
 Entry entry_of(const Program& program, Address function);
 
-// What is known where a function begins: the constant arguments, and the registers that never change.
+// What is known where a function begins: constant arguments, and the registers that never change.
 State state_in_callee(const Program& program, const State& at_call);
 
 template <class Result>

@@ -25,8 +25,8 @@ struct LoopMarker {
   std::uint32_t is_end{};
 };
 
-// What `declare_call_by<table>()` leaves in the image (firmware/units/call_table.hpp): its place, and
-// the table.
+// What `declare_call_by<table>()` leaves in the image (firmware/units/call_table.hpp): its place,
+// and the table.
 struct CallTable {
   Address place{}, first{}, bytes{};
 };
