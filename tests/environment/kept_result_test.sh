@@ -51,3 +51,11 @@ echo first > a=b
 expect 14 0 "a file whose name has an =" a=b
 echo changed > a=b
 expect 15 0 "the same file, changed" a=b
+export GTEST_FILTER=none
+expect 16 0 "other tests" a=b
+unset GTEST_FILTER
+expect 17 0 "the tests of before" a=b
+echo 'echo changed meanwhile >> sources/one' > program_that_changes
+sed -i '2i. ./program_that_changes' program
+expect 18 0 "a file that changes meanwhile" a=b
+expect 19 0 "after a file that has changed meanwhile" a=b

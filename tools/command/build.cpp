@@ -17,6 +17,7 @@
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_file.hpp"
 #include "tools/process/process.hpp"
+#include "tools/timing/stack.hpp"
 
 namespace command {
 
@@ -49,6 +50,18 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count) {
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
+// What the linker leaves for the stack is proved to suffice for the machines of this project.
+void require_stack(const std::filesystem::path& image, const std::filesystem::path& description) {
+  const timing::Program program = timing::read_program(image);
+  const auto needed = timing::Stack(program, CHIP_HAS_ZBB).of_image();
+  const std::uint32_t left =
+      program.addresses.at("_stack_top") - program.addresses.at("_stack_bottom");
+  if (needed && *needed <= left) return;
+  throw std::runtime_error(fmt::format(
+      "{}: the firmware for this machine needs {} bytes of stack, and {} are left",
+      description.string(), needed ? std::to_string(*needed) : "an unknown number of", left));
+}
+
 }  // namespace
 
 std::filesystem::path project_folder() { return STEPFABRIC_PROJECT_FOLDER; }
@@ -79,7 +92,10 @@ sim::ElfImage firmware_for(const std::filesystem::path& description, const std::
   // The same text is not written again, so that nothing is built for it.
   if (files::text_of(file) != header) files::write_file(file, header);
   build({"firmware_other_machine_" + stepping});
-  return sim::read_elf(build_folder() / "firmware" / ("other_machine_" + stepping + ".elf"));
+  const std::filesystem::path image =
+      build_folder() / "firmware" / ("other_machine_" + stepping + ".elf");
+  require_stack(image, description);
+  return sim::read_elf(image);
 }
 
 int run_program(const std::vector<std::string>& arguments) {

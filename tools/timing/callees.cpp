@@ -2,8 +2,7 @@
 // Constant targets first, then tables.
 #include "tools/timing/callees.hpp"
 
-#include <algorithm>
-#include <ranges>
+#include <optional>
 #include <set>
 
 namespace timing {
@@ -21,11 +20,20 @@ std::size_t calls_by_pointer(const Flow& flow, const Reached& reached) {
   return count;
 }
 
-std::vector<Address> functions_in(const Program& program, const CallTable& table) {
-  std::vector<Address> found;
+bool is_reached(const Flow& flow, const Reached& reached, Address place) {
+  for (std::size_t i = 0; i < flow.nodes.size(); ++i) {
+    if (flow.nodes[i].address == place) return reached.before[i].has_value();
+  }
+  return false;
+}
+
+// Nothing where the table may change.
+std::optional<std::set<Address>> functions_in(const Program& program, const CallTable& table) {
+  std::set<Address> found;
   for (Address at = table.first; at - table.first + 4 <= table.bytes; at += 4) {
     const auto word = program.constant_at(at, 4);
-    if (word && program.is_code(*word)) found.push_back(*word);
+    if (!word) return std::nullopt;
+    if (program.is_code(*word)) found.insert(*word);
   }
   return found;
 }
@@ -38,9 +46,11 @@ std::vector<Address> callees(const Program& program, const Flow& flow, const Rea
   std::set<Address> found;
   std::set<Address> places;
   for (const CallTable& table : program.call_tables) {
-    if (!std::ranges::contains(flow.nodes, table.place, &Node::address)) continue;
+    if (!is_reached(flow, reached, table.place)) continue;
     places.insert(table.place);
-    for (const Address function : functions_in(program, table)) found.insert(function);
+    const auto functions = functions_in(program, table);
+    if (!functions) return {};
+    found.insert(functions->begin(), functions->end());
   }
   if (places.size() < calls_by_pointer(flow, reached)) return {};
   return {found.begin(), found.end()};

@@ -36,14 +36,36 @@ std::vector<Row> bounds(const Program& program, const Costs& costs, bool has_zbb
     Analysis analysis(program, costs, has_zbb);
     const auto clocks = analysis.bound(function);
     Stack stack(program, has_zbb);
+    const auto stack_bytes = stack.depth(function);
     rows.push_back({.name = program.symbols.at(function).name,
                     .address = function,
                     .clocks = clocks,
-                    .stack_bytes = stack.depth(function),
-                    .problems = analysis.problems()});
+                    .stack_bytes = stack_bytes,
+                    .problems = analysis.problems(),
+                    .stack_problems = stack.problems()});
   }
   return rows;
 }
+
+namespace {
+
+std::string stack_text(const Row& row) {
+  return row.stack_bytes ? fmt::format("{:>6} bytes of stack ", *row.stack_bytes)
+                         : fmt::format("{:>6} bytes of stack ", "?");
+}
+
+nlohmann::json to_json(const std::set<Problem>& problems) {
+  auto list = nlohmann::json::array();
+  for (const Problem& problem : problems) {
+    list.push_back({{"place", problem.place},
+                    {"function", problem.function},
+                    {"what", problem.what},
+                    {"remedy", problem.remedy}});
+  }
+  return list;
+}
+
+}  // namespace
 
 std::string to_text(const std::vector<Row>& rows) {
   std::string text;
@@ -52,12 +74,14 @@ std::string to_text(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     if (row.clocks) {
       ++bounded;
-      text += fmt::format("{:>12} clocks  {}\n", *row.clocks, row.name);
+      text += fmt::format("{:>12} clocks {} {}\n", *row.clocks, stack_text(row), row.name);
     }
     problems.insert(row.problems.begin(), row.problems.end());
+    problems.insert(row.stack_problems.begin(), row.stack_problems.end());
   }
   for (const Row& row : rows) {
-    if (!row.clocks) text += fmt::format("{:>12}         {}\n", "no bound", row.name);
+    if (!row.clocks)
+      text += fmt::format("{:>12}        {} {}\n", "no bound", stack_text(row), row.name);
   }
   for (const Problem& problem : problems) {
     text += fmt::format("{}: in {}: {}: {}\n", problem.place, problem.function, problem.what,
@@ -69,14 +93,10 @@ std::string to_text(const std::vector<Row>& rows) {
 std::string to_json(const std::vector<Row>& rows) {
   auto functions = nlohmann::json::array();
   for (const Row& row : rows) {
-    auto problems = nlohmann::json::array();
-    for (const Problem& problem : row.problems) {
-      problems.push_back({{"place", problem.place},
-                          {"function", problem.function},
-                          {"what", problem.what},
-                          {"remedy", problem.remedy}});
-    }
-    nlohmann::json function{{"name", row.name}, {"address", row.address}, {"problems", problems}};
+    nlohmann::json function{{"name", row.name},
+                            {"address", row.address},
+                            {"problems", to_json(row.problems)},
+                            {"stack_problems", to_json(row.stack_problems)}};
     if (row.clocks) function["clocks"] = *row.clocks;
     if (row.stack_bytes) function["stack_bytes"] = *row.stack_bytes;
     functions.push_back(function);

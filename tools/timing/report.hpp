@@ -17,6 +17,7 @@ struct Row {
   std::optional<Clocks> clocks;
   std::optional<std::uint32_t> stack_bytes;
   std::set<Problem> problems;  // of it and of what it calls
+  std::set<Problem> stack_problems;
 };
 
 // Of these functions, or of all. Throws std::runtime_error for a name that the image does not have.

@@ -30,6 +30,21 @@ std::optional<std::uint32_t> Stack::depth(Address function) {
   return depth(entry_of(program_, function), State::at_start());
 }
 
+std::optional<std::uint32_t> Stack::of_image() {
+  std::uint32_t interrupt = 0;
+  for (const char* name : {"attend", "end_pulse_and_attend"}) {
+    const auto place = program_.addresses.find(name);
+    if (place == program_.addresses.end()) continue;
+    const auto bytes = depth(place->second);
+    if (!bytes) return std::nullopt;
+    interrupt = std::max(interrupt, *bytes);
+  }
+  const auto main = program_.addresses.find("main");
+  const auto bytes = main == program_.addresses.end() ? std::nullopt : depth(main->second);
+  if (!bytes) return std::nullopt;
+  return *bytes + interrupt;
+}
+
 std::optional<std::uint32_t> Stack::depth(Entry entry, const State& at_call) {
   return tree_.of(entry, at_call,
                   [&](Entry begun, const State& start) { return measure(begun, start); });
@@ -68,8 +83,14 @@ std::optional<std::uint32_t> Stack::measure(Entry entry, const State& start) {
     }
     const unsigned link = node.calls ? node.instruction.destination : entry.link;
     for (const Address function : called) {
-      // Another program takes over, with a stack of its own.
-      if (!program_.is_code(function)) continue;
+      if (!program_.is_code(function)) {
+        if (node.calls) {
+          throw Unbounded(problem(entry, node.address, "what is called here lies outside the code",
+                                  "jump to it"));
+        }
+        // Another program takes over, with a stack of its own.
+        continue;
+      }
       const auto below = this->depth({.address = function, .link = link}, *before);
       is_known = is_known && below;
       most = std::max(most, above_zero(depth + static_cast<std::int32_t>(below.value_or(0))));

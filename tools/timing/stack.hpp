@@ -18,6 +18,9 @@ class Stack {
   // Bytes below the stack pointer that the function is called with; nothing where there are
   // problems. Nothing is known of its arguments.
   std::optional<std::uint32_t> depth(Address function);
+  // Of main; where ticks of software stepping interrupt it (firmware/software_stepping/tick.S),
+  // with the deepest of them, which do not interrupt each other.
+  std::optional<std::uint32_t> of_image();
   const std::set<Problem>& problems() const { return tree_.problems(); }
 
  private:
