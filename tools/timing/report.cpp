@@ -80,8 +80,9 @@ std::string to_text(const std::vector<Row>& rows) {
     problems.insert(row.stack_problems.begin(), row.stack_problems.end());
   }
   for (const Row& row : rows) {
-    if (!row.clocks)
+    if (!row.clocks) {
       text += fmt::format("{:>12}        {} {}\n", "no bound", stack_text(row), row.name);
+    }
   }
   for (const Problem& problem : problems) {
     text += fmt::format("{}: in {}: {}: {}\n", problem.place, problem.function, problem.what,
