@@ -49,6 +49,7 @@ void IntervalCheck::enqueue(Interval interval) {
 // n-th takes the place of one of the `count` with probability count / n.
 void IntervalCheck::take(Interval interval) {
   ++taken_;
+  if (interval.number < plan_.first || interval.number > plan_.last) return;
   if (!plan_.count) {
     enqueue(std::move(interval));
   } else if (chosen_.size() < *plan_.count) {

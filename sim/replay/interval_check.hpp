@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -29,6 +30,7 @@ using Replay = std::function<std::optional<Difference>(const Interval&)>;
 
 struct CheckPlan {
   std::optional<std::size_t> count;  // so many at random; all where there is none
+  std::size_t first = 1, last = std::numeric_limits<std::size_t>::max();  // no others, by number
   std::uint64_t seed = 0;
   unsigned threads = 1;
   // Checked before each replay, on any thread: if true, the waiting intervals are dropped.

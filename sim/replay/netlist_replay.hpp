@@ -5,11 +5,12 @@
 #include <cstdint>
 
 #include "sim/replay/interval_check.hpp"
+#include "sim/simulation/edges.hpp"
 
 namespace replay {
 
 // Replays intervals by the netlist of the whole chip. Throws std::runtime_error where the program
 // holds no such netlist: with the debug port, or traced.
-Replay make_netlist_replay(std::uint32_t clock_hz, bool software_stepping);
+Replay make_netlist_replay(std::uint32_t clock_hz, bool software_stepping, sim::Edges edges);
 
 }  // namespace replay

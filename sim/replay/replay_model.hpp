@@ -14,7 +14,7 @@ namespace replay {
 
 class ReplayModel : public sim::NetlistModel {
  public:
-  ReplayModel(std::uint32_t clock_hz, bool software_stepping);
+  ReplayModel(std::uint32_t clock_hz, bool software_stepping, sim::Edges edges);
 
   // Goes through an interval from its start. Returns where pins, or the state at the end, are first
   // not what was recorded. Throws HardwareAssertion where one of the netlist's assertions fails.
@@ -28,6 +28,8 @@ class ReplayModel : public sim::NetlistModel {
 
   // Whether the register of this name has to be as in the snapshot: all but two have.
   static bool is_compared(std::string_view name);
+  // Whether it differs between a chip whose blocks rest and one that evaluates every clock.
+  static bool is_sample(std::string_view name);
 
  protected:
   const std::vector<Register>& registers() const { return registers_; }
@@ -38,6 +40,7 @@ class ReplayModel : public sim::NetlistModel {
   std::optional<Difference> register_difference(const Snapshot& snapshot) const;
   std::optional<Difference> memory_difference(const Snapshot& snapshot) const;
 
+  sim::Edges edges_;
   std::vector<Register> registers_;
 };
 

@@ -13,7 +13,7 @@ std::unique_ptr<ChipModel> make_joined_model(std::uint32_t, Edges) { return null
 
 namespace replay {
 
-Replay make_netlist_replay(std::uint32_t, bool) {
+Replay make_netlist_replay(std::uint32_t, bool, sim::Edges) {
   throw std::runtime_error("this program has no netlist that replays");
 }
 

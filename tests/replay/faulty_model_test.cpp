@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fault in the model of the processor is found by the netlist, and named. This program is linked
-// with a source of the model into which one was put (EXPECTED_DIFFERENCE: a part of the name).
+// A fault in the simulation is found by the netlist, and named. This program is linked with a
+// source of sim/ into which one was put (EXPECTED_DIFFERENCE: a part of the name). REPLAYED_EDGES
+// is `all` for a fault in a leap: by default both sides would leap wrongly.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +12,8 @@ namespace {
 
 TEST(FaultyModel, is_found_by_the_netlist) {
   constexpr sim::Clock length = 200'000;
-  const replay::Replay replay = replay::make_netlist_replay(tests::recorded_clock_hz, false);
+  const replay::Replay replay =
+      replay::make_netlist_replay(tests::recorded_clock_hz, false, sim::Edges::REPLAYED_EDGES);
   std::vector<std::string> found;
   for (const replay::Interval& interval : tests::recorded_run(6 * length, length)) {
     if (const auto difference = replay(interval)) found.push_back(difference->what);

@@ -76,6 +76,14 @@ TEST(IntervalCheck, chooses_all_where_there_are_no_more) {
   EXPECT_THAT(replayed({.count = 7, .seed = 3}, 3), ElementsAre(1, 2, 3));
 }
 
+TEST(IntervalCheck, replays_those_of_a_range) {
+  EXPECT_THAT(replayed({.count = {}, .first = 3, .last = 5, .threads = 2}, 9),
+              ElementsAre(3, 4, 5));
+  EXPECT_THAT(replayed({.count = {}, .first = 8, .last = 12}, 9), ElementsAre(8, 9));
+  EXPECT_THAT(replayed({.count = {}, .first = 4, .last = 4}, 9), ElementsAre(4));
+  EXPECT_THAT(replayed({.count = {}, .first = 10, .last = 12}, 9), ElementsAre());
+}
+
 TEST(IntervalCheck, chooses_each_with_the_same_probability) {
   constexpr std::size_t intervals = 10, chosen = 4, trials = 2000;
   std::array<std::size_t, intervals + 1> times{};

@@ -45,12 +45,32 @@ TEST(replay_prints, all_intervals_are_the_same_with_faults_and_with_steps_by_sof
   EXPECT_EQ(of_software, all_of_software);
 }
 
+TEST(replay_prints, intervals_of_a_range_are_the_same_without_leaps_and_rests) {
+  const Print print =
+      print_file(washer, {"--warm", "--until", "12", "--replay", "31-34", "--replay-every-clock"});
+  const auto [replayed, intervals] = scenarios::expect_no_difference(print);
+  EXPECT_EQ(replayed, 4);
+  EXPECT_GE(intervals, 40);
+}
+
+TEST(replay_prints, a_range_after_the_end_fails) {
+  const Print print = print_text("G28 X\n", {"--replay", "5000-5001"});
+  EXPECT_EQ(print.job.status, 1) << print.job.output;
+  EXPECT_NE(print.job.output.find("no interval was compared: choose from 1 to "), std::string::npos)
+      << print.job.output;
+}
+
 TEST(replay_prints, are_refused_where_there_is_no_model_to_check) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--replay", "1", "--every-clock"},
         {"--replay", "all", "--processor", "netlist"},
         {"--replay", "0"},
         {"--replay", "some"},
+        {"--replay", "0-4"},
+        {"--replay", "4-3"},
+        {"--replay", "3-"},
+        {"--replay", "-3"},
+        {"--replay-every-clock"},
         {"--replay-seed", "1"}}) {
     EXPECT_EQ(print_text("G28 X\n", options).job.status, 2) << options.front();
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct ReplayChoices {
   bool asked = false;
   std::optional<std::size_t> count;  // so many at random; all where there is none
   std::optional<std::uint64_t> seed;  // of the choice; any where there is none
+  std::size_t first = 1, last = std::numeric_limits<std::size_t>::max();  // no others
+  bool every_clock = false;
 };
 
 struct PrintOptions {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of the job `print`, and what its help says.
 #include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "tools/command/print_job.hpp"
 #include "tools/command/printer_options.hpp"
@@ -13,17 +15,28 @@ namespace {
 // As many lines as the firmware keeps waiting.
 constexpr std::size_t most_window = 8;
 
-// `all`, or how many.
+std::optional<std::size_t> number_from_1(std::string_view word) {
+  std::size_t number = 0;
+  const char* end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, number);
+  if (error != std::errc() || rest != end || number == 0) return std::nullopt;
+  return number;
+}
+
+// `all`, how many, or from which to which.
 std::string take_replay(const std::string& word, ReplayChoices& choices) {
   choices.asked = true;
   if (word == "all") return {};
-  std::size_t count = 0;
-  const char* end = word.data() + word.size();
-  if (const auto [rest, error] = std::from_chars(word.data(), end, count);
-      error != std::errc() || rest != end || count == 0) {
-    return "a number from 1, or all";
+  const std::size_t hyphen = word.find('-');
+  const auto first = number_from_1(std::string_view(word).substr(0, hyphen));
+  if (hyphen == std::string::npos) {
+    choices.count = first;
+    return first ? "" : "a number from 1, FIRST-LAST, or all";
   }
-  choices.count = count;
+  const auto last = number_from_1(std::string_view(word).substr(hyphen + 1));
+  if (!first || !last || *last < *first) return "FIRST-LAST: two numbers from 1, in this order";
+  choices.first = *first;
+  choices.last = *last;
   return {};
 }
 
@@ -65,10 +78,10 @@ void add_options(CLI::App& app, PrintOptions& options) {
   CLI::Option* replay =
       job.add_option(
              "--replay",
-             "replay N random intervals of the print, or all, on the netlist of the whole chip: "
-             "every pin in every clock, and all registers and the memory at their ends, must be "
-             "equal")
-          ->type_name("N|all")
+             "replay N random intervals of the print, those of a range, or all, on the netlist of "
+             "the whole chip: every pin in every clock, and all registers and the memory at their "
+             "ends, must be equal; an interval is a million clocks")
+          ->type_name("N|FIRST-LAST|all")
           ->each([&options](const std::string& word) {
             if (const std::string complaint = take_replay(word, options.replay);
                 !complaint.empty()) {
@@ -77,6 +90,9 @@ void add_options(CLI::App& app, PrintOptions& options) {
           });
   job.add_option("--replay-seed", options.replay.seed,
                  "seed of that choice; by default a random one, which is printed")
+      ->needs(replay);
+  job.add_flag("--replay-every-clock", options.replay.every_clock,
+               "replay without leaps and rests, as --every-clock does")
       ->needs(replay);
   add_printer_options(job, options.printer);
   job.footer(

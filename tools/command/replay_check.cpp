@@ -24,6 +24,8 @@ std::uint64_t any_seed() {
 
 replay::CheckPlan plan_of(const ReplayChoices& choices, std::uint64_t seed) {
   return {.count = choices.count,
+          .first = choices.first,
+          .last = choices.last,
           .seed = seed,
           .threads = std::max(1U, std::thread::hardware_concurrency()),
           .cancelled = interrupt_requested};
@@ -37,8 +39,9 @@ ReplayCheck::ReplayCheck(const ReplayChoices& choices, const PrinterChoices& pri
       at_random_(choices.count.has_value()),
       chip_(chip),
       check_(plan_of(choices, seed_),
-             [clock_hz = printer.clock_hz, software = printer.stepping == "software"] {
-               return replay::make_netlist_replay(clock_hz, software);
+             [clock_hz = printer.clock_hz, software = printer.stepping == "software",
+              edges = choices.every_clock ? sim::Edges::all : sim::Edges::leaping] {
+               return replay::make_netlist_replay(clock_hz, software, edges);
              }),
       recorder_(interval_clocks,
                 [this](replay::Interval&& interval) { check_.take(std::move(interval)); }) {
@@ -54,6 +57,9 @@ bool ReplayCheck::finish() {
       at_random_ ? fmt::format(" (--replay-seed {})", seed_) : "", result.differences.size());
   if (recorded < chip_.now()) {
     say("replay: {} clocks could not be recorded\n", chip_.now() - recorded);
+  }
+  if (result.replayed == 0) {
+    say("replay: no interval was compared: choose from 1 to {}\n", result.intervals);
   }
   for (std::size_t i = 0; i < std::min(most_shown, result.differences.size()); ++i) {
     const replay::Difference& difference = result.differences[i];
