@@ -17,6 +17,7 @@ ExternalProject_Add(firmware_image
     -DFIRMWARE_SOURCES=${sources}
     -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
     -DCHIP_MEMORY_BYTES=${chip_memory_bytes}
+    -DCOMPARISON_MEMORY_BYTES=${comparison_memory_bytes}
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
@@ -42,6 +43,9 @@ add_custom_target(stepping_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target stepping_benchmark_hardware.elf stepping_benchmark_software.elf
       printing_benchmark_hardware.elf printing_benchmark_software.elf
+  DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+add_custom_target(filled_program
+  COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target filled_software.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 add_custom_target(processor_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware

@@ -42,7 +42,7 @@ class JoinedModel : public ChipModel {
   // be another's.
   ~JoinedModel() override { Verilated::threadContextp(context_.get()); }
 
-  void permit_software_stepping() override { model_->software_stepping = 1; }
+  void permit_software_stepping() override;
   void count_into(EvaluationCounts& counts) override { clocks_->count_into(counts); }
   void advance(Clock limit) override;
   void reset() override;
@@ -89,6 +89,11 @@ JoinedModel::JoinedModel(std::uint32_t clock_hz, Edges edges) {
   clocks_ = std::make_unique<ModelClocks<Model>>(*model_, edges);
   hold_reset();
   outputs_ = sampled_output_pins(std::as_const(*model_));
+}
+
+void JoinedModel::permit_software_stepping() {
+  model_->software_stepping = 1;
+  processor_ = std::make_unique<processor::ProcessorModel>(COMPARISON_MEMORY_BYTES, CHIP_HAS_ZBB);
 }
 
 void JoinedModel::set_inputs() {
@@ -233,6 +238,7 @@ std::optional<replay::Snapshot> JoinedModel::snapshot() const {
                             .registers = {},
                             .outputs = outputs_,
                             .statistics = processor_statistics()};
+  // The netlist has no more; what uses the comparison's memory differs there from the first use on.
   for (std::uint32_t place = 0; place < CHIP_MEMORY_BYTES; place += 4) {
     snapshot.memory.push_back(
         processor_->read_memory(processor::ProcessorModel::memory_start + place));

@@ -32,8 +32,9 @@ class VerilatedChip : public Chip {
   VerilatedChip(std::uint32_t clock_hz, Edges edges, Processor processor);
   ~VerilatedChip() override;
 
-  // Lets the firmware drive the step and direction pins itself, which no board does. Before the
-  // first advance().
+  // Lets the firmware drive the step and direction pins itself, which no board does. The model of
+  // the processor also gets the memory of the comparison, all 0, which is larger than the chip's;
+  // the netlist has the chip's. Before a program is loaded.
   void permit_software_stepping();
 
   // Clocks are counted there from now on; the counts must outlive the last advance().

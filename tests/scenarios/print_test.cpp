@@ -151,13 +151,20 @@ TEST(print, the_processor_s_model_and_its_netlist_leave_the_same) {
   }
 }
 
-// Interrupts in the middle of everything: the processor's model is taken back all the time.
-TEST(software_stepping, is_the_same_by_the_processor_s_model_and_by_its_netlist) {
-  const std::string gcode = "G28 X\nG1 X3 F9000\nG1 X2.5 Y7.3\nG1 X5 Y5 F12000\nG1 X5.02\n";
-  const std::vector<std::string> options{"--clock-hz", "16000000", "--stepping", "software"};
-  std::vector<std::string> by_netlist = options;
-  by_netlist.insert(by_netlist.end(), {"--processor", "netlist"});
-  EXPECT_EQ(left_by(gcode, by_netlist), left_by(gcode, options));
+// Which has the chip's memory, and no more.
+TEST(software_stepping, is_refused_where_the_netlist_of_the_processor_is_asked_for) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--processor", "netlist"},
+        {"--every-clock"},
+        {"--replay", "all"},
+        {"--trace", "chip.fst"}}) {
+    std::vector<std::string> all{"--stepping", "software"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Print print = print_text("G28 X\n", all);
+    EXPECT_EQ(print.job.status, 2) << options.front();
+    EXPECT_NE(print.job.output.find("omit --processor netlist"), std::string::npos)
+        << print.job.output;
+  }
 }
 
 TEST(software_stepping, makes_the_same_steps_as_the_hardware) {

@@ -30,19 +30,14 @@ TEST(replay_prints, intervals_at_random_are_the_same_at_50_mhz) {
   EXPECT_EQ(scenarios::expect_no_difference(print).first, 40);
 }
 
-// With damage on the line, and with interrupts in the middle of everything.
-TEST(replay_prints, all_intervals_are_the_same_with_faults_and_with_steps_by_software) {
+// With damage on the line.
+TEST(replay_prints, all_intervals_are_the_same_with_faults) {
   const std::string gcode =
       "M106 S77\nM104 S190\nG28 X Y\nG1 X20 Y10 F6000\nG1 X0.5 Y7.3 F900\nG4 P300\nM105\n";
   const Print faulty = print_text(
       gcode, {"--fault", "serial=0.005", "--fault", "x-end-stop-bounces", "--replay", "all"});
   const auto [replayed, intervals] = scenarios::expect_no_difference(faulty);
   EXPECT_EQ(replayed, intervals);
-  const Print software =
-      print_text("G28 X\nG1 X3 F9000\nG1 X2.5 Y7.3\n",
-                 {"--clock-hz", "16000000", "--stepping", "software", "--replay", "all"});
-  const auto [of_software, all_of_software] = scenarios::expect_no_difference(software);
-  EXPECT_EQ(of_software, all_of_software);
 }
 
 TEST(replay_prints, intervals_of_a_range_are_the_same_without_leaps_and_rests) {

@@ -111,14 +111,18 @@ std::string_view Run::fault(const Motion& motion) const {
   return {};
 }
 
-Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
-               const Demand& demand) {
-  sim::VerilatedChip chip(scope.clock_hz);
+void load_motion(const sim::ElfImage& program, const Motion& motion, sim::VerilatedChip& chip) {
   if (program.symbol("software_stepping_counters")) chip.permit_software_stepping();
   sim::load(program, chip);
   const auto words = std::bit_cast<OrderWords>(order_of(motion));
   const std::uint32_t address = address_of(program, "benchmark_order");
   for (std::uint32_t i = 0; i < words.size(); ++i) chip.write_memory(address + 4 * i, words[i]);
+}
+
+Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
+               const Demand& demand) {
+  sim::VerilatedChip chip(scope.clock_hz);
+  load_motion(program, motion, chip);
 
   const sim::ClockRate rate(scope.clock_hz);
   sim::Simulation simulation(chip, rate);

@@ -14,6 +14,10 @@
 #include "tools/benchmark/pin_watch.hpp"
 #include "tools/benchmark/scope.hpp"
 
+namespace sim {
+class VerilatedChip;
+}
+
 namespace benchmarks {
 
 enum class Stepping : std::uint8_t { hardware, software };
@@ -52,6 +56,9 @@ struct Demand {
   bool clean = false;
   double latest_clocks = std::numeric_limits<double>::infinity();  // after its exact instant
 };
+
+// The program with the motion as its order, into the memory of a chip that has not run.
+void load_motion(const sim::ElfImage& program, const Motion& motion, sim::VerilatedChip& chip);
 
 Run run_motion(const sim::ElfImage& program, const Motion& motion, const Scope& scope,
                const Demand& demand = {});

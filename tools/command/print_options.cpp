@@ -40,6 +40,19 @@ std::string take_replay(const std::string& word, ReplayChoices& choices) {
   return {};
 }
 
+// Its image is linked for more memory than the netlist has.
+void check_stepping(const PrintOptions& options) {
+  if (options.printer.stepping != "software") return;
+  const bool needs_netlist = options.printer.processor == sim::Processor::netlist ||
+                             options.printer.every_clock || options.replay.asked ||
+                             !options.trace.empty();
+  if (!needs_netlist) return;
+  throw CLI::ValidationError(
+      "--stepping software",
+      "has more memory than the chip, which only the model of the processor gives it: omit "
+      "--processor netlist, --every-clock, --replay and --trace, or take --stepping hardware");
+}
+
 }  // namespace
 
 void add_options(CLI::App& app, PrintOptions& options) {
@@ -60,7 +73,8 @@ void add_options(CLI::App& app, PrintOptions& options) {
       ->excludes(job.get_option("--trace"))
       ->type_name("BOARD");
   job.add_option("--stepping", options.printer.stepping,
-                 "step generator, or the processor in its timer interrupt")
+                 "step generator, or the processor in its timer interrupt, for comparison: with "
+                 "more memory than the chip has")
       ->check(CLI::IsMember({"hardware", "software"}))
       ->capture_default_str();
   job.add_option("--until", options.until_seconds, "stop after this many simulated seconds")
@@ -95,6 +109,7 @@ void add_options(CLI::App& app, PrintOptions& options) {
                "replay without leaps and rests, as --every-clock does")
       ->needs(replay);
   add_printer_options(job, options.printer);
+  job.final_callback([&options] { check_stepping(options); });
   job.footer(
       R"(The file is sent as by a host program: without comments, with the host's line numbers and
 checksums. M110 is not sent; line numbers and valid checksums in the file are removed.

@@ -38,8 +38,8 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
             choices.every_clock ? sim::Processor::netlist : choices.processor),
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {
-  sim::load(firmware_, chip_);
   if (choices.stepping == "software") chip_.permit_software_stepping();
+  sim::load(firmware_, chip_);
   set_speed_of_line();
   machine::PrinterOptions options{.baud = baud_,
                                   .seed = choices.seed,

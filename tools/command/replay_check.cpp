@@ -39,9 +39,10 @@ ReplayCheck::ReplayCheck(const ReplayChoices& choices, const PrinterChoices& pri
       at_random_(choices.count.has_value()),
       chip_(chip),
       check_(plan_of(choices, seed_),
-             [clock_hz = printer.clock_hz, software = printer.stepping == "software",
+             [clock_hz = printer.clock_hz,
               edges = choices.every_clock ? sim::Edges::all : sim::Edges::leaping] {
-               return replay::make_netlist_replay(clock_hz, software, edges);
+               constexpr bool software_stepping = false;  // Refused with --replay.
+               return replay::make_netlist_replay(clock_hz, software_stepping, edges);
              }),
       recorder_(interval_clocks,
                 [this](replay::Interval&& interval) { check_.take(std::move(interval)); }) {
