@@ -42,6 +42,7 @@ void IntervalCheck::enqueue(Interval interval) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return waiting_.size() < most_waiting; });
   waiting_.push_back(std::move(interval));
+  ++enqueued_;
   changed_.notify_all();
 }
 
@@ -64,6 +65,7 @@ CheckResult IntervalCheck::finish() {
   chosen_.clear();
   end_threads();
   result_.intervals = taken_;
+  result_.dropped = enqueued_ - result_.replayed;
   std::ranges::sort(result_.differences, {}, &Difference::interval);
   return result_;
 }
@@ -71,6 +73,7 @@ CheckResult IntervalCheck::finish() {
 void IntervalCheck::put_result(const Interval& interval, std::optional<Difference> difference) {
   const std::lock_guard lock(mutex_);
   ++result_.replayed;
+  if (!interval.end) ++result_.without_end;
   result_.clocks += interval.end_clock - interval.start->clock;
   if (difference) result_.differences.push_back(std::move(*difference));
 }

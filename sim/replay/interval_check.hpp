@@ -40,6 +40,8 @@ struct CheckPlan {
 struct CheckResult {
   std::size_t intervals{};  // that there were
   std::size_t replayed{};
+  std::size_t dropped{};  // chosen, and not replayed because it was cancelled
+  std::size_t without_end{};  // replayed without a snapshot at their end: only pins compared
   sim::Clock clocks{};  // of those replayed
   std::vector<Difference> differences;  // at most one for each interval, in their order
 };
@@ -69,6 +71,7 @@ class IntervalCheck {
   std::mt19937_64 random_;
   std::size_t taken_ = 0;
   std::vector<Interval> chosen_;
+  std::size_t enqueued_ = 0;
 
   std::mutex mutex_;
   std::condition_variable changed_;

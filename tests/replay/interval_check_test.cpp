@@ -128,7 +128,24 @@ TEST(IntervalCheck, replays_no_more_where_it_is_cancelled) {
   });
   cancelled = true;
   for (std::size_t number = 1; number <= 100; ++number) check.take(interval_of(number));
-  EXPECT_EQ(check.finish().replayed, 0u);
+  const CheckResult result = check.finish();
+  EXPECT_EQ(result.replayed, 0u);
+  EXPECT_EQ(result.dropped, 100u);
+}
+
+TEST(IntervalCheck, counts_those_without_a_snapshot_at_their_end) {
+  IntervalCheck check({.count = {}}, []() -> Replay {
+    return [](const Interval&) { return std::optional<Difference>(); };
+  });
+  for (std::size_t number = 1; number <= 3; ++number) {
+    Interval interval = interval_of(number);
+    if (number < 3) interval.end = interval_of(number + 1).start;
+    check.take(std::move(interval));
+  }
+  const CheckResult result = check.finish();
+  EXPECT_EQ(result.replayed, 3u);
+  EXPECT_EQ(result.without_end, 1u);
+  EXPECT_EQ(result.dropped, 0u);
 }
 
 class IntervalRecorderTest : public testing::Test {

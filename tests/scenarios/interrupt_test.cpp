@@ -73,4 +73,16 @@ TEST(interrupt, ends_the_processor_benchmark_with_the_program_that_does_it) {
   EXPECT_NE(job.output().find("stepfabric: interrupted"), std::string::npos) << job.output();
 }
 
+// Intervals that are chosen at random are replayed after the print, here for half a minute.
+TEST(interrupt, ends_a_replay_after_its_print) {
+  const std::filesystem::path file = scenarios::scratch_folder() / "input.gcode";
+  scenarios::write_file(file, "G4 S10\n");
+  StartedJob job({"print", file.string(), "--report", scenarios::scratch_folder().string(),
+                  "--replay", "1000", "--replay-every-clock"});
+  ASSERT_TRUE(job.says("report.html")) << job.output();
+  EXPECT_EQ(job.status_after(SIGINT), 130);
+  EXPECT_NE(job.output().find("chosen intervals were not compared"), std::string::npos)
+      << job.output();
+}
+
 }  // namespace

@@ -157,7 +157,8 @@ TEST(software_stepping, is_refused_where_the_netlist_of_the_processor_is_asked_f
        {std::vector<std::string>{"--processor", "netlist"},
         {"--every-clock"},
         {"--replay", "all"},
-        {"--trace", "chip.fst"}}) {
+        {"--trace", "chip.fst"},
+        {"--board", "ulx3s"}}) {
     std::vector<std::string> all{"--stepping", "software"};
     all.insert(all.end(), options.begin(), options.end());
     const Print print = print_text("G28 X\n", all);

@@ -55,10 +55,22 @@ TEST(replay_prints, a_range_after_the_end_fails) {
       << print.job.output;
 }
 
+TEST(replay_prints, what_the_end_of_the_print_leaves_out_is_said) {
+  const Print print = print_text("G4 P1\n", {"--replay", "1-5000"});
+  const auto [replayed, intervals] = scenarios::expect_no_difference(print);
+  EXPECT_EQ(replayed, intervals);
+  EXPECT_NE(print.job.output.find("the print ended before interval 5000"), std::string::npos)
+      << print.job.output;
+  EXPECT_NE(print.job.output.find("only its pins were compared"), std::string::npos)
+      << print.job.output;
+}
+
 TEST(replay_prints, are_refused_where_there_is_no_model_to_check) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--replay", "1", "--every-clock"},
         {"--replay", "all", "--processor", "netlist"},
+        {"--replay", "all", "--board", "ulx3s"},
+        {"--replay", "all", "--trace", "trace.fst"},
         {"--replay", "0"},
         {"--replay", "some"},
         {"--replay", "0-4"},
@@ -67,7 +79,9 @@ TEST(replay_prints, are_refused_where_there_is_no_model_to_check) {
         {"--replay", "-3"},
         {"--replay-every-clock"},
         {"--replay-seed", "1"}}) {
-    EXPECT_EQ(print_text("G28 X\n", options).job.status, 2) << options.front();
+    const Print print = print_text("G28 X\n", options);
+    EXPECT_EQ(print.job.status, 2) << testing::PrintToString(options);
+    EXPECT_TRUE(print.report.is_null()) << testing::PrintToString(options);
   }
 }
 

@@ -145,6 +145,17 @@ int exit_status_of(const report::Results& results) {
   return results.good() ? success : failure;
 }
 
+// That of the print, and of its replay where there is one. A difference is a failure even where the
+// user interrupted the job.
+int status_after_replay(int status, std::optional<ReplayCheck>& replay) {
+  if (!replay) return status;
+  std::fflush(stdout);  // The replays may take much longer than the print.
+  const ReplayOutcome outcome = replay->finish();
+  if (outcome == ReplayOutcome::different) return failure;
+  if (status != success || outcome == ReplayOutcome::same) return status;
+  return outcome == ReplayOutcome::cut_short ? interrupted : failure;
+}
+
 // Takes the place of the progress line.
 void show_note(const std::string& note) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
@@ -231,9 +242,8 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   report::judge(results);
   const bool written = reports.write(results, recorder.courses());
   print_summary(options, results);
-  const bool same = !replay || interrupt_requested() || replay->finish();
-  const int status = exit_status_of(results);
-  return (written && same) || status != success ? status : failure;
+  const int status = status_after_replay(exit_status_of(results), replay);
+  return written || status != success ? status : failure;
 }
 
 }  // namespace

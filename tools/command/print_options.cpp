@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of the job `print`, and what its help says.
+#include <fmt/format.h>
+
 #include <charconv>
 #include <optional>
 #include <string>
@@ -45,12 +47,30 @@ void check_stepping(const PrintOptions& options) {
   if (options.printer.stepping != "software") return;
   const bool needs_netlist = options.printer.processor == sim::Processor::netlist ||
                              options.printer.every_clock || options.replay.asked ||
-                             !options.trace.empty();
+                             !options.trace.empty() || !options.board.empty();
   if (!needs_netlist) return;
   throw CLI::ValidationError(
       "--stepping software",
       "has more memory than the chip, which only the model of the processor gives it: omit "
-      "--processor netlist, --every-clock, --replay and --trace, or take --stepping hardware");
+      "--processor netlist, --every-clock, --replay, --trace and --board, or take --stepping "
+      "hardware");
+}
+
+// The replay compares the processor's model and the leaps of the bare chip with the netlist.
+void check_replay(const PrintOptions& options) {
+  if (!options.replay.asked) return;
+  std::string_view other;
+  if (options.printer.every_clock) other = "--every-clock";
+  if (options.printer.processor == sim::Processor::netlist) other = "--processor netlist";
+  if (!options.board.empty()) other = "--board";
+  if (!options.trace.empty()) other = "--trace";
+  if (other.empty()) return;
+  throw CLI::ValidationError(
+      "--replay",
+      fmt::format(
+          "compares the processor's model and leaps with the netlist, and {0} uses neither: "
+          "omit {0} or --replay",
+          other));
 }
 
 }  // namespace
@@ -94,7 +114,7 @@ void add_options(CLI::App& app, PrintOptions& options) {
              "--replay",
              "replay N random intervals of the print, those of a range, or all, on the netlist of "
              "the whole chip: every pin in every clock, and all registers and the memory at their "
-             "ends, must be equal; an interval is a million clocks")
+             "ends, must be equal; an interval is a million clocks or a little more")
           ->type_name("N|FIRST-LAST|all")
           ->each([&options](const std::string& word) {
             if (const std::string complaint = take_replay(word, options.replay);
@@ -109,7 +129,10 @@ void add_options(CLI::App& app, PrintOptions& options) {
                "replay without leaps and rests, as --every-clock does")
       ->needs(replay);
   add_printer_options(job, options.printer);
-  job.final_callback([&options] { check_stepping(options); });
+  job.final_callback([&options] {
+    check_stepping(options);
+    check_replay(options);
+  });
   job.footer(
       R"(The file is sent as by a host program: without comments, with the host's line numbers and
 checksums. M110 is not sent; line numbers and valid checksums in the file are removed.

@@ -35,8 +35,8 @@ replay::CheckPlan plan_of(const ReplayChoices& choices, std::uint64_t seed) {
 
 ReplayCheck::ReplayCheck(const ReplayChoices& choices, const PrinterChoices& printer,
                          sim::VerilatedChip& chip)
-    : seed_(choices.seed ? *choices.seed : any_seed()),
-      at_random_(choices.count.has_value()),
+    : choices_(choices),
+      seed_(choices.seed ? *choices.seed : any_seed()),
       chip_(chip),
       check_(plan_of(choices, seed_),
              [clock_hz = printer.clock_hz,
@@ -49,25 +49,38 @@ ReplayCheck::ReplayCheck(const ReplayChoices& choices, const PrinterChoices& pri
   chip_.record(recorder_);
 }
 
-bool ReplayCheck::finish() {
+void ReplayCheck::say_what_was_not_compared(const replay::CheckResult& result) const {
+  if (result.dropped > 0) {
+    say("replay: interrupted: {} chosen intervals were not compared\n", result.dropped);
+  } else if (result.replayed == 0 && !interrupt_requested()) {
+    say("replay: no interval was compared: choose from 1 to {}\n", result.intervals);
+  } else if (choices_.last < ReplayChoices().last && choices_.last > result.intervals) {
+    say("replay: the print ended before interval {}\n", choices_.last);
+  }
+  if (result.without_end > 0) {
+    say("replay: the last interval ended with the print: only its pins were compared\n");
+  }
+}
+
+ReplayOutcome ReplayCheck::finish() {
   recorder_.finish(chip_.now());
   const sim::Clock recorded = recorder_.recorded_clocks();
   const replay::CheckResult result = check_.finish();
   say("replay: {} of {} intervals, {} of {} clocks, by the whole chip's netlist{}: {} differ\n",
       result.replayed, result.intervals, result.clocks, chip_.now(),
-      at_random_ ? fmt::format(" (--replay-seed {})", seed_) : "", result.differences.size());
+      choices_.count ? fmt::format(" (--replay-seed {})", seed_) : "", result.differences.size());
   if (recorded < chip_.now()) {
     say("replay: {} clocks could not be recorded\n", chip_.now() - recorded);
   }
-  if (result.replayed == 0) {
-    say("replay: no interval was compared: choose from 1 to {}\n", result.intervals);
-  }
+  say_what_was_not_compared(result);
   for (std::size_t i = 0; i < std::min(most_shown, result.differences.size()); ++i) {
     const replay::Difference& difference = result.differences[i];
     say("replay: interval {}, clock {}: {}: model {}, netlist {}\n", difference.interval,
         difference.clock, difference.what, difference.recorded, difference.replayed);
   }
-  return result.differences.empty() && result.replayed > 0;
+  if (!result.differences.empty()) return ReplayOutcome::different;
+  if (result.dropped > 0) return ReplayOutcome::cut_short;
+  return result.replayed > 0 ? ReplayOutcome::same : ReplayOutcome::none_compared;
 }
 
 }  // namespace command
