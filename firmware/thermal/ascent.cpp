@@ -109,7 +109,7 @@ Ascent::Finding Ascent::add(const Window& window) {
   const bool still = stands_still(window, measured);
   if (exceeds(surplus_, measured - strongest, surplus_limit)) return Finding::ahead;
   if (least <= 0 || window.slopes.heating < model_->rise * half / 100) {
-    missing_ = 0;
+    if (!window.recovers) missing_ = 0;
   } else if (exceeds(missing_, least * missing_part / 100 - measured, missing_limit)) {
     return Finding::behind;
   }

@@ -28,6 +28,7 @@ class Ascent {
     std::int32_t needed{};
     std::int32_t below{};  // the target, in mK
     bool reached{};  // the target, since it is wanted
+    bool recovers{};  // from a pause of the heat
     std::int32_t noise{};
     std::int32_t milliseconds{};
   };

@@ -83,8 +83,16 @@ Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
   if (fault_ || target_ == off) return plausibility_.probe(false, 0);
   arrival_.update(target_, measured, now);
   const units::Milliseconds elapsed = last_update_ ? now - *last_update_ : units::Milliseconds(0);
-  const Duty duty =
+  const Duty wanted =
       controller_.update(target_, measured - plausibility_.expected_answer(), elapsed);
+  const Duty duty =
+      plausibility_.coast({.celsius = steady.count(),
+                           .below = (target_ - steady).count(),
+                           .full = wanted == full_duty,
+                           .held = protection_.holding(),
+                           .milliseconds = static_cast<std::int32_t>(elapsed.count())},
+                          wanted);
+  if (plausibility_.is_pausing()) protection_.pause();
   const bool settled =
       protection_.holding() && std::clamp(measured, target_ - near, target_ + near) == measured;
   return plausibility_.probe(settled, duty);

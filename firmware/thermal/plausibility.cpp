@@ -28,6 +28,8 @@ constexpr std::int32_t most_faulty_milliseconds = 600;
 // losses to fan and filament, and an absolute part, of the rise at full power. The draught is in
 // the model.
 constexpr std::int32_t sag = 5, wind = 30, filament = 15, offset = 2;
+// A supply may sag by so much while pauses watch the heater.
+constexpr std::int32_t sag_while_watched = 8;
 // A heater that is ruled out may be the right one after all, later: one that changes slowly.
 constexpr std::int32_t ruled_out_milliseconds = 600'000;
 // After so long without heat another sock, plate or block may be mounted.
@@ -79,8 +81,12 @@ Plausibility::Finding Plausibility::update(std::optional<units::Millicelsius> me
   if (resting_ == forget_milliseconds) {
     heaters_.fill({});
     ascent_.forget();
+    coast_.forget();
   }
-  if (!wanted || gap) ascent_.restart();
+  if (!wanted || gap) {
+    ascent_.restart();
+    coast_.restart();
+  }
   if (gap) {
     raw_windows_ = 0;
     before_.reset();
@@ -127,10 +133,12 @@ Plausibility::Finding Plausibility::compare(const Window& raw,
       finding = Finding::heat_unasked;
     } else if (target && is_heat_missing(slopes, *target, now.milliseconds)) {
       finding = Finding::heat_missing;
+    } else if (target && coast_.add({slopes, now.celsius, noise_, now.milliseconds})) {
+      finding = Finding::heat_missing;
     }
     if (target && finding == Finding::none) {
       switch (ascent_.add({slopes, needed_to_hold(*target), target->count() - now.celsius, reached_,
-                           noise_, now.milliseconds})) {
+                           coast_.is_recovering(), noise_, now.milliseconds})) {
         case Ascent::Finding::none:
           break;
         case Ascent::Finding::behind:
@@ -171,7 +179,7 @@ void Plausibility::watch_demand(const Slopes& slopes, const Window& now,
   const bool is_new = wanted_ != target;
   wanted_ = target;
   if (is_new) reached_ = false;
-  const bool is_compared = target && !is_new && is_comparable(now, *target);
+  const bool is_compared = target && !is_new && !coast_.is_pausing() && is_comparable(now, *target);
   if (!is_compared) {
     demand_.restart();
     needs_too_much_.fill(false);
@@ -224,6 +232,8 @@ bool Plausibility::is_heat_unasked(const Slopes& slopes, bool wanted, std::int32
 
 bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius target,
                                    std::int32_t milliseconds) {
+  const std::int32_t most_sag =
+      coast_.watches(target.count() - before_->celsius) ? sag_while_watched : sag;
   const auto in_window = [milliseconds](std::int32_t slope) {
     return slope * milliseconds / 1'000;
   };
@@ -267,7 +277,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
     const std::int32_t part = model_->grid.power(power);
     const std::int32_t warms = heating * part / 1'024;
     const std::int32_t full = model_->rise * part / 1'024 * (100 - sag) / 100;
-    const std::int32_t most_missing = warms * (100 - sag) / 100 - spread - measured;
+    const std::int32_t most_missing = warms * (100 - most_sag) / 100 - spread - measured;
     const std::int32_t most_surplus = measured - warms - spread;
     const bool needs_too_much = needs_too_much_[static_cast<std::size_t>(power)];
     for (int loss = 0; loss < steps; ++loss) {

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "thermal/ascent.hpp"
+#include "thermal/coast.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/demand.hpp"
 #include "thermal/heater_model.hpp"
@@ -40,7 +41,7 @@ class Plausibility {
 
   // The model must outlive it.
   explicit constexpr Plausibility(const HeaterModel& model)
-      : model_(&model), probe_(model), demand_(model), ascent_(model) {}
+      : model_(&model), probe_(model), demand_(model), ascent_(model), coast_(model) {}
 
   // Every 100 ms or so. `duty` is what the heater was given since the last call, `elapsed` ago. No
   // temperature where the conversion has failed. Without a target the heater is off, and may cool
@@ -48,6 +49,9 @@ class Plausibility {
   Finding update(std::optional<units::Millicelsius> measured, Duty duty,
                  std::optional<units::Millicelsius> target, const Cooling& cooling,
                  units::Milliseconds elapsed);
+  // With each update while a temperature is wanted: 0 in place of `duty` while the heater pauses.
+  Duty coast(const Coast::State& state, Duty duty) { return coast_.pause(state) ? Duty{0} : duty; }
+  bool is_pausing() const { return coast_.is_pausing(); }
   // `duty` with the probe's rhythm.
   Duty probe(bool settled, Duty duty) { return probe_.modulate(settled, duty); }
   // What the rhythm adds to the temperature: the controller must not work against it.
@@ -84,6 +88,7 @@ class Plausibility {
   Probe probe_;
   Demand demand_;
   Ascent ascent_;
+  Coast coast_;
   std::optional<units::Millicelsius> wanted_;  // what demand_ is about
   bool reached_ = false;  // since it is wanted
   std::array<bool, static_cast<std::size_t>(steps)> needs_too_much_{};  // by power

@@ -23,6 +23,10 @@ class Protection {
 
   // The target has changed.
   void restart();
+  // The heater pauses: the time for the rise begins again after it.
+  void pause() {
+    if (phase_ == Phase::heating) phase_ = Phase::off;
+  }
   // The target has been reached since it was set.
   bool holding() const { return phase_ == Phase::holding; }
   // Target 0 is off.

@@ -36,6 +36,14 @@ TEST(heat_faults, a_frozen_hotend_sensor_ends_the_print) {
 TEST(heat_faults, a_drifting_hotend_sensor_ends_the_print) {
   expect_hotend_fault("drifting@60", "Thermal Runaway");
 }
+// From cold, before anything is known of the heater.
+TEST(heat_faults, a_hotend_sensor_that_drifts_while_it_heats_up_ends_the_print) {
+  const auto print = print_text("M109 S205\nG28 X\n", {"--fault", "hotend-drifting@5"});
+  EXPECT_EQ(print.job.status, 1) << print.job.output;
+  EXPECT_EQ(print.report["result"], "faulted");
+  EXPECT_TRUE(print.said("Heating failed")) << print.job.output;
+  EXPECT_LT(print.report["hotend"]["max_c"].get<double>(), 80);
+}
 TEST(heat_faults, a_detached_hotend_sensor_ends_the_print) {
   expect_hotend_fault("detached@30", "Thermal Runaway");
 }

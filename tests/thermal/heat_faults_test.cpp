@@ -121,17 +121,16 @@ TEST(bed_faults, finds_a_bead_that_falls_out_at_any_moment_of_the_heat_up) {
                20, 61);
 }
 
-// Not in time where it begins with the heat: firmware/thermal/faults.md.
 TEST(hotend_faults, finds_a_bead_that_drifts_from_any_moment_of_the_heat_up) {
   expect_found(
       find_while_heating(tests::described_hotend(), hotend_settings(), 205, BeadFault::drifting),
-      150, 360);
+      20, 230);
 }
 
 TEST(hotend_faults, finds_a_bead_that_drifts_from_half_way_on) {
   expect_found(
       find_while_heating(tests::described_hotend(), hotend_settings(), 205, BeadFault::drifting, 5),
-      40, 245);
+      20, 230);
 }
 
 TEST(bed_faults, finds_a_bead_that_drifts_from_any_moment_of_the_heat_up) {

@@ -43,6 +43,24 @@ TEST_F(Guarded, misses_the_rise_half_way_too) {
   EXPECT_EQ(run(200, 0, 22), Fault::heating_failed);
 }
 
+TEST_F(Guarded, gives_the_rise_its_time_again_after_a_pause) {
+  EXPECT_EQ(run(200, 1.5, 60), std::nullopt);
+  EXPECT_EQ(run(200, -0.3, 15), std::nullopt);
+  protection.pause();
+  EXPECT_EQ(run(200, 0, 19.9), std::nullopt);
+  EXPECT_EQ(run(200, 0, 0.5), Fault::heating_failed);
+}
+
+TEST_F(Guarded, a_pause_does_not_put_off_a_runaway) {
+  EXPECT_EQ(run(200, 2, 87.5), std::nullopt);
+  EXPECT_EQ(run(200, -1, 6), std::nullopt);
+  for (int i = 0; i < 36; ++i) {
+    EXPECT_EQ(run(200, 0, 0.95), std::nullopt);
+    protection.pause();
+  }
+  EXPECT_EQ(run(200, 0, 4), Fault::thermal_runaway);
+}
+
 TEST_F(Guarded, finds_a_runaway_after_forty_seconds) {
   EXPECT_EQ(run(200, 2, 87.5), std::nullopt);
   EXPECT_EQ(run(200, -1, 6), std::nullopt);

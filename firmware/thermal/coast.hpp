@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pauses of a heater that heats up, in which its block cools down: a reading that falls faster than
+// that of any described heater drifts.
+#pragma once
+
+#include <cstdint>
+
+#include "thermal/heater_model.hpp"
+
+namespace thermal {
+
+// With the heat on, a drift looks like a weaker heater; without heat there is nothing that it could
+// look like but loss. Only for heaters that get hot fast: a slower one is watched well enough
+// without, and would lose too much time.
+class Coast {
+ public:
+  // The model must outlive it.
+  explicit constexpr Coast(const HeaterModel& model) : model_(&model) {}
+
+  // Of an update.
+  struct State {
+    std::int32_t celsius{};  // mK
+    std::int32_t below{};  // the target, in mK
+    bool full{};  // all of the heat is wanted
+    bool held{};  // the target, since it was set
+    std::int32_t milliseconds{};
+  };
+  // With each update while a temperature is wanted: true while the heater is to pause. A pause
+  // begins 10 K or more below a target that has not been held yet, and lasts 12 s at most. Full
+  // heat without a break goes before each, but for one at the start: 8 s, and twice as much after
+  // each pause for a suspicion, up to 64 s, until a target is held.
+  bool pause(const State& state);
+  // Of a window of the comparison.
+  struct Window {
+    Slopes slopes;
+    std::int32_t celsius{};  // mK
+    std::int32_t noise{};  // from end to end, in mK
+    std::int32_t milliseconds{};
+  };
+  // With each window while a temperature is wanted: true if the reading falls too fast in a pause,
+  // or does not answer it.
+  bool add(const Window& window);
+
+  bool is_pausing() const { return pausing_; }
+  // Since a pause has begun, until the heat after it is felt.
+  bool is_recovering() const { return recovering_; }
+  // Whether a heater so far below its target may pause.
+  bool watches(std::int32_t below) const;
+  // No temperature is wanted, or there is none.
+  void restart();
+  // Another heater may be mounted.
+  void forget() { *this = Coast(*model_); }
+
+ private:
+  static constexpr std::int32_t shortest_wait = 8'000;  // ms
+
+  bool is_due(const State& state);
+  void begin();
+  void suspect(const Slopes& slopes);
+  bool is_unanswered(const Slopes& slopes) const;
+  std::int32_t late_heat(const Slopes& slopes) const;
+  std::int32_t most_fall(const Window& window) const;
+  void learn(const Window& window, std::int32_t fall);
+
+  const HeaterModel* model_;
+  bool begun_ = false;  // a temperature was wanted at the last update
+  bool pausing_ = false, recovering_ = false;
+  // Since another heater may have been mounted.
+  bool paused_at_start_ = false, paused_in_heat_ = false;
+  std::int32_t wait_ = shortest_wait;  // full heat before the next pause, ms
+  std::int32_t heated_ = 0;  // with full heat since the last one, ms
+  std::int32_t paused_ = 0;  // ms
+  // Of the pause: mK beyond what a heater loses, and the windows that are judged.
+  std::int32_t excess_ = 0, windows_ = 0;
+  // The least that fan and filament take in it, in mK/s: the block feels more of it later.
+  std::int32_t carried_least_ = 0;
+  // What was lost in a pause, of which to fan and filament by the model, in mK/s, and how hot it
+  // was then, in mK; 0: not known.
+  std::int32_t lost_ = 0, carried_ = 0, lost_at_ = 0;
+  // What the model does not explain of the slope with much heat: means over few and many windows,
+  // in mK/s.
+  std::int32_t fast_ = 0, slow_ = 0;
+  bool compared_ = false, suspicious_ = false, may_drift_ = true;
+  // The last window with much heat: the slope without losses, and the heat of the model, in mK/s;
+  // 0: there was none.
+  std::int32_t warmed_ = 0, heating_ = 0;
+};
+
+}  // namespace thermal
