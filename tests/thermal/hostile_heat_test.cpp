@@ -69,7 +69,7 @@ TEST(peace, bears_draught_that_begins_while_the_supply_falls) {
   const plants::HeatedBlockProperties hotend = tests::described_hotend();
   const double draught =
       0.3 * hotend.loss_watts_per_kelvin / hotend.fan_loss_watts_per_kelvin;  // as described
-  for (const double begin : {20.0, 35.0, 60.0, 120.0}) {
+  for (const double begin : {20.0, 35.0, 52.0, 60.0, 66.0, 72.0, 120.0}) {
     for (const double start : {22.0, 205.0}) {
       expect_peace(
           "draught and sag", Part::hotend, {.start = start}, hotend_target,
