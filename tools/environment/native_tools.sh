@@ -34,6 +34,7 @@ native_libraries_compile() {
 #include <nlohmann/json.hpp>
 #include <toml++/toml.hpp>
 #include <zlib.h>
+#include <glpk.h>
 #if !__has_include(<highs/Highs.h>)
 #error
 #endif

@@ -5,17 +5,17 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "tools/timing/call_tree.hpp"
 #include "tools/timing/costs.hpp"
+#include "tools/timing/event_sites.hpp"
 #include "tools/timing/flow.hpp"
 #include "tools/timing/reach.hpp"
 
 namespace timing {
 
-using Clocks = std::uint64_t;
-
-class FunctionBound;
+class FunctionNetwork;
 
 class Analysis {
  public:
@@ -24,19 +24,29 @@ class Analysis {
   // From the clock of its first instruction to that of the first one behind its end, without
   // sleep; nothing where there are problems. Nothing is known of its arguments.
   std::optional<Clocks> bound(Address function);
+  // What the bound is computed from; nothing where there are problems.
+  std::optional<Networks> networks(Address function);
   const std::set<Problem>& problems() const { return tree_.problems(); }
   void forget_problems() { tree_.forget_problems(); }
 
  private:
-  friend class FunctionBound;
+  friend class FunctionNetwork;
 
-  std::optional<Clocks> bound(Entry entry, const State& at_call);
+  struct Bound {
+    Clocks clocks{};
+    FactSet happening{};  // facts that would limit events of the function or of what it calls
+  };
+  class Linker;
+
+  std::optional<Bound> bound(Entry entry, const State& at_call);
+  std::optional<Bound> measure(Entry entry, const State& start);
 
   const Program& program_;
   Costs costs_;
   Flows flows_;
   Reach reach_;
-  CallTree<Clocks> tree_;
+  std::vector<Fact> facts_;
+  CallTree<Bound> tree_;
 };
 
 }  // namespace timing

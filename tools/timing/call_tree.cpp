@@ -23,4 +23,13 @@ State state_in_callee(const Program& program, const State& at_call) {
   return start;
 }
 
+Context context_of(Entry entry, const State& start) {
+  Context context{.entry = entry, .arguments = {}};
+  for (unsigned index = first_argument; index <= last_argument; ++index) {
+    const Value value = start.registers[index];
+    if (value.is_constant()) context.arguments[index - first_argument] = {true, value.offset};
+  }
+  return context;
+}
+
 }  // namespace timing

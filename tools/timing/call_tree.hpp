@@ -22,6 +22,15 @@ Entry entry_of(const Program& program, Address function);
 // What is known where a function begins: constant arguments, and the registers that never change.
 State state_in_callee(const Program& program, const State& at_call);
 
+// A function and its constant arguments.
+struct Context {
+  Entry entry;
+  std::array<std::pair<bool, std::uint32_t>, last_argument - first_argument + 1> arguments;
+  auto operator<=>(const Context&) const = default;
+};
+
+Context context_of(Entry entry, const State& start);
+
 template <class Result>
 class CallTree {
  public:
@@ -32,11 +41,7 @@ class CallTree {
   template <class Measure>
   std::optional<Result> of(Entry entry, const State& at_call, const Measure& measure) {
     const State start = state_in_callee(program_, at_call);
-    Context context{.entry = entry, .arguments = {}};
-    for (unsigned index = first_argument; index <= last_argument; ++index) {
-      const Value value = start.registers[index];
-      if (value.is_constant()) context.arguments[index - first_argument] = {true, value.offset};
-    }
+    const Context context = context_of(entry, start);
     if (const auto found = known_.find(context); found != known_.end()) return found->second;
     if (!under_way_.insert(entry.address).second) {
       add({.place = program_.place_of(entry.address),
@@ -61,12 +66,6 @@ class CallTree {
   void forget_problems() { problems_.clear(); }
 
  private:
-  struct Context {
-    Entry entry;
-    std::array<std::pair<bool, std::uint32_t>, last_argument - first_argument + 1> arguments;
-    auto operator<=>(const Context&) const = default;
-  };
-
   const Program& program_;
   std::map<Context, std::optional<Result>> known_;
   std::set<Address> under_way_;

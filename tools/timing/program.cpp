@@ -70,6 +70,7 @@ class Reader {
       const std::string_view called = name == nullptr ? "" : name;
       if (called == ".text") read_text(section, header, program);
       if (called == ".loop_bounds") read_facts(section, program.markers);
+      if (called == ".event_bounds") read_facts(section, program.event_markers);
       if (called == ".call_tables") read_facts(section, program.call_tables);
       if (header.sh_type == SHT_SYMTAB) read_symbols(section, header, program);
     }
@@ -83,6 +84,8 @@ class Reader {
                   [&](const auto& symbol) { return !program.is_code(symbol.first); });
     std::erase_if(program.markers,
                   [&](const LoopMarker& marker) { return !program.is_code(marker.address); });
+    std::erase_if(program.event_markers,
+                  [&](const EventMarker& marker) { return !program.is_code(marker.address); });
   }
 
  private:

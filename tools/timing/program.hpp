@@ -31,6 +31,15 @@ struct CallTable {
   Address place{}, first{}, bytes{};
 };
 
+// What `happens<event>()` and `EventBound<event, most>` leave in the image
+// (firmware/units/event_bound.hpp).
+struct EventMarker {
+  enum Kind : std::uint32_t { event_happens, begin, end };
+  Address address{};
+  std::uint32_t event{}, most{};
+  std::uint32_t kind{};
+};
+
 struct Symbol {
   std::string name;  // demangled, without its arguments
   Address size{};
@@ -48,6 +57,7 @@ struct Program {
   std::map<std::string, Address> addresses;  // of all symbols, by their names as in the file
   std::vector<LoopMarker> markers;
   std::vector<CallTable> call_tables;
+  std::vector<EventMarker> event_markers;
   // Memory that answers at once; all else is on the bus.
   Address memory_start = 0x8000'0000;
   Address memory_bytes{};

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often something happens at most, in several loops and functions together: a fact for
+// tools/timing, which host tests check.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace units {
+
+// What is counted.
+enum class Event : std::uint32_t { count };
+
+// On the chip these are no instructions, only entries in a section that is not loaded. On a host
+// one too many ends the program.
+namespace event_bounds {
+
+enum Kind : std::uint32_t { event, begin, end };
+
+#ifdef __riscv
+template <Event what, std::uint32_t most, Kind kind>
+[[gnu::always_inline]] inline void mark() {
+  asm volatile(
+      ".pushsection .event_bounds,\"\",@progbits\n"
+      ".word 1f, %c0, %c1, %c2\n"
+      ".popsection\n"
+      "1:" ::"i"(what),
+      "i"(most), "i"(kind));
+}
+#else
+inline thread_local std::array<std::uint64_t, static_cast<std::size_t>(Event::count) + 1> counts{};
+#endif
+
+}  // namespace event_bounds
+
+// Where it happens. The place is known where the instruction before it leads only here: behind an
+// access to a peripheral, a call, or the condition that leads here, but not first in a loop.
+template <Event what>
+[[gnu::always_inline]] inline void happens() {
+#ifdef __riscv
+  event_bounds::mark<what, 0, event_bounds::event>();
+#else
+  ++event_bounds::counts[static_cast<std::size_t>(what)];
+#endif
+}
+
+// From here to the end of the object it happens at most so often, in all that is called too.
+template <Event what, std::uint32_t most>
+class EventBound {
+ public:
+  EventBound(const EventBound&) = delete;
+  EventBound& operator=(const EventBound&) = delete;
+#ifdef __riscv
+  [[gnu::always_inline]] inline EventBound() {
+    event_bounds::mark<what, most, event_bounds::begin>();
+  }
+  [[gnu::always_inline]] inline ~EventBound() {
+    event_bounds::mark<what, most, event_bounds::end>();
+  }
+#else
+  EventBound() = default;
+  ~EventBound() {
+    if (event_bounds::counts[static_cast<std::size_t>(what)] - before_ > most) std::abort();
+  }
+
+ private:
+  std::uint64_t before_ = event_bounds::counts[static_cast<std::size_t>(what)];
+#endif
+};
+
+}  // namespace units

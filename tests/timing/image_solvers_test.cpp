@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// All functions of the firmware: the proved bound, HiGHS in fractions and GLPK in whole numbers find
+// the same optimum.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "directories.hpp"
+#include "sim/processor/timing_table.hpp"
+#include "tests/timing/second_solver.hpp"
+#include "tools/timing/analysis.hpp"
+#include "tools/timing/longest_time.hpp"
+#include "tools/timing/solver.hpp"
+
+namespace timing {
+namespace {
+
+// Of sums of some ten thousand columns in floating point.
+constexpr double relative_error = 1e-9;
+
+TEST(Solvers, agree_on_all_functions_of_the_firmware) {
+  Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
+  program.memory_bytes = CHIP_MEMORY_BYTES;
+  Analysis analysis(program, Costs{processor::TimingTable()}, CHIP_HAS_ZBB);
+  std::size_t compared = 0, with_facts = 0, most_columns = 0;
+  for (const auto& [function, symbol] : program.symbols) {
+    const auto bound = symbol.size != 0 ? analysis.bound(function) : std::nullopt;
+    if (!bound) continue;
+    const auto networks = analysis.networks(function);
+    ASSERT_TRUE(networks) << symbol.name;
+    const LinearProgram linear = program_of(*networks);
+    const auto clocks = static_cast<double>(*bound);
+    const double error = std::max(1.0, clocks) * relative_error;
+    const Solution first = solve(linear);
+    ASSERT_EQ(first.kind, Solution::Kind::optimal) << symbol.name;
+    EXPECT_NEAR(first.clocks, clocks, error) << symbol.name;
+    const auto second = optimum_in_integers(linear);
+    ASSERT_TRUE(second) << symbol.name;
+    EXPECT_NEAR(*second, clocks, error) << symbol.name;
+    ++compared;
+    with_facts += networks->facts.empty() ? 0U : 1U;
+    most_columns = std::max(most_columns, linear.columns.size());
+  }
+  EXPECT_GT(compared, 250U);
+  fmt::print("{} functions, {} of them with facts; up to {} columns\n", compared, with_facts,
+             most_columns);
+}
+
+}  // namespace
+}  // namespace timing

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arcs from the ways, loops from what the code shows or the source declares.
+#include "tools/timing/function_network.hpp"
+
+#include <algorithm>
+
+#include "tools/timing/callees.hpp"
+#include "tools/timing/markers.hpp"
+
+namespace timing {
+
+namespace {
+
+using processor::Operation;
+
+std::vector<std::vector<Way>> possible_ways(const Flow& flow, const Reached& reached) {
+  std::vector<std::vector<Way>> ways(flow.nodes.size());
+  for (std::size_t i = 0; i < flow.nodes.size(); ++i) {
+    if (reached.before[i]) ways[i] = Reach::ways(flow.nodes[i], *reached.before[i]);
+  }
+  return ways;
+}
+
+Graph graph_of(const std::vector<std::vector<Way>>& ways) {
+  Graph graph(ways.size());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (const Way& way : ways[i]) graph[i].push_back(way.to);
+  }
+  return graph;
+}
+
+}  // namespace
+
+FunctionNetwork::FunctionNetwork(Analysis& analysis, const Flow& flow, Entry entry,
+                                 const State& start, FactSet under_way)
+    : analysis_(analysis),
+      flow_(flow),
+      entry_(entry),
+      start_(start),
+      reached_(analysis.reach_.all(flow, start)),
+      ways_(possible_ways(flow, reached_)),
+      graph_(graph_of(ways_)),
+      loops_(find_loops(graph_)),
+      events_(analysis.program_, analysis.facts_, flow, ways_, under_way),
+      happening_(events_.happening()) {}
+
+void FunctionNetwork::add_problem(Address address, std::string what, std::string remedy) {
+  is_bounded_ = false;
+  analysis_.tree_.add({.place = analysis_.program_.place_of(address),
+                       .function = analysis_.program_.name_of(entry_.address),
+                       .what = std::move(what),
+                       .remedy = std::move(remedy)});
+}
+
+// The stack lies in memory. Any other address that is not known may be a peripheral's.
+bool FunctionNetwork::on_bus(std::size_t node) const {
+  const auto& instruction = flow_.nodes[node].instruction;
+  const Value base = reached_.before[node]->registers[instruction.first];
+  if (base.is_constant()) return !analysis_.program_.in_memory(base.offset + instruction.immediate);
+  return base.base != stack_pointer;
+}
+
+std::vector<FunctionNetwork::Passage> FunctionNetwork::called(std::size_t node, const Link& link) {
+  const Node& caller = flow_.nodes[node];
+  const auto targets = callees(analysis_.program_, flow_, reached_, node);
+  if (targets.empty()) {
+    add_problem(caller.address, "the function called here is not known",
+                "call it by its name, or declare the table of its pointer (units/call_table.hpp)");
+  }
+  const unsigned register_of_return = caller.calls ? caller.instruction.destination : entry_.link;
+  std::vector<Passage> passages;
+  Passage longest;
+  for (const Address target : targets) {
+    if (!analysis_.program_.is_code(target)) {
+      if (caller.calls) {
+        add_problem(caller.address, "what is called here lies outside the code", "jump to it");
+      }
+      // Another program takes over, and does not return.
+      continue;
+    }
+    const Entry callee{.address = target, .link = register_of_return};
+    const State& registers = *reached_.before[node];
+    const auto bound = analysis_.bound(callee, registers);
+    is_bounded_ = is_bounded_ && bound;
+    if (!bound) continue;
+    happening_ |= bound->happening;
+    if (const FactSet limits = bound->happening & events_.under_way(node); limits != 0) {
+      passages.push_back({.linked = link(callee, registers, limits)});
+    } else {
+      longest.clocks = std::max(longest.clocks, bound->clocks);
+    }
+  }
+  if (passages.size() < targets.size() || passages.empty()) passages.push_back(longest);
+  return passages;
+}
+
+Clocks FunctionNetwork::cost(std::size_t node, const Way* way) const {
+  const Node& from = flow_.nodes[node];
+  Clocks clocks = analysis_.costs_.of(from.instruction, way != nullptr && way->taken, on_bus(node));
+  if (way != nullptr && !from.calls) {
+    clocks += analysis_.costs_.between(from.instruction, flow_.nodes[way->to].instruction);
+  }
+  return clocks;
+}
+
+// To the end without a way.
+void FunctionNetwork::add_arcs(std::size_t node, const Way* way, const Link& link) {
+  const Node& from = flow_.nodes[node];
+  Arc arc{.from = node,
+          .to = way == nullptr ? network_.end : way->to,
+          .clocks = cost(node, way),
+          .calls = {},
+          .events = {},
+          .begins = {}};
+  if (way != nullptr) {
+    EventSites::Passed passed = events_.on(node, *way);
+    arc.events = std::move(passed.events);
+    arc.begins = std::move(passed.begins);
+  }
+  if (!from.calls && from.end != End::goes_on_elsewhere) {
+    network_.arcs.push_back(std::move(arc));
+    return;
+  }
+  for (const Passage& passage : called(node, link)) {
+    Arc through = arc;
+    through.clocks += passage.clocks;
+    if (passage.linked) through.calls.push_back(*passage.linked);
+    network_.arcs.push_back(std::move(through));
+  }
+}
+
+// Each way in by itself, since one alone may bring a number that is known.
+std::optional<Clocks> FunctionNetwork::counted_rounds(const Loop& loop) const {
+  std::optional<Clocks> most = 0;
+  const auto arrive = [&](const State& arriving) {
+    State state = arriving;
+    join_at(flow_.nodes[loop.header].address, state, arriving);
+    const auto rounds = most ? counted_rounds(loop, state) : std::nullopt;
+    most = rounds ? std::max(most, rounds) : std::nullopt;
+  };
+  if (loop.header == 0) arrive(start_);
+  for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
+    if (loop.nodes[node]) continue;
+    for (const Way& way : ways_[node]) {
+      if (way.to == loop.header) {
+        arrive(analysis_.reach_.after(flow_.nodes[node], *reached_.before[node]));
+      }
+    }
+  }
+  return most;
+}
+
+std::optional<Clocks> FunctionNetwork::counted_rounds(const Loop& loop, State state) const {
+  constexpr Clocks most_rounds = 20'000;
+  constexpr std::size_t most_visits = 200'000;
+  std::size_t visits = 0;
+  for (Clocks rounds = 0; rounds <= most_rounds && visits <= most_visits; ++rounds) {
+    const Reached reached = analysis_.reach_.once(flow_, loop.header, state, loop.nodes);
+    if (!reached.back) return rounds;
+    // Without a branch that is known nothing counts the rounds.
+    bool knows = false;
+    for (std::size_t node = 0; node < flow_.nodes.size() && !knows; ++node) {
+      const auto& before = reached.before[node];
+      knows = before && flow_.nodes[node].ways.size() > 1 &&
+              decide(flow_.nodes[node].instruction, *before);
+    }
+    if (!knows) return std::nullopt;
+    if (reached.back == state) return std::nullopt;
+    state = *reached.back;
+    visits += reached.visits;
+  }
+  return std::nullopt;
+}
+
+std::optional<Clocks> FunctionNetwork::most_rounds(const Loop& loop) {
+  // What the code itself shows needs no trust in the source.
+  if (const auto counted = counted_rounds(loop)) return counted;
+  const auto declared = declared_rounds(analysis_.program_.markers, flow_, graph_, loops_, loop);
+  if (!declared) {
+    add_problem(
+        flow_.nodes[loop.header].address, "a loop has no bound",
+        "declare LoopBound<N> before it and call next() first in it (units/loop_bound.hpp)");
+  }
+  return declared;
+}
+
+bool FunctionNetwork::only_sleeps(const Loop& loop) const {
+  for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
+    const Operation operation = flow_.nodes[node].instruction.operation;
+    if (loop.nodes[node] && operation != Operation::wait_for_interrupt &&
+        operation != Operation::jump) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool FunctionNetwork::has_end(const Loop& loop) const {
+  for (const std::size_t node : loops_.order) {
+    if (!loop.nodes[node]) continue;
+    if (ways_[node].empty()) return true;
+    for (const Way& way : ways_[node]) {
+      if (!loop.nodes[way.to]) return true;
+    }
+  }
+  return false;
+}
+
+void FunctionNetwork::add_loop(const Loop& loop) {
+  if (has_end(loop)) {
+    network_.loops.push_back(
+        {.header = loop.header, .nodes = loop.nodes, .most = most_rounds(loop).value_or(0)});
+  } else if (only_sleeps(loop)) {
+    // The way ends there.
+    std::erase_if(network_.arcs, [&](const Arc& arc) { return loop.nodes[arc.from]; });
+    Arc end;
+    end.from = loop.header;
+    end.to = network_.end;
+    network_.arcs.push_back(std::move(end));
+  } else {
+    add_problem(flow_.nodes[loop.header].address, "a loop has no end",
+                "ask for the bound of what it calls");
+  }
+}
+
+std::optional<Network> FunctionNetwork::network(const Link& link) {
+  if (loops_.second_entry) {
+    add_problem(flow_.nodes[*loops_.second_entry].address, "a loop has several entries",
+                "write it without goto, or with the test in one place");
+    return std::nullopt;
+  }
+  network_.end = flow_.nodes.size();
+  EventSites::Passed passed = events_.on_entry();
+  network_.entry_events = std::move(passed.events);
+  network_.entry_begins = std::move(passed.begins);
+  for (const std::size_t node : loops_.order) {
+    if (ways_[node].empty()) add_arcs(node, nullptr, link);
+    for (const Way& way : ways_[node]) add_arcs(node, &way, link);
+  }
+  for (const Loop& loop : loops_.loops) add_loop(loop);
+  network_.reduce();
+  if (!is_bounded_) return std::nullopt;
+  return std::move(network_);
+}
+
+}  // namespace timing

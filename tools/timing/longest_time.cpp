@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Without facts the longest way is the optimum, and no solver is needed.
+#include "tools/timing/longest_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tools/timing/pricing.hpp"
+#include "tools/timing/solver.hpp"
+
+namespace timing {
+
+namespace {
+
+// Prices of an optimum are quotients of small numbers: 720 720 is a multiple of 1 to 16.
+constexpr std::int64_t scales[] = {1, 720'720};
+
+Wide rounded(double price, std::int64_t scale) {
+  constexpr double most = 1e18;
+  // Also of what is no number.
+  if (!(price > 0)) return 0;
+  return static_cast<Wide>(std::llround(std::min(price * static_cast<double>(scale), most)));
+}
+
+}  // namespace
+
+std::optional<Clocks> proved_near(const Networks& networks, const LinearProgram& program,
+                                  const std::vector<double>& prices_of_facts) {
+  std::optional<Clocks> least;
+  for (const std::int64_t scale : scales) {
+    std::vector<Wide> of_facts;
+    for (const double one : prices_of_facts) of_facts.push_back(rounded(one, scale));
+    try {
+      const auto bound = proved_bound(program, price(networks, scale, of_facts));
+      if (bound) least = std::min(least.value_or(*bound), *bound);
+    } catch (const std::overflow_error&) {
+      // Another scale may do.
+    }
+  }
+  return least;
+}
+
+LongestTime longest_time(const Networks& networks) {
+  using Kind = LongestTime::Kind;
+  const LinearProgram program = program_of(networks);
+  std::vector<double> of_facts(networks.facts.size());
+  if (!networks.facts.empty()) {
+    const Solution solution = solve(program);
+    if (solution.kind == Solution::Kind::infeasible) return {.kind = Kind::contradiction};
+    if (solution.kind == Solution::Kind::failed) return {.kind = Kind::failed};
+    const std::size_t first = RowNumbers(networks).fact(0);
+    std::copy_n(solution.prices.begin() + static_cast<std::ptrdiff_t>(first), of_facts.size(),
+                of_facts.begin());
+  }
+  const auto clocks = proved_near(networks, program, of_facts);
+  if (!clocks) return {.kind = Kind::too_long};
+  return {.kind = Kind::proved, .clocks = *clocks};
+}
+
+}  // namespace timing
