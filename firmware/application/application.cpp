@@ -6,8 +6,13 @@
 #include <array>
 
 #include "host_link/replies.hpp"
+#include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace application {
+
+using namespace std::string_view_literals;
+
 namespace {
 
 constexpr units::Milliseconds count_period{100};
@@ -25,7 +30,7 @@ constexpr std::size_t wake_level = 64;
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   host_link::TextLine line;
   line.text("Error:").text(thermal::name_of(fault.fault)).text(", system stopped! Heater_ID: ");
-  return line.text(fault.heater == Heater::bed ? "bed" : "0");
+  return line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
 }
 
 // Empty for M112, which needs no reason.
@@ -108,7 +113,10 @@ void Application::set_alarms() {
 
 void Application::act_on_emergencies() {
   using Kind = host_link::EmergencyCommand::Kind;
+  // One of each kind may wait.
+  units::LoopBound<host_link::EmergencyCommand::kinds, 1> acted_on;
   while (const auto command = link_.emergency()) {
+    acted_on.next();
     switch (command->kind) {
       case Kind::kill:
         halt({});
@@ -246,8 +254,8 @@ void Application::halt(std::string_view fault) {
 void Application::serve_halted(Now now) {
   std::array<char, most_bytes> bytes;
   const std::size_t count = hardware_.uart.read(bytes).count;
-  const bool line_ended =
-      std::find(bytes.begin(), bytes.begin() + count, '\n') != bytes.begin() + count;
+  static_assert(most_bytes <= units::longest_text);
+  const bool line_ended = units::find({bytes.data(), count}, '\n') != std::string_view::npos;
   if (!line_ended || now.milliseconds < next_complaint_) return;
   next_complaint_ = now.milliseconds + complaint_period;
   if (!fault_.view().empty()) link_.say(fault_.view());

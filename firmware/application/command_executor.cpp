@@ -4,6 +4,7 @@
 
 #include "gcode/parser.hpp"
 #include "host_link/replies.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 
@@ -160,7 +161,9 @@ bool CommandExecutor::may_start() {
 
 // Ahead of the current line, which may have to wait long.
 void CommandExecutor::answer_queries() {
+  units::LoopBound<host_link::HostLink::most_queries> queries;
   while (const auto code = link_.query()) {
+    queries.next();
     const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
     if (progress == Progress::again) return;
     if (!link_.query_answered(query_.behind_ok.view())) return;

@@ -4,6 +4,8 @@
 
 namespace application {
 
+using namespace std::string_view_literals;
+
 // P has a file of the card simulated, which ends by itself; without S and P it is a question for
 // the time that the last simulation took.
 Progress DryRunCommands::simulate(ActiveCommand& command) {
@@ -23,13 +25,13 @@ Progress DryRunCommands::set_debug_bits(ActiveCommand& command) {
 
 // In Marlin's words. The bits of messages are not kept.
 Progress DryRunCommands::report_debug_bits(ActiveCommand& command) {
-  return command.say(dry_run_ ? "echo:DEBUG:DRYRUN, nothing is executed until M111 S0"
-                              : "echo:DEBUG:off");
+  return command.say(dry_run_ ? "echo:DEBUG:DRYRUN, nothing is executed until M111 S0"sv
+                              : "echo:DEBUG:off"sv);
 }
 
 Progress DryRunCommands::refuse_line(ActiveCommand& command) const {
-  return command.refuse(dry_run_ ? "No dry run, nothing is executed until M111 S0"
-                                 : "No simulation, nothing is executed until M37 S0");
+  return command.refuse(dry_run_ ? "No dry run, nothing is executed until M111 S0"sv
+                                 : "No simulation, nothing is executed until M37 S0"sv);
 }
 
 }  // namespace application

@@ -21,7 +21,7 @@ std::int32_t factor_of(const ActiveCommand& command) {
   return static_cast<std::int32_t>(command.command.integer('S').value_or(unchanged));
 }
 
-Progress report(ActiveCommand& command, const char* name, std::int32_t percent) {
+Progress report(ActiveCommand& command, std::string_view name, std::int32_t percent) {
   host_link::TextLine line;
   return command.say(line.text(name).integer(percent).character('%'));
 }

@@ -2,8 +2,11 @@
 // The entries, made from the table by the compiler, and the search among them.
 #include "application/gcode_entry.hpp"
 
+#include <bit>
+
 #include "application/gcode_table.hpp"
 #include "units/call_table.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -169,8 +172,18 @@ Handler GcodeEntry::report() const {
 
 const GcodeEntry* find_entry(const gcode::Command& command) {
   const std::uint32_t key = key_of(command.letter, command.code);
-  const auto* entry = std::ranges::lower_bound(entries, key, {}, &GcodeEntry::key);
-  return entry != entries.end() && entry->key == key ? entry : nullptr;
+  // The first of so many from `first` on that is not below; each round leaves half of them.
+  std::size_t first = 0;
+  std::size_t count = entries.size();
+  units::LoopBound<std::bit_width(entries.size())> halves;
+  while (count != 0) {
+    halves.next();
+    const std::size_t half = count / 2;
+    const bool is_below = entries[first + half].key < key;
+    first = is_below ? first + half + 1 : first;
+    count = is_below ? count - half - 1 : half;
+  }
+  return first != entries.size() && entries[first].key == key ? &entries[first] : nullptr;
 }
 
 }  // namespace application

@@ -7,6 +7,8 @@
 #include "host_link/replies.hpp"
 
 namespace application {
+
+using namespace std::string_view_literals;
 namespace {
 
 constexpr units::Milliseconds report_period{1000};
@@ -121,7 +123,7 @@ Progress HeatCommands::set_extrusion_limit(ActiveCommand& command) {
 // In Marlin's words.
 Progress HeatCommands::report_extrusion_limit(ActiveCommand& command) {
   host_link::TextLine line;
-  line.text("echo:Cold extrudes are ").text(heat_.cold_extrusion_allowed() ? "en" : "dis");
+  line.text("echo:Cold extrudes are ").text(heat_.cold_extrusion_allowed() ? "en"sv : "dis"sv);
   line.text("abled (min temp ").integer(heat_.least_extrusion().count() / 1000).text("C)");
   return command.say(line);
 }

@@ -2,9 +2,11 @@
 // Questions to the user, requests to the host, and the start of the boot loader.
 #include "application/host_commands.hpp"
 
-#include <iterator>
+#include <array>
 
 #include "platform/boot_loader.hpp"
+#include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace application {
 namespace {
@@ -13,7 +15,10 @@ namespace {
 // or cause resends.
 bool reads_as_answer(std::string_view text) {
   const auto begins_with = [text](std::string_view word) {
+    constexpr std::size_t longest_word = 6;
+    units::LoopBound<longest_word> characters;
     for (std::size_t i = 0; i < word.size(); ++i) {
+      characters.next();
       if (i == text.size() || (text[i] | 0x20) != word[i]) return false;
     }
     return true;
@@ -21,7 +26,7 @@ bool reads_as_answer(std::string_view text) {
   return begins_with("ok") || begins_with("resend") || begins_with("rs ") || begins_with("start");
 }
 
-const char* text_of(Question question) {
+std::string_view text_of(Question question) {
   switch (question) {
     case Question::go_on:
       return "Waiting for the user";
@@ -49,10 +54,12 @@ Progress HostCommands::ask_user(ActiveCommand& command, Question question) {
   std::size_t& said = command.lines_said;
   const units::Milliseconds now = command.now.milliseconds;
   if (command.phase == ActiveCommand::Phase::begin) {
-    static constexpr const char* prompt[]{"paused", "prompt_begin ", "prompt_button Continue",
-                                          "prompt_show"};
+    static constexpr std::array<std::string_view, 4> prompt{
+        "paused", "prompt_begin ", "prompt_button Continue", "prompt_show"};
     if (!pauses && said == 0) said = 1;
-    for (; said < std::size(prompt); ++said) {
+    units::LoopBound<prompt.size()> lines;
+    for (; said < prompt.size(); ++said) {
+      lines.next();
       host_link::TextLine line;
       line.text("//action:").text(prompt[said]);
       if (said == 1) line.text(text_of(question));
@@ -78,19 +85,24 @@ Progress HostCommands::say_text(ActiveCommand& command) {
   bool action = false;
   bool echo = false;
   const auto takes = [&text](std::string_view prefix) {
-    if (!text.starts_with(prefix)) return false;
+    if (!units::starts_with(text, prefix)) return false;
     text.remove_prefix(prefix.size());
-    while (text.starts_with(' ')) text.remove_prefix(1);
+    units::LoopBound<units::longest_text> blanks;
+    while (!text.empty() && text.front() == ' ') {
+      blanks.next();
+      text.remove_prefix(1);
+    }
     return true;
   };
+  // Each takes two bytes of the line, but the last.
+  units::LoopBound<units::longest_text / 2 + 1> words;
   for (bool more = true; more;) {
-    if (takes("A1")) {
-      action = true;
-    } else if (takes("E1")) {
-      echo = true;
-    } else {
-      more = takes("P0");
-    }
+    const bool is_action = takes("A1");
+    words.next();
+    const bool is_echo = !is_action && takes("E1");
+    action |= is_action;
+    echo |= is_echo;
+    more = is_action || is_echo || takes("P0");
   }
   host_link::TextLine line;
   if (echo || (!action && reads_as_answer(text))) line.text("echo:");

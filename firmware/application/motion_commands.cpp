@@ -6,6 +6,8 @@
 #include <string_view>
 
 namespace application {
+
+using namespace std::string_view_literals;
 namespace {
 
 using units::Axis;
@@ -86,7 +88,7 @@ std::optional<Progress> MotionCommands::take_centre(ActiveCommand& command,
   }
   const auto radius = coordinates_.rounded_length(command.command, 'R');
   if (centred == radius.has_value()) {
-    return command.refuse(centred ? "Arc with both R and I, J or K"
+    return command.refuse(centred ? "Arc with both R and I, J or K"sv
                                   : "Arc with neither R nor I, J or K");
   }
   if (centred) return std::nullopt;
@@ -125,8 +127,8 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Targ
     const bool too_long =
         extruder - before > longest_extrusion || before - extruder > longest_extrusion;
     if (heat_.extrusion_is_cold() || too_long) {
-      const char* notice =
-          too_long ? "echo: too long extrusion prevented" : "echo: cold extrusion prevented";
+      const std::string_view notice = too_long ? "echo: too long extrusion prevented"sv
+                                               : "echo: cold extrusion prevented"sv;
       if (command.lines_said == 0 && command.say(notice) == Progress::again) return Progress::again;
       command.lines_said = 1;
       extruder = before;
@@ -209,7 +211,7 @@ Progress MotionCommands::set_soft_limits(ActiveCommand& command) {
 // "echo:Soft endstops: ON  Min: X0.00 Y0.00 Z0.00  Max: X200.00 Y200.00 Z110.00"
 Progress MotionCommands::report_soft_limits(ActiveCommand& command) {
   host_link::TextLine line;
-  line.text("echo:Soft endstops: ").text(soft_limits_ ? "ON" : "OFF");
+  line.text("echo:Soft endstops: ").text(soft_limits_ ? "ON"sv : "OFF"sv);
   line.text("  Min: X0.00 Y0.00 Z0.00  Max:");
   for (std::size_t i = 0; i < index_of(Axis::e); ++i) {
     line.character(' ').character(units::axis_letters[i]);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "units/loop_bound.hpp"
+
 namespace application {
 namespace {
 
@@ -182,7 +184,10 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
 bool MotionTask::refill() {
   queue_full_ = false;
   if (stopping_) return false;
+  // It returns between lines.
+  units::LoopBound<motion::most_phases> segments;
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
+    segments.next();
     const auto segment = planner_.next_segment(pace_.time());
     if (!segment) return false;
     if (!segment->continues_line) begin_line();

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "application/application.hpp"
+#include "units/event_bound.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -17,12 +19,17 @@ constexpr std::size_t bytes_of_a_line = 32;
 }  // namespace
 
 void Application::exchange_bytes(Now now, std::size_t most) {
+  // None leaves the queue meanwhile.
+  using Queue = host_link::TransmitQueue;
+  units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
   receive(now, most);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
   link_.update(now.milliseconds, executor_.activity());
 }
 
 void Application::receive(Now now, std::size_t most) {
+  units::EventBound<units::Event::byte_received, most_bytes> read;
+  units::EventBound<units::Event::byte_taken, most_bytes> taken;
   std::array<char, most_bytes> bytes;
   const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
   const auto [count, gap_before_last] = hardware_.uart.read(std::span(bytes).first(most));
@@ -45,7 +52,10 @@ void Application::receive(Now now, std::size_t most) {
 bool Application::refill() {
   bool come = false;
   bool more = true;
+  // Meanwhile none is planned; the last round finds no line.
+  units::LoopBound<motion::Planner::capacity + 1> handed_over;
   for (unsigned lines = 1; more && !halted_; ++lines) {
+    handed_over.next();
     more = motion_.refill();
     if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
     come = true;
@@ -59,7 +69,10 @@ bool Application::refill() {
 }
 
 void Application::transmit() {
+  // The queue is a ring, whose bytes lie in two pieces at most.
+  units::LoopBound<2> pieces;
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
+    pieces.next();
     const std::size_t sent = hardware_.uart.write(bytes);
     link_.sent(sent);
     if (sent < bytes.size()) return;

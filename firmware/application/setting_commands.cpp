@@ -135,7 +135,9 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
+  units::LoopBound<std::size(reported_settings) + 1> lines;
   for (said = std::max(said, first); said <= reported_settings.size(); ++said) {
+    lines.next();
     if (said == 0) {
       if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
       continue;

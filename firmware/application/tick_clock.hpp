@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "units/loop_bound.hpp"
 #include "units/quantity.hpp"
 
 namespace application {
@@ -19,7 +20,16 @@ class TickClock {
   explicit constexpr TickClock(units::Hertz clock) : clocks_per_tick_(clock.count() / 1000) {}
 
   Now update(units::Cycles clocks) {
+    // The library's division takes as long as so many rounds.
+    constexpr std::uint32_t most_ticks = 32;
+    if (clocks - tick_begin_ >= units::Cycles(std::int64_t{clocks_per_tick_} * most_ticks)) {
+      const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
+      tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
+      milliseconds_ += units::Milliseconds(ticks);
+    }
+    units::LoopBound<most_ticks> begun;
     while (clocks >= next_tick()) {
+      begun.next();
       tick_begin_ += units::Cycles(clocks_per_tick_);
       milliseconds_ += units::Milliseconds(1);
     }

@@ -6,6 +6,7 @@
 
 #include "platform/bus.hpp"
 #include "registers/step_generator_registers.hpp"
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace drivers {
@@ -15,7 +16,9 @@ namespace registers = ::registers::step_generator;
 
 std::uint32_t backward_axes(const motion::Segment& segment) {
   std::uint32_t backward = 0;
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    axes.next();
     if (segment.steps[axis] < 0) backward |= 1u << axis;
   }
   return backward;
@@ -24,7 +27,9 @@ std::uint32_t backward_axes(const motion::Segment& segment) {
 // The path: only with the first segment of a line, the step generator keeps it for the others.
 void write_line(const motion::Segment& segment, std::size_t hardware_axes) {
   platform::write(registers::SegmentLineTicks{segment.line_ticks});
+  units::LoopBound<registers::SegmentSteps::count> axes;
   for (std::size_t axis = 0; axis < hardware_axes; ++axis) {
+    axes.next();
     const std::uint32_t steps =
         axis < units::axis_count ? units::magnitude(segment.steps[axis]) : 0;
     platform::write(axis, registers::SegmentSteps{steps});
@@ -52,7 +57,9 @@ void StepGenerator::configure(const units::PerAxis<GuardTimings>& guards,
                               std::uint32_t rate_floor) {
   hardware_axes_ = platform::read<registers::Build>().axes;
   const std::size_t axes = std::min(hardware_axes_, units::axis_count);
+  units::LoopBound<units::axis_count> configured;
   for (std::size_t axis = 0; axis < axes; ++axis) {
+    configured.next();
     const GuardTimings& guard = guards[axis];
     platform::write(axis,
                     registers::PulseGuard{

@@ -7,6 +7,7 @@
 #include "platform/bus.hpp"
 #include "registers/heater_control_registers.hpp"
 #include "registers/temperature_converter_registers.hpp"
+#include "units/loop_bound.hpp"
 
 namespace drivers {
 namespace {
@@ -47,8 +48,11 @@ bool TemperatureConverter::refused_settings() const {
 }
 
 thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const {
-  // A conversion takes milliseconds, so that at most one ends between the two looks at the status.
+  // A conversion takes milliseconds, so that at most one ends between the two looks at the status,
+  // and none in the round after that.
+  units::LoopBound<2> looks;
   for (;;) {
+    looks.next();
     const auto status = platform::read<registers::Status>(channel);
     const thermal::SensorReading reading{
         .state = status.state,

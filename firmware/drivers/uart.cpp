@@ -6,6 +6,8 @@
 
 #include "platform/bus.hpp"
 #include "registers/uart_registers.hpp"
+#include "units/event_bound.hpp"
+#include "units/loop_bound.hpp"
 
 namespace drivers {
 
@@ -20,9 +22,12 @@ bool Uart::configure(std::uint32_t baud, units::Hertz clock) {
 
 ReceivedBytes Uart::read(std::span<char> bytes) {
   ReceivedBytes received;
+  units::LoopBound<uart_registers::receive_depth> reads;
   while (received.count < bytes.size() && !received.gap_before_last) {
+    reads.next();
     const auto data = platform::read<uart_registers::Data>();
     if (!data.valid) break;
+    units::happens<units::Event::byte_received>();
     bytes[received.count++] = static_cast<char>(data.byte);
     received.gap_before_last = data.gap;
   }
@@ -31,9 +36,12 @@ ReceivedBytes Uart::read(std::span<char> bytes) {
 
 std::size_t Uart::write(std::span<const char> bytes) {
   const std::size_t count = std::min(bytes.size(), transmit_space());
+  units::LoopBound<uart_registers::transmit_depth> writes;
   for (const char byte : bytes.first(count)) {
+    writes.next();
     platform::write(uart_registers::Data{
         .byte = static_cast<unsigned char>(byte), .valid = true, .gap = false});
+    units::happens<units::Event::byte_sent>();
   }
   return count;
 }

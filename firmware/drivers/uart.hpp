@@ -59,7 +59,8 @@ class Uart {
   // with the line as it was, where the clock is too slow for it.
   [[nodiscard]] bool configure(std::uint32_t baud, units::Hertz clock);
 
-  // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap.
+  // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap. The
+  // span is no longer than the FIFO is deep (registers::uart::receive_depth).
   ReceivedBytes read(std::span<char> bytes);
   // Hands over as many bytes as there is space for, from the first on; returns how many.
   std::size_t write(std::span<const char> bytes);

@@ -5,6 +5,9 @@
 #include <array>
 #include <limits>
 
+#include "units/loop_bound.hpp"
+#include "units/text.hpp"
+
 namespace gcode {
 namespace {
 
@@ -31,7 +34,9 @@ std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
 // Reads the digits after the point. False if rounding reaches a whole unit.
 bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& billionths) {
   unsigned decimals = 0;
+  units::LoopBound<kept_decimals> kept;
   while (position < line.size() && is_digit(line[position]) && decimals < kept_decimals) {
+    kept.next();
     billionths = billionths * 10 + digit_value(line[position++]);
     ++decimals;
   }
@@ -39,7 +44,11 @@ bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& 
   // Decimals that are not kept: the first one alone decides the rounding.
   if (position < line.size() && is_digit(line[position])) {
     if (line[position] >= '5') ++billionths;
-    while (position < line.size() && is_digit(line[position])) ++position;
+    units::LoopBound<units::longest_text> dropped;
+    while (position < line.size() && is_digit(line[position])) {
+      dropped.next();
+      ++position;
+    }
   }
   if (billionths < billionths_per_unit) return true;
   billionths = 0;
@@ -55,7 +64,9 @@ std::expected<Number, ParseError> read_number(std::string_view line, std::size_t
     number.negative = line[position++] == '-';
   }
   const std::size_t first_digit = position;
+  units::LoopBound<units::longest_text> whole_digits;
   while (position < line.size() && is_digit(line[position])) {
+    whole_digits.next();
     if (!append(number.whole, digit_value(line[position]))) {
       return fail(ParseFault::number_overflow, start);
     }

@@ -3,9 +3,13 @@
 #include "gcode/parser.hpp"
 
 #include "gcode/number.hpp"
+#include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace gcode {
 namespace {
+
+using units::longest_text;
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 // Independent of whether char is signed, which differs between the host and the target.
@@ -55,8 +59,12 @@ class LineParser {
       if (!read_text()) return failure();
       return command_;
     }
+    // Each letter once; what follows the last of them ends the line or is refused.
+    constexpr std::uint32_t letters = 'Z' - 'A' + 1;
+    units::LoopBound<letters + 1> parameters;
     for (;;) {
       if (!skip_blanks_and_comments()) return failure();
+      parameters.next();
       if (at_end()) return command_;
       if (!read_parameter()) return failure();
     }
@@ -83,11 +91,18 @@ class LineParser {
   }
 
   void skip_blanks() {
-    while (!at_end() && is_blank(here())) ++position_;
+    units::LoopBound<longest_text> blanks;
+    while (!at_end() && is_blank(here())) {
+      blanks.next();
+      ++position_;
+    }
   }
 
   bool skip_blanks_and_comments() {
+    // Two brackets each, and the round behind the last of them.
+    units::LoopBound<longest_text / 2 + 1> comments;
     for (;;) {
+      comments.next();
       skip_blanks();
       if (at_end()) return true;
       if (here() == ';') {
@@ -97,7 +112,7 @@ class LineParser {
       if (here() != '(') {
         return true;
       }
-      const std::size_t closing = line_.find(')', position_);
+      const std::size_t closing = units::find(line_, ')', position_);
       if (closing == std::string_view::npos) {
         return set_error(ParseFault::unclosed_comment, position_);
       }
@@ -145,7 +160,9 @@ class LineParser {
   }
 
   bool read_integer(std::uint32_t& value, std::uint32_t largest) {
+    units::LoopBound<longest_text> digits;
     while (at_digit()) {
+      digits.next();
       value = value * 10 + static_cast<std::uint32_t>(here() - '0');
       if (value > largest) return false;
       ++position_;
@@ -157,7 +174,9 @@ class LineParser {
   bool read_text() {
     const std::size_t start = position_;
     std::size_t end = position_;
+    units::LoopBound<longest_text> characters;
     for (; !at_end() && here() != ';'; ++position_) {
+      characters.next();
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
       if (!is_blank(here())) end = position_ + 1;
     }
@@ -167,10 +186,12 @@ class LineParser {
 
   bool read_quoted_text() {
     const std::size_t quote = position_++;
-    const std::size_t closing = line_.find('"', position_);
+    const std::size_t closing = units::find(line_, '"', position_);
     if (closing == std::string_view::npos) return set_error(ParseFault::unclosed_quote, quote);
     command_.text = part(position_, closing);
+    units::LoopBound<longest_text> characters;
     for (; position_ < closing; ++position_) {
+      characters.next();
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
     }
     position_ = closing + 1;

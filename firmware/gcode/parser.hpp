@@ -10,7 +10,8 @@
 
 namespace gcode {
 
-// `line` comes without line number, checksum and line end. It must outlive the command's text.
+// `line` comes without line number, checksum and line end, and has at most units::longest_text
+// bytes. It must outlive the command's text.
 std::expected<Command, ParseError> parse(std::string_view line);
 
 }  // namespace gcode

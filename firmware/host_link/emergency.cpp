@@ -5,6 +5,7 @@
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
 #include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace host_link {
 namespace {
@@ -23,30 +24,45 @@ constexpr std::uint32_t largest_code = 0xffff;  // the parser's
 
 constexpr std::string_view action_prefix = "action:";
 
+std::string_view without_front_blanks(std::string_view text) {
+  units::LoopBound<max_line_length> blanks;
+  while (!text.empty() && text.front() == ' ') {
+    blanks.next();
+    text.remove_prefix(1);
+  }
+  return text;
+}
+
 std::string_view without_blanks(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
+  text = without_front_blanks(text);
+  units::LoopBound<max_line_length> blanks;
+  while (!text.empty() && text.back() == ' ') {
+    blanks.next();
+    text.remove_suffix(1);
+  }
   return text;
 }
 
 // "//action:pause", perhaps with blanks after the slashes.
 std::optional<EmergencyCommand> action_in(std::string_view text) {
   text.remove_prefix(2);
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  if (!text.starts_with(action_prefix)) return std::nullopt;
+  text = without_front_blanks(text);
+  if (!units::starts_with(text, action_prefix)) return std::nullopt;
   text.remove_prefix(action_prefix.size());
-  if (text == "pause") return EmergencyCommand{Kind::pause};
-  if (text == "resume") return EmergencyCommand{Kind::resume};
-  if (text == "cancel") return EmergencyCommand{Kind::cancel};
+  if (units::equal(text, "pause")) return EmergencyCommand{Kind::pause};
+  if (units::equal(text, "resume")) return EmergencyCommand{Kind::resume};
+  if (units::equal(text, "cancel")) return EmergencyCommand{Kind::cancel};
   return std::nullopt;
 }
 
 // S<n> anywhere after the command; a prompt has few buttons, so one or two digits count.
 std::uint8_t button_in(std::string_view parameters) {
-  const std::size_t letter = parameters.find_first_of("Ss");
+  const std::size_t letter = units::find_first_of(parameters, "Ss");
   if (letter == std::string_view::npos) return 0;
   unsigned value = 0;
+  units::LoopBound<max_line_length> digits;  // zeros may lead
   for (std::size_t i = letter + 1; i < parameters.size() && is_digit(parameters[i]); ++i) {
+    digits.next();
     value = value * 10 + static_cast<unsigned>(parameters[i] - '0');
     if (value > 99) return 0;
   }
@@ -76,7 +92,7 @@ std::uint32_t take_m_code(std::string_view& text) {
 }
 
 std::optional<EmergencyCommand> emergency_in(std::string_view text) {
-  if (text.starts_with("//")) {
+  if (units::starts_with(text, "//")) {
     return action_in(text);
   }
   switch (take_m_code(text)) {
@@ -98,11 +114,13 @@ std::optional<EmergencyCommand> emergency_in(std::string_view text) {
 std::optional<EmergencyCommand> speed_in(std::string_view text) {
   constexpr unsigned speed_code = 220;
   if (take_m_code(text) != speed_code) return std::nullopt;
-  text = without_blanks(text.substr(0, text.find(';')));
+  text = without_blanks(text.substr(0, units::find(text, ';')));
   if (text.size() < 2 || (text[0] != 'S' && text[0] != 's')) return std::nullopt;
   text.remove_prefix(1);
   unsigned percent = 0;
+  units::LoopBound<max_line_length> digits;
   for (const char digit : text) {
+    digits.next();
     if (!is_digit(digit)) return std::nullopt;
     percent = percent * 10 + static_cast<unsigned>(digit - '0');
     if (percent > largest_speed_factor) return std::nullopt;
@@ -122,8 +140,10 @@ void EmergencyQueue::put(EmergencyCommand command) {
 }
 
 std::optional<EmergencyCommand> EmergencyQueue::next() {
+  units::LoopBound<EmergencyCommand::kinds> asked;
   for (const Kind kind : {Kind::kill, Kind::cancel, Kind::quick_stop, Kind::cancel_wait,
                           Kind::prompt_response, Kind::speed, Kind::pause, Kind::resume}) {
+    asked.next();
     if ((pending_ & bit(kind)) == 0) continue;
     pending_ = static_cast<std::uint8_t>(pending_ & ~bit(kind));
     const std::uint16_t value = kind == Kind::prompt_response ? prompt_value_

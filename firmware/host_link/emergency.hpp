@@ -19,6 +19,7 @@ struct EmergencyCommand {
     cancel,  // //action:cancel: as M410, and the lines that wait are not executed
     speed,  // M220 S<n> from a person, for the move under way too
   };
+  static constexpr std::uint32_t kinds = 8;
   Kind kind;
   std::uint16_t value{};  // of M220 and M876: its S, otherwise 0
 };

@@ -5,6 +5,10 @@
 #include <algorithm>
 
 #include "host_link/line_number.hpp"
+#include "units/digits.hpp"
+#include "units/event_bound.hpp"
+#include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace host_link {
 namespace {
@@ -36,9 +40,14 @@ bool trusted(const ReceivedLine& line) {
 // Typed by hand: `M117 5 * 3 = 15`. What is after the last star cannot be a checksum.
 bool has_star_in_message(const ReceivedLine& line) {
   if (line.starts_with_n || line.checksum != Checksum::wrong) return false;
-  if (!line.text.starts_with("M117") && !line.text.starts_with("M118")) return false;
+  if (!units::starts_with(line.text, "M117") && !units::starts_with(line.text, "M118")) return false;
   const std::string_view rest = line.behind_star;
-  return rest.empty() || rest.find_first_not_of("0123456789 ") != std::string_view::npos;
+  units::LoopBound<max_line_length> characters;
+  for (const char c : rest) {
+    characters.next();
+    if (!units::is_digit(c) && c != ' ') return true;
+  }
+  return rest.empty();
 }
 
 // The same line with the star and all after it as text.
@@ -56,8 +65,12 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   give_up_old_line(now);
   last_heard_ = now;
   last_exchange_ = now;
+  units::LoopBound<most_bytes> received;
   for (const char byte : bytes) {
-    if (receiver_.put(byte)) handle(receiver_.take());
+    received.next();
+    const bool ends_line = receiver_.put(byte);
+    units::happens<units::Event::byte_taken>(ends_line);
+    if (ends_line) handle(receiver_.take());
   }
 }
 
@@ -252,7 +265,11 @@ bool HostLink::ask_again() {
 }
 
 void HostLink::drop_withdrawn() {
-  for (; queue_.front_is_withdrawn(); ++statistics_.withdrawn) queue_.drop();
+  units::LoopBound<LineQueue::capacity> withdrawn;
+  for (; queue_.front_is_withdrawn(); ++statistics_.withdrawn) {
+    withdrawn.next();
+    queue_.drop();
+  }
 }
 
 bool HostLink::finished(std::string_view report) {

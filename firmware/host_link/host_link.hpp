@@ -33,7 +33,8 @@ struct Statistics {
 
 class HostLink {
  public:
-  // From the uart. `now` is the time of the last of the bytes.
+  // From the uart, so many at most. `now` is the time of the last of the bytes.
+  static constexpr std::size_t most_bytes = 2048;
   void receive(std::span<const char> bytes, units::Milliseconds now);
   // Something was lost between the bytes received so far and the next, which is received right
   // after this call, at the same time: the line that it belongs to is broken.
@@ -61,6 +62,7 @@ class HostLink {
   // no longer in hand and wants no ok. False where it is to be answered.
   bool ask_again();
 
+  static constexpr std::size_t most_queries = 4;
   // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
   // each while the user is waited for, since its host may be one that has just come; and M105 from
   // a person in the middle of a job.
@@ -157,7 +159,7 @@ class HostLink {
   bool advanced_ok_{};
   bool paused_{};  // the user is waited for
   std::uint8_t query_count_{};
-  std::array<std::uint8_t, 4> queries_{};  // their codes; more wait as other lines do
+  std::array<std::uint8_t, most_queries> queries_{};  // their codes; more wait as other lines do
   bool in_hand_{};
 };
 

@@ -2,6 +2,7 @@
 // Messages of the link itself: oks, resend requests, notices, busy messages, and their timing.
 #include "host_link/host_link.hpp"
 #include "host_link/text_line.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 namespace {
@@ -133,7 +134,9 @@ void HostLink::send_owed() {
   // After an overrun the host is asked to go on only when half of the queue is free again.
   const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
   if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
+  units::LoopBound<most_owed> oks;
   for (; oks_owed_ != 0; --oks_owed_) {
+    oks.next();
     if (!put_ok(std::nullopt, {})) return;
   }
 }

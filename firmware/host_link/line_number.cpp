@@ -8,6 +8,7 @@
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
 #include "units/loop_bound.hpp"
+#include "units/text.hpp"
 
 namespace host_link {
 
@@ -33,7 +34,7 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
 
 bool looks_like_command(std::string_view text) {
   constexpr std::string_view letters = "GMTgmt";
-  return text.size() >= 2 && letters.find(text[0]) != std::string_view::npos && is_digit(text[1]);
+  return text.size() >= 2 && units::find(letters, text[0]) != std::string_view::npos && is_digit(text[1]);
 }
 
 bool sets_numbering(std::string_view text) {
@@ -42,7 +43,7 @@ bool sets_numbering(std::string_view text) {
 }
 
 std::optional<LineNumber> number_set_by(std::string_view text) {
-  const std::size_t letter = text.find_first_of("Nn");
+  const std::size_t letter = units::find_first_of(text, "Nn");
   if (letter == std::string_view::npos) return std::nullopt;
   text.remove_prefix(letter + 1);
   return take_line_number(text);

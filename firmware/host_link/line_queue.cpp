@@ -12,7 +12,11 @@ namespace host_link {
 void LineQueue::put(std::string_view text, std::optional<LineNumber> number, bool emergency) {
   Slot& slot = slots_[(first_ + size_) % capacity];
   const std::size_t length = std::min(text.size(), max_line_length);
-  std::copy_n(text.data(), length, slot.text.data());
+  units::LoopBound<max_line_length> characters;
+  for (std::size_t i = 0; i < length; ++i) {
+    characters.next();
+    slot.text[i] = text[i];
+  }
   slot.length = static_cast<std::uint8_t>(length);
   slot.number = number.value_or(0);
   slot.numbered = number.has_value();

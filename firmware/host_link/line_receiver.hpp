@@ -8,11 +8,12 @@
 #include <string_view>
 
 #include "host_link/line_number.hpp"
+#include "units/text.hpp"
 
 namespace host_link {
 
 // With number and checksum, without line end. Marlin's is 96.
-inline constexpr std::size_t max_line_length = 128;
+inline constexpr std::size_t max_line_length = units::longest_text;
 
 // Either ends a line, and so do both together.
 inline constexpr char line_feed = '\n';

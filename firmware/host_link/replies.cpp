@@ -3,6 +3,8 @@
 #include "host_link/replies.hpp"
 
 namespace host_link {
+
+using namespace std::string_view_literals;
 namespace {
 
 constexpr unsigned millicelsius_digits = 3;
@@ -63,7 +65,7 @@ std::optional<TextLine> firmware_line(const FirmwareDescription& firmware, std::
   }
   if (index > firmware.capabilities.size()) return std::nullopt;
   const Capability& capability = firmware.capabilities[index - 1];
-  return line.text("Cap:").text(capability.name).text(capability.present ? ":1" : ":0");
+  return line.text("Cap:").text(capability.name).text(capability.present ? ":1"sv : ":0"sv);
 }
 
 std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, std::size_t index) {
@@ -71,7 +73,7 @@ std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, s
   if (index == 0) return line.text("Reporting endstop status");
   if (index > end_stops.size()) return std::nullopt;
   const EndStopState& end_stop = end_stops[index - 1];
-  return line.text(end_stop.name).text(end_stop.triggered ? ": TRIGGERED" : ": open");
+  return line.text(end_stop.name).text(end_stop.triggered ? ": TRIGGERED"sv : ": open"sv);
 }
 
 TextLine unknown_command(std::string_view command) {

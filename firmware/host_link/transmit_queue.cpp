@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
@@ -16,6 +17,7 @@ bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std:
     length += part.size();
   }
   if (length + spare > room()) return false;
+  units::EventBound<units::Event::byte_queued, capacity> fits;
   units::LoopBound<most_parts, 1> copied;
   for (const std::string_view part : parts) {
     copied.next();
@@ -41,6 +43,7 @@ void TransmitQueue::drop(std::size_t count) {
 void TransmitQueue::put(char c) {
   bytes_[(first_ + size_) % capacity] = c;
   ++size_;
+  units::happens<units::Event::byte_queued>(size_);
 }
 
 }  // namespace host_link

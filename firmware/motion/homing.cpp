@@ -2,6 +2,8 @@
 // The states of homing one axis after another.
 #include "motion/homing.hpp"
 
+#include "units/loop_bound.hpp"
+
 namespace motion {
 
 namespace {
@@ -45,7 +47,9 @@ HomingRequest Homing::update(const HomingObservation& observation) {
 }
 
 HomingRequest Homing::begin_axis(const HomingObservation& observation) {
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     axis_ = static_cast<units::Axis>(i);
     if (!remaining_.contains(axis_) || !limits_.of(axis_).homing) continue;
     if (!pressed(observation)) return approach(limits_.of(axis_).travel + parameters().back_off);

@@ -17,8 +17,11 @@ struct Phase {
   std::int64_t acceleration{};  // as in Segment
 };
 
+// Acceleration, cruise, braking.
+inline constexpr std::size_t most_phases = 3;
+
 struct Profile {
-  std::array<Phase, 3> phases{};
+  std::array<Phase, most_phases> phases{};
   std::size_t count{};
   units::Microseconds time{};
 };

@@ -6,6 +6,7 @@
 #include "registers/heater_control_registers.hpp"
 #include "registers/step_generator_registers.hpp"
 #include "registers/uart_registers.hpp"
+#include "units/loop_bound.hpp"
 
 namespace platform {
 namespace {
@@ -14,7 +15,9 @@ namespace {
 constexpr std::uint32_t patience_reads = 1'000'000;
 
 void put(char character) {
+  units::LoopBound<patience_reads> reads;
   for (std::uint32_t i = 0; i < patience_reads; ++i) {
+    reads.next();
     if (read<registers::uart::Status>().transmit_space != 0) break;
   }
   write(registers::uart::Data{.byte = static_cast<std::uint8_t>(character)});

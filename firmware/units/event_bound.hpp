@@ -11,7 +11,13 @@
 namespace units {
 
 // What is counted.
-enum class Event : std::uint32_t { count };
+enum class Event : std::uint32_t {
+  byte_received,  // taken from the uart
+  byte_taken,  // by the host link
+  byte_queued,  // of a reply
+  byte_sent,  // given to the uart
+  count
+};
 
 // On the chip these are no instructions, only entries in a section that is not loaded. On a host
 // one too many ends the program.
@@ -21,16 +27,16 @@ enum Kind : std::uint32_t { event, begin, end };
 
 #ifdef __riscv
 template <Event what, std::uint32_t most, Kind kind>
-[[gnu::always_inline]] inline void mark() {
+[[gnu::always_inline]] inline void mark(std::uint32_t behind = 0) {
   asm volatile(
       ".pushsection .event_bounds,\"\",@progbits\n"
-      ".word 1f, %c0, %c1, %c2\n"
+      ".word 1f, %0, %1, %2\n"
       ".popsection\n"
       "1:" ::"i"(what),
-      "i"(most), "i"(kind));
+      "i"(most), "i"(kind), "X"(behind));
 }
 #else
-inline thread_local std::array<std::uint64_t, static_cast<std::size_t>(Event::count) + 1> counts{};
+inline thread_local std::array<std::uint64_t, static_cast<std::size_t>(Event::count)> counts{};
 #endif
 
 }  // namespace event_bounds
@@ -43,6 +49,16 @@ template <Event what>
   event_bounds::mark<what, 0, event_bounds::event>();
 #else
   ++event_bounds::counts[static_cast<std::size_t>(what)];
+#endif
+}
+
+// The same behind what computes the number, which has no effect: where nothing else says so.
+template <Event what>
+[[gnu::always_inline]] inline void happens([[maybe_unused]] std::uint32_t behind) {
+#ifdef __riscv
+  event_bounds::mark<what, 0, event_bounds::event>(behind);
+#else
+  happens<what>();
 #endif
 }
 

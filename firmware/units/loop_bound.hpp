@@ -39,7 +39,7 @@ class LoopBound {
   [[gnu::always_inline]] static inline void mark() {
     asm volatile(
         ".pushsection .loop_bounds,\"\",@progbits\n"
-        ".word 1f, %c0, %c1, %c2\n"
+        ".word 1f, %0, %1, %2\n"
         ".popsection\n"
         "1:" ::"i"(most),
         "i"(tag), "i"(is_end));

@@ -18,8 +18,8 @@ class Analysis::Linker {
   explicit Linker(Analysis& analysis) : analysis_(analysis) {}
 
   // Nothing where a function has no bound.
-  std::optional<Networks> networks(Entry entry, const State& at_call) {
-    add(entry, at_call, 0);
+  std::optional<Networks> networks(Entry entry, const State& at_call, bool is_round) {
+    add(entry, at_call, 0, is_round);
     if (!is_bounded_) return std::nullopt;
     // Facts without an event limit nothing.
     const bool has_events = std::ranges::any_of(found_, [](const Network& network) {
@@ -37,7 +37,7 @@ class Analysis::Linker {
   FactSet happening() const { return happening_; }
 
  private:
-  std::size_t add(Entry entry, const State& at_call, FactSet under_way) {
+  std::size_t add(Entry entry, const State& at_call, FactSet under_way, bool is_round = false) {
     const State start = state_in_callee(analysis_.program_, at_call);
     const auto [known, is_new] =
         numbers_.try_emplace({context_of(entry, start), under_way}, found_.size());
@@ -45,9 +45,10 @@ class Analysis::Linker {
     if (!is_new) return number;
     found_.emplace_back();
     FunctionNetwork function(analysis_, analysis_.flows_.of(entry), entry, start, under_way);
-    auto network = function.network([&](Entry callee, const State& registers, FactSet facts) {
+    const auto link = [&](Entry callee, const State& registers, FactSet facts) {
       return add(callee, registers, facts);
-    });
+    };
+    auto network = is_round ? function.round(link) : function.network(link);
     is_bounded_ = is_bounded_ && network;
     if (network) found_[number] = std::move(*network);
     if (number == 0) happening_ = function.happening();
@@ -75,17 +76,30 @@ std::optional<Clocks> Analysis::bound(Address function) {
 }
 
 std::optional<Networks> Analysis::networks(Address function) {
-  return Linker(*this).networks(entry_of(program_, function), State::at_start());
+  return Linker(*this).networks(entry_of(program_, function), State::at_start(), false);
+}
+
+std::optional<Clocks> Analysis::round(Address function) {
+  const Entry entry = entry_of(program_, function);
+  const auto found = measure(entry, state_in_callee(program_, State::at_start()), true);
+  return found ? std::optional(found->clocks) : std::nullopt;
+}
+
+Address Analysis::round_start(Address function) {
+  const Entry entry = entry_of(program_, function);
+  const Flow& flow = flows_.of(entry);
+  return FunctionNetwork(*this, flow, entry, state_in_callee(program_, State::at_start()), 0)
+      .round_start();
 }
 
 std::optional<Analysis::Bound> Analysis::bound(Entry entry, const State& at_call) {
   return tree_.of(entry, at_call,
-                  [&](Entry begun, const State& start) { return measure(begun, start); });
+                  [&](Entry begun, const State& start) { return measure(begun, start, false); });
 }
 
-std::optional<Analysis::Bound> Analysis::measure(Entry entry, const State& start) {
+std::optional<Analysis::Bound> Analysis::measure(Entry entry, const State& start, bool is_round) {
   Linker linker(*this);
-  const auto networks = linker.networks(entry, start);
+  const auto networks = linker.networks(entry, start, is_round);
   if (!networks) return std::nullopt;
   const LongestTime longest = longest_time(*networks);
   if (longest.kind == LongestTime::Kind::proved) {

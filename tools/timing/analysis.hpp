@@ -24,6 +24,10 @@ class Analysis {
   // From the clock of its first instruction to that of the first one behind its end, without
   // sleep; nothing where there are problems. Nothing is known of its arguments.
   std::optional<Clocks> bound(Address function);
+  // One round of the loop around all others in it, of main's the pass over all tasks.
+  std::optional<Clocks> round(Address function);
+  // Where that loop begins.
+  Address round_start(Address function);
   // What the bound is computed from; nothing where there are problems.
   std::optional<Networks> networks(Address function);
   const std::set<Problem>& problems() const { return tree_.problems(); }
@@ -39,7 +43,7 @@ class Analysis {
   class Linker;
 
   std::optional<Bound> bound(Entry entry, const State& at_call);
-  std::optional<Bound> measure(Entry entry, const State& start);
+  std::optional<Bound> measure(Entry entry, const State& start, bool is_round);
 
   const Program& program_;
   Costs costs_;

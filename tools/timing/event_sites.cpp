@@ -18,6 +18,14 @@ bool matches(const Fact& fact, const EventMarker& marker) {
 
 }  // namespace
 
+std::vector<std::size_t> members(FactSet set) {
+  std::vector<std::size_t> found;
+  for (std::size_t fact = 0; fact < 64; ++fact) {
+    if ((set & bit(fact)) != 0) found.push_back(fact);
+  }
+  return found;
+}
+
 std::vector<Fact> facts_of(const Program& program) {
   std::set<Fact> found;
   for (const EventMarker& marker : program.event_markers) {

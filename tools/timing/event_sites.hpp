@@ -15,6 +15,9 @@ namespace timing {
 // A set of the program's facts, by their numbers.
 using FactSet = std::uint64_t;
 
+// The numbers of a set, in order.
+std::vector<std::size_t> members(FactSet set);
+
 // Throws std::runtime_error for more than a set holds.
 std::vector<Fact> facts_of(const Program& program);
 

@@ -223,12 +223,40 @@ void FunctionNetwork::add_loop(const Loop& loop) {
   }
 }
 
-std::optional<Network> FunctionNetwork::network(const Link& link) {
-  if (loops_.second_entry) {
-    add_problem(flow_.nodes[*loops_.second_entry].address, "a loop has several entries",
-                "write it without goto, or with the test in one place");
+bool FunctionNetwork::has_one_entry() {
+  if (!loops_.second_entry) return true;
+  add_problem(flow_.nodes[*loops_.second_entry].address, "a loop has several entries",
+              "write it without goto, or with the test in one place");
+  return false;
+}
+
+std::optional<Network> FunctionNetwork::round(const Link& link) {
+  if (loops_.loops.empty()) {
+    add_problem(entry_.address, "the function has no loop", "ask for the bound of the function");
     return std::nullopt;
   }
+  if (!has_one_entry()) return std::nullopt;
+  const Loop& around = loops_.loops.back();
+  network_.end = flow_.nodes.size();
+  for (const std::size_t node : loops_.order) {
+    if (!around.nodes[node]) continue;
+    for (const Way& way : ways_[node]) {
+      if (around.nodes[way.to]) add_arcs(node, &way, link);
+    }
+  }
+  for (const Loop& loop : loops_.loops) {
+    if (around.nodes[loop.header] && loop.header != around.header) add_loop(loop);
+  }
+  // What holds for all rounds together holds for one.
+  network_.entry_begins = members(events_.under_way(around.header));
+  network_.make_round(around.header);
+  network_.reduce();
+  if (!is_bounded_) return std::nullopt;
+  return std::move(network_);
+}
+
+std::optional<Network> FunctionNetwork::network(const Link& link) {
+  if (!has_one_entry()) return std::nullopt;
   network_.end = flow_.nodes.size();
   EventSites::Passed passed = events_.on_entry();
   network_.entry_events = std::move(passed.events);

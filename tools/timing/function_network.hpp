@@ -25,6 +25,13 @@ class FunctionNetwork {
   // A call counts as the bound of what is called; where that has events that a fact limits, it is
   // linked. Nothing where problems were added to the analysis.
   std::optional<Network> network(const Link& link);
+  // The same of one round of the loop around all others, from its start to its start again; ways out
+  // of it do not count.
+  std::optional<Network> round(const Link& link);
+  // Where that loop begins; the function's start if there is none.
+  Address round_start() const {
+    return flow_.nodes[loops_.loops.empty() ? 0 : loops_.loops.back().header].address;
+  }
   // Facts that would limit events of the function or of what it calls; known after network().
   FactSet happening() const { return happening_; }
 
@@ -36,6 +43,7 @@ class FunctionNetwork {
   };
 
   std::vector<Passage> called(std::size_t node, const Link& link);
+  bool has_one_entry();
   void add_arcs(std::size_t node, const Way* way, const Link& link);
   Clocks cost(std::size_t node, const Way* way) const;
   void add_loop(const Loop& loop);

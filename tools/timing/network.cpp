@@ -59,6 +59,20 @@ void join_chains(Network& network) {
 
 }  // namespace
 
+void Network::make_round(std::size_t start) {
+  const auto moved = [start](std::size_t node) {
+    return node == start ? 0 : node == 0 ? start : node;
+  };
+  for (Arc& arc : arcs) {
+    arc.to = arc.to == start ? end : moved(arc.to);
+    arc.from = moved(arc.from);
+  }
+  for (RoundsBound& loop : loops) {
+    loop.header = moved(loop.header);
+    std::vector<bool>::swap(loop.nodes[start], loop.nodes[0]);
+  }
+}
+
 void Network::reduce() {
   remove_dead_ends(*this);
   join_chains(*this);

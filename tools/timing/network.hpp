@@ -32,6 +32,8 @@ struct Network {
   std::vector<RoundsBound> loops;  // inner ones before those around them
   std::vector<std::size_t> entry_events, entry_begins;  // as those of an arc, in each run
 
+  // A run begins at this node, and ends where it comes there again.
+  void make_round(std::size_t start);
   // Arcs on no way to the end are left out, and nodes with one way in and one out.
   void reduce();
 };
