@@ -41,7 +41,7 @@ class Application {
   static constexpr std::size_t most_bytes = 128;
   void exchange_bytes(Now now, std::size_t most = most_bytes);
   void receive(Now now, std::size_t most);
-  bool refill();
+  [[gnu::noinline]] bool refill();
   void transmit();
   void act_on_emergencies();
   void note_cooling(Now now);

@@ -127,8 +127,8 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Targ
     const bool too_long =
         extruder - before > longest_extrusion || before - extruder > longest_extrusion;
     if (heat_.extrusion_is_cold() || too_long) {
-      const std::string_view notice = too_long ? "echo: too long extrusion prevented"sv
-                                               : "echo: cold extrusion prevented"sv;
+      const std::string_view notice =
+          too_long ? "echo: too long extrusion prevented"sv : "echo: cold extrusion prevented"sv;
       if (command.lines_said == 0 && command.say(notice) == Progress::again) return Progress::again;
       command.lines_said = 1;
       extruder = before;

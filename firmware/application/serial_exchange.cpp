@@ -22,6 +22,7 @@ void Application::exchange_bytes(Now now, std::size_t most) {
   // None leaves the queue meanwhile.
   using Queue = host_link::TransmitQueue;
   units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
+  units::EventBound<units::Event::ok_repaid, host_link::HostLink::most_oks> oks;
   receive(now, most);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
   link_.update(now.milliseconds, executor_.activity());

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -48,6 +49,7 @@ bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& 
     while (position < line.size() && is_digit(line[position])) {
       dropped.next();
       ++position;
+      units::happens<units::Event::character_read>(position);
     }
   }
   if (billionths < billionths_per_unit) return true;
@@ -71,6 +73,7 @@ std::expected<Number, ParseError> read_number(std::string_view line, std::size_t
       return fail(ParseFault::number_overflow, start);
     }
     ++position;
+    units::happens<units::Event::character_read>(position);
   }
   std::size_t digits = position - first_digit;
   if (position < line.size() && line[position] == '.') {

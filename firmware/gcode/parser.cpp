@@ -3,6 +3,7 @@
 #include "gcode/parser.hpp"
 
 #include "gcode/number.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -51,6 +52,8 @@ class LineParser {
   explicit LineParser(std::string_view line) : line_(line) {}
 
   std::expected<Command, ParseError> parse() {
+    // It goes back once, in M0 and M1.
+    units::EventBound<units::Event::character_read, 2 * longest_text> places;
     if (!skip_blanks_and_comments()) return failure();
     if (at_end()) return fail(ParseFault::empty_line, position_);
     if (!read_name_of_objects() && !read_letter_and_code()) return failure();
@@ -95,6 +98,7 @@ class LineParser {
     while (!at_end() && is_blank(here())) {
       blanks.next();
       ++position_;
+      units::happens<units::Event::character_read>(position_);
     }
   }
 
@@ -117,6 +121,7 @@ class LineParser {
         return set_error(ParseFault::unclosed_comment, position_);
       }
       position_ = closing + 1;
+      units::happens<units::Event::character_read>(position_);
     }
   }
 
@@ -166,6 +171,7 @@ class LineParser {
       value = value * 10 + static_cast<std::uint32_t>(here() - '0');
       if (value > largest) return false;
       ++position_;
+      units::happens<units::Event::character_read>(position_);
     }
     return true;
   }

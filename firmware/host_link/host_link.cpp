@@ -40,7 +40,8 @@ bool trusted(const ReceivedLine& line) {
 // Typed by hand: `M117 5 * 3 = 15`. What is after the last star cannot be a checksum.
 bool has_star_in_message(const ReceivedLine& line) {
   if (line.starts_with_n || line.checksum != Checksum::wrong) return false;
-  if (!units::starts_with(line.text, "M117") && !units::starts_with(line.text, "M118")) return false;
+  if (!units::starts_with(line.text, "M117") && !units::starts_with(line.text, "M118"))
+    return false;
   const std::string_view rest = line.behind_star;
   units::LoopBound<max_line_length> characters;
   for (const char c : rest) {
@@ -68,9 +69,8 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   units::LoopBound<most_bytes> received;
   for (const char byte : bytes) {
     received.next();
-    const bool ends_line = receiver_.put(byte);
-    units::happens<units::Event::byte_taken>(ends_line);
-    if (ends_line) handle(receiver_.take());
+    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(byte));
+    if (receiver_.put(byte)) handle(receiver_.take());
   }
 }
 

@@ -2,6 +2,7 @@
 // Messages of the link itself: oks, resend requests, notices, busy messages, and their timing.
 #include "host_link/host_link.hpp"
 #include "host_link/text_line.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
@@ -135,9 +136,12 @@ void HostLink::send_owed() {
   const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
   if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
   units::LoopBound<most_owed> oks;
-  for (; oks_owed_ != 0; --oks_owed_) {
+  units::EventBound<units::Event::ok_repaid, most_oks> fit;
+  while (oks_owed_ != 0) {
     oks.next();
     if (!put_ok(std::nullopt, {})) return;
+    --oks_owed_;
+    units::happens<units::Event::ok_repaid>(oks_owed_);
   }
 }
 

@@ -34,7 +34,8 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
 
 bool looks_like_command(std::string_view text) {
   constexpr std::string_view letters = "GMTgmt";
-  return text.size() >= 2 && units::find(letters, text[0]) != std::string_view::npos && is_digit(text[1]);
+  return text.size() >= 2 && units::find(letters, text[0]) != std::string_view::npos &&
+         is_digit(text[1]);
 }
 
 bool sets_numbering(std::string_view text) {

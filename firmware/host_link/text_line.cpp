@@ -25,13 +25,16 @@ constexpr std::uint64_t power_of_ten(unsigned exponent) {
 }  // namespace
 
 TextLine& TextLine::text(std::string_view part) {
-  const std::size_t taken = complete_ ? std::min(part.size(), capacity - length_) : 0;
-  units::LoopBound<capacity> characters;
-  for (std::size_t i = 0; i < taken; ++i) {
+  if (!complete_) return *this;
+  units::LoopBound<capacity + 1> characters;  // the last of them finds no room
+  for (std::size_t i = 0; i < part.size(); ++i) {
     characters.next();
+    if (length_ == capacity) {
+      complete_ = false;
+      break;
+    }
     buffer_[length_++] = part[i];
   }
-  if (taken < part.size()) complete_ = false;
   return *this;
 }
 

@@ -16,6 +16,8 @@ enum class Event : std::uint32_t {
   byte_taken,  // by the host link
   byte_queued,  // of a reply
   byte_sent,  // given to the uart
+  ok_repaid,  // one that was owed is queued
+  character_read,  // of a line's text by the parser, again after going back
   count
 };
 
@@ -27,13 +29,23 @@ enum Kind : std::uint32_t { event, begin, end };
 
 #ifdef __riscv
 template <Event what, std::uint32_t most, Kind kind>
-[[gnu::always_inline]] inline void mark(std::uint32_t behind = 0) {
+[[gnu::always_inline]] inline void mark() {
   asm volatile(
       ".pushsection .event_bounds,\"\",@progbits\n"
       ".word 1f, %0, %1, %2\n"
       ".popsection\n"
       "1:" ::"i"(what),
-      "i"(most), "i"(kind), "X"(behind));
+      "i"(most), "i"(kind));
+}
+
+template <Event what>
+[[gnu::always_inline]] inline void mark_behind(std::size_t number) {
+  asm volatile(
+      ".pushsection .event_bounds,\"\",@progbits\n"
+      ".word 1f, %0, 0, 0\n"
+      ".popsection\n"
+      "1:" ::"i"(what),
+      "r"(number));
 }
 #else
 inline thread_local std::array<std::uint64_t, static_cast<std::size_t>(Event::count)> counts{};
@@ -52,11 +64,12 @@ template <Event what>
 #endif
 }
 
-// The same behind what computes the number, which has no effect: where nothing else says so.
+// The same behind what loads or computes this number, which has no effect: where no other
+// instruction is sure to be in front of it.
 template <Event what>
-[[gnu::always_inline]] inline void happens([[maybe_unused]] std::uint32_t behind) {
+[[gnu::always_inline]] inline void happens([[maybe_unused]] std::size_t behind) {
 #ifdef __riscv
-  event_bounds::mark<what, 0, event_bounds::event>(behind);
+  event_bounds::mark_behind<what>(behind);
 #else
   happens<what>();
 #endif

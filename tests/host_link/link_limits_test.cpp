@@ -13,7 +13,13 @@ namespace {
 
 class Link : public testing::Test {
  protected:
-  void hear(const std::string& bytes) { link_.receive(std::span(bytes), now_); }
+  void hear(const std::string& bytes) {
+    for (std::span rest(bytes); !rest.empty();) {
+      const std::size_t count = std::min(rest.size(), HostLink::most_bytes);
+      link_.receive(rest.first(count), now_);
+      rest = rest.subspan(count);
+    }
+  }
 
   void pass(std::int64_t milliseconds) {
     for (std::int64_t i = 0; i < milliseconds; ++i) {

@@ -91,6 +91,13 @@ TEST(plan, homes_to_the_end_stops_and_knows_where_they_are) {
               DoubleNear(5 + 200 + 5 + 10, 0.1));
 }
 
+TEST(plan, refuses_lines_of_any_length_that_the_printer_would_refuse) {
+  const std::string long_line = "G1 X10 F3000 ;" + std::string(100'000, 'x');
+  const Plan plan = plan_of({"G1 X1 F600", long_line, "G1 X2"});
+  ASSERT_EQ(plan.refused.size(), 1u);
+  EXPECT_EQ(plan.refused[0].file_line, 2u);
+}
+
 TEST(plan, names_refused_lines_with_their_reasons) {
   const Plan plan =
       plan_of({"G1 X1 F600", "M9999", "G1 X1.2.3", "M104 S900", "G1 X2", "M109 R900"});

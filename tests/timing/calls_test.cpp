@@ -10,8 +10,10 @@
 #include "sim/processor/timing_table.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tests/loaded_printer.hpp"
-#include "tests/timing/calls.hpp"
+#include "tools/timing/calls.hpp"
 #include "tools/timing/stack.hpp"
+#include "tools/timing/tasks.hpp"
+#include "units/event_bound.hpp"
 
 namespace timing {
 namespace {
@@ -30,6 +32,8 @@ class Run {
  public:
   Run() : program_(read_program(tests::firmware_file)), calls_(program_, costs_, CHIP_HAS_ZBB) {
     program_.memory_bytes = CHIP_MEMORY_BYTES;
+    calls_.watch_rounds(
+        Analysis(program_, costs_, CHIP_HAS_ZBB).round_start(program_.find("main").at(0)));
     sim::VerilatedChip chip(clock_hz);
     tests::LoadedPrinter loaded(chip, clock_hz, 200, 60);
     sim::Simulation& simulation = loaded.simulation;
@@ -133,6 +137,42 @@ TEST(Calls, the_bus_taken_for_memory_is_found) {
   program.memory_start = 0;
   program.memory_bytes = ~Address{0};
   EXPECT_NE(run().compare(program, run().costs_).too_long, "");
+}
+
+TEST(Calls, an_event_bound_that_is_too_small_is_found) {
+  const auto all = run().compare(run().program_, run().costs_);
+  // Others are so small a part of their function's bound that they hide in it: host tests find them.
+  using units::Event;
+  for (const Event event : {Event::byte_taken, Event::byte_queued, Event::character_read}) {
+    Program program = run().program_;
+    bool is_declared = false;
+    for (EventMarker& marker : program.event_markers) {
+      if (marker.event != static_cast<std::uint32_t>(event)) continue;
+      is_declared = is_declared || marker.kind == EventMarker::begin;
+      marker.most = 0;
+    }
+    EXPECT_TRUE(is_declared);
+    const auto found = run().compare(program, run().costs_);
+    // A function that cannot do without the event has no bound then.
+    EXPECT_TRUE(!found.too_long.empty() || found.functions < all.functions)
+        << static_cast<int>(event);
+  }
+}
+
+TEST(Calls, rounds_of_the_main_loop_are_measured) {
+  EXPECT_GT(run().calls_.rounds().calls, 100U);
+  EXPECT_GT(run().calls_.rounds().longest, 10'000U);
+  Analysis analysis(run().program_, run().costs_, CHIP_HAS_ZBB);
+  const auto bound = analysis.round(run().program_.find("main").at(0));
+  if (bound) {
+    EXPECT_LE(run().calls_.rounds().longest, *bound);
+  }
+  // A round holds each of its tasks.
+  for (const TaskRow& row : task_rows(run().program_, analysis, run().calls_)) {
+    EXPECT_LE(row.measured.longest, run().calls_.rounds().longest) << row.name;
+    EXPECT_GT(row.measured.calls + (row.name.ends_with("look_for_faults") ? 1U : 0U), 0U)
+        << row.name;
+  }
 }
 
 TEST(Calls, a_declared_bound_that_is_too_small_is_found) {

@@ -143,6 +143,39 @@ TEST(Events, in_called_functions_are_limited) {
   EXPECT_EQ(bound_of(program, true_costs()), *without);
 }
 
+// A loop without an end but a trap: while (true) { if (a0 != 0) a division; if (a1 == 0) trap; }
+Program endless() {
+  return program_of({encode::nop(), encode::nop(), encode::nop(), encode::branch(0, 10, 0, 8),
+                     encode::operation(4, 1, 12, 11, 10), encode::branch(0, 11, 0, 8),
+                     encode::jump_and_link(0, -12), encode::breakpoint()});
+}
+
+TEST(Round, of_a_loop_is_its_longest_way_from_start_to_start) {
+  const Program program = endless();
+  const Address start = program.first + setup_bytes;
+  Analysis analysis(program, true_costs(), true);
+  EXPECT_FALSE(analysis.bound(start)) << "nothing bounds the rounds";
+  EXPECT_EQ(analysis.round(start), not_taken + division + not_taken + jump);
+  EXPECT_EQ(analysis.round_start(start), start + 4);
+}
+
+TEST(Round, in_which_a_fact_of_all_rounds_or_of_each_holds) {
+  Program program = endless();
+  const Address start = program.first + setup_bytes;
+  for (const Address begins : {start, start + 4}) {
+    program.event_markers = {begin(begins, 0), happens(start + 8)};
+    Analysis analysis(program, true_costs(), true);
+    EXPECT_EQ(analysis.round(start), taken + not_taken + jump) << begins;
+  }
+}
+
+TEST(Round, of_a_function_without_a_loop_is_a_problem) {
+  const Program program = two_choices();
+  Analysis analysis(program, true_costs(), true);
+  EXPECT_FALSE(analysis.round(program.first + setup_bytes));
+  EXPECT_EQ(analysis.problems().size(), 1U);
+}
+
 TEST(Events, an_event_more_costs_what_the_way_to_it_costs) {
   for (std::uint32_t most = 0; most < 4; ++most) {
     Program program = calls_in_a_loop();

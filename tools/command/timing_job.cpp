@@ -9,6 +9,7 @@
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
+#include "tools/command/task_times.hpp"
 #include "tools/timing/report.hpp"
 
 namespace command {
@@ -16,22 +17,50 @@ namespace command {
 void add_options(CLI::App& app, TimingOptions& options) {
   CLI::App& job =
       *app.add_subcommand("timing", "Bound the execution times of the firmware's functions.");
-  job.add_option("functions", options.functions, "as in the source; default: all")
-      ->type_name("FUNCTION...");
+  CLI::Option* const functions =
+      job.add_option("functions", options.functions, "as in the source; default: all")
+          ->type_name("FUNCTION...");
   job.add_flag("--json", options.json, "write JSON instead of text");
+  CLI::Option* const tasks =
+      job.add_option(
+             "--tasks", options.tasks,
+             "co-simulate this print at 4 MHz, and list the tasks of the main loop: bound and "
+             "longest time measured")
+          ->type_name("FILE.gcode")
+          ->check(CLI::ExistingFile)
+          ->excludes(functions);
+  job.add_option("--until", options.seconds, "of the print, in simulated seconds")
+      ->check(CLI::Range(0.1, 100'000.0))
+      ->capture_default_str()
+      ->needs(tasks);
   job.footer(
       R"(Clocks from the first instruction to the return, with all that is called, without sleep.
 A function without a bound is listed with the place, the reason and a remedy.
 
-Exit status: 0 every function named has a bound, or none was named; 1 one has none; 2 bad usage or
-no such function.)");
+Exit status: 0 every function named has a bound, or none was named; 1 one has none, or a task took
+longer than its bound; 2 bad usage or no such function.)");
 }
+
+namespace {
+
+int tasks_of(const timing::Program& program, const timing::Costs& costs,
+             const TimingOptions& options) {
+  const auto rows = task_times(program, costs, options.tasks, options.seconds);
+  say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows, tasks_clock_hz));
+  const bool holds = std::ranges::none_of(rows, [](const timing::TaskRow& row) {
+    return row.bound && row.measured.longest > *row.bound;
+  });
+  return holds ? success : failure;
+}
+
+}  // namespace
 
 int timing_of(const TimingOptions& options) {
   build({"firmware"});
   timing::Program program = timing::read_program(build_folder() / "firmware" / "firmware.elf");
   program.memory_bytes = CHIP_MEMORY_BYTES;
   const timing::Costs costs{processor::TimingTable()};
+  if (!options.tasks.empty()) return tasks_of(program, costs, options);
   const auto rows = timing::bounds(program, costs, CHIP_HAS_ZBB, options.functions);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows));
   const bool all =

@@ -2,6 +2,7 @@
 // `timing`: bounds of the execution times of the firmware's functions.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace command {
 struct TimingOptions {
   std::vector<std::string> functions;  // empty: all
   bool json = false;
+  std::filesystem::path tasks;  // the print in which they are measured; empty: none
+  double seconds = 20;  // of that print
 };
 
 // Adds the job to the program.

@@ -3,11 +3,13 @@
 #include "tools/planning/print_planner.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "gcode/parser.hpp"
 #include "machine/machine.hpp"
+#include "units/text.hpp"
 
 namespace planning {
 
@@ -90,7 +92,9 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
 bool PrintPlanner::take(std::size_t file_line, std::string_view text) {
   ++plan_.lines;
   std::string line(text);
-  if (const auto command = gcode::parse(text)) {
+  // The link refuses what is longer.
+  const bool fits = text.size() <= units::longest_text;
+  if (const auto command = gcode::parse(fits ? text : std::string_view())) {
     if (const auto reason = unplanned(*command); !reason.empty()) {
       refuse(file_line, text, reason);
       if (command->code == 410) return true;
@@ -101,7 +105,11 @@ bool PrintPlanner::take(std::size_t file_line, std::string_view text) {
   }
   line += '\n';
   const std::uint32_t executed = statistics_.commands_executed;
-  link_.receive(line, now_.milliseconds);
+  for (std::span<const char> rest(line); !rest.empty();) {
+    const std::size_t count = std::min(rest.size(), host_link::HostLink::most_bytes);
+    link_.receive(rest.first(count), now_.milliseconds);
+    rest = rest.subspan(count);
+  }
   while (link_.waiting_lines() != 0 && !executor_.fatal()) pass();
   collect_replies();
   if (executor_.fatal()) {

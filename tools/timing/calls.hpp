@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "tools/timing/analysis.hpp"
@@ -28,10 +29,14 @@ class Calls {
   Calls(const Program& program, const Costs& costs, bool has_zbb)
       : program_(program), costs_(costs), has_zbb_(has_zbb) {}
 
+  // Rounds of a loop, by the address at which it begins.
+  void watch_rounds(Address start) { round_start_ = start; }
+
   // Of each clock, one after the other.
   void take(const Sample& sample);
 
   const std::map<Address, Measured>& measured() const { return measured_; }
+  const Measured& rounds() const { return rounds_; }
   // Returns to a place that no call has left.
   std::uint64_t strays() const { return strays_; }
 
@@ -41,6 +46,7 @@ class Calls {
     std::uint64_t begins{}, slept{};
   };
 
+  void begin_round(const Sample& before, const Sample& behind);
   void jump(const Sample& before, const Sample& behind);
   void end(Address back, std::uint64_t begins, std::uint64_t slept);
 
@@ -51,6 +57,9 @@ class Calls {
   std::vector<Frame> frames_;
   std::map<Address, Measured> measured_;
   std::uint64_t strays_ = 0;
+  std::optional<Address> round_start_;
+  Measured rounds_;
+  std::uint64_t round_began_ = 0, round_slept_ = 0;
 };
 
 }  // namespace timing

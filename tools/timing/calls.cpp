@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calls and returns, followed by the addresses at which they go on.
-#include "tests/timing/calls.hpp"
+#include "tools/timing/calls.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,8 +13,25 @@ void Calls::take(const Sample& sample) {
   if (sample.instructions > last_.instructions + 1) {
     throw std::runtime_error("two instructions in a clock");
   }
-  if (sample.instructions != last_.instructions) jump(last_, sample);
+  if (sample.instructions != last_.instructions) {
+    if (sample.program_counter == round_start_) begin_round(last_, sample);
+    jump(last_, sample);
+  }
   last_ = sample;
+}
+
+void Calls::begin_round(const Sample& before, const Sample& behind) {
+  const Address address = before.program_counter;
+  const auto instruction = processor::decode(program_.word_at(address), address, has_zbb_);
+  const bool jumps = behind.program_counter != address + instruction.bytes;
+  const std::uint64_t begins = behind.clock + costs_.of(instruction, jumps, false);
+  if (round_began_ != 0) {
+    ++rounds_.calls;
+    rounds_.longest =
+        std::max(rounds_.longest, begins - round_began_ - (behind.slept - round_slept_));
+  }
+  round_began_ = begins;
+  round_slept_ = behind.slept;
 }
 
 void Calls::jump(const Sample& before, const Sample& behind) {
