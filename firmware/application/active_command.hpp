@@ -83,9 +83,10 @@ class ActiveCommand : public Reply {
     refused = true;
     return say(line);
   }
-  Progress refuse(std::string_view reason);
-  Progress refuse(const ArgumentLimit& violated);
-  Progress refuse_unknown();
+  // Not inlined, or their lines would lie on the stack below each handler.
+  [[gnu::noinline]] Progress refuse(std::string_view reason);
+  [[gnu::noinline]] Progress refuse(const ArgumentLimit& violated);
+  [[gnu::noinline]] Progress refuse_unknown();
   Progress end_everything(const Fatal& reason) {
     fatal = reason;
     return Progress::done;

@@ -7,6 +7,7 @@
 
 #include "host_link/replies.hpp"
 #include "units/loop_bound.hpp"
+#include "units/task_span.hpp"
 #include "units/text.hpp"
 
 namespace application {
@@ -25,6 +26,14 @@ constexpr std::uint32_t ticks_at_rest = 8;
 // The end of a line ends it too, and so many bytes without one: half of what a pass takes from the
 // FIFO (registers::uart::receive_depth).
 constexpr std::size_t wake_level = 64;
+
+using units::Task;
+
+template <Task task, class Work>
+auto run(const Work& work) {
+  const units::TaskSpan<task> span;
+  return work();
+}
 
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
@@ -78,18 +87,22 @@ bool Application::update() {
   if (halted_) {
     serve_halted(now);
   } else {
-    motion_.update(now);
-    exchange_bytes(now);
-    act_on_emergencies();
-    if (!halted_) more = executor_.update(now);
+    run<Task::motion>([&] { motion_.update(now); });
+    run<Task::serial_line>([&] {
+      exchange_bytes(now);
+      act_on_emergencies();
+    });
+    if (!halted_) more = run<Task::commands>([&] { return executor_.update(now); });
     counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line during the rest of the pass.
     transmit();
-    more = refill() || more || executor_.has_got_room();
-    note_cooling(now);
-    heat_.update(now);
-    look_for_faults();
-    report(now);
+    more = run<Task::refill>([&] { return refill(); }) || more || executor_.has_got_room();
+    run<Task::heat>([&] {
+      note_cooling(now);
+      heat_.update(now);
+    });
+    run<Task::faults>([&] { look_for_faults(); });
+    run<Task::reports>([&] { report(now); });
     if (!halted_) {
       switch_off_idle_motors(now);
       switch_off_forgotten_heaters(now);
@@ -187,11 +200,16 @@ void Application::report(Now now) {
   const ReportCommands& reports = executor_.groups().reports;
   if (!reports.first_temperatures_awaited(now.milliseconds) &&
       due(reports.temperature_interval(), next_report_)) {
-    link_.say(host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed))
-                  .view());
+    say_temperatures();
   }
-  if (due(reports.position_interval(), next_position_)) link_.say(reports.position_line().view());
+  if (due(reports.position_interval(), next_position_)) say_position();
 }
+
+void Application::say_temperatures() {
+  link_.say(executor_.groups().reports.temperature_line().view());
+}
+
+void Application::say_position() { link_.say(executor_.groups().reports.position_line().view()); }
 
 // The heaters must not stay on forever after the host has disconnected.
 void Application::switch_off_forgotten_heaters(Now now) {

@@ -41,12 +41,15 @@ class Application {
   static constexpr std::size_t most_bytes = 128;
   void exchange_bytes(Now now, std::size_t most = most_bytes);
   void receive(Now now, std::size_t most);
-  [[gnu::noinline]] bool refill();
+  bool refill();
   void transmit();
   void act_on_emergencies();
   void note_cooling(Now now);
   void look_for_faults();
   void report(Now now);
+  // Not inlined, or their lines would lie on the stack below each task.
+  [[gnu::noinline]] void say_temperatures();
+  [[gnu::noinline]] void say_position();
   void switch_off_idle_motors(Now now);
   void switch_off_forgotten_heaters(Now now);
   void count(Now now);

@@ -34,7 +34,7 @@ class HeatTask {
   // Starts the conversions. Once.
   void start();
   // Every pass of the loop; works every thermal::HeaterLoop::period.
-  [[gnu::noinline]] void update(Now now);
+  void update(Now now);
   // At the end of a pass, after all tasks: the watchdog's second key, if update() has
   // fed the first.
   void complete_feed();

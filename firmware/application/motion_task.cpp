@@ -32,8 +32,7 @@ constexpr std::uint32_t lines_under_way = motion::Planner::capacity + deepest_qu
 
 constexpr std::uint64_t nanoseconds_per_second = 1'000'000'000;
 
-constexpr units::PerAxis<units::Axis> all_axes{units::Axis::x, units::Axis::y, units::Axis::z,
-                                               units::Axis::e};
+constexpr std::array all_axes{units::Axis::x, units::Axis::y, units::Axis::z, units::Axis::e};
 
 units::PerAxis<drivers::GuardTimings> guards_of(const MachineDescription& machine,
                                                 units::Hertz clock) {
@@ -111,8 +110,7 @@ void MotionTask::update(Now now) {
   if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
 }
 
-// Every stop ends in the same way: what was planned is void, and the planner learns where the
-// axes are.
+// After every stop what was planned is void, and the planner learns where the axes are.
 void MotionTask::settle_stop() {
   const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (!stop.stopped) {
@@ -184,8 +182,7 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
 bool MotionTask::refill() {
   queue_full_ = false;
   if (stopping_) return false;
-  // It returns between lines.
-  units::LoopBound<motion::most_phases> segments;
+  units::LoopBound<motion::most_phases> segments;  // of a line: it returns between lines
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
     segments.next();
     const auto segment = planner_.next_segment(pace_.time());

@@ -26,7 +26,7 @@ class MotionTask {
   // Sets up guards, rate floor and end stops. Once, at rest.
   void start();
   // Every pass of the loop: the sign of life, stops, homing.
-  [[gnu::noinline]] void update(Now now);
+  void update(Now now);
   // Every pass after that, until it is false: hands over the next line, or what of it the step
   // generator has room for, if that is due.
   bool refill();

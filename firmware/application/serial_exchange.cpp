@@ -61,7 +61,11 @@ bool Application::refill() {
     if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
     come = true;
     const Now now = clock_.update(hardware_.timer.now());
-    exchange_bytes(now, bytes_of_a_line);
+    {
+      units::EventBound<units::Event::byte_received, bytes_of_a_line> read;
+      units::EventBound<units::Event::byte_taken, bytes_of_a_line> taken;
+      exchange_bytes(now, bytes_of_a_line);
+    }
     act_on_emergencies();
     if (!halted_) executor_.answer_questions(now);
     transmit();

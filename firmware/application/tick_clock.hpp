@@ -20,16 +20,17 @@ class TickClock {
   explicit constexpr TickClock(units::Hertz clock) : clocks_per_tick_(clock.count() / 1000) {}
 
   Now update(units::Cycles clocks) {
-    // The library's division takes as long as so many rounds.
+    // Of more a division finds the number.
     constexpr std::uint32_t most_ticks = 32;
-    if (clocks - tick_begin_ >= units::Cycles(std::int64_t{clocks_per_tick_} * most_ticks)) {
-      const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
-      tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
-      milliseconds_ += units::Milliseconds(ticks);
-    }
-    units::LoopBound<most_ticks> begun;
-    while (clocks >= next_tick()) {
+    units::LoopBound<most_ticks + 1> begun;
+    for (std::uint32_t i = 0; clocks >= next_tick(); ++i) {
       begun.next();
+      if (i == most_ticks) {
+        const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
+        tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
+        milliseconds_ += units::Milliseconds(ticks);
+        break;
+      }
       tick_begin_ += units::Cycles(clocks_per_tick_);
       milliseconds_ += units::Milliseconds(1);
     }

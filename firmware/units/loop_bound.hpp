@@ -37,7 +37,7 @@ class LoopBound {
 #ifdef __riscv
   template <std::uint32_t is_end>
   [[gnu::always_inline]] static inline void mark() {
-    asm volatile(
+    asm inline volatile(
         ".pushsection .loop_bounds,\"\",@progbits\n"
         ".word 1f, %0, %1, %2\n"
         ".popsection\n"

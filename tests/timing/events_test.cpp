@@ -169,6 +169,18 @@ TEST(Round, in_which_a_fact_of_all_rounds_or_of_each_holds) {
   }
 }
 
+TEST(Span, is_the_longest_way_from_one_place_to_another) {
+  const Program program = endless();
+  const Address start = program.first + setup_bytes;
+  Analysis analysis(program, true_costs(), true);
+  // From the choice of the division to the jump back.
+  EXPECT_EQ(analysis.span(start, {start + 4}, {start + 16}), not_taken + division + not_taken);
+  EXPECT_EQ(analysis.span(start, {start + 8}, {start + 12}), division);
+  EXPECT_EQ(analysis.span(start, {start + 4, start + 8}, {start + 12}), not_taken + division);
+  EXPECT_EQ(analysis.span(start, {start + 8}, {start + 4}), division + not_taken + jump);
+  EXPECT_FALSE(analysis.span(start, {start + 8}, {start})) << "it never ends";
+}
+
 TEST(Round, of_a_function_without_a_loop_is_a_problem) {
   const Program program = two_choices();
   Analysis analysis(program, true_costs(), true);

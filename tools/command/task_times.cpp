@@ -33,7 +33,7 @@ std::vector<timing::TaskRow> task_times(const timing::Program& program, const ti
 
   timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
   timing::Calls calls(program, costs, CHIP_HAS_ZBB);
-  calls.watch_rounds(analysis.round_start(program.find("main").at(0)));
+  timing::watch_tasks(program, analysis, calls);
   const sim::Clock until = simulation.rate().clocks(seconds);
   while (simulation.now() < until && !host.ended()) {
     simulation.run_until(simulation.now() + 1);

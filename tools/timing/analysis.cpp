@@ -11,6 +11,14 @@
 
 namespace timing {
 
+namespace {
+
+std::optional<Network> whole(FunctionNetwork& function, const FunctionNetwork::Link& link) {
+  return function.network(link);
+}
+
+}  // namespace
+
 // The network of a function, and of those that it calls in which facts limit events: one for each
 // set of constant arguments and of facts.
 class Analysis::Linker {
@@ -18,8 +26,8 @@ class Analysis::Linker {
   explicit Linker(Analysis& analysis) : analysis_(analysis) {}
 
   // Nothing where a function has no bound.
-  std::optional<Networks> networks(Entry entry, const State& at_call, bool is_round) {
-    add(entry, at_call, 0, is_round);
+  std::optional<Networks> networks(Entry entry, const State& at_call, const Part& part) {
+    add(entry, at_call, 0, part);
     if (!is_bounded_) return std::nullopt;
     // Facts without an event limit nothing.
     const bool has_events = std::ranges::any_of(found_, [](const Network& network) {
@@ -37,7 +45,7 @@ class Analysis::Linker {
   FactSet happening() const { return happening_; }
 
  private:
-  std::size_t add(Entry entry, const State& at_call, FactSet under_way, bool is_round = false) {
+  std::size_t add(Entry entry, const State& at_call, FactSet under_way, const Part& part) {
     const State start = state_in_callee(analysis_.program_, at_call);
     const auto [known, is_new] =
         numbers_.try_emplace({context_of(entry, start), under_way}, found_.size());
@@ -46,9 +54,9 @@ class Analysis::Linker {
     found_.emplace_back();
     FunctionNetwork function(analysis_, analysis_.flows_.of(entry), entry, start, under_way);
     const auto link = [&](Entry callee, const State& registers, FactSet facts) {
-      return add(callee, registers, facts);
+      return add(callee, registers, facts, whole);
     };
-    auto network = is_round ? function.round(link) : function.network(link);
+    auto network = part(function, link);
     is_bounded_ = is_bounded_ && network;
     if (network) found_[number] = std::move(*network);
     if (number == 0) happening_ = function.happening();
@@ -76,12 +84,23 @@ std::optional<Clocks> Analysis::bound(Address function) {
 }
 
 std::optional<Networks> Analysis::networks(Address function) {
-  return Linker(*this).networks(entry_of(program_, function), State::at_start(), false);
+  return Linker(*this).networks(entry_of(program_, function), State::at_start(), whole);
 }
 
 std::optional<Clocks> Analysis::round(Address function) {
   const Entry entry = entry_of(program_, function);
-  const auto found = measure(entry, state_in_callee(program_, State::at_start()), true);
+  const auto found =
+      measure(entry, state_in_callee(program_, State::at_start()),
+              [](FunctionNetwork& network, const Link& link) { return network.round(link); });
+  return found ? std::optional(found->clocks) : std::nullopt;
+}
+
+std::optional<Clocks> Analysis::span(Address function, const std::set<Address>& begins,
+                                     const std::set<Address>& ends) {
+  const Entry entry = entry_of(program_, function);
+  const auto found = measure(
+      entry, state_in_callee(program_, State::at_start()),
+      [&](FunctionNetwork& network, const Link& link) { return network.span(link, begins, ends); });
   return found ? std::optional(found->clocks) : std::nullopt;
 }
 
@@ -94,12 +113,13 @@ Address Analysis::round_start(Address function) {
 
 std::optional<Analysis::Bound> Analysis::bound(Entry entry, const State& at_call) {
   return tree_.of(entry, at_call,
-                  [&](Entry begun, const State& start) { return measure(begun, start, false); });
+                  [&](Entry begun, const State& start) { return measure(begun, start, whole); });
 }
 
-std::optional<Analysis::Bound> Analysis::measure(Entry entry, const State& start, bool is_round) {
+std::optional<Analysis::Bound> Analysis::measure(Entry entry, const State& start,
+                                                 const Part& part) {
   Linker linker(*this);
-  const auto networks = linker.networks(entry, start, is_round);
+  const auto networks = linker.networks(entry, start, part);
   if (!networks) return std::nullopt;
   const LongestTime longest = longest_time(*networks);
   if (longest.kind == LongestTime::Kind::proved) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -26,6 +27,9 @@ class Analysis {
   std::optional<Clocks> bound(Address function);
   // One round of the loop around all others in it, of main's the pass over all tasks.
   std::optional<Clocks> round(Address function);
+  // The ways in a function from some places to the next of others.
+  std::optional<Clocks> span(Address function, const std::set<Address>& begins,
+                             const std::set<Address>& ends);
   // Where that loop begins.
   Address round_start(Address function);
   // What the bound is computed from; nothing where there are problems.
@@ -41,9 +45,12 @@ class Analysis {
     FactSet happening{};  // facts that would limit events of the function or of what it calls
   };
   class Linker;
+  using Link = std::function<std::size_t(Entry, const State&, FactSet)>;
+  // Of the function asked for: all of it, or some of its ways.
+  using Part = std::function<std::optional<Network>(FunctionNetwork&, const Link&)>;
 
   std::optional<Bound> bound(Entry entry, const State& at_call);
-  std::optional<Bound> measure(Entry entry, const State& start, bool is_round);
+  std::optional<Bound> measure(Entry entry, const State& start, const Part& part);
 
   const Program& program_;
   Costs costs_;

@@ -14,24 +14,40 @@ void Calls::take(const Sample& sample) {
     throw std::runtime_error("two instructions in a clock");
   }
   if (sample.instructions != last_.instructions) {
-    if (sample.program_counter == round_start_) begin_round(last_, sample);
+    if (places_.contains(sample.program_counter)) pass_spans(last_, sample);
     jump(last_, sample);
   }
   last_ = sample;
 }
 
-void Calls::begin_round(const Sample& before, const Sample& behind) {
-  const Address address = before.program_counter;
-  const auto instruction = processor::decode(program_.word_at(address), address, has_zbb_);
-  const bool jumps = behind.program_counter != address + instruction.bytes;
-  const std::uint64_t begins = behind.clock + costs_.of(instruction, jumps, false);
-  if (round_began_ != 0) {
-    ++rounds_.calls;
-    rounds_.longest =
-        std::max(rounds_.longest, begins - round_began_ - (behind.slept - round_slept_));
+void Calls::watch(std::uint32_t number, const std::set<Address>& begins,
+                  const std::set<Address>& ends) {
+  spans_[number] = {.begins = begins, .ends = ends, .began = {}, .measured = {}};
+  places_.insert(begins.begin(), begins.end());
+  places_.insert(ends.begin(), ends.end());
+}
+
+void Calls::pass_spans(const Sample& before, const Sample& behind) {
+  const Address place = behind.program_counter;
+  const auto instruction =
+      processor::decode(program_.word_at(before.program_counter), before.program_counter, has_zbb_);
+  const bool jumps = place != before.program_counter + instruction.bytes;
+  // Whether an access was on the bus is not known here: the span is then taken for shorter.
+  const std::uint64_t latest = behind.clock + costs_.of(instruction, jumps, true);
+  const std::uint64_t earliest = behind.clock + costs_.of(instruction, jumps, false);
+  for (auto& [number, span] : spans_) {
+    if (span.began && span.ends.contains(place)) {
+      const std::uint64_t slept = behind.slept - span.slept;
+      const std::uint64_t clocks = earliest - std::min(*span.began + slept, earliest);
+      ++span.measured.calls;
+      span.measured.longest = std::max(span.measured.longest, clocks);
+      span.began.reset();
+    }
+    if (!span.began && span.begins.contains(place)) {
+      span.began = latest;
+      span.slept = behind.slept;
+    }
   }
-  round_began_ = begins;
-  round_slept_ = behind.slept;
 }
 
 void Calls::jump(const Sample& before, const Sample& behind) {

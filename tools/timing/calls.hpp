@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "tools/timing/analysis.hpp"
@@ -29,14 +30,14 @@ class Calls {
   Calls(const Program& program, const Costs& costs, bool has_zbb)
       : program_(program), costs_(costs), has_zbb_(has_zbb) {}
 
-  // Rounds of a loop, by the address at which it begins.
-  void watch_rounds(Address start) { round_start_ = start; }
+  // Spans from a place of some to the next of others, which may be the same; under a number.
+  void watch(std::uint32_t number, const std::set<Address>& begins, const std::set<Address>& ends);
 
   // Of each clock, one after the other.
   void take(const Sample& sample);
 
   const std::map<Address, Measured>& measured() const { return measured_; }
-  const Measured& rounds() const { return rounds_; }
+  Measured span(std::uint32_t number) const { return spans_.at(number).measured; }
   // Returns to a place that no call has left.
   std::uint64_t strays() const { return strays_; }
 
@@ -46,7 +47,7 @@ class Calls {
     std::uint64_t begins{}, slept{};
   };
 
-  void begin_round(const Sample& before, const Sample& behind);
+  void pass_spans(const Sample& before, const Sample& behind);
   void jump(const Sample& before, const Sample& behind);
   void end(Address back, std::uint64_t begins, std::uint64_t slept);
 
@@ -57,9 +58,14 @@ class Calls {
   std::vector<Frame> frames_;
   std::map<Address, Measured> measured_;
   std::uint64_t strays_ = 0;
-  std::optional<Address> round_start_;
-  Measured rounds_;
-  std::uint64_t round_began_ = 0, round_slept_ = 0;
+  struct Span {
+    std::set<Address> begins, ends;
+    std::optional<std::uint64_t> began;
+    std::uint64_t slept{};
+    Measured measured;
+  };
+  std::map<std::uint32_t, Span> spans_;
+  std::set<Address> places_;  // where one begins or ends
 };
 
 }  // namespace timing

@@ -33,8 +33,8 @@ class EventSites {
     std::vector<std::size_t> events, begins;
   };
 
-  // `ways`: those that may be taken; `at_entry`: facts whose runs are under way at each call of the
-  // function.
+  // `ways`: those that may be taken; `at_entry`: facts whose runs are under way when the function
+  // is called.
   EventSites(const Program& program, const std::vector<Fact>& facts, const Flow& flow,
              const std::vector<std::vector<Way>>& ways, FactSet at_entry);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "tools/timing/callees.hpp"
-#include "tools/timing/markers.hpp"
 
 namespace timing {
 
@@ -129,100 +128,6 @@ void FunctionNetwork::add_arcs(std::size_t node, const Way* way, const Link& lin
   }
 }
 
-// Each way in by itself, since one alone may bring a number that is known.
-std::optional<Clocks> FunctionNetwork::counted_rounds(const Loop& loop) const {
-  std::optional<Clocks> most = 0;
-  const auto arrive = [&](const State& arriving) {
-    State state = arriving;
-    join_at(flow_.nodes[loop.header].address, state, arriving);
-    const auto rounds = most ? counted_rounds(loop, state) : std::nullopt;
-    most = rounds ? std::max(most, rounds) : std::nullopt;
-  };
-  if (loop.header == 0) arrive(start_);
-  for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
-    if (loop.nodes[node]) continue;
-    for (const Way& way : ways_[node]) {
-      if (way.to == loop.header) {
-        arrive(analysis_.reach_.after(flow_.nodes[node], *reached_.before[node]));
-      }
-    }
-  }
-  return most;
-}
-
-std::optional<Clocks> FunctionNetwork::counted_rounds(const Loop& loop, State state) const {
-  constexpr Clocks most_rounds = 20'000;
-  constexpr std::size_t most_visits = 200'000;
-  std::size_t visits = 0;
-  for (Clocks rounds = 0; rounds <= most_rounds && visits <= most_visits; ++rounds) {
-    const Reached reached = analysis_.reach_.once(flow_, loop.header, state, loop.nodes);
-    if (!reached.back) return rounds;
-    // Without a branch that is known nothing counts the rounds.
-    bool knows = false;
-    for (std::size_t node = 0; node < flow_.nodes.size() && !knows; ++node) {
-      const auto& before = reached.before[node];
-      knows = before && flow_.nodes[node].ways.size() > 1 &&
-              decide(flow_.nodes[node].instruction, *before);
-    }
-    if (!knows) return std::nullopt;
-    if (reached.back == state) return std::nullopt;
-    state = *reached.back;
-    visits += reached.visits;
-  }
-  return std::nullopt;
-}
-
-std::optional<Clocks> FunctionNetwork::most_rounds(const Loop& loop) {
-  // What the code itself shows needs no trust in the source.
-  if (const auto counted = counted_rounds(loop)) return counted;
-  const auto declared = declared_rounds(analysis_.program_.markers, flow_, graph_, loops_, loop);
-  if (!declared) {
-    add_problem(
-        flow_.nodes[loop.header].address, "a loop has no bound",
-        "declare LoopBound<N> before it and call next() first in it (units/loop_bound.hpp)");
-  }
-  return declared;
-}
-
-bool FunctionNetwork::only_sleeps(const Loop& loop) const {
-  for (std::size_t node = 0; node < flow_.nodes.size(); ++node) {
-    const Operation operation = flow_.nodes[node].instruction.operation;
-    if (loop.nodes[node] && operation != Operation::wait_for_interrupt &&
-        operation != Operation::jump) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool FunctionNetwork::has_end(const Loop& loop) const {
-  for (const std::size_t node : loops_.order) {
-    if (!loop.nodes[node]) continue;
-    if (ways_[node].empty()) return true;
-    for (const Way& way : ways_[node]) {
-      if (!loop.nodes[way.to]) return true;
-    }
-  }
-  return false;
-}
-
-void FunctionNetwork::add_loop(const Loop& loop) {
-  if (has_end(loop)) {
-    network_.loops.push_back(
-        {.header = loop.header, .nodes = loop.nodes, .most = most_rounds(loop).value_or(0)});
-  } else if (only_sleeps(loop)) {
-    // The way ends there.
-    std::erase_if(network_.arcs, [&](const Arc& arc) { return loop.nodes[arc.from]; });
-    Arc end;
-    end.from = loop.header;
-    end.to = network_.end;
-    network_.arcs.push_back(std::move(end));
-  } else {
-    add_problem(flow_.nodes[loop.header].address, "a loop has no end",
-                "ask for the bound of what it calls");
-  }
-}
-
 bool FunctionNetwork::has_one_entry() {
   if (!loops_.second_entry) return true;
   add_problem(flow_.nodes[*loops_.second_entry].address, "a loop has several entries",
@@ -250,6 +155,66 @@ std::optional<Network> FunctionNetwork::round(const Link& link) {
   // What holds for all rounds together holds for one.
   network_.entry_begins = members(events_.under_way(around.header));
   network_.make_round(around.header);
+  network_.reduce();
+  if (!is_bounded_) return std::nullopt;
+  return std::move(network_);
+}
+
+std::vector<std::size_t> FunctionNetwork::nodes_at(const std::set<Address>& places) const {
+  std::vector<std::size_t> nodes;
+  for (const std::size_t node : loops_.order) {
+    if (places.contains(flow_.nodes[node].address)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::optional<Network> FunctionNetwork::span(const Link& link, const std::set<Address>& begins,
+                                             const std::set<Address>& ends) {
+  if (!has_one_entry()) return std::nullopt;
+  const auto starts = nodes_at(begins);
+  std::vector<bool> stops(flow_.nodes.size()), within(flow_.nodes.size());
+  for (const std::size_t node : nodes_at(ends)) stops[node] = true;
+  std::vector<std::size_t> open = starts;
+  FactSet under_way = 0;
+  for (const std::size_t node : starts) {
+    within[node] = true;
+    under_way |= events_.under_way(node);
+  }
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    for (const Way& way : ways_[node]) {
+      if (stops[way.to] || within[way.to]) continue;
+      within[way.to] = true;
+      open.push_back(way.to);
+    }
+  }
+  // One more node leads to all beginnings.
+  const std::size_t start = flow_.nodes.size();
+  network_.end = start + 1;
+  for (const std::size_t node : starts) {
+    network_.arcs.push_back(
+        {.from = start, .to = node, .clocks = 0, .calls = {}, .events = {}, .begins = {}});
+  }
+  for (const std::size_t node : loops_.order) {
+    if (!within[node]) continue;
+    for (const Way& way : ways_[node]) add_arcs(node, &way, link);
+  }
+  for (Arc& arc : network_.arcs) {
+    if (arc.to < stops.size() && stops[arc.to]) arc.to = network_.end;
+  }
+  for (const Loop& loop : loops_.loops) {
+    if (!within[loop.header]) continue;
+    if (std::ranges::any_of(starts, [&](std::size_t node) { return loop.nodes[node]; })) {
+      add_problem(flow_.nodes[loop.header].address, "a task does not end in its round",
+                  "end its TaskSpan on all ways (units/task_span.hpp)");
+      continue;
+    }
+    add_loop(loop);
+  }
+  for (RoundsBound& loop : network_.loops) loop.nodes.resize(start + 1);
+  network_.entry_begins = members(under_way);
+  network_.make_round(start);
   network_.reduce();
   if (!is_bounded_) return std::nullopt;
   return std::move(network_);

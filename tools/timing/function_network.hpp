@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "tools/timing/analysis.hpp"
@@ -25,9 +26,12 @@ class FunctionNetwork {
   // A call counts as the bound of what is called; where that has events that a fact limits, it is
   // linked. Nothing where problems were added to the analysis.
   std::optional<Network> network(const Link& link);
-  // The same of one round of the loop around all others, from its start to its start again; ways out
-  // of it do not count.
+  // The same of one round of the loop around all others, from its start to its start again; ways
+  // out of it do not count.
   std::optional<Network> round(const Link& link);
+  // The same of the ways from some places to the next of others.
+  std::optional<Network> span(const Link& link, const std::set<Address>& begins,
+                              const std::set<Address>& ends);
   // Where that loop begins; the function's start if there is none.
   Address round_start() const {
     return flow_.nodes[loops_.loops.empty() ? 0 : loops_.loops.back().header].address;
@@ -44,6 +48,7 @@ class FunctionNetwork {
 
   std::vector<Passage> called(std::size_t node, const Link& link);
   bool has_one_entry();
+  std::vector<std::size_t> nodes_at(const std::set<Address>& places) const;
   void add_arcs(std::size_t node, const Way* way, const Link& link);
   Clocks cost(std::size_t node, const Way* way) const;
   void add_loop(const Loop& loop);

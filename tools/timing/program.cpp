@@ -71,6 +71,7 @@ class Reader {
       if (called == ".text") read_text(section, header, program);
       if (called == ".loop_bounds") read_facts(section, program.markers);
       if (called == ".event_bounds") read_facts(section, program.event_markers);
+      if (called == ".task_spans") read_facts(section, program.task_markers);
       if (called == ".call_tables") read_facts(section, program.call_tables);
       if (header.sh_type == SHT_SYMTAB) read_symbols(section, header, program);
     }
@@ -159,6 +160,11 @@ std::string Program::name_of(Address address) const {
   auto after = symbols.upper_bound(address);
   if (after == symbols.begin()) return fmt::format("{:#x}", address);
   return std::prev(after)->second.name;
+}
+
+Address Program::function_at(Address address) const {
+  const auto after = symbols.upper_bound(address);
+  return after == symbols.begin() ? address : std::prev(after)->first;
 }
 
 std::string Program::place_of(Address address) const {

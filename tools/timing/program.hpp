@@ -31,13 +31,20 @@ struct CallTable {
   Address place{}, first{}, bytes{};
 };
 
-// What `happens<event>()` and `EventBound<event, most>` leave in the image
-// (firmware/units/event_bound.hpp).
+// What `happens<event>()` and `EventBound<event, most>` leave in the image, in the order of its
+// code (firmware/units/event_bound.hpp).
 struct EventMarker {
   enum Kind : std::uint32_t { event_happens, begin, end };
   Address address{};
   std::uint32_t event{}, most{};
   std::uint32_t kind{};
+};
+
+// What `TaskSpan<task>` leaves in the image (firmware/units/task_span.hpp).
+struct TaskMarker {
+  Address address{};
+  std::uint32_t task{};
+  std::uint32_t is_end{};
 };
 
 struct Symbol {
@@ -58,6 +65,7 @@ struct Program {
   std::vector<LoopMarker> markers;
   std::vector<CallTable> call_tables;
   std::vector<EventMarker> event_markers;
+  std::vector<TaskMarker> task_markers;
   // Memory that answers at once; all else is on the bus.
   Address memory_start = 0x8000'0000;
   Address memory_bytes{};
@@ -72,6 +80,8 @@ struct Program {
 
   // Of a symbol at this address, or the one before it.
   std::string name_of(Address address) const;
+  // Where the function begins in which it lies.
+  Address function_at(Address address) const;
   // "firmware/drivers/uart.cpp:42", or the address where the image does not say.
   std::string place_of(Address address) const;
   // Functions of this name: mangled or as in the source, whole or the part after any `::`.

@@ -4,37 +4,44 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 
 namespace timing {
 
 namespace {
 
-struct Task {
-  const char* function;
-  const char* does;
+// In the order of units::Task.
+constexpr const char* names[] = {
+    "motion: stops, homing",  "serial line: lines in, their answers",
+    "commands: one of them",  "refill: segments to the step generator",
+    "heat: sensors, heaters", "faults",
+    "reports at intervals",
+};
+constexpr std::uint32_t pass = 1'000;
+
+struct Places {
+  std::set<Address> begins, ends;
 };
 
-constexpr Task tasks[] = {
-    {"application::MotionTask::update", "stops, homing"},
-    {"application::Application::exchange_bytes", "lines in, with their answers"},
-    {"application::Application::act_on_emergencies", "commands that act at once"},
-    {"application::CommandExecutor::update", "one command"},
-    {"application::Application::refill", "segments to the step generator"},
-    {"application::HeatTask::update", "heaters"},
-    {"application::Application::look_for_faults", "faults"},
-    {"application::Application::report", "reports at intervals"},
-    {"application::Application::transmit", "bytes out"},
-};
-
-Address only(const Program& program, const char* name) {
-  const auto found = program.find(name);
-  if (found.size() != 1) {
-    throw std::runtime_error(
-        fmt::format("{}: the image has {} such functions", name, found.size()));
+Places places_of(const Program& program, std::uint32_t task) {
+  Places places;
+  for (const TaskMarker& marker : program.task_markers) {
+    if (marker.task != task) continue;
+    (marker.is_end != 0 ? places.ends : places.begins).insert(marker.address);
   }
-  return found[0];
+  if (places.begins.empty() || places.ends.empty()) {
+    throw std::runtime_error(fmt::format("the image does not mark the task {}", names[task]));
+  }
+  return places;
+}
+
+Address main_of(const Program& program) {
+  const auto found = program.addresses.find("main");
+  if (found == program.addresses.end()) throw std::runtime_error("the image has no main");
+  return found->second;
 }
 
 std::string ratio_of(const TaskRow& row) {
@@ -45,31 +52,37 @@ std::string ratio_of(const TaskRow& row) {
 
 }  // namespace
 
+void watch_tasks(const Program& program, Analysis& analysis, Calls& calls) {
+  const Address start = analysis.round_start(main_of(program));
+  calls.watch(pass, {start}, {start});
+  for (std::uint32_t task = 0; task < std::size(names); ++task) {
+    const Places places = places_of(program, task);
+    calls.watch(task, places.begins, places.ends);
+  }
+}
+
 std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis, const Calls& calls) {
-  std::vector<TaskRow> rows{{.name = "main, each round",
-                             .does = "the pass over all tasks",
-                             .bound = analysis.round(only(program, "main")),
-                             .measured = calls.rounds()}};
-  for (const Task& task : tasks) {
-    const Address function = only(program, task.function);
-    const auto measured = calls.measured().find(function);
-    rows.push_back(
-        {.name = task.function,
-         .does = task.does,
-         .bound = analysis.bound(function),
-         .measured = measured != calls.measured().end() ? measured->second : Calls::Measured{}});
+  std::vector<TaskRow> rows{{.name = "the pass over all tasks",
+                             .bound = analysis.round(main_of(program)),
+                             .measured = calls.span(pass)}};
+  for (std::uint32_t task = 0; task < std::size(names); ++task) {
+    const Places places = places_of(program, task);
+    const Address function = program.function_at(*places.begins.begin());
+    rows.push_back({.name = names[task],
+                    .bound = analysis.span(function, places.begins, places.ends),
+                    .measured = calls.span(task)});
   }
   return rows;
 }
 
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {
-  std::string text = fmt::format("{:<46} {:>12} {:>10} {:>9} {:>9} {:>10}  {}\n", "task", "bound",
-                                 "measured", "ratio", "calls", "ms", "does");
+  std::string text = fmt::format("{:<40} {:>14} {:>14} {:>10} {:>8} {:>8}\n", "task",
+                                 "bound, clocks", "longest, clocks", "ms", "ratio", "times");
   for (const TaskRow& row : rows) {
     const std::string bound = row.bound ? fmt::format("{}", *row.bound) : "none";
     const double ms = 1000.0 * static_cast<double>(row.measured.longest) / clock_hz;
-    text += fmt::format("{:<46} {:>12} {:>10} {:>9} {:>9} {:>10.3f}  {}\n", row.name, bound,
-                        row.measured.longest, ratio_of(row), row.measured.calls, ms, row.does);
+    text += fmt::format("{:<40} {:>14} {:>14} {:>10.3f} {:>8} {:>8}\n", row.name, bound,
+                        row.measured.longest, ms, ratio_of(row), row.measured.calls);
   }
   return text;
 }
@@ -78,9 +91,8 @@ std::string to_json(const std::vector<TaskRow>& rows) {
   auto list = nlohmann::json::array();
   for (const TaskRow& row : rows) {
     nlohmann::json task{{"name", row.name},
-                        {"does", row.does},
                         {"measured_clocks", row.measured.longest},
-                        {"calls", row.measured.calls}};
+                        {"times", row.measured.calls}};
     if (row.bound) task["bound_clocks"] = *row.bound;
     list.push_back(task);
   }

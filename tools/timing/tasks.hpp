@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks of a pass of the firmware's main loop: their bounds beside their longest times measured.
+// The tasks of a pass of the firmware's main loop: their bounds and the longest times measured.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,15 @@
 namespace timing {
 
 struct TaskRow {
-  std::string name;  // of the function
-  std::string does;
+  std::string name;
   std::optional<Clocks> bound;
   Calls::Measured measured;
 };
 
-// The pass first, then its tasks in their order. Throws std::runtime_error where the image lacks one.
+// Has the pass and its tasks measured. Throws std::runtime_error where the image lacks marks.
+void watch_tasks(const Program& program, Analysis& analysis, Calls& calls);
+
+// The pass first, then its tasks in their order (firmware/units/task_span.hpp).
 std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis, const Calls& calls);
 
 // At so many clocks per second.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a task of the main loop begins and ends: for tools/timing, which bounds and measures it.
+#pragma once
+
+#include <cstdint>
+
+namespace units {
+
+enum class Task : std::uint32_t { motion, serial_line, commands, refill, heat, faults, reports };
+
+// From here to the end of the object. No instruction, only entries in a section that is not loaded.
+template <Task task>
+class TaskSpan {
+ public:
+  [[gnu::always_inline]] inline TaskSpan() { mark<0>(); }
+  [[gnu::always_inline]] inline ~TaskSpan() { mark<1>(); }
+  TaskSpan(const TaskSpan&) = delete;
+  TaskSpan& operator=(const TaskSpan&) = delete;
+
+ private:
+  template <std::uint32_t is_end>
+  [[gnu::always_inline]] static inline void mark() {
+#ifdef __riscv
+    asm inline volatile(
+        ".pushsection .task_spans,\"\",@progbits\n"
+        ".word 1f, %0, %1\n"
+        ".popsection\n"
+        "1:" ::"i"(task),
+        "i"(is_end));
+#endif
+  }
+};
+
+}  // namespace units
