@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <random>
 
 #include "directories.hpp"
@@ -21,6 +23,24 @@ namespace {
 // Of sums of some ten thousand columns in floating point.
 constexpr double relative_error = 1e-9;
 
+// The clocks of a solution rounded to whole numbers, if it keeps to all rows exactly.
+std::optional<Wide> clocks_in_whole_numbers(const LinearProgram& program,
+                                            const std::vector<double>& passes) {
+  std::vector<Wide> sums(program.rows.size());
+  Wide clocks = 0;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    const Wide count = std::llround(passes[i]);
+    if (count < 0) return std::nullopt;
+    clocks += count * program.columns[i].clocks;
+    for (const auto& [row, factor] : program.columns[i].entries) sums[row] += count * factor;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Constraint& row = program.rows[i];
+    if (row.is_equation ? sums[i] != row.right_side : sums[i] > row.right_side) return std::nullopt;
+  }
+  return clocks;
+}
+
 TEST(Solvers, agree_on_all_functions_of_the_firmware) {
   Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
   program.memory_bytes = CHIP_MEMORY_BYTES;
@@ -37,6 +57,8 @@ TEST(Solvers, agree_on_all_functions_of_the_firmware) {
     const Solution first = solve(linear);
     ASSERT_EQ(first.kind, Solution::Kind::optimal) << symbol.name;
     EXPECT_NEAR(first.clocks, clocks, error) << symbol.name;
+    // So the bound is the least: a path of the program takes as long.
+    EXPECT_TRUE(clocks_in_whole_numbers(linear, first.passes) == Wide{*bound}) << symbol.name;
     const auto second = optimum_in_integers(linear);
     ASSERT_TRUE(second) << symbol.name;
     EXPECT_NEAR(*second, clocks, error) << symbol.name;

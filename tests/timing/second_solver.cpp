@@ -39,12 +39,17 @@ std::optional<double> optimum_in_integers(const LinearProgram& program) {
     glp_set_mat_col(problem.get(), place, static_cast<int>(column.entries.size()), rows.data(),
                     factors.data());
   }
+  // Its presolver for whole numbers finds no solution of some programs that have one.
+  glp_smcp fractions;
+  glp_init_smcp(&fractions);
+  fractions.msg_lev = GLP_MSG_OFF;
+  if (glp_simplex(problem.get(), &fractions) != 0) throw std::runtime_error("GLPK has failed");
+  if (glp_get_status(problem.get()) == GLP_NOFEAS) return std::nullopt;
   glp_iocp settings;
   glp_init_iocp(&settings);
-  settings.presolve = GLP_ON;
   settings.msg_lev = GLP_MSG_OFF;
   const int result = glp_intopt(problem.get(), &settings);
-  if (result == GLP_ENOPFS || glp_mip_status(problem.get()) == GLP_NOFEAS) return std::nullopt;
+  if (glp_mip_status(problem.get()) == GLP_NOFEAS) return std::nullopt;
   if (result != 0 || glp_mip_status(problem.get()) != GLP_OPT) {
     throw std::runtime_error("GLPK has found no optimum");
   }

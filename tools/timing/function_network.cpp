@@ -204,7 +204,10 @@ std::optional<Network> FunctionNetwork::span(const Link& link, const std::set<Ad
     if (arc.to < stops.size() && stops[arc.to]) arc.to = network_.end;
   }
   for (const Loop& loop : loops_.loops) {
-    if (!within[loop.header]) continue;
+    const bool goes_round = std::ranges::any_of(network_.arcs, [&](const Arc& arc) {
+      return arc.to == loop.header && arc.from != start && loop.nodes[arc.from];
+    });
+    if (!goes_round) continue;
     if (std::ranges::any_of(starts, [&](std::size_t node) { return loop.nodes[node]; })) {
       add_problem(flow_.nodes[loop.header].address, "a task does not end in its round",
                   "end its TaskSpan on all ways (units/task_span.hpp)");
