@@ -15,7 +15,7 @@ trap 'rm -rf "$formatted"' EXIT
 cd "$project"
 
 files() {
-  find firmware sim tests tools -path firmware/registers -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print
+  find firmware host sim tests tools -path firmware/registers -prune -o \( -name '*.cpp' -o -name '*.hpp' \) -print
 }
 files | tar -cf - -T - | tar -xf - -C "$formatted"
 # Braces everywhere first, so that the rule starts from one form. The setting is here and not in

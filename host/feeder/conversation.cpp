@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which line is sent next, and how replies move that.
+#include "host/feeder/conversation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace feeder {
+
+namespace {
+
+// End a cancelled job: heaters, fan and motors off.
+constexpr std::array<std::string_view, 4> closing_lines{"M104 S0", "M140 S0", "M107", "M84"};
+// Ends waits and moves at once, ahead of all lines that wait.
+constexpr std::string_view cancel_at_once = "//action:cancel\nM108\n";
+// No line has such a number: it is refused, and the refusal names the line that is wanted.
+constexpr std::int64_t far_ahead = std::int64_t{1} << 29;
+// Each crash at the end of a job adds two lines to it.
+constexpr std::int64_t most_end_lines = 10'000;
+constexpr int most_openings = 8;
+constexpr Time settling{300};  // answers to what was asked may still come
+constexpr Time resend_ok_limit{1000};  // a firmware may send none
+constexpr Time report_delay{3000};  // lines without a number are refused soon after a Resend
+constexpr Time end_interval{3000};
+
+}  // namespace
+
+Conversation::Conversation(Journal& journal, std::function<std::int64_t()> base)
+    : journal_(journal), make_base_(std::move(base)) {
+  if (has_work()) begin_program();
+}
+
+bool Conversation::is_opening() const {
+  return record()->phase == Phase::opening ||
+         (record()->phase == Phase::cancelling && !numbering_is_set_);
+}
+
+void Conversation::set_phase(Phase phase, std::string why) {
+  Record changed = *record();
+  changed.phase = phase;
+  changed.why = std::move(why);
+  journal_.write(changed);
+}
+
+void Conversation::begin_program() {
+  next_ = 1;
+  openings_ = 0;
+  numbering_is_set_ = false;
+  strange_.reset();
+  if (record()->phase == Phase::cancelling) {
+    base_ = make_base_();
+    return;
+  }
+  base_ = record()->base;
+  try {
+    file_ = std::make_unique<CommandFile>(record()->file);
+  } catch (const std::exception& error) {
+    set_phase(Phase::interrupted, error.what());
+  }
+}
+
+std::int64_t Conversation::length() const {
+  return record()->phase == Phase::cancelling ? std::int64_t{closing_lines.size()}
+                                              : record()->commands;
+}
+
+// That the printer says it proves that every line before it was executed.
+std::string Conversation::last_word() const {
+  return "job " + std::to_string(record()->job) + " ends, " + std::to_string(base_);
+}
+
+bool Conversation::is_last_word(std::string_view line) const {
+  return has_work() && next_ > length() + 2 && line.ends_with(last_word());
+}
+
+std::string Conversation::text_of(std::int64_t index) {
+  if (index > length()) return (index - length()) % 2 == 1 ? "M400" : "M118 " + last_word();
+  if (record()->phase == Phase::cancelling) {
+    return std::string(closing_lines.at(static_cast<std::size_t>(index - 1)));
+  }
+  return file_->at(index);
+}
+
+void Conversation::opened(Time now) {
+  output_.clear();
+  unanswered_ = 0;
+  last_heard_ = last_sent_ = now;
+  ask_now();
+}
+
+void Conversation::closed() { link_ = Link::closed; }
+
+void Conversation::ask_now() {
+  link_ = Link::asking;
+  asked_.reset();
+  unanswered_ = 0;
+  resend_at_.reset();
+}
+
+void Conversation::ask(Time now) {
+  asked_ = now;
+  if (!has_work()) {
+    output_ += "M105\n";
+    return;
+  }
+  if (record()->phase == Phase::cancelling && !numbering_is_set_) output_ += cancel_at_once;
+  if (is_opening()) {
+    if (++openings_ > most_openings) {
+      set_phase(record()->phase == Phase::opening ? Phase::failed : Phase::cancelled,
+                "the printer does not take the line numbers; are its heaters off?");
+      return;
+    }
+    output_ += framed(base_, "M110 N" + std::to_string(base_));
+  }
+  output_ += framed(base_ + far_ahead, "M105");
+}
+
+void Conversation::become_ready(Time now) {
+  link_ = Link::ready;
+  unanswered_ = 0;
+  resend_at_.reset();
+  strange_.reset();
+  settled_at_ = now + settling;
+  report_at_ = now + report_delay;
+}
+
+void Conversation::heard(std::string_view line, Time now) {
+  last_heard_ = now;
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+  if (line.empty() || line == "wait") return;
+  const bool reports = read_temperatures(line, temperatures_);
+  if (line.starts_with("ok")) return answer_ok(now);
+  if (reports) return;
+  if (const auto number = resend_in(line)) return answer_resend(*number, now);
+  if (line.find("busy:") != std::string_view::npos) {
+    waits_for_user_ = line.find("paused for") != std::string_view::npos;
+    return;
+  }
+  if (is_last_word(line)) {
+    done_ = record()->commands;
+    set_phase(record()->phase == Phase::cancelling ? Phase::cancelled : Phase::finished);
+    return;
+  }
+  say(line);
+  if (is_fatal(line)) return answer_fatal(line);
+  if (line == "start") return ask_now();
+  if (line.starts_with("//")) {
+    line.remove_prefix(2);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.starts_with("action:")) handle_action(line.substr(7));
+  }
+}
+
+void Conversation::answer_ok(Time now) {
+  waits_for_user_ = false;
+  if (link_ == Link::asking && !has_work()) return become_ready(now);
+  if (link_ != Link::ready) return;
+  resend_at_.reset();
+  if (unanswered_ > 0) --unanswered_;
+}
+
+void Conversation::answer_resend(std::int64_t number, Time now) {
+  if (!has_work()) return;
+  if (link_ == Link::asking) return go_on_from(number, now);
+  ++resends_;
+  const std::int64_t index = number - base_;
+  if (index < 1 || index > next_) {
+    return ask_now();  // damaged on its way, or a restart
+  }
+  next_ = index;
+  resend_at_ = now;
+}
+
+void Conversation::go_on_from(std::int64_t number, Time now) {
+  const std::int64_t index = number - base_;
+  if (is_opening()) {
+    if (index != 1) {
+      return;  // the M110 was not taken: again
+    }
+    numbering_is_set_ = true;
+    if (record()->phase == Phase::opening) set_phase(Phase::running);
+    next_ = 1;
+    return become_ready(now);
+  }
+  if (index >= 1 && index <= length() + most_end_lines) {
+    next_ = index;
+    return become_ready(now);
+  }
+  // One damaged answer is no reason to give up a print.
+  if (strange_ != number) {
+    strange_ = number;
+    return;
+  }
+  set_phase(Phase::interrupted,
+            "the printer was restarted, or another program used it: it wants line " +
+                std::to_string(number) + ", none of this job");
+  become_ready(now);
+}
+
+void Conversation::answer_fatal(std::string_view line) {
+  if (has_work()) set_phase(Phase::failed, "the printer says: " + std::string(line));
+  typed_.clear();
+  ask_now();
+  asked_ = last_heard_;
+}
+
+void Conversation::handle_action(std::string_view action) {
+  if (action == "pause") pause();
+  if (action == "resume") resume();
+  if (action == "cancel") cancel();
+  if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
+}
+
+void Conversation::update(Time now) {
+  if (link_ == Link::closed) return;
+  if (link_ == Link::asking) {
+    if (!asked_ || now - *asked_ >= ask_interval) ask(now);
+    return;
+  }
+  if (unanswered_ > 0 && now - std::max(last_heard_, last_sent_) > longest_silence) {
+    return ask_now();
+  }
+  if (resend_at_ && now - *resend_at_ > resend_ok_limit) {
+    resend_at_.reset();
+    unanswered_ = 0;
+  }
+  if (has_work() && record()->phase != Phase::cancelling) {
+    done_ = std::clamp(next_ - 1 - unanswered_, std::int64_t{0}, record()->commands);
+  }
+  if (unanswered_ == 0 && now >= settled_at_) send_next(now);
+}
+
+void Conversation::send_next(Time now) {
+  if (report_at_ && now >= *report_at_) {
+    report_at_.reset();
+    return put("M155 S2\n", now);
+  }
+  if (!typed_.empty()) {
+    put(typed_.front() + "\n", now);
+    typed_.pop_front();
+    return;
+  }
+  const bool sends =
+      has_work() && (record()->phase == Phase::running || record()->phase == Phase::cancelling);
+  const bool ends = sends && next_ > length() + 2 && (next_ - length()) % 2 == 1;
+  if (sends && (!ends || now - last_sent_ > end_interval)) {
+    put(framed(base_ + next_, text_of(next_)), now);
+    ++next_;
+  } else if (now - last_sent_ > idle_interval) {
+    put("M105\n", now);
+  }
+}
+
+void Conversation::put(std::string_view text, Time now) {
+  output_ += text;
+  ++unanswered_;
+  last_sent_ = now;
+}
+
+std::string Conversation::take_output() { return std::exchange(output_, {}); }
+
+}  // namespace feeder

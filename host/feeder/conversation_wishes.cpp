@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What people and the spooler ask of a conversation.
+#include <algorithm>
+
+#include "host/feeder/conversation.hpp"
+
+namespace feeder {
+
+namespace {
+
+constexpr std::size_t longest_typed_line = 96;
+constexpr std::size_t most_typed_lines = 50;
+
+bool acts_at_once(std::string_view text) { return text == "M108" || text == "M410"; }
+
+}  // namespace
+
+std::int64_t Conversation::done() const { return record() ? done_ : 0; }
+
+std::string Conversation::start(std::int64_t job, const std::string& file, std::int64_t commands) {
+  if (record() && record()->job == job) {
+    return {};  // it was asked before
+  }
+  if (record()) return "job " + std::to_string(record()->job) + " is not forgotten yet";
+  if (link_ != Link::ready) return "the printer does not answer";
+  if (commands < 1) return "the job has no command";
+  try {
+    CommandFile(file).at(commands);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  done_ = 0;
+  resends_ = 0;
+  journal_.write({.job = job,
+                  .file = file,
+                  .commands = commands,
+                  .base = make_base_(),
+                  .phase = Phase::opening,
+                  .why = {}});
+  begin_program();
+  ask_now();
+  return {};
+}
+
+std::string Conversation::pause() {
+  if (!record() || record()->phase != Phase::running) return "nothing is being printed";
+  set_phase(Phase::paused);
+  return {};
+}
+
+std::string Conversation::resume() {
+  if (waits_for_user_ && link_ == Link::ready) {
+    output_ += "M108\n";
+    ++unanswered_;
+  }
+  if (!record() || record()->phase != Phase::paused) {
+    return waits_for_user_ ? "" : "nothing is paused";
+  }
+  set_phase(Phase::running);
+  return {};
+}
+
+std::string Conversation::cancel() {
+  if (!has_work()) return "nothing is being printed";
+  if (record()->phase == Phase::opening) {
+    set_phase(Phase::cancelled);
+    return {};
+  }
+  if (record()->phase == Phase::cancelling) {
+    if (link_ == Link::ready) return {};
+    set_phase(Phase::cancelled, "the printer does not answer: check that its heaters are off");
+    return {};
+  }
+  set_phase(Phase::cancelling);
+  typed_.clear();
+  begin_program();
+  if (link_ != Link::closed) ask_now();
+  return {};
+}
+
+std::string Conversation::forget(std::int64_t job) {
+  if (!record()) return {};
+  if (record()->job != job || !is_over(record()->phase)) {
+    return "job " + std::to_string(record()->job) + " is " + std::string(name_of(record()->phase));
+  }
+  journal_.clear();
+  file_.reset();
+  return {};
+}
+
+std::string Conversation::send(std::string_view text) {
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
+  if (text.empty() || text.size() > longest_typed_line || !printable) {
+    return "a line has 1 to 96 printable characters";
+  }
+  std::string code(text.substr(0, text.find(' ')));
+  std::ranges::transform(code, code.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  });
+  if (code.starts_with("N") || code.starts_with("M110")) return "line numbers are the feeder's";
+  if (code == "M112") {
+    stop_everything();
+    return {};
+  }
+  if (link_ != Link::ready) return "the printer does not answer";
+  if (acts_at_once(code)) {
+    output_ += code + "\n";
+    ++unanswered_;
+  } else if (typed_.size() < most_typed_lines) {
+    typed_.emplace_back(text);
+  } else {
+    return "too many lines wait";
+  }
+  say("> " + std::string(text));
+  return {};
+}
+
+void Conversation::stop_everything() {
+  output_ = "M112\n";
+  typed_.clear();
+  say("> M112");
+  if (has_work()) set_phase(Phase::failed, "stopped by a person (emergency stop)");
+  if (link_ != Link::closed) {
+    ask_now();
+    asked_ = last_sent_;
+  }
+}
+
+}  // namespace feeder

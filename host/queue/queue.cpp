@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// Jobs and their changes as rows. The database itself refuses two active jobs on one printer.
+#include "host/queue/queue.hpp"
+
+#include <chrono>
+
+namespace queue {
+
+namespace {
+
+constexpr const char* tables = R"(
+CREATE TABLE IF NOT EXISTS jobs(
+  id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL, file TEXT NOT NULL,
+  bytes INTEGER NOT NULL, state TEXT NOT NULL, held INTEGER NOT NULL, wanted_printer TEXT NOT NULL,
+  printer TEXT NOT NULL, reason TEXT NOT NULL, result TEXT NOT NULL, seconds REAL NOT NULL,
+  filament_mm REAL NOT NULL, commands INTEGER NOT NULL, starts INTEGER NOT NULL,
+  uploaded_ms INTEGER NOT NULL, changed_ms INTEGER NOT NULL, place INTEGER NOT NULL);
+CREATE UNIQUE INDEX IF NOT EXISTS one_active_job ON jobs(printer)
+  WHERE state IN ('starting', 'printing', 'paused');
+CREATE TABLE IF NOT EXISTS changes(
+  job INTEGER NOT NULL REFERENCES jobs(id) ON DELETE CASCADE, from_state TEXT NOT NULL,
+  to_state TEXT NOT NULL, why TEXT NOT NULL, time_ms INTEGER NOT NULL);
+CREATE INDEX IF NOT EXISTS changes_of_job ON changes(job);
+CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL);
+)";
+
+constexpr const char* columns =
+    "SELECT id, name, file, bytes, state, held, wanted_printer, printer, reason, result, seconds, "
+    "filament_mm, commands, starts, uploaded_ms, changed_ms FROM jobs ";
+constexpr const char* final_states = "('refused', 'finished', 'cancelled', 'failed')";
+
+std::int64_t now_ms() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+Job job_of(const Statement& row) {
+  const auto state = state_named(row.text(4));
+  if (!state) throw std::runtime_error("job database: unknown state " + row.text(4));
+  return {.id = row.integer(0),
+          .name = row.text(1),
+          .file = row.text(2),
+          .bytes = row.integer(3),
+          .state = *state,
+          .held = row.integer(5) != 0,
+          .wanted_printer = row.text(6),
+          .printer = row.text(7),
+          .reason = row.text(8),
+          .check = row.text(9),
+          .seconds = row.real(10),
+          .filament_mm = row.real(11),
+          .commands = row.integer(12),
+          .starts = row.integer(13),
+          .uploaded_ms = row.integer(14),
+          .changed_ms = row.integer(15)};
+}
+
+std::vector<Job> jobs_of(Statement& statement) {
+  std::vector<Job> found;
+  while (statement.step()) found.push_back(job_of(statement));
+  return found;
+}
+
+std::string sentence(const Job& job, std::string_view rest) {
+  return "job " + std::to_string(job.id) + " is " + std::string(name_of(job.state)) +
+         std::string(rest);
+}
+
+}  // namespace
+
+Queue::Queue(const std::filesystem::path& database) : database_(database) {
+  database_.execute(tables);
+}
+
+JobId Queue::add(const NewJob& job) {
+  const std::int64_t now = now_ms();
+  Statement(database_,
+            "INSERT INTO jobs(name, file, bytes, state, held, wanted_printer, printer, reason, "
+            "result, seconds, filament_mm, commands, starts, uploaded_ms, changed_ms, place) "
+            "VALUES(?, ?, ?, 'uploaded', ?, ?, '', '', '', 0, 0, 0, 0, ?, ?, "
+            "(SELECT coalesce(max(place), 0) + 1 FROM jobs))")
+      .bind(job.name)
+      .bind(job.file)
+      .bind(job.bytes)
+      .bind(std::int64_t{job.held})
+      .bind(job.wanted_printer)
+      .bind(now)
+      .bind(now)
+      .run();
+  return database_.last_id();
+}
+
+std::optional<Job> Queue::find(JobId id) {
+  Statement row(database_, std::string(columns) + "WHERE id = ?");
+  row.bind(id);
+  if (!row.step()) return std::nullopt;
+  return job_of(row);
+}
+
+Job Queue::found(JobId id) {
+  auto job = find(id);
+  if (!job) throw NoSuchJob(id);
+  return *std::move(job);
+}
+
+std::vector<Job> Queue::jobs(std::int64_t final_limit) {
+  Statement rows(database_, std::string(columns) + "WHERE state NOT IN " + final_states +
+                                " OR id IN (SELECT id FROM jobs WHERE state IN " + final_states +
+                                " ORDER BY changed_ms DESC, id DESC LIMIT ?) ORDER BY place, id");
+  rows.bind(final_limit);
+  return jobs_of(rows);
+}
+
+std::vector<Change> Queue::history(JobId id) {
+  Statement rows(database_,
+                 "SELECT from_state, to_state, why, time_ms FROM changes WHERE job = ? "
+                 "ORDER BY rowid");
+  rows.bind(id);
+  std::vector<Change> changes;
+  while (rows.step()) {
+    changes.push_back({.job = id,
+                       .from = state_named(rows.text(0)).value(),
+                       .to = state_named(rows.text(1)).value(),
+                       .why = rows.text(2),
+                       .time_ms = rows.integer(3)});
+  }
+  return changes;
+}
+
+void Queue::write_change(const Job& job, JobState to, std::string_view why) {
+  if (!is_permitted(job.state, to)) {
+    throw NotPermitted(sentence(job, " and cannot become ") + std::string(name_of(to)));
+  }
+  const std::int64_t now = now_ms();
+  Statement(database_, "UPDATE jobs SET state = ?, reason = ?, changed_ms = ? WHERE id = ?")
+      .bind(name_of(to))
+      .bind(why)
+      .bind(now)
+      .bind(job.id)
+      .run();
+  Statement(database_,
+            "INSERT INTO changes(job, from_state, to_state, why, time_ms) VALUES(?, ?, ?, ?, ?)")
+      .bind(job.id)
+      .bind(name_of(job.state))
+      .bind(name_of(to))
+      .bind(why)
+      .bind(now)
+      .run();
+}
+
+void Queue::change(JobId id, JobState to, std::string_view why) {
+  if (to == JobState::starting) throw NotPermitted("only start() makes a job `starting`");
+  Transaction transaction(database_);
+  write_change(found(id), to, why);
+  transaction.commit();
+}
+
+void Queue::start(JobId id, const std::string& printer) {
+  Transaction transaction(database_);
+  const Job job = found(id);
+  if (job.held) throw NotPermitted(sentence(job, " and held"));
+  if (!job.wanted_printer.empty() && job.wanted_printer != printer) {
+    throw NotPermitted(sentence(job, " for another printer"));
+  }
+  if (!bed_is_clear(printer)) throw NotPermitted("the bed of " + printer + " is not clear");
+  if (active_on(printer)) throw NotPermitted(printer + " has a job");
+  write_change(job, JobState::starting, "on " + printer);
+  Statement(database_, "UPDATE jobs SET printer = ?, starts = starts + 1 WHERE id = ?")
+      .bind(printer)
+      .bind(id)
+      .run();
+  Statement(database_, "UPDATE beds SET clear = 0 WHERE printer = ?").bind(printer).run();
+  transaction.commit();
+}
+
+void Queue::take_back(JobId id, std::string_view why) {
+  Transaction transaction(database_);
+  const Job job = found(id);
+  if (job.state != JobState::starting) throw NotPermitted(sentence(job, ", not starting"));
+  write_change(job, JobState::queued, why);
+  Statement(database_, "UPDATE jobs SET starts = starts - 1 WHERE id = ?").bind(id).run();
+  Statement(database_, "UPDATE beds SET clear = 1 WHERE printer = ?").bind(job.printer).run();
+  transaction.commit();
+}
+
+std::optional<Job> Queue::next_for(const std::string& printer) {
+  Statement row(database_, std::string(columns) +
+                               "WHERE state = 'queued' AND held = 0 AND wanted_printer IN ('', ?) "
+                               "ORDER BY place, id LIMIT 1");
+  row.bind(printer);
+  if (!row.step()) return std::nullopt;
+  return job_of(row);
+}
+
+std::optional<Job> Queue::active_on(const std::string& printer) {
+  Statement row(database_, std::string(columns) +
+                               "WHERE printer = ? AND state IN ('starting', 'printing', 'paused')");
+  row.bind(printer);
+  if (!row.step()) return std::nullopt;
+  return job_of(row);
+}
+
+void Queue::set_check(JobId id, std::string_view check, double seconds, double filament_mm,
+                      std::int64_t commands) {
+  Statement(database_,
+            "UPDATE jobs SET result = ?, seconds = ?, filament_mm = ?, commands = ? WHERE id = ?")
+      .bind(check)
+      .bind(seconds)
+      .bind(filament_mm)
+      .bind(commands)
+      .bind(id)
+      .run();
+  if (database_.changes() == 0) throw NoSuchJob(id);
+}
+
+void Queue::set_held(JobId id, bool held) {
+  Transaction transaction(database_);
+  const Job job = found(id);
+  if (is_final(job.state) || is_active(job.state)) {
+    throw NotPermitted(sentence(job, " and no longer waits"));
+  }
+  Statement(database_, "UPDATE jobs SET held = ? WHERE id = ?")
+      .bind(std::int64_t{held})
+      .bind(id)
+      .run();
+  transaction.commit();
+}
+
+void Queue::move(JobId id, std::optional<JobId> next) {
+  Transaction transaction(database_);
+  const Job job = found(id);
+  if (is_final(job.state) || is_active(job.state)) {
+    throw NotPermitted(sentence(job, " and has no place in the order"));
+  }
+  std::int64_t place = 0;
+  if (next) {
+    found(*next);
+    Statement of_next(database_, "SELECT place FROM jobs WHERE id = ?");
+    of_next.bind(*next);
+    of_next.step();
+    place = of_next.integer(0);
+    Statement(database_, "UPDATE jobs SET place = place + 1 WHERE place >= ?").bind(place).run();
+  } else {
+    Statement last(database_, "SELECT coalesce(max(place), 0) + 1 FROM jobs");
+    last.step();
+    place = last.integer(0);
+  }
+  Statement(database_, "UPDATE jobs SET place = ? WHERE id = ?").bind(place).bind(id).run();
+  transaction.commit();
+}
+
+JobId Queue::print_again(JobId id) {
+  const Job job = found(id);
+  if (job.state == JobState::refused || !is_final(job.state)) {
+    throw NotPermitted(sentence(job, " and cannot be printed again"));
+  }
+  return add({.name = job.name,
+              .file = job.file,
+              .bytes = job.bytes,
+              .held = false,
+              .wanted_printer = job.wanted_printer});
+}
+
+void Queue::remove(JobId id) {
+  Transaction transaction(database_);
+  const Job job = found(id);
+  if (!is_final(job.state)) throw NotPermitted(sentence(job, " and not over"));
+  Statement(database_, "DELETE FROM jobs WHERE id = ?").bind(id).run();
+  transaction.commit();
+}
+
+std::vector<std::string> Queue::files_in_use() {
+  Statement rows(database_, "SELECT DISTINCT file FROM jobs");
+  std::vector<std::string> files;
+  while (rows.step()) files.push_back(rows.text(0));
+  return files;
+}
+
+bool Queue::bed_is_clear(const std::string& printer) {
+  Statement row(database_, "SELECT clear FROM beds WHERE printer = ?");
+  row.bind(printer);
+  return row.step() && row.integer(0) != 0;
+}
+
+void Queue::set_bed_clear(const std::string& printer, bool clear) {
+  Statement(database_,
+            "INSERT INTO beds(printer, clear) VALUES(?, ?) "
+            "ON CONFLICT(printer) DO UPDATE SET clear = excluded.clear")
+      .bind(printer)
+      .bind(std::int64_t{clear})
+      .run();
+}
+
+}  // namespace queue

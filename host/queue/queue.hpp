@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The durable queue of jobs. Each call that changes something has reached the disk when it returns.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/queue/database.hpp"
+#include "host/queue/job.hpp"
+
+namespace queue {
+
+// A change that the table of transitions or the present state does not permit; nothing has changed.
+struct NotPermitted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+// No job has this number.
+struct NoSuchJob : std::runtime_error {
+  explicit NoSuchJob(JobId id) : std::runtime_error("there is no job " + std::to_string(id)) {}
+};
+
+struct NewJob {
+  std::string name;
+  std::string file;
+  std::int64_t bytes{};
+  bool held = false;
+  std::string wanted_printer{};
+};
+
+// For one thread at a time. Calls throw std::runtime_error where the database fails, and NoSuchJob.
+class Queue {
+ public:
+  explicit Queue(const std::filesystem::path& database);
+
+  // At the end of the order.
+  JobId add(const NewJob& job);
+  std::optional<Job> find(JobId id);
+  // In their order; `final_limit`: at most so many that are over, the latest ones.
+  std::vector<Job> jobs(std::int64_t final_limit = 1000);
+  std::vector<Change> history(JobId id);
+
+  // The state `to`, as the table permits; throws NotPermitted. Not for `starting`: start().
+  void change(JobId id, JobState to, std::string_view why);
+  // queued -> starting on this printer, whose bed then counts as occupied. Throws NotPermitted where
+  // the job is held, wants another printer, the bed is not clear, or the printer has an active job.
+  void start(JobId id, const std::string& printer);
+  // starting -> queued: not a byte has left, so the bed is as free as before.
+  void take_back(JobId id, std::string_view why);
+  // The next job that may start on this printer.
+  std::optional<Job> next_for(const std::string& printer);
+  std::optional<Job> active_on(const std::string& printer);
+
+  void set_check(JobId id, std::string_view check, double seconds, double filament_mm,
+                 std::int64_t commands);
+  void set_held(JobId id, bool held);
+  // Before `next`, or to the end. Throws NotPermitted once it has been started.
+  void move(JobId id, std::optional<JobId> next);
+  // A job that is over and was not refused, as a new one at the end.
+  JobId print_again(JobId id);
+  // Forgets a job that is over. Its file may go where files_in_use() no longer has it.
+  void remove(JobId id);
+  std::vector<std::string> files_in_use();
+
+  bool bed_is_clear(const std::string& printer);
+  void set_bed_clear(const std::string& printer, bool clear);
+
+ private:
+  Job found(JobId id);
+  void write_change(const Job& job, JobState to, std::string_view why);
+
+  Database database_;
+};
+
+}  // namespace queue

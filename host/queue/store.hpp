@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of the jobs. One is there whole or not at all, also after a loss of power.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace queue {
+
+// What has been written to the folder's files and to the folder itself is on the disk afterwards.
+// Throws std::system_error.
+void sync_folder(const std::filesystem::path& folder);
+
+// A file name for people, from what a client sends: its last component, without control characters,
+// at most 120 bytes of whole UTF-8 characters, no dot in front; "unnamed.gcode" where nothing is
+// left. It never names another folder.
+std::string cleaned_name(std::string_view name);
+
+class Store {
+ public:
+  // Made where it is missing, readable for this user alone. Throws std::system_error.
+  explicit Store(std::filesystem::path folder);
+
+  std::filesystem::path path_of(const std::string& file) const { return folder_ / file; }
+  void remove(const std::string& file) const;
+  // Removes what no job uses: uploads that did not end, and files whose job was never committed.
+  // Their number.
+  std::size_t remove_all_but(const std::vector<std::string>& in_use) const;
+
+  // A file on its way. Gone at the end of its scope unless it was kept. Throws std::system_error.
+  class Upload {
+   public:
+    explicit Upload(const Store& store);
+    ~Upload();
+    Upload(const Upload&) = delete;
+    Upload& operator=(const Upload&) = delete;
+    void write(std::span<const char> bytes);
+    std::int64_t bytes() const { return bytes_; }
+    // Temporary name, fsync, rename, fsync of the folder: in this order. Returns the file's name in
+    // the store. It remains until remove() or remove_all_but().
+    std::string keep();
+
+   private:
+    const Store& store_;
+    std::string name_;  // the final one
+    int file_ = -1;
+    std::int64_t bytes_ = 0;
+  };
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace queue
