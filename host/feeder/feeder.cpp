@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr int pass_ms = 50;
 constexpr Time open_interval{500};
-constexpr Time tell_interval{1000};
+constexpr Time state_interval{1000};
 constexpr Time lonely_limit{60'000};
 constexpr std::size_t longest_reply = 512;
 
@@ -80,7 +80,7 @@ Feeder::Feeder(const Options& options)
       replies_(longest_reply),
       used_at_(now()) {
   conversation_.on_said = [this](std::string_view line) {
-    tell_all(dumped(Json{{"event", "said"}, {"line", line}}));
+    send_all(dumped(Json{{"event", "said"}, {"line", line}}));
   };
 }
 
@@ -139,10 +139,10 @@ void Feeder::serve_connections() {
   const Time time = now();
   if (!connections_.empty()) used_at_ = time;
   std::string present = state();
-  if (present != told_ || time - told_at_ >= tell_interval) {
-    told_ = std::move(present);
-    told_at_ = time;
-    tell_all(told_);
+  if (present != sent_state_ || time - sent_at_ >= state_interval) {
+    sent_state_ = std::move(present);
+    sent_at_ = time;
+    send_all(sent_state_);
   }
 }
 
@@ -179,7 +179,7 @@ std::string Feeder::obey(const std::string& line) {
   return dumped(Json{{"event", "answer"}, {"do", wish}, {"job", job}, {"refused", refusal}});
 }
 
-void Feeder::tell_all(const std::string& line) {
+void Feeder::send_all(const std::string& line) {
   for (Connection& connection : connections_) connection.send(line);
 }
 

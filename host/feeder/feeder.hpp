@@ -41,7 +41,7 @@ class Feeder {
   void serve_port();
   void serve_connections();
   std::string obey(const std::string& line);
-  void tell_all(const std::string& line);
+  void send_all(const std::string& line);
   std::string state() const;
   bool is_of_no_use() const;
 
@@ -53,8 +53,8 @@ class Feeder {
   std::vector<Connection> connections_;
   LineReader replies_;
   std::string to_port_;
-  std::string told_;  // the state, the last time
-  Time told_at_{}, tried_at_{-1'000'000}, used_at_{};
+  std::string sent_state_;  // the state, the last time
+  Time sent_at_{}, tried_at_{-1'000'000}, used_at_{};
   bool end_wanted_ = false;
 };
 

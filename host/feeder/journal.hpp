@@ -40,8 +40,8 @@ class Journal {
   explicit Journal(std::filesystem::path file);
 
   const std::optional<Record>& record() const { return record_; }
-  // On the disk when it returns: written next to it, fsync, renamed, fsync of the folder. Throws
-  // std::system_error.
+  // On the disk when it returns: written next to it, fsync, renamed, fsync of the
+  // folder. Throws std::system_error.
   void write(const Record& record);
   void clear();
 

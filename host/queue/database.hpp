@@ -16,8 +16,8 @@ namespace queue {
 // All calls throw std::runtime_error with SQLite's message. For one thread at a time.
 class Database {
  public:
-  // Made where it is missing. A commit has reached the disk when it returns (WAL,
-  // synchronous=FULL).
+  // Made where it is missing. With its log (WAL) and synchronous=FULL a commit has reached the
+  // disk when it returns.
   explicit Database(const std::filesystem::path& file);
 
   // Without results and values.

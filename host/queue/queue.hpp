@@ -46,8 +46,9 @@ class Queue {
 
   // The state `to`, as the table permits; throws NotPermitted. Not for `starting`: start().
   void change(JobId id, JobState to, std::string_view why);
-  // queued -> starting on this printer, whose bed then counts as occupied. Throws NotPermitted where
-  // the job is held, wants another printer, the bed is not clear, or the printer has an active job.
+  // queued -> starting on this printer, whose bed then counts as occupied. Throws NotPermitted
+  // where the job is held, wants another printer, the bed is not clear, or the printer has an
+  // active job.
   void start(JobId id, const std::string& printer);
   // starting -> queued: not a byte has left, so the bed is as free as before.
   void take_back(JobId id, std::string_view why);

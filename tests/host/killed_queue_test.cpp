@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that works with the queue is killed at random instants: no acknowledged job is lost, and
-// none is started twice.
+// A process that works with the queue is killed at random instants: no acknowledged job is lost,
+// and none is started twice.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>

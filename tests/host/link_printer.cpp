@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the firmware's main loop does, with a list in place of motors and heaters.
+#include "tests/host/link_printer.hpp"
+
+#include <algorithm>
+
+namespace host_test {
+
+using host_link::EmergencyCommand;
+
+namespace {
+
+units::Milliseconds link_time(std::chrono::milliseconds now) {
+  return units::Milliseconds(now.count());
+}
+
+}  // namespace
+
+void LinkPrinter::restart() {
+  link_.emplace();
+  unsent_ = "start\n";
+  halted_ = waiting_ = wait_is_over_ = false;
+  skipped_ = 0;
+  in_hand_.reset();
+}
+
+void LinkPrinter::halt(std::string_view message) {
+  unsent_ += std::string(message) + "\n";
+  halted_ = true;
+}
+
+void LinkPrinter::receive(std::string_view bytes, std::chrono::milliseconds now) {
+  if (halted_) return;
+  link_->receive({bytes.data(), bytes.size()}, link_time(now));
+}
+
+void LinkPrinter::obey(const EmergencyCommand& command) {
+  using Kind = EmergencyCommand::Kind;
+  if (command.kind == Kind::kill) halt("Error:Printer halted. kill() called!");
+  if (command.kind == Kind::cancel_wait && waiting_) wait_is_over_ = true;
+  if (command.kind == Kind::cancel) skipped_ = link_->waiting_lines();
+}
+
+// False while it waits for its user.
+bool LinkPrinter::execute(const host_link::AcceptedLine& line) {
+  const std::string text(line.text);
+  if (skipped_ > 0) {
+    --skipped_;
+  } else if (text.starts_with("M0") && !wait_is_over_) {
+    waiting_ = true;
+    return false;
+  } else if (line.number && text.starts_with("M118 ")) {
+    link_->say(text.substr(5));
+    said_at_rest = at_rest_;
+  } else if (!line.number) {
+    if (!line.emergency) typed.push_back(text);
+  } else if (text != "M400" && !text.starts_with("M110")) {
+    executed.push_back(text);
+  }
+  if (line.number) at_rest_ = text == "M400";
+  waiting_ = wait_is_over_ = false;
+  return true;
+}
+
+std::string LinkPrinter::work(std::chrono::milliseconds now) {
+  if (!halted_) {
+    link_->update(link_time(now),
+                  waiting_ ? host_link::Activity::paused_for_user : host_link::Activity::idle);
+    while (const auto command = link_->emergency()) obey(*command);
+    if (link_->query()) {
+      link_->query_answered(" T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0");
+    } else if (waiting_ ? wait_is_over_ : true) {
+      const auto line = waiting_ ? in_hand_ : link_->next_line();
+      in_hand_ = line;
+      if (line && execute(*line)) {
+        link_->finished(line->text == "M105" ? " T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0" : "");
+        in_hand_.reset();
+      }
+    }
+    while (!link_->to_send().empty()) {
+      unsent_.append(link_->to_send().data(), link_->to_send().size());
+      link_->sent(link_->to_send().size());
+    }
+  }
+  std::string sent = std::exchange(unsent_, {});
+  if (const std::size_t ok = sent.find("ok\n"); lose_ok_ && ok != std::string::npos) {
+    sent.erase(ok, 3);
+    lose_ok_ = false;
+  }
+  return sent;
+}
+
+}  // namespace host_test

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A printer for a feeder: the firmware's own host link, and commands that take no time.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host_link/host_link.hpp"
+
+namespace host_test {
+
+class LinkPrinter {
+ public:
+  LinkPrinter() { restart(); }
+
+  // After a reset it greets, and knows nothing of what was.
+  void restart();
+  void receive(std::string_view bytes, std::chrono::milliseconds now);
+  // Works, and returns what it sends.
+  std::string work(std::chrono::milliseconds now);
+
+  // The next reply line is lost.
+  void lose_next_ok() { lose_ok_ = true; }
+  // It says so, and answers nothing until it is restarted.
+  void halt(std::string_view message);
+  bool waits() const { return waiting_; }
+
+  // Texts with a number but for those of the feeder itself, in the order of their execution.
+  std::vector<std::string> executed;
+  // Those without a number.
+  std::vector<std::string> typed;
+  // Whether the moves had been waited for when it said an M118's text.
+  bool said_at_rest = false;
+
+ private:
+  bool execute(const host_link::AcceptedLine& line);
+  void obey(const host_link::EmergencyCommand& command);
+
+  std::optional<host_link::HostLink> link_;
+  std::optional<host_link::AcceptedLine> in_hand_;  // the one that waits
+  std::string unsent_;
+  bool lose_ok_ = false, halted_ = false, waiting_ = false, wait_is_over_ = false, at_rest_ = false;
+  std::size_t skipped_ = 0;  // lines that wait and are not executed
+};
+
+}  // namespace host_test
