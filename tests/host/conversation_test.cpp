@@ -1,102 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A feeder's conversation with the firmware's own host link: each line once and in order, whatever
 // is lost, damaged, killed or restarted. In simulated time.
-#include "host/feeder/conversation.hpp"
-
 #include <gmock/gmock.h>
 
-#include <memory>
 #include <random>
 
-#include "tests/host/link_printer.hpp"
-#include "tests/temporary_folder.hpp"
-#include "tools/files/file_text.hpp"
+#include "tests/host/conversation_fixture.hpp"
 
 namespace {
 
 using namespace feeder;
+using host_test::ConversationTest;
 using namespace std::chrono_literals;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-class ConversationTest : public testing::Test {
- protected:
-  ConversationTest() { begin_feeder(); }
-
-  // As after a kill: only the journal is left.
-  void begin_feeder() {
-    conversation_.reset();
-    journal_.emplace(folder_.path() / "journal.json");
-    conversation_ = std::make_unique<Conversation>(*journal_, [this] { return bases_ += 100'000; });
-    conversation_->on_said = [this](std::string_view line) { said += std::string(line) + "\n"; };
-    conversation_->opened(now_);
-  }
-  void write_job(int lines) {
-    std::string text;
-    for (int i = 1; i <= lines; ++i) {
-      wanted.push_back("G1 X" + std::to_string(i));
-      text += wanted.back() + "\n";
-    }
-    folder_.write("job", text);
-  }
-  std::string start(int lines = 50) {
-    write_job(lines);
-    run(1s);
-    return feed().start(7, (folder_.path() / "job").string(), lines);
-  }
-  void run(Time time) {
-    for (const Time end = now_ + time; now_ < end; now_ += 10ms) {
-      feed().update(now_);
-      printer.receive(disturbed(feed().take_output()), now_);
-      std::string replies = disturbed(printer.work(now_));
-      for (const char c : replies) {
-        if (c == '\n') {
-          feed().heard(std::exchange(line_, {}), now_);
-        } else {
-          line_ += c;
-        }
-      }
-    }
-  }
-  // Until the job is over, or an hour has gone.
-  void run_to_end() {
-    for (int i = 0; i < 36'000 && !is_over(phase()); ++i) run(100ms);
-  }
-  void run_until_executed(std::size_t lines) {
-    for (int i = 0; i < 36'000 && printer.executed.size() < lines; ++i) run(10ms);
-  }
-  Conversation& feed() { return *conversation_; }
-  Phase phase() const { return conversation_->record()->phase; }
-  std::string why() const { return conversation_->record()->why; }
-
-  host_test::LinkPrinter printer;
-  std::vector<std::string> wanted;
-  std::string said;
-  double faults = 0;  // of a byte
-
- private:
-  std::string disturbed(std::string bytes) {
-    std::bernoulli_distribution hit(faults);
-    std::string out;
-    for (char& c : bytes) {
-      if (!hit(random_)) {
-        out += c;
-      } else if (random_() % 4 != 0) {  // otherwise it is lost
-        out += static_cast<char>(c ^ (1 << random_() % 7));
-      }
-    }
-    return out;
-  }
-
-  TemporaryFolder folder_;
-  std::optional<Journal> journal_;
-  std::unique_ptr<Conversation> conversation_;
-  std::int64_t bases_ = Conversation::lowest_base;
-  Time now_{0};
-  std::string line_;
-  std::mt19937 random_{7};
-};
 
 TEST_F(ConversationTest, sends_each_line_once_and_knows_the_end_from_the_printer) {
   ASSERT_EQ(start(), "");
@@ -318,67 +236,6 @@ TEST_F(ConversationTest, asks_a_silent_idle_printer_until_it_is_there) {
   printer.restart();
   run(5s);
   EXPECT_EQ(feed().link(), Link::ready);
-}
-
-TEST(framing, adds_number_and_checksum_as_hosts_do) {
-  EXPECT_EQ(framed(0, "M110 N0"), "N0 M110 N0*125\n");
-  EXPECT_EQ(framed(3, "T0"), "N3 T0*57\n");
-}
-
-TEST(framing, reads_what_printers_say) {
-  EXPECT_EQ(resend_in("Resend: 17"), 17);
-  EXPECT_EQ(resend_in("Resend:17"), 17);
-  EXPECT_EQ(resend_in("rs N17"), 17);
-  EXPECT_FALSE(resend_in("Resend: x"));
-  EXPECT_FALSE(resend_in("ok 17"));
-  Temperatures heat;
-  EXPECT_TRUE(read_temperatures("ok T:201.25 /205.00 B:60.5 /60.00 @:12 B@:3", heat));
-  EXPECT_EQ(heat.hotend, 201.25);
-  EXPECT_EQ(heat.hotend_target, 205);
-  EXPECT_EQ(heat.bed, 60.5);
-  EXPECT_EQ(heat.bed_target, 60);
-  EXPECT_FALSE(read_temperatures("echo:busy: processing", heat));
-  EXPECT_FALSE(read_temperatures("FIRMWARE_NAME:Marlin EXTRUDER_COUNT:1", heat));
-  EXPECT_TRUE(is_fatal("Error:Thermal Runaway"));
-  EXPECT_TRUE(is_fatal("!! halted"));
-  EXPECT_FALSE(is_fatal("Error:checksum mismatch, Last Line: 5"));
-  EXPECT_FALSE(is_fatal("echo:Unknown command"));
-}
-
-TEST(command_file, is_read_forwards_and_backwards) {
-  const TemporaryFolder folder;
-  std::string text;
-  for (int i = 1; i <= 500; ++i) text += "line " + std::to_string(i) + "\n";
-  folder.write("commands", text);
-  CommandFile file(folder.path() / "commands");
-  for (const int i : {1, 2, 300, 299, 298, 500, 1, 450, 440, 386, 500}) {
-    EXPECT_EQ(file.at(i), "line " + std::to_string(i));
-  }
-  EXPECT_THROW(file.at(501), std::runtime_error);
-  EXPECT_EQ(file.at(500), "line 500");
-}
-
-TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "journal.json";
-  Journal(path).write({.job = 5,
-                       .file = "/a/b",
-                       .commands = 9,
-                       .base = 1 << 20,
-                       .phase = Phase::paused,
-                       .why = "because"});
-  Journal again(path);
-  ASSERT_TRUE(again.record());
-  EXPECT_EQ(again.record()->job, 5);
-  EXPECT_EQ(again.record()->file, "/a/b");
-  EXPECT_EQ(again.record()->commands, 9);
-  EXPECT_EQ(again.record()->base, 1 << 20);
-  EXPECT_EQ(again.record()->phase, Phase::paused);
-  EXPECT_EQ(again.record()->why, "because");
-  again.clear();
-  EXPECT_FALSE(Journal(path).record());
-  folder.write("journal.json", "{\"job\": 5");
-  EXPECT_THROW(Journal{path}, std::runtime_error);
 }
 
 }  // namespace

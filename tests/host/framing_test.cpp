@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines on the wire, the file of commands, and the journal.
+#include "host/feeder/framing.hpp"
+
+#include <gmock/gmock.h>
+
+#include "host/feeder/command_file.hpp"
+#include "host/feeder/journal.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace {
+
+using namespace feeder;
+
+TEST(framing, adds_number_and_checksum_as_hosts_do) {
+  EXPECT_EQ(framed(0, "M110 N0"), "N0 M110 N0*125\n");
+  EXPECT_EQ(framed(3, "T0"), "N3 T0*57\n");
+}
+
+TEST(framing, reads_what_printers_say) {
+  EXPECT_EQ(resend_in("Resend: 17"), 17);
+  EXPECT_EQ(resend_in("Resend:17"), 17);
+  EXPECT_EQ(resend_in("rs N17"), 17);
+  EXPECT_FALSE(resend_in("Resend: x"));
+  EXPECT_FALSE(resend_in("ok 17"));
+  Temperatures heat;
+  EXPECT_TRUE(read_temperatures("ok T:201.25 /205.00 B:60.5 /60.00 @:12 B@:3", heat));
+  EXPECT_EQ(heat.hotend, 201.25);
+  EXPECT_EQ(heat.hotend_target, 205);
+  EXPECT_EQ(heat.bed, 60.5);
+  EXPECT_EQ(heat.bed_target, 60);
+  EXPECT_FALSE(read_temperatures("echo:busy: processing", heat));
+  EXPECT_FALSE(read_temperatures("FIRMWARE_NAME:Marlin EXTRUDER_COUNT:1", heat));
+  EXPECT_TRUE(is_fatal("Error:Thermal Runaway"));
+  EXPECT_TRUE(is_fatal("!! halted"));
+  EXPECT_FALSE(is_fatal("Error:checksum mismatch, Last Line: 5"));
+  EXPECT_FALSE(is_fatal("echo:Unknown command"));
+}
+
+TEST(command_file, is_read_forwards_and_backwards) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 1; i <= 500; ++i) text += "line " + std::to_string(i) + "\n";
+  folder.write("commands", text);
+  CommandFile file(folder.path() / "commands");
+  for (const int i : {1, 2, 300, 299, 298, 500, 1, 450, 440, 386, 500}) {
+    EXPECT_EQ(file.at(i), "line " + std::to_string(i));
+  }
+  EXPECT_THROW(file.at(501), std::runtime_error);
+  EXPECT_EQ(file.at(500), "line 500");
+}
+
+TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "journal.json";
+  Journal(path).write({.job = 5,
+                       .file = "/a/b",
+                       .commands = 9,
+                       .base = 1 << 20,
+                       .phase = Phase::paused,
+                       .why = "because"});
+  Journal again(path);
+  ASSERT_TRUE(again.record());
+  EXPECT_EQ(again.record()->job, 5);
+  EXPECT_EQ(again.record()->file, "/a/b");
+  EXPECT_EQ(again.record()->commands, 9);
+  EXPECT_EQ(again.record()->base, 1 << 20);
+  EXPECT_EQ(again.record()->phase, Phase::paused);
+  EXPECT_EQ(again.record()->why, "because");
+  again.clear();
+  EXPECT_FALSE(Journal(path).record());
+  folder.write("journal.json", "{\"job\": 5");
+  EXPECT_THROW(Journal{path}, std::runtime_error);
+}
+
+}  // namespace
