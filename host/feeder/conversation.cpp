@@ -142,7 +142,9 @@ void Conversation::heard(std::string_view line, Time now) {
     set_phase(record()->phase == Phase::cancelling ? Phase::cancelled : Phase::finished);
     return;
   }
-  say(line);
+  // What is asked on purpose is refused with a message for people.
+  const bool was_asked_for = link_ == Link::asking && line.ends_with(", asked for again");
+  if (!was_asked_for) say(line);
   if (is_fatal(line)) return answer_fatal(line);
   if (line == "start") return ask_now();
   if (line.starts_with("//")) {

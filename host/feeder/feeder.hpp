@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/feeder/conversation.hpp"
+#include "host/feeder/feeder_names.hpp"
 #include "host/feeder/journal.hpp"
 #include "host/feeder/local_socket.hpp"
 #include "host/feeder/port.hpp"
@@ -20,9 +21,6 @@ struct Options {
   std::filesystem::path port;
   std::uint32_t baud = 250'000;
 };
-
-inline constexpr const char* socket_name = "feeder.socket";
-inline constexpr const char* journal_name = "journal.json";
 
 class Feeder {
  public:

@@ -22,6 +22,8 @@ TEST_F(ConversationTest, sends_each_line_once_and_knows_the_end_from_the_printer
   EXPECT_EQ(phase(), Phase::finished);
   EXPECT_TRUE(printer.said_at_rest) << "it was finished before its moves were";
   EXPECT_EQ(feed().done(), 50);
+  EXPECT_EQ(feed().resends(), 0u);
+  EXPECT_EQ(said.find("asked for again"), std::string::npos) << said;
   EXPECT_EQ(printer.executed, wanted);
   EXPECT_EQ(feed().temperatures().hotend, 21.5);
   EXPECT_EQ(feed().temperatures().bed, 20.25);

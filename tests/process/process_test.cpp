@@ -122,4 +122,23 @@ TEST_F(ProcessGroup, gets_the_signals) {
   EXPECT_TRUE(ends_soon(number));
 }
 
+TEST(detached_process, goes_on_when_the_thread_that_started_it_ends_and_is_known_by_its_start) {
+  process::Identity sleeper;
+  std::thread([&sleeper] {
+    sleeper = process::start_detached({.arguments = {"sleep", "600"}});
+  }).join();
+  EXPECT_TRUE(process::is_running(sleeper));
+  EXPECT_EQ(getsid(sleeper.id), sleeper.id);
+  process::Identity other = sleeper;
+  ++other.started;
+  EXPECT_FALSE(process::is_running(other));
+  process::signal(other, SIGKILL);
+  std::this_thread::sleep_for(200ms);
+  EXPECT_TRUE(process::is_running(sleeper));
+  process::signal(sleeper, SIGKILL);
+  for (int i = 0; i < 100 && process::is_running(sleeper); ++i) std::this_thread::sleep_for(50ms);
+  EXPECT_FALSE(process::is_running(sleeper));
+  EXPECT_FALSE(process::is_running({}));
+}
+
 }  // namespace

@@ -22,6 +22,7 @@
 #include "tools/command/run_job.hpp"
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
+#include "tools/command/spool_job.hpp"
 #include "tools/command/test_job.hpp"
 #include "tools/command/timing_job.hpp"
 #include "tools/figures/job.hpp"
@@ -37,6 +38,7 @@ struct Jobs {
   PrintOptions print;
   PlanOptions plan;
   ServeOptions serve;
+  SpoolOptions spool;
   RunOptions run;
   LoadOptions load;
   proof::Options prove;
@@ -87,6 +89,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("print")) return print(jobs.print);
   if (app.got_subcommand("plan")) return plan(jobs.plan);
   if (app.got_subcommand("serve")) return serve(jobs.serve);
+  if (app.got_subcommand("spool")) return spool(jobs.spool);
   if (app.got_subcommand("run")) return run(jobs.run);
   if (app.got_subcommand("load")) return load(jobs.load);
   if (app.got_subcommand("bench")) return bench(jobs.bench);
@@ -131,6 +134,7 @@ int run_command(int count, char** arguments) {
   add_options(app, jobs.print);
   add_options(app, jobs.plan);
   add_options(app, jobs.serve);
+  add_options(app, jobs.spool);
   add_options(app, jobs.run);
   add_options(app, jobs.load);
   auto* tests =

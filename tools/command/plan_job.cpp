@@ -4,7 +4,11 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "host_link/line_number.hpp"
+#include "host_link/line_receiver.hpp"
 #include "machine/machine.hpp"
 #include "machine_generator/description.hpp"
 #include "sim/devices/gcode_file.hpp"
@@ -25,13 +29,35 @@ machine_generator::Machine machine_of(const PlanOptions& options) {
   return {.name = std::string(machine::machine.name), .description = machine::machine};
 }
 
+// A line has 128 bytes with `N`, a number of ten digits, a blank and `*255`.
+constexpr std::size_t longest_command = host_link::max_line_length - 16;
+
+void refuse_long_ones(const std::vector<devices::FileCommand>& commands, planning::Plan& plan) {
+  for (const devices::FileCommand& command : commands) {
+    if (command.text.size() <= longest_command) continue;
+    plan.refused.push_back({.file_line = command.file_line,
+                            .text = command.text,
+                            .reason = "too long with a line number"});
+  }
+}
+
+// Line numbers are the host's business, so an M110 of the file is not sent.
+void write_commands(const std::filesystem::path& file,
+                    const std::vector<devices::FileCommand>& commands) {
+  std::string text;
+  for (const devices::FileCommand& command : commands) {
+    if (!host_link::sets_numbering(command.text)) text += command.text + '\n';
+  }
+  files::write_text(file, text);
+}
+
 }  // namespace
 
 int plan(const PlanOptions& options) {
   let_writes_fail();
   check_that_files_differ(
       std::array<NamedFile, 2>{{{"the G-code file", options.file}, {"--machine", options.machine}}},
-      std::array<NamedFile, 1>{{{"--json", options.json}}});
+      std::array<NamedFile, 2>{{{"--json", options.json}, {"--commands", options.commands}}});
   machine_generator::Machine machine = machine_of(options);
   machine.description.name = machine.name;
   const auto commands = devices::read_gcode_file(options.file);
@@ -41,7 +67,11 @@ int plan(const PlanOptions& options) {
     end_if_interrupted();
     if (!planner.take(command.file_line, command.text)) break;
   }
-  const planning::Plan plan = planner.finish();
+  planning::Plan plan = planner.finish();
+  if (!options.commands.empty()) {
+    refuse_long_ones(*commands, plan);
+    write_commands(options.commands, *commands);
+  }
   if (!options.json.empty()) files::write_text(options.json, planning::to_json(plan));
   say("{}", planning::to_text(plan));
   return plan.fault.empty() && plan.refused.empty() ? success : failure;

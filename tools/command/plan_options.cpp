@@ -13,6 +13,9 @@ void add_options(CLI::App& app, PlanOptions& options) {
                  "description of the machine (TOML); default: that of the build")
       ->type_name("FILE.toml");
   job.add_option("--json", options.json, "write the plan into this file")->type_name("FILE.json");
+  job.add_option("--commands", options.commands,
+                 "write what a host sends, one command a line, without comments and M110")
+      ->type_name("FILE");
   job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();

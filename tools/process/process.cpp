@@ -12,6 +12,9 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -78,11 +81,16 @@ struct Streams {
 };
 
 // In the child, which may only call what is safe in a signal handler.
+enum class Tie { to_this_thread, none };
 [[noreturn]] void execute(char* const* arguments, const char* folder, const Streams& streams,
-                          rlim_t cpu_seconds) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  signal(SIGPIPE, SIG_DFL);
+                          rlim_t cpu_seconds, Tie tie) {
+  if (tie == Tie::none) {
+    setsid();
+  } else {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+  }
+  ::signal(SIGPIPE, SIG_DFL);
   if (cpu_seconds != 0) {
     const rlimit limit{cpu_seconds, cpu_seconds};
     setrlimit(RLIMIT_CPU, &limit);
@@ -94,6 +102,23 @@ struct Streams {
                      (*folder == '\0' || chdir(folder) == 0);
   if (ready) execvp(arguments[0], arguments);
   _exit(ready ? 127 : 126);
+}
+
+// The 22nd field of its line in /proc; a name in brackets, with any bytes, is the second. None of
+// one that has ended and was not waited for.
+std::optional<std::uint64_t> start_of(pid_t id) {
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t bracket = text.rfind(')');
+  if (bracket == std::string::npos) return std::nullopt;
+  std::istringstream fields(text.substr(bracket + 1));
+  std::string field;
+  constexpr int number_after_name = 20;
+  for (int i = 0; i < number_after_name; ++i) {
+    fields >> field;
+    if (i == 0 && field == "Z") return std::nullopt;
+  }
+  return std::stoull(field);
 }
 
 double seconds(const timeval& time) {
@@ -110,7 +135,9 @@ Process::Process(const Start& start) : has_cpu_limit_(start.cpu_limit.count() !=
   std::fflush(nullptr);
   id_ = fork();
   if (id_ < 0) throw std::runtime_error("cannot start " + start.arguments.front());
-  if (id_ == 0) execute(arguments.data(), folder.c_str(), streams, cpu_seconds);
+  if (id_ == 0) {
+    execute(arguments.data(), folder.c_str(), streams, cpu_seconds, Tie::to_this_thread);
+  }
   setpgid(id_, id_);  // whichever process comes first
   pipe_ = streams.reading_end.release();
 }
@@ -178,6 +205,28 @@ Captured capture(Start start) {
   }
   captured.exit_status = process.wait().exit_status;
   return captured;
+}
+
+Identity start_detached(const Start& start) {
+  const std::vector<char*> arguments = pointers_to(start.arguments);
+  const std::string folder = start.folder.string();
+  const auto cpu_seconds = static_cast<rlim_t>(start.cpu_limit.count());
+  const Streams streams(start);
+  std::fflush(nullptr);
+  const pid_t id = fork();
+  if (id < 0) throw std::runtime_error("cannot start " + start.arguments.front());
+  if (id == 0) execute(arguments.data(), folder.c_str(), streams, cpu_seconds, Tie::none);
+  return {.id = id, .started = start_of(id).value_or(0)};
+}
+
+bool is_running(const Identity& process) {
+  if (process.id <= 0) return false;
+  waitpid(process.id, nullptr, WNOHANG);  // where it is a child of this process
+  return start_of(process.id) == process.started;
+}
+
+void signal(const Identity& process, int number) {
+  if (is_running(process)) kill(-process.id, number);
 }
 
 void become(const std::vector<std::string>& arguments) {

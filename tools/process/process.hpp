@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -68,6 +69,20 @@ struct Captured {
 };
 // Runs a program to its end and collects what it says.
 Captured capture(Start start);
+
+// A process that may outlive this one, and is known again by another one.
+struct Identity {
+  pid_t id = 0;
+  std::uint64_t started{};  // since the machine's start, in clock ticks: numbers are used again
+  bool operator==(const Identity&) const = default;
+};
+// Starts a program in a session of its own: it gets no signal of this terminal and goes on when
+// this process ends. Not with `to_pipe`. Throws std::runtime_error.
+Identity start_detached(const Start& start);
+// False also where the number belongs to another process by now.
+bool is_running(const Identity& process);
+// To its process group.
+void signal(const Identity& process, int number);
 
 // Goes on as another program, with this one's streams and signals. Throws std::runtime_error where
 // it cannot be started.

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// `stepfabric plan` and its report.
+#include "host/spooler/checker.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/queue/store.hpp"
+#include "tools/files/file_text.hpp"
+#include "tools/process/process.hpp"
+
+namespace spooler {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::json;
+constexpr std::chrono::seconds processor_limit{900};
+constexpr std::size_t most_refused_lines = 200;  // in the report
+constexpr std::size_t longest_reason = 500;
+
+std::int64_t lines_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
+}
+
+bool sync_file(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool synced = fsync(descriptor) == 0;
+  close(descriptor);
+  return synced;
+}
+
+std::string reason_of(const Json& plan) {
+  const Json& refused = plan.at("refused");
+  if (refused.empty()) return "ends early: " + plan.at("fault").get<std::string>();
+  const Json& first = refused.front();
+  std::string reason = "line " + first.at("line").dump() + ": " +
+                       first.at("text").get<std::string>() + " (" +
+                       first.at("reason").get<std::string>() + ")";
+  if (refused.size() > 1) reason += ", and " + std::to_string(refused.size() - 1) + " more";
+  return reason;
+}
+
+CheckResult refused(std::string reason, std::string report = {}) {
+  if (reason.size() > longest_reason) reason.resize(longest_reason);
+  return {.accepted = false, .reason = std::move(reason), .report = std::move(report)};
+}
+
+}  // namespace
+
+CheckResult check(const fs::path& program, const fs::path& file, const fs::path& commands_file) {
+  fs::path report = commands_file;
+  report.replace_extension(".plan");
+  const auto ended =
+      process::capture({.arguments = {program.string(), "plan", file.string(), "--json",
+                                      report.string(), "--commands", commands_file.string()},
+                        .has_input = false,
+                        .cpu_limit = processor_limit});
+  Json plan = Json::parse(files::text_of(report), nullptr, false);
+  fs::remove(report);
+  if (ended.exit_status > 1 || plan.is_discarded()) {
+    std::string said = ended.output;
+    while (!said.empty() && said.back() == '\n') said.pop_back();
+    return refused(said.empty() ? "the check ended with status " + std::to_string(ended.exit_status)
+                                : said);
+  }
+  const bool accepted = ended.exit_status == 0;
+  const std::string reason = accepted ? "" : reason_of(plan);
+  plan["refused_lines"] = plan.at("refused").size();
+  Json& lines = plan.at("refused");
+  while (lines.size() > most_refused_lines) lines.erase(lines.size() - 1);
+  const std::string text = plan.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!accepted) return refused(reason, text);
+  if (!sync_file(commands_file)) return refused("the commands cannot be written");
+  queue::sync_folder(commands_file.parent_path());
+  return {.accepted = true,
+          .reason = {},
+          .report = text,
+          .seconds = plan.at("seconds"),
+          .filament_mm = plan.at("filament_mm"),
+          .commands = lines_of(commands_file)};
+}
+
+Checker::~Checker() {
+  if (thread_.joinable()) thread_.join();
+}
+
+void Checker::begin(std::int64_t job, const fs::path& file, const fs::path& commands_file) {
+  job_ = job;
+  done_ = false;
+  thread_ = std::thread([this, file, commands_file] {
+    try {
+      result_ = check(program_, file, commands_file);
+    } catch (const std::exception& error) {
+      result_ = refused(std::string("the check failed: ") + error.what());
+    }
+    done_ = true;
+  });
+}
+
+std::optional<CheckResult> Checker::take_result() {
+  if (!thread_.joinable() || !done_) return std::nullopt;
+  thread_.join();
+  return std::move(result_);
+}
+
+}  // namespace spooler

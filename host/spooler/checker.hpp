@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks a job's file before it is printed: by the firmware's own parser, limits and planner, in a
+// process of its own, so that no file can take the spooler with it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace spooler {
+
+struct CheckResult {
+  bool accepted = false;
+  std::string reason;  // for people, where it was refused
+  std::string report;  // JSON: refused lines with number, text and reason, layers, axes; or empty
+  double seconds{};  // planned, without heating
+  double filament_mm{};
+  std::int64_t commands{};  // in `commands_file`
+};
+
+// Runs `program plan`. Writes `commands_file`, which is on the disk where the file was accepted.
+CheckResult check(const std::filesystem::path& program, const std::filesystem::path& file,
+                  const std::filesystem::path& commands_file);
+
+// One check at a time, in another thread.
+class Checker {
+ public:
+  explicit Checker(std::filesystem::path program) : program_(std::move(program)) {}
+  ~Checker();
+  Checker(const Checker&) = delete;
+  Checker& operator=(const Checker&) = delete;
+
+  bool is_idle() const { return !thread_.joinable(); }
+  void begin(std::int64_t job, const std::filesystem::path& file,
+             const std::filesystem::path& commands_file);
+  // The result, once, when it is there.
+  std::optional<CheckResult> take_result();
+  std::int64_t job() const { return job_; }
+
+ private:
+  std::filesystem::path program_;
+  std::thread thread_;
+  std::int64_t job_ = 0;
+  CheckResult result_;
+  std::atomic<bool> done_ = false;
+};
+
+}  // namespace spooler

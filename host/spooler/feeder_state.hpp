@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a feeder says of itself and its printer.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace spooler {
+
+struct FeederState {
+  std::string link;  // closed, asking, ready
+  std::optional<std::int64_t> job;
+  std::string phase;  // of the job; empty without one
+  std::string why;
+  std::int64_t done{};
+  std::int64_t commands{};
+  bool waits_for_user{};
+  std::uint64_t resends{};
+  std::optional<double> hotend, hotend_target, bed, bed_target;
+  bool operator==(const FeederState&) const = default;
+};
+
+// Throws nlohmann's exceptions where it is none.
+FeederState feeder_state_of(const nlohmann::json& message);
+// Finished, cancelled, failed or interrupted.
+bool is_over(const FeederState& state);
+
+}  // namespace spooler

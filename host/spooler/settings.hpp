@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a spooler keeps its data, and which programs it starts.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/spooler/printer_spec.hpp"
+
+namespace spooler {
+
+struct Settings {
+  std::filesystem::path data;  // folder
+  std::vector<PrinterSpec> printers;
+  std::filesystem::path feeder_program;
+  // The program with the jobs `plan` and `serve`.
+  std::filesystem::path tool_program;
+  std::uint32_t baud = 250'000;
+  std::string simulation_speed = "real";  // or max
+};
+
+}  // namespace spooler

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of everything, for people and programs.
+#include "host/spooler/snapshot.hpp"
+
+#include "host/spooler/spooler.hpp"
+
+namespace spooler {
+
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr std::int64_t most_jobs_over = 50;
+constexpr std::size_t most_console_lines = 60;
+
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+}  // namespace
+
+Json to_json(const queue::Job& job) {
+  return {{"id", job.id},
+          {"name", job.name},
+          {"bytes", job.bytes},
+          {"state", name_of(job.state)},
+          {"held", job.held},
+          {"wanted_printer", job.wanted_printer},
+          {"printer", job.printer},
+          {"reason", job.reason},
+          {"seconds", job.seconds},
+          {"filament_mm", job.filament_mm},
+          {"commands", job.commands},
+          {"starts", job.starts},
+          {"uploaded_ms", job.uploaded_ms},
+          {"changed_ms", job.changed_ms}};
+}
+
+Json Spooler::to_json(const FeederLink& printer) {
+  const FeederState& state = printer.last_state();
+  const auto job = queue_.active_on(printer.name());
+  Json console = Json::array();
+  const auto& lines = printer.console();
+  const std::size_t begin =
+      lines.size() > most_console_lines ? lines.size() - most_console_lines : 0;
+  for (std::size_t i = begin; i < lines.size(); ++i) {
+    console.push_back({{"number", lines[i].number}, {"text", lines[i].text}});
+  }
+  return {{"name", printer.name()},
+          {"simulated", printer.is_simulated()},
+          {"feeder", printer.is_heard()},
+          {"link", printer.is_heard() ? state.link : "unknown"},
+          {"phase", state.phase},
+          {"job", job ? Json(job->id) : Json()},
+          {"feeder_job", state.job ? Json(*state.job) : Json()},
+          {"done", state.done},
+          {"commands", state.commands},
+          {"resends", state.resends},
+          {"waits_for_user", state.waits_for_user},
+          {"hotend", {number(state.hotend), number(state.hotend_target)}},
+          {"bed", {number(state.bed), number(state.bed_target)}},
+          {"bed_clear", queue_.bed_is_clear(printer.name())},
+          {"console", console}};
+}
+
+std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
+  const std::scoped_lock lock(mutex_);
+  if (snapshot_) return snapshot_;
+  Json json{{"version", version_}, {"printers", Json::array()}, {"jobs", Json::array()}};
+  for (const auto& printer : printers_) json["printers"].push_back(to_json(*printer));
+  for (const queue::Job& job : queue_.jobs(most_jobs_over)) {
+    json["jobs"].push_back(spooler::to_json(job));
+  }
+  const auto snapshot = std::make_shared<Snapshot>();
+  snapshot->version = version_;
+  snapshot->text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  snapshot->json = std::move(json);
+  snapshot_ = snapshot;
+  return snapshot_;
+}
+
+std::shared_ptr<const Spooler::Snapshot> Spooler::next_snapshot(std::int64_t version,
+                                                                std::chrono::milliseconds time) {
+  {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, time, [&] { return version_ != version; });
+  }
+  return snapshot();
+}
+
+}  // namespace spooler

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// The loop: files are checked, printers are followed, jobs are started.
+#include "host/spooler/spooler.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <thread>
+
+namespace spooler {
+
+using queue::Job;
+using queue::JobState;
+
+namespace {
+
+constexpr std::chrono::milliseconds pass_interval{20};
+// Where a feeder refuses a job, it is not asked again at once.
+constexpr std::chrono::seconds block_time{10};
+
+std::filesystem::path made(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  return folder;
+}
+
+// The state of a job whose feeder is in this phase; nothing where it stays.
+std::optional<JobState> state_for(const std::string& phase) {
+  if (phase == "running") return JobState::printing;
+  if (phase == "paused") return JobState::paused;
+  if (phase == "finished") return JobState::finished;
+  if (phase == "cancelled") return JobState::cancelled;
+  if (phase == "failed") return JobState::failed;
+  if (phase == "interrupted") return JobState::interrupted;
+  return std::nullopt;  // opening, cancelling
+}
+
+}  // namespace
+
+Spooler::FolderLock::FolderLock(const std::filesystem::path& folder)
+    : file_(open((made(folder) / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+  if (file_ < 0) throw std::runtime_error("cannot write to " + folder.string());
+  if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+  close(file_);
+  throw std::runtime_error("another spooler has " + folder.string());
+}
+
+Spooler::FolderLock::~FolderLock() { close(file_); }
+
+Spooler::Spooler(Settings settings)
+    : settings_(std::move(settings)),
+      lock_(settings_.data),
+      store_(settings_.data / "files"),
+      queue_(settings_.data / "queue.db"),
+      checker_(settings_.tool_program) {
+  queue::sync_folder(settings_.data);
+  for (const PrinterSpec& printer : settings_.printers) {
+    printers_.push_back(std::make_unique<FeederLink>(settings_, printer));
+  }
+  recover();
+}
+
+Spooler::~Spooler() = default;
+
+// What the last spooler left in the middle. Active jobs are followed when their feeders are heard.
+void Spooler::recover() {
+  store_.remove_all_but(queue_.files_in_use());
+  for (const Job& job : queue_.jobs()) {
+    if (job.state == JobState::checking) {
+      queue_.change(job.id, JobState::uploaded, "the spooler ended during the check");
+    }
+  }
+}
+
+void Spooler::run(const std::function<bool()>& ended) {
+  while (!ended()) {
+    {
+      const std::scoped_lock lock(mutex_);
+      bool is_changed = check_files();
+      for (const auto& printer : printers_) {
+        is_changed |= printer->update();
+        is_changed |= follow(*printer);
+      }
+      if (is_changed) changed();
+    }
+    std::this_thread::sleep_for(pass_interval);
+  }
+  const std::scoped_lock lock(mutex_);
+  for (const auto& printer : printers_) printer->end_if_idle();
+  changed();
+}
+
+std::filesystem::path Spooler::commands_of(const Job& job) const {
+  return std::filesystem::absolute(store_.path_of(job.file)).replace_extension(".commands");
+}
+
+bool Spooler::check_files() {
+  bool is_changed = false;
+  if (const auto result = checker_.take_result()) {
+    const auto job = queue_.find(checker_.job());
+    // It may have been cancelled, and removed.
+    if (job && job->state == JobState::checking) {
+      queue_.set_check(job->id, result->report, result->seconds, result->filament_mm,
+                       result->commands);
+      queue_.change(job->id, result->accepted ? JobState::queued : JobState::refused,
+                    result->reason);
+    }
+    is_changed = true;
+  }
+  if (!checker_.is_idle()) return is_changed;
+  for (const Job& job : queue_.jobs(0)) {
+    if (job.state != JobState::uploaded) continue;
+    queue_.change(job.id, JobState::checking, "");
+    checker_.begin(job.id, store_.path_of(job.file), commands_of(job));
+    return true;
+  }
+  return is_changed;
+}
+
+// True where a job has changed.
+bool Spooler::follow(FeederLink& printer) {
+  const auto state = printer.state();
+  if (!state || printer.is_asked()) return false;
+  if (const auto job = queue_.active_on(printer.name())) return follow_job(printer, *job, *state);
+  if (state->job) {
+    // Its outcome is committed, or it is none of this queue: then a person cancels it.
+    if (is_over(*state)) printer.ask({{"do", "forget"}, {"job", *state->job}}, {});
+    return false;
+  }
+  if (state->link == "ready") start_next(printer);
+  return false;
+}
+
+void Spooler::start_next(FeederLink& printer) {
+  const auto blocked = blocked_until_.find(printer.name());
+  if (blocked != blocked_until_.end() && std::chrono::steady_clock::now() < blocked->second) return;
+  if (!queue_.bed_is_clear(printer.name())) return;
+  const auto job = queue_.next_for(printer.name());
+  if (!job) return;
+  queue_.start(job->id, printer.name());
+  changed();
+  send_start(printer, *job);
+}
+
+void Spooler::send_start(FeederLink& printer, const Job& job) {
+  printer.ask({{"do", "start"},
+               {"job", job.id},
+               {"file", commands_of(job).string()},
+               {"commands", job.commands}},
+              [this, id = job.id, name = printer.name()](const std::string& refusal) {
+                if (refusal.empty() || refusal == FeederLink::connection_lost) return;
+                blocked_until_[name] = std::chrono::steady_clock::now() + block_time;
+                queue_.take_back(id, refusal);
+                changed();
+              });
+}
+
+bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState& state) {
+  if (state.job != job.id) {
+    if (state.job) {  // another one, which is over or a person must end
+      if (is_over(state)) printer.ask({{"do", "forget"}, {"job", *state.job}}, {});
+      return false;
+    }
+    if (job.state == JobState::starting) {
+      // The journal does not have it, so not a byte of it has left.
+      if (state.link == "ready") send_start(printer, job);
+      return false;
+    }
+    queue_.change(job.id, JobState::interrupted, "the feeder does not know the job any more");
+    return true;
+  }
+  const auto wanted = state_for(state.phase);
+  if (!wanted || wanted == job.state) return false;
+  // What happened between two looks is written down too.
+  if (!is_permitted(job.state, *wanted)) {
+    queue_.change(job.id, JobState::printing, "");
+    if (wanted == JobState::printing) return true;
+  }
+  queue_.change(job.id, *wanted, state.why);
+  return true;
+}
+
+void Spooler::changed() {
+  ++version_;
+  snapshot_.reset();
+  changed_.notify_all();
+}
+
+}  // namespace spooler

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spooler: checks what is uploaded, gives jobs to printers, and follows them. It knows no web.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "host/queue/queue.hpp"
+#include "host/queue/store.hpp"
+#include "host/spooler/checker.hpp"
+#include "host/spooler/feeder_link.hpp"
+#include "host/spooler/settings.hpp"
+
+namespace spooler {
+
+struct NoSuchPrinter : std::runtime_error {
+  explicit NoSuchPrinter(const std::string& name)
+      : std::runtime_error("there is no printer " + name) {}
+};
+// The printer or its feeder does not do what is asked now.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// All calls are for any thread. Apart from the exceptions above they throw those of queue::Queue.
+class Spooler {
+ public:
+  // Throws std::runtime_error where another spooler has the folder, or it cannot be used.
+  explicit Spooler(Settings settings);
+  ~Spooler();
+  Spooler(const Spooler&) = delete;
+  Spooler& operator=(const Spooler&) = delete;
+
+  // Works until `ended` says so.
+  void run(const std::function<bool()>& ended);
+
+  const queue::Store& store() const { return store_; }
+  // The job is committed when it returns, and its file with it.
+  queue::JobId add(queue::Store::Upload& upload, const std::string& name, bool held,
+                   const std::string& printer);
+
+  void cancel(queue::JobId id);
+  void move(queue::JobId id, std::optional<queue::JobId> next);
+  void set_held(queue::JobId id, bool held);
+  queue::JobId print_again(queue::JobId id);  // an interrupted one is queued again, with its number
+  void remove(queue::JobId id);
+  std::optional<queue::Job> find(queue::JobId id);
+  std::vector<queue::Job> jobs();
+  std::vector<queue::Change> history(queue::JobId id);
+
+  void set_bed_clear(const std::string& printer, bool clear);
+  // pause, resume, cancel, stop, or send with a line.
+  void ask(const std::string& printer, const nlohmann::json& wish);
+  // Switches a simulated printer off and on.
+  void restart(const std::string& printer);
+  std::vector<std::string> printer_names() const;
+  // Free space of the data's disk, in bytes.
+  std::uintmax_t free_bytes() const;
+
+  // Everything for people, as JSON, with its version.
+  struct Snapshot {
+    std::int64_t version{};
+    std::string text;
+    nlohmann::json json;
+  };
+  std::shared_ptr<const Snapshot> snapshot();
+  // Waits until its version is another one, or for this time.
+  std::shared_ptr<const Snapshot> next_snapshot(std::int64_t version,
+                                                std::chrono::milliseconds time);
+
+ private:
+  class FolderLock {
+   public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+
+   private:
+    int file_;
+  };
+
+  void recover();
+  bool check_files();
+  bool follow(FeederLink& printer);
+  void start_next(FeederLink& printer);
+  void send_start(FeederLink& printer, const queue::Job& job);
+  bool follow_job(FeederLink& printer, const queue::Job& job, const FeederState& state);
+  FeederLink& link(const std::string& printer);
+  std::filesystem::path commands_of(const queue::Job& job) const;
+  void changed();
+  nlohmann::json to_json(const FeederLink& printer);
+
+  Settings settings_;
+  FolderLock lock_;
+  queue::Store store_;
+  queue::Queue queue_;
+  Checker checker_;
+  std::vector<std::unique_ptr<FeederLink>> printers_;
+  std::map<std::string, std::chrono::steady_clock::time_point> blocked_until_;
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::int64_t version_ = 1;
+  std::shared_ptr<const Snapshot> snapshot_;
+};
+
+}  // namespace spooler

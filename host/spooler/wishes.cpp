@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What people ask of the spooler.
+#include "host/spooler/spooler.hpp"
+
+namespace spooler {
+
+using queue::Job;
+using queue::JobId;
+using queue::JobState;
+
+namespace {
+
+constexpr std::chrono::seconds answer_limit{5};
+
+}  // namespace
+
+JobId Spooler::add(queue::Store::Upload& upload, const std::string& name, bool held,
+                   const std::string& printer) {
+  if (!printer.empty()) {
+    const std::scoped_lock lock(mutex_);
+    link(printer);
+  }
+  const std::int64_t bytes = upload.bytes();
+  const std::string file = upload.keep();
+  const std::scoped_lock lock(mutex_);
+  const JobId id = queue_.add({.name = queue::cleaned_name(name),
+                               .file = file,
+                               .bytes = bytes,
+                               .held = held,
+                               .wanted_printer = printer});
+  changed();
+  return id;
+}
+
+void Spooler::cancel(JobId id) {
+  std::string printer;
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto job = queue_.find(id);
+    if (!job) throw queue::NoSuchJob(id);
+    if (!is_active(job->state)) {
+      queue_.change(id, JobState::cancelled, "by a person");
+      changed();
+      return;
+    }
+    printer = job->printer;
+  }
+  ask(printer, {{"do", "cancel"}});
+}
+
+void Spooler::move(JobId id, std::optional<JobId> next) {
+  const std::scoped_lock lock(mutex_);
+  queue_.move(id, next);
+  changed();
+}
+
+void Spooler::set_held(JobId id, bool held) {
+  const std::scoped_lock lock(mutex_);
+  queue_.set_held(id, held);
+  changed();
+}
+
+JobId Spooler::print_again(JobId id) {
+  const std::scoped_lock lock(mutex_);
+  const auto job = queue_.find(id);
+  if (!job) throw queue::NoSuchJob(id);
+  JobId again = id;
+  if (job->state == JobState::interrupted) {
+    queue_.change(id, JobState::queued, "a person wants it printed again");
+  } else {
+    again = queue_.print_again(id);
+  }
+  changed();
+  return again;
+}
+
+void Spooler::remove(JobId id) {
+  const std::scoped_lock lock(mutex_);
+  const auto job = queue_.find(id);
+  if (!job) throw queue::NoSuchJob(id);
+  queue_.remove(id);
+  bool used = false;
+  for (const std::string& file : queue_.files_in_use()) used |= file == job->file;
+  if (!used && checker_.is_idle()) {  // what it still reads is removed at the next start
+    store_.remove(job->file);
+    std::filesystem::remove(commands_of(*job));
+  }
+  changed();
+}
+
+std::optional<Job> Spooler::find(JobId id) {
+  const std::scoped_lock lock(mutex_);
+  return queue_.find(id);
+}
+
+std::vector<Job> Spooler::jobs() {
+  const std::scoped_lock lock(mutex_);
+  return queue_.jobs();
+}
+
+std::vector<queue::Change> Spooler::history(JobId id) {
+  const std::scoped_lock lock(mutex_);
+  if (!queue_.find(id)) throw queue::NoSuchJob(id);
+  return queue_.history(id);
+}
+
+FeederLink& Spooler::link(const std::string& printer) {
+  for (const auto& each : printers_) {
+    if (each->name() == printer) return *each;
+  }
+  throw NoSuchPrinter(printer);
+}
+
+std::vector<std::string> Spooler::printer_names() const {
+  std::vector<std::string> names;
+  for (const auto& printer : printers_) names.push_back(printer->name());
+  return names;
+}
+
+std::uintmax_t Spooler::free_bytes() const {
+  return std::filesystem::space(settings_.data).available;
+}
+
+void Spooler::set_bed_clear(const std::string& printer, bool clear) {
+  const std::scoped_lock lock(mutex_);
+  link(printer);
+  if (clear && queue_.active_on(printer)) throw Refused("the bed has a print on it");
+  queue_.set_bed_clear(printer, clear);
+  changed();
+}
+
+void Spooler::restart(const std::string& printer) {
+  const std::scoped_lock lock(mutex_);
+  FeederLink& found = link(printer);
+  if (!found.is_simulated()) throw Refused("switch the printer off and on by hand");
+  found.restart_chip();
+}
+
+void Spooler::ask(const std::string& printer, const nlohmann::json& wish) {
+  // The answer may come when nobody waits for it any more.
+  struct Waiting {
+    std::optional<std::string> refusal;
+  };
+  const auto waiting = std::make_shared<Waiting>();
+  std::unique_lock lock(mutex_);
+  link(printer).ask(wish, [this, waiting](const std::string& refusal) {
+    waiting->refusal = refusal;
+    changed_.notify_all();
+  });
+  if (!changed_.wait_for(lock, answer_limit, [&] { return waiting->refusal.has_value(); })) {
+    throw Refused("the printer's feeder does not answer");
+  }
+  if (!waiting->refusal->empty()) throw Refused(*waiting->refusal);
+}
+
+}  // namespace spooler

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names against DNS rebinding, origins against forged requests, the key.
+#include "host/web/guard.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "host/web/address.hpp"
+
+namespace web {
+
+namespace {
+
+constexpr std::size_t shortest_key = 16, longest_key = 256;
+
+bool changes_nothing(std::string_view method) {
+  return method == "GET" || method == "HEAD" || method == "OPTIONS";
+}
+
+// A page of another site: browsers say so, other programs say nothing.
+bool comes_from_another_site(const RequestHead& request) {
+  if (request.origin) {
+    return *request.origin != "http://" + request.host;
+  }
+  return request.fetch_site && *request.fetch_site != "same-origin" &&
+         *request.fetch_site != "none";
+}
+
+// Only the page that asks for the key is shown without it.
+bool needs_key(std::string_view path) {
+  return path != "/" && path != "/page.css" && path != "/page.js";
+}
+
+}  // namespace
+
+bool equal_in_constant_time(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  volatile unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference = difference | static_cast<unsigned char>(a[i] ^ b[i]);
+  }
+  return difference == 0;
+}
+
+std::string read_key(const std::filesystem::path& file) {
+  struct stat status{};
+  std::ifstream stream(file);
+  if (!stream || stat(file.c_str(), &status) != 0) {
+    throw std::runtime_error("cannot read the key in " + file.string());
+  }
+  if ((status.st_mode & (S_IRGRP | S_IROTH)) != 0) {
+    throw std::runtime_error("other users can read the key: chmod 600 " + file.string());
+  }
+  std::string key;
+  std::getline(stream, key);
+  const bool printable = std::ranges::all_of(key, [](char c) { return c > ' ' && c <= '~'; });
+  if (key.size() < shortest_key || key.size() > longest_key || !printable) {
+    throw std::runtime_error("the first line of " + file.string() +
+                             " is no key: 16 to 256 characters without blanks");
+  }
+  return key;
+}
+
+std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules) {
+  if (!is_own_name(request.host, rules.names)) {
+    return Refusal{403, "this server is not named so; --host-name gives it a name"};
+  }
+  if (!changes_nothing(request.method) && comes_from_another_site(request)) {
+    return Refusal{403, "a page of another site may change nothing"};
+  }
+  if (!rules.key.empty() && needs_key(request.path) &&
+      !equal_in_constant_time(request.key, rules.key)) {
+    return Refusal{403, "the key is missing or wrong (header X-Api-Key)"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace web

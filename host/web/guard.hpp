@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who may do what: checked before anything of a request is done.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace web {
+
+// The same time for every wrong key of a length.
+bool equal_in_constant_time(std::string_view a, std::string_view b);
+
+// The first line of a file that no other user can read, 16 to 256 printable characters. Throws
+// std::runtime_error.
+std::string read_key(const std::filesystem::path& file);
+
+struct RequestHead {
+  std::string method;
+  std::string path;
+  std::string host;  // header Host
+  std::optional<std::string> origin;
+  std::optional<std::string> fetch_site;  // header Sec-Fetch-Site
+  std::string key;  // header X-Api-Key, or the token of Authorization: Bearer
+};
+
+struct Refusal {
+  int status{};
+  std::string why;
+};
+
+struct Rules {
+  std::string key;  // empty: none is needed
+  std::vector<std::string> names;  // of this server, apart from addresses and localhost
+};
+
+std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules);
+
+}  // namespace web

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors as statuses, bodies as JSON.
+#include "host/web/http.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include "host/spooler/spooler.hpp"
+
+namespace web {
+
+void answer(httplib::Response& response, const Json& json, int status) {
+  response.status = status;
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n",
+                       "application/json");
+}
+
+void answer_error(httplib::Response& response, int status, const std::string& why) {
+  answer(response, {{"error", why}}, status);
+}
+
+void answer_errors_of(httplib::Response& response, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const HttpError& error) {
+    answer_error(response, error.status, error.what());
+  } catch (const queue::NoSuchJob& error) {
+    answer_error(response, 404, error.what());
+  } catch (const spooler::NoSuchPrinter& error) {
+    answer_error(response, 404, error.what());
+  } catch (const queue::NotPermitted& error) {
+    answer_error(response, 409, error.what());
+  } catch (const spooler::Refused& error) {
+    answer_error(response, 409, error.what());
+  } catch (const nlohmann::json::exception& error) {
+    answer_error(response, 400, error.what());
+  } catch (const std::system_error& error) {
+    const bool full = error.code().value() == ENOSPC || error.code().value() == EDQUOT;
+    answer_error(response, full ? 507 : 500, error.what());
+  } catch (const std::exception& error) {
+    answer_error(response, 500, error.what());
+  }
+}
+
+Json body_of(const httplib::Request& request, const httplib::ContentReader& read) {
+  if (request.is_multipart_form_data()) throw HttpError(415, "JSON is expected");
+  std::string text;
+  const bool whole = read([&text](const char* data, std::size_t size) {
+    if (text.size() + size > largest_body) return false;
+    text.append(data, size);
+    return true;
+  });
+  if (!whole) throw HttpError(413, "more than 64 KiB, or the body ended early");
+  if (text.find_first_not_of(" \r\n\t") == std::string::npos) return Json::object();
+  Json json = Json::parse(text);
+  if (!json.is_object()) throw HttpError(400, "a JSON object is expected");
+  return json;
+}
+
+}  // namespace web

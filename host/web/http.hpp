@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// cpp-httplib, with the switches that Debian's library was built with, and answers in JSON.
+#pragma once
+
+#include <httplib.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace web {
+
+using Json = nlohmann::json;
+
+// An answer other than success; its text is for people.
+struct HttpError : std::runtime_error {
+  HttpError(int code, const std::string& why) : std::runtime_error(why), status(code) {}
+  int status;
+};
+
+// No larger body is read but of an upload.
+inline constexpr std::size_t largest_body = 64 * 1024;
+
+void answer(httplib::Response& response, const Json& json, int status = 200);
+void answer_error(httplib::Response& response, int status, const std::string& why);
+
+// Runs `work`; what it throws becomes the answer: 404 no such job or printer, 409 not now, 400 bad
+// JSON, 507 no space left.
+void answer_errors_of(httplib::Response& response, const std::function<void()>& work);
+
+// The body as a JSON object, empty without a body. Throws HttpError 400, 413, 415.
+Json body_of(const httplib::Request& request, const httplib::ContentReader& read);
+
+}  // namespace web

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// OctoPrint's routes, as far as slicers and small clients use them.
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include "host/web/octoprint_answers.hpp"
+#include "host/web/routes.hpp"
+
+namespace web {
+
+namespace {
+
+// All routes are there twice: at the root, and below a printer's name.
+const std::string prefix = "(?:/printers/([A-Za-z0-9_-]{1,32}))?/api/";
+
+// The printer that a request is for. Throws spooler::NoSuchPrinter.
+std::string printer_of(const httplib::Request& request, const spooler::Spooler& spooler) {
+  const auto names = spooler.printer_names();
+  const std::string name = request.matches[1];
+  if (name.empty()) {
+    if (names.empty()) throw spooler::NoSuchPrinter("at all");
+    return names.front();
+  }
+  if (!std::ranges::contains(names, name)) throw spooler::NoSuchPrinter(name);
+  return name;
+}
+
+octoprint::View view_of(const httplib::Request& request, spooler::Spooler& spooler) {
+  return octoprint::view_of(spooler.snapshot()->json, printer_of(request, spooler));
+}
+
+// For a URL.
+std::string encoded(const std::string& name) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '.' || c == '-' || c == '_') {
+      text += c;
+    } else {
+      text += {'%', digits[byte >> 4u], digits[byte & 15u]};
+    }
+  }
+  return text;
+}
+
+void answer_nothing(httplib::Response& response) { response.status = 204; }
+
+void upload(const httplib::Request& request, httplib::Response& response,
+            const httplib::ContentReader& read, spooler::Spooler& spooler) {
+  const auto uploaded = take_upload(request, read, spooler, request.matches[1]);
+  const std::string name = queue::cleaned_name(uploaded.form.file_name);
+  const std::string location =
+      "http://" + request.get_header_value("Host") + request.path + "/" + encoded(name);
+  response.set_header("Location", location);
+  answer(response,
+         {{"files",
+           {{"local",
+             {{"name", name},
+              {"path", name},
+              {"origin", "local"},
+              {"refs", {{"resource", location}}}}}}},
+          {"done", true},
+          {"effectiveSelect", uploaded.form.prints},
+          {"effectivePrint", uploaded.form.prints},
+          {"job", uploaded.id}},
+         201);
+}
+
+void do_job_command(const std::string& printer, const Json& body, spooler::Spooler& spooler,
+                    const octoprint::View& view) {
+  const std::string command = body.at("command");
+  std::string wish = command;
+  if (command == "pause") {
+    wish = body.value("action", "toggle");
+    if (wish == "toggle") wish = view.is_paused() ? "resume" : "pause";
+  } else if (command != "cancel") {
+    throw HttpError(409, "jobs start by themselves, in the order of the queue");
+  }
+  if (wish != "pause" && wish != "resume" && wish != "cancel") {
+    throw HttpError(400, "no such action");
+  }
+  spooler.ask(printer, {{"do", wish}});
+}
+
+void do_printer_command(const std::string& printer, const Json& body, spooler::Spooler& spooler) {
+  const Json lines =
+      body.contains("commands") ? body.at("commands") : Json::array({body.at("command")});
+  for (const Json& line : lines) {
+    spooler.ask(printer, {{"do", "send"}, {"line", line.get<std::string>()}});
+  }
+}
+
+void add_answers(httplib::Server& server) {
+  for (const auto& [name, json] : octoprint::fixed_answers()) {
+    get(server, prefix + name, [json](const auto&, auto& response) { answer(response, json); });
+  }
+  post(server, prefix + "login",
+       [](const auto&, auto& response, const Json&) { answer(response, octoprint::user()); });
+}
+
+}  // namespace
+
+void add_octoprint_routes(httplib::Server& server, spooler::Spooler& spooler) {
+  add_answers(server);
+  server.Post(prefix + "files/local",
+              [&spooler](const httplib::Request& request, httplib::Response& response,
+                         const httplib::ContentReader& read) {
+                answer_errors_of(response, [&] { upload(request, response, read, spooler); });
+              });
+  get(server, prefix + "files(?:/local)?", [&spooler](const auto&, auto& response) {
+    answer(response, octoprint::files(spooler.jobs(), spooler.free_bytes()));
+  });
+  get(server, prefix + "job", [&spooler](const auto& request, auto& response) {
+    answer(response, view_of(request, spooler).job());
+  });
+  get(server, prefix + "printer", [&spooler](const auto& request, auto& response) {
+    const auto view = view_of(request, spooler);
+    if (!view.is_operational()) throw HttpError(409, "Printer is not operational");
+    answer(response, view.printer());
+  });
+  get(server, prefix + "connection", [&spooler](const auto& request, auto& response) {
+    answer(response, view_of(request, spooler).connection());
+  });
+  post(server, prefix + "job", [&spooler](const auto& request, auto& response, const Json& body) {
+    do_job_command(printer_of(request, spooler), body, spooler, view_of(request, spooler));
+    answer_nothing(response);
+  });
+  post(server, prefix + "printer/command",
+       [&spooler](const auto& request, auto& response, const Json& body) {
+         do_printer_command(printer_of(request, spooler), body, spooler);
+         answer_nothing(response);
+       });
+  post(server, prefix + "connection", [](const auto&, auto& response, const Json& body) {
+    if (body.at("command") != "connect") throw HttpError(409, "the feeder keeps the connection");
+    answer_nothing(response);
+  });
+}
+
+}  // namespace web

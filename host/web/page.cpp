@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Serves the page for people.
+#include "host/web/page_files.hpp"
+#include "host/web/routes.hpp"
+
+namespace web {
+
+void add_page(httplib::Server& server) {
+  const auto add = [&server](const char* path, std::string_view text, const char* type) {
+    server.Get(path, [text, type](const httplib::Request&, httplib::Response& response) {
+      response.set_content(std::string(text), type);
+    });
+  };
+  add("/", page_html, "text/html; charset=utf-8");
+  add("/page.css", page_style, "text/css; charset=utf-8");
+  add("/page.js", page_script, "text/javascript; charset=utf-8");
+}
+
+}  // namespace web

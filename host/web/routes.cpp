@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the groups of routes share.
+#include "host/web/routes.hpp"
+
+namespace web {
+
+void post(httplib::Server& server, const std::string& pattern, JsonHandler handler) {
+  server.Post(pattern, [handler = std::move(handler)](const httplib::Request& request,
+                                                      httplib::Response& response,
+                                                      const httplib::ContentReader& read) {
+    answer_errors_of(response, [&] { handler(request, response, body_of(request, read)); });
+  });
+}
+
+void get(httplib::Server& server, const std::string& pattern, Handler handler) {
+  server.Get(pattern, [handler = std::move(handler)](const httplib::Request& request,
+                                                     httplib::Response& response) {
+    answer_errors_of(response, [&] { handler(request, response); });
+  });
+}
+
+UploadedJob take_upload(const httplib::Request& request, const httplib::ContentReader& read,
+                        spooler::Spooler& spooler, const std::string& printer) {
+  queue::Store::Upload upload(spooler.store());
+  UploadForm form = read_form(request, read, upload, spooler.free_bytes());
+  const queue::JobId id = spooler.add(upload, form.file_name, !form.prints, printer);
+  return {.id = id, .form = std::move(form)};
+}
+
+void add_last_routes(httplib::Server& server) {
+  const auto not_found = [](const httplib::Request&, httplib::Response& response,
+                            const httplib::ContentReader&) {
+    answer_error(response, 404, "there is nothing of this name");
+  };
+  server.Post(".*", not_found);
+  server.Put(".*", not_found);
+  server.Patch(".*", not_found);
+  server.Delete(".*", not_found);
+  server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+    if (response.body.empty()) answer_error(response, response.status, "refused");
+  });
+}
+
+}  // namespace web

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits, rules, and the routes together.
+#include "host/web/server.hpp"
+
+#include "host/web/routes.hpp"
+
+namespace web {
+
+namespace {
+
+constexpr std::size_t workers = 32;
+constexpr std::size_t most_waiting_connections = 64;
+constexpr time_t read_limit_s = 5, write_limit_s = 10;
+
+RequestHead head_of(const httplib::Request& request) {
+  const auto header = [&request](const char* name) -> std::optional<std::string> {
+    if (!request.has_header(name)) return std::nullopt;
+    return request.get_header_value(name);
+  };
+  std::string key = request.get_header_value("X-Api-Key");
+  const std::string authorization = request.get_header_value("Authorization");
+  if (key.empty() && authorization.starts_with("Bearer ")) key = authorization.substr(7);
+  return {.method = request.method,
+          .path = request.path,
+          .host = request.get_header_value("Host"),
+          .origin = header("Origin"),
+          .fetch_site = header("Sec-Fetch-Site"),
+          .key = std::move(key)};
+}
+
+void set_limits(httplib::Server& server) {
+  server.new_task_queue = [] {
+    return new httplib::ThreadPool(workers, most_waiting_connections);  // httplib deletes it
+  };
+  server.set_read_timeout(read_limit_s);
+  server.set_write_timeout(write_limit_s);
+  // One request for each connection: what a refused one leaves unread is never taken for another.
+  server.set_keep_alive_max_count(1);
+  server.set_payload_max_length(UploadLimits{}.bytes + 64 * 1024);
+  server.set_tcp_nodelay(true);
+  server.set_default_headers(
+      {{"X-Content-Type-Options", "nosniff"},
+       {"X-Frame-Options", "DENY"},
+       {"Referrer-Policy", "no-referrer"},
+       {"Cache-Control", "no-store"},
+       {"Content-Security-Policy",
+        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
+        "img-src 'self' data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}});
+}
+
+}  // namespace
+
+Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules)
+    : spooler_(spooler),
+      address_(address),
+      rules_(std::move(rules)),
+      server_(std::make_unique<httplib::Server>()) {
+  if (!is_loopback(address_.host) && rules_.key.empty()) {
+    throw std::runtime_error("other machines reach " + written(address_) +
+                             ": a key is needed (--key FILE)");
+  }
+  set_limits(*server_);
+  server_->set_pre_routing_handler(
+      [this](const httplib::Request& request, httplib::Response& response) {
+        const auto refusal = refusal_of(head_of(request), rules_);
+        if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+        answer_error(response, refusal->status, refusal->why);
+        return httplib::Server::HandlerResponse::Handled;
+      });
+  add_page(*server_);
+  add_rest_routes(*server_, spooler_);
+  add_event_route(*server_, spooler_, {.ends = ends_, .streams = streams_});
+  add_octoprint_routes(*server_, spooler_);
+  add_last_routes(*server_);
+  if (address_.port == 0) {
+    const int port = server_->bind_to_any_port(address_.host);
+    if (port < 0) throw std::runtime_error("cannot listen on " + address_.host);
+    address_.port = static_cast<std::uint16_t>(port);
+  } else if (!server_->bind_to_port(address_.host, address_.port)) {
+    throw std::runtime_error("cannot listen on " + written(address_) + "; is it in use?");
+  }
+  thread_ = std::thread([this] { server_->listen_after_bind(); });
+  server_->wait_until_ready();
+}
+
+Server::~Server() {
+  ends_ = true;
+  server_->stop();
+  thread_.join();
+}
+
+}  // namespace web

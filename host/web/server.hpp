@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The web server of a spooler: page, REST, server-sent events, OctoPrint's routes.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "host/spooler/spooler.hpp"
+#include "host/web/address.hpp"
+#include "host/web/guard.hpp"
+
+namespace httplib {
+class Server;
+}
+
+namespace web {
+
+class Server {
+ public:
+  // Listens when it returns. Throws std::runtime_error where the address is in use, or other
+  // machines reach it and the rules have no key.
+  Server(spooler::Spooler& spooler, const Address& address, Rules rules);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  // With the port that was chosen.
+  const Address& address() const { return address_; }
+
+ private:
+  spooler::Spooler& spooler_;
+  Address address_;
+  Rules rules_;
+  std::unique_ptr<httplib::Server> server_;
+  std::atomic<bool> ends_ = false;
+  std::atomic<int> streams_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace web

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A form with a file, written to the disk as it comes.
+#pragma once
+
+#include <string>
+
+#include "host/queue/store.hpp"
+#include "host/web/http.hpp"
+
+namespace web {
+
+struct UploadLimits {
+  std::size_t bytes = std::size_t{1} << 30u;
+  // A body that comes more slowly over all is given up after some seconds.
+  double bytes_per_second = 2000;
+};
+
+struct UploadForm {
+  std::string file_name;
+  bool prints = true;  // field `print`; without one the job joins the queue
+};
+
+// Reads the fields of slicers in any order (`print`, `select`, `path`, `file`) and writes the file
+// into `upload`. Throws HttpError: 400 no file or a broken form, 408 too slow, 413 too long, 415 no
+// G-code, 507 no space.
+UploadForm read_form(const httplib::Request& request, const httplib::ContentReader& read,
+                     queue::Store::Upload& upload, std::uintmax_t free_bytes,
+                     const UploadLimits& limits = {});
+
+}  // namespace web

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds what the spooler starts, and runs it with its web server.
+#include "tools/command/spool_job.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "host/spooler/spooler.hpp"
+#include "host/web/server.hpp"
+#include "tools/command/build.hpp"
+#include "tools/command/exit_status.hpp"
+#include "tools/command/output.hpp"
+#include "tools/command/signals.hpp"
+
+namespace command {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path usual_data() {
+  const char* data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && *data != '\0') return fs::path(data) / "stepfabric" / "spool";
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0') {
+    throw std::runtime_error("no HOME: name a folder by --data");
+  }
+  return fs::path(home) / ".local" / "share" / "stepfabric" / "spool";
+}
+
+spooler::Settings settings_of(const SpoolOptions& options) {
+  const fs::path programs = build_folder() / "bin";
+  return {.data = fs::absolute(options.data.empty() ? usual_data() : options.data),
+          .printers = spooler::printers_of(options.printers),
+          .feeder_program = programs / "stepfabric_feeder",
+          .tool_program = programs / "stepfabric",
+          .baud = options.baud,
+          .simulation_speed = options.simulation_speed};
+}
+
+void greet(const web::Server& server, const spooler::Settings& settings) {
+  say("spooling on http://{}/, data in {}\n", web::written(server.address()),
+      settings.data.string());
+  for (const spooler::PrinterSpec& printer : settings.printers) {
+    say("  {}: {}\n", printer.name, printer.port.empty() ? "simulated" : printer.port.string());
+  }
+  say("Ctrl-C ends it; a print goes on, and the next spool attaches to it.\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int spool(const SpoolOptions& options) {
+  let_writes_fail();
+  const spooler::Settings settings = settings_of(options);
+  const web::Address address = web::address_of(options.listen);
+  web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
+                   .names = options.host_names};
+  build({"stepfabric_feeder", "firmware"});
+  spooler::Spooler spooler(settings);
+  const web::Server server(spooler, address, std::move(rules));
+  greet(server, settings);
+  spooler.run(interrupt_requested);
+  return success;
+}
+
+}  // namespace command

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// `spool`: the connected printer: jobs come over HTTP, wait in a durable queue, and are printed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace command {
+
+struct SpoolOptions {
+  std::filesystem::path data;  // empty: spool in $XDG_DATA_HOME/stepfabric
+  std::string listen = "127.0.0.1:5080";
+  std::vector<std::string> printers{"simulated"};
+  std::filesystem::path key;  // file; empty: no key is needed
+  std::vector<std::string> host_names;
+  std::uint32_t baud = 250'000;
+  std::string simulation_speed = "real";
+};
+
+// Adds the job to the program.
+void add_options(CLI::App& app, SpoolOptions& options);
+
+// Runs until interrupted. Returns the exit status of the job.
+int spool(const SpoolOptions& options);
+
+}  // namespace command

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the job `spool`, and what its help says.
+#include <CLI/CLI.hpp>
+
+#include "tools/command/spool_job.hpp"
+
+namespace command {
+
+void add_options(CLI::App& app, SpoolOptions& options) {
+  CLI::App& job = *app.add_subcommand(
+      "spool", "Take print jobs over HTTP, queue them durably, and print them, until Ctrl-C.");
+  job.add_option("--data", options.data,
+                 "folder for queue, files and journals; default: stepfabric/spool in "
+                 "$XDG_DATA_HOME or ~/.local/share")
+      ->type_name("DIR");
+  job.add_option("--listen", options.listen,
+                 "address of the web server; other than loopback only with --key")
+      ->type_name("HOST:PORT")
+      ->capture_default_str();
+  job.add_option("--printer", options.printers,
+                 "a printer's name and serial port, or simulated[:N]; may be repeated")
+      ->type_name("NAME=PORT")
+      ->capture_default_str();
+  job.add_option("--key", options.key,
+                 "file with the key that clients send as X-Api-Key; readable for you alone")
+      ->type_name("FILE");
+  job.add_option("--host-name", options.host_names,
+                 "a name by which browsers may call this server, apart from its addresses")
+      ->type_name("NAME");
+  job.add_option("--baud", options.baud, "speed of the serial ports")
+      ->check(CLI::Range(300, 10'000'000))
+      ->capture_default_str();
+  job.add_option("--simulation-speed", options.simulation_speed,
+                 "real: simulated printers in real time; max: as fast as possible")
+      ->check(CLI::IsMember({"real", "max"}))
+      ->capture_default_str();
+  job.footer(
+      R"(Open the address in a browser. In a slicer add a printer of host type OctoPrint with this
+address; http://HOST:PORT/printers/NAME sends to one printer only.
+
+An upload is checked whole by the firmware's planner before it is printed; a file with refused lines
+is never printed. A job starts when its turn has come and a person has confirmed that the bed is
+clear. One process for each printer feeds it and goes on printing if this one ends: after Ctrl-C
+too, and the next `spool` with the same --data attaches to it again.
+
+Exit status: 0 after Ctrl-C, 2 bad usage, or it could not start.)");
+}
+
+}  // namespace command
