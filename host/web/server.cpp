@@ -38,6 +38,11 @@ void set_limits(httplib::Server& server) {
   server.set_keep_alive_max_count(1);
   server.set_payload_max_length(UploadLimits{}.bytes + 64 * 1024);
   server.set_tcp_nodelay(true);
+  // httplib's own ones let two servers share a port.
+  server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   server.set_default_headers(
       {{"X-Content-Type-Options", "nosniff"},
        {"X-Frame-Options", "DENY"},
