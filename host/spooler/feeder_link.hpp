@@ -50,7 +50,7 @@ class FeederLink {
 
   // Ends feeder and simulated printer, if nothing is being printed.
   void end_if_idle();
-  // A simulated printer's chip is started anew, as by its switch.
+  // A simulated printer's chip is started again, as by its switch.
   void restart_chip();
 
  private:

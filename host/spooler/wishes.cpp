@@ -137,7 +137,7 @@ void Spooler::restart(const std::string& printer) {
 }
 
 void Spooler::ask(const std::string& printer, const nlohmann::json& wish) {
-  // The answer may come when nobody waits for it any more.
+  // The answer may come when this call waits no longer.
   struct Waiting {
     std::optional<std::string> refusal;
   };

@@ -13,8 +13,8 @@ namespace web {
 // The same time for every wrong key of a length.
 bool equal_in_constant_time(std::string_view a, std::string_view b);
 
-// The first line of a file that no other user can read, 16 to 256 printable characters. Throws
-// std::runtime_error.
+// The first line of a file that no other user can read: 16 to 256 printable characters, no blanks.
+// Throws std::runtime_error where it is no such key.
 std::string read_key(const std::filesystem::path& file);
 
 struct RequestHead {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole prints on the co-simulated chip, through `stepfabric spool` as a user starts it: uploaded by
-// curl as PrusaSlicer does, with both processes killed on the way, to the step.
+// Whole prints on the co-simulated chip, through `stepfabric spool` as a user starts it: uploaded
+// by curl as PrusaSlicer does, with both processes killed on the way, to the step.
 #include <gmock/gmock.h>
 #include <signal.h>
 
