@@ -59,11 +59,11 @@ CheckResult refused(std::string reason, std::string report = {}) {
 CheckResult check(const fs::path& program, const fs::path& file, const fs::path& commands_file) {
   fs::path report = commands_file;
   report.replace_extension(".plan");
-  const auto ended =
-      process::capture({.arguments = {program.string(), "plan", file.string(), "--json",
-                                      report.string(), "--commands", commands_file.string()},
-                        .has_input = false,
-                        .cpu_limit = processor_limit});
+  const auto ended = process::capture(
+      {.arguments = {"nice", "-n", "10", program.string(), "plan", file.string(), "--json",
+                     report.string(), "--commands", commands_file.string()},
+       .has_input = false,
+       .cpu_limit = processor_limit});
   Json plan = Json::parse(files::text_of(report), nullptr, false);
   fs::remove(report);
   if (ended.exit_status > 1 || plan.is_discarded()) {
