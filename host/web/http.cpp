@@ -43,6 +43,10 @@ void answer_errors_of(httplib::Response& response, const std::function<void()>& 
 }
 
 Json body_of(const httplib::Request& request, const httplib::ContentReader& read) {
+  // Such as `curl -X POST`: httplib would wait for the end of the connection.
+  const bool has_body =
+      request.has_header("Content-Length") || request.has_header("Transfer-Encoding");
+  if (!has_body) return Json::object();
   if (request.is_multipart_form_data()) throw HttpError(415, "JSON is expected");
   std::string text;
   const bool whole = read([&text](const char* data, std::size_t size) {
