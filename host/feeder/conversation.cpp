@@ -247,10 +247,22 @@ void Conversation::send_next(Time now) {
       has_work() && (record()->phase == Phase::running || record()->phase == Phase::cancelling);
   const bool ends = sends && next_ > length() + 2 && (next_ - length()) % 2 == 1;
   if (sends && (!ends || now - last_sent_ > end_interval)) {
-    put(framed(base_ + next_, text_of(next_)), now);
-    ++next_;
+    send_line(now);
   } else if (now - last_sent_ > idle_interval) {
     put("M105\n", now);
+  }
+}
+
+void Conversation::send_line(Time now) {
+  try {
+    put(framed(base_ + next_, text_of(next_)), now);
+    ++next_;
+  } catch (const std::exception& error) {  // the file of the commands is damaged
+    for (const char* heater_off : {"M104 S0", "M140 S0"}) {
+      put(framed(base_ + next_, heater_off), now);
+      ++next_;
+    }
+    set_phase(Phase::failed, error.what());
   }
 }
 

@@ -90,6 +90,7 @@ class Conversation {
   void handle_action(std::string_view action);
   bool is_last_word(std::string_view line) const;
   void send_next(Time now);
+  void send_line(Time now);
   void put(std::string_view text, Time now);
   void say(std::string_view line) const {
     if (on_said) on_said(line);

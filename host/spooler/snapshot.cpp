@@ -64,7 +64,10 @@ Json Spooler::to_json(const FeederLink& printer) {
 std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
   const std::scoped_lock lock(mutex_);
   if (snapshot_) return snapshot_;
-  Json json{{"version", version_}, {"printers", Json::array()}, {"jobs", Json::array()}};
+  Json json{{"version", version_},
+            {"fault", fault_},
+            {"printers", Json::array()},
+            {"jobs", Json::array()}};
   for (const auto& printer : printers_) json["printers"].push_back(to_json(*printer));
   for (const queue::Job& job : queue_.jobs(most_jobs_over)) {
     json["jobs"].push_back(spooler::to_json(job));

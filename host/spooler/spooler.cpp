@@ -15,7 +15,7 @@ using queue::JobState;
 
 namespace {
 
-constexpr std::chrono::milliseconds pass_interval{20};
+constexpr std::chrono::milliseconds pass_interval{20}, pass_interval_after_fault{1000};
 // Where a feeder refuses a job, it is not asked again at once.
 constexpr std::chrono::seconds block_time{10};
 
@@ -75,20 +75,33 @@ void Spooler::recover() {
 
 void Spooler::run(const std::function<bool()>& ended) {
   while (!ended()) {
-    {
-      const std::scoped_lock lock(mutex_);
-      bool is_changed = check_files();
-      for (const auto& printer : printers_) {
-        is_changed |= printer->update();
-        is_changed |= follow(*printer);
-      }
-      if (is_changed) changed();
-    }
-    std::this_thread::sleep_for(pass_interval);
+    const bool good = pass();
+    std::this_thread::sleep_for(good ? pass_interval : pass_interval_after_fault);
   }
   const std::scoped_lock lock(mutex_);
   for (const auto& printer : printers_) printer->end_if_idle();
   changed();
+}
+
+// False where something failed, such as a write to a full disk: it is shown, and tried again.
+bool Spooler::pass() {
+  const std::scoped_lock lock(mutex_);
+  std::string fault;
+  try {
+    bool is_changed = check_files();
+    for (const auto& printer : printers_) {
+      is_changed |= printer->update();
+      is_changed |= follow(*printer);
+    }
+    if (is_changed) changed();
+  } catch (const std::exception& error) {
+    fault = error.what();
+  }
+  if (fault != fault_) {
+    fault_ = fault;
+    changed();
+  }
+  return fault.empty();
 }
 
 std::filesystem::path Spooler::commands_of(const Job& job) const {
@@ -110,6 +123,10 @@ bool Spooler::check_files() {
   }
   if (!checker_.is_idle()) return is_changed;
   for (const Job& job : queue_.jobs(0)) {
+    if (job.state == JobState::checking) {  // its result could not be written
+      queue_.change(job.id, JobState::uploaded, "the check did not end");
+      return true;
+    }
     if (job.state != JobState::uploaded) continue;
     queue_.change(job.id, JobState::checking, "");
     checker_.begin(job.id, store_.path_of(job.file), commands_of(job));

@@ -89,6 +89,7 @@ class Spooler {
   };
 
   void recover();
+  bool pass();
   bool check_files();
   bool follow(FeederLink& printer);
   void start_next(FeederLink& printer);
@@ -109,6 +110,7 @@ class Spooler {
 
   std::mutex mutex_;
   std::condition_variable changed_;
+  std::string fault_;  // of the last pass; empty: none
   std::int64_t version_ = 1;
   std::shared_ptr<const Snapshot> snapshot_;
 };

@@ -36,8 +36,9 @@ class ConversationTest : public testing::Test {
       wanted.push_back("G1 X" + std::to_string(i));
       text += wanted.back() + "\n";
     }
-    folder_.write("job", text);
+    write_file("job", text);
   }
+  void write_file(const std::string& name, const std::string& text) { folder_.write(name, text); }
   std::string start(int lines = 50) {
     write_job(lines);
     run(feeder::Time(1000));

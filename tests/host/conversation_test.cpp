@@ -165,6 +165,19 @@ TEST_F(ConversationTest, an_error_of_the_printer_ends_the_job) {
   EXPECT_LE(printer.executed.size(), 21u);
 }
 
+TEST_F(ConversationTest, a_file_that_has_lost_its_end_fails_the_job_with_the_heaters_off) {
+  ASSERT_EQ(start(), "");
+  run_until_executed(10);
+  write_file("job", "G1 X1\n");
+  begin_feeder();
+  run_to_end();
+  EXPECT_EQ(phase(), Phase::failed);
+  run(5s);
+  EXPECT_THAT(printer.executed, Contains("M104 S0"));
+  EXPECT_THAT(printer.executed, Contains("M140 S0"));
+  EXPECT_EQ(feed().link(), Link::ready);
+}
+
 TEST_F(ConversationTest, paused_it_sends_no_line_until_it_is_resumed_even_if_it_is_killed) {
   ASSERT_EQ(start(), "");
   run_until_executed(20);

@@ -206,6 +206,23 @@ TEST_F(SpoolerTest, a_held_job_waits_for_its_release_and_a_removed_one_takes_its
   EXPECT_TRUE(std::filesystem::is_empty(data() / "files"));
 }
 
+// As with a full disk: printing goes on, the fault is shown, and all is made up for.
+TEST_F(SpoolerTest, goes_on_when_the_queue_can_be_written_again) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(50);
+  expect_state(id, JobState::printing);
+  {
+    queue::Database other(data() / "queue.db");
+    queue::Transaction lock(other);  // the spooler's writes fail after some seconds
+    expect_soon([&] { return left.executed().size() >= wanted.size(); }, "it stands still");
+    std::this_thread::sleep_for(std::chrono::seconds(7));
+    EXPECT_NE(spool().snapshot()->json.at("fault"), "");
+  }
+  expect_state(id, JobState::finished);
+  expect_soon([&] { return spool().snapshot()->json.at("fault") == ""; }, "fault");
+}
+
 TEST_F(SpoolerTest, a_second_one_on_the_same_folder_is_refused) {
   spooler::Settings same;
   same.data = data();

@@ -107,6 +107,7 @@ function showWanted(printers) {
 }
 
 listen(state => {
+  if (state.fault) show(`The spooler cannot go on: ${state.fault}`);
   state.printers.forEach(printer => showPrinter(printer, state.jobs));
   showWanted(state.printers);
   showJobs(state.jobs);
