@@ -21,8 +21,8 @@ struct CheckResult {
   std::int64_t commands{};  // in `commands_file`
 };
 
-// Runs `program plan`, with a lower priority than the feeders have. Writes `commands_file`, which is
-// on the disk where the file was accepted.
+// Runs `program plan`, with a lower priority than the feeders have. Writes `commands_file`, which
+// is on the disk where the file was accepted.
 CheckResult check(const std::filesystem::path& program, const std::filesystem::path& file,
                   const std::filesystem::path& commands_file);
 
