@@ -74,6 +74,7 @@ bool Application::refill() {
 }
 
 void Application::transmit() {
+  units::EventBound<units::Event::byte_sent, host_link::TransmitQueue::capacity> bytes_sent;
   // The queue is a ring, whose bytes lie in two pieces at most.
   units::LoopBound<2> pieces;
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {

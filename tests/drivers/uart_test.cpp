@@ -109,7 +109,7 @@ TEST(Uart, reports_and_counts_lost_bytes) {
   EXPECT_TRUE(line.uart.errors().overrun);
   EXPECT_FALSE(line.uart.errors().framing_error);
   EXPECT_EQ(line.uart.error_counts().overruns, 5);
-  EXPECT_EQ(line.read(text.size()), text.substr(0, receive_depth));
+  EXPECT_EQ(line.read(receive_depth), text.substr(0, receive_depth));
   line.uart.clear_errors();
   EXPECT_FALSE(line.uart.errors().any());
   EXPECT_EQ(line.uart.error_counts().overruns, 5);

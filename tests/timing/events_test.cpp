@@ -104,6 +104,13 @@ TEST(Events, at_the_start_of_a_loop_count_where_it_begins_only) {
   EXPECT_EQ(bound_of(program, true_costs()), of_rounds(3, 6));
 }
 
+TEST(Events, at_the_start_of_a_function_do_not_count) {
+  Program program = two_choices();
+  const Address start = program.first + setup_bytes;
+  program.event_markers = {begin(start, 0), happens(start)};
+  EXPECT_EQ(bound_of(program, true_costs()), 2 * (not_taken + division) + back);
+}
+
 TEST(Events, behind_a_call_that_does_not_return_do_not_count) {
   // if (a0 == 0) goto there; halt(); there: two nops; halt: a trap.
   Program program = program_of({encode::nop(), encode::nop(), encode::branch(0, 10, 0, 8),

@@ -110,7 +110,8 @@ EventSites::Passed EventSites::on(std::size_t node, const Way& way) const {
   return pass(way.to, after_[node], surely_passes(node, way));
 }
 
-EventSites::Passed EventSites::on_entry() const { return pass(0, at_entry_, true); }
+// A marker at the start may be the last of the function in front of it.
+EventSites::Passed EventSites::on_entry() const { return pass(0, at_entry_, false); }
 
 bool EventSites::surely_passes(std::size_t node, const Way& way) const {
   const Node& from = flow_.nodes[node];
