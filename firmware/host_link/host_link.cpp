@@ -40,8 +40,9 @@ bool trusted(const ReceivedLine& line) {
 // Typed by hand: `M117 5 * 3 = 15`. What is after the last star cannot be a checksum.
 bool has_star_in_message(const ReceivedLine& line) {
   if (line.starts_with_n || line.checksum != Checksum::wrong) return false;
-  if (!units::starts_with(line.text, "M117") && !units::starts_with(line.text, "M118"))
+  if (!units::starts_with(line.text, "M117") && !units::starts_with(line.text, "M118")) {
     return false;
+  }
   const std::string_view rest = line.behind_star;
   units::LoopBound<max_line_length> characters;
   for (const char c : rest) {

@@ -81,9 +81,7 @@ class Builder {
   void count(const std::vector<std::size_t>& events, const std::vector<std::size_t>& begins,
              Entries& entries) {
     for (const std::size_t fact : events) entries[rows_.fact(fact)] += 1;
-    for (const std::size_t fact : begins) {
-      entries[rows_.fact(fact)] -= networks_.facts[fact].most;
-    }
+    for (const std::size_t fact : begins) entries[rows_.fact(fact)] -= networks_.facts[fact].most;
   }
 
   const Networks& networks_;
