@@ -2,6 +2,8 @@
 // M92 M201 M203 M204 M205 as lines.
 #include "application/setting_reports.hpp"
 
+#include "units/event_bound.hpp"
+
 namespace application {
 namespace {
 
@@ -28,6 +30,7 @@ void put(host_link::TextLine& line, char letter, std::int64_t nanometers, bool i
 
 host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits, bool inches) {
   constexpr std::int64_t nanometers_per_micrometer = 1000;
+  units::EventBound<units::Event::long_digit, 0> numbers;
   host_link::TextLine line;
   const auto put_micrometers = [&](char letter, std::int32_t micrometers) {
     put(line, letter, micrometers * nanometers_per_micrometer, inches && code != 92);

@@ -61,6 +61,7 @@ std::string_view HostLink::describe(Notice notice) {
 bool HostLink::say(std::string_view line) { return transmit_.put_line({line}, link_reserve); }
 
 bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine ok;
   ok.text("ok");
   if (advanced_ok_) {
@@ -116,6 +117,7 @@ bool HostLink::put_resend() {
   if (error_owed_ != LineError::none) {
     transmit_.put_line({"echo:", host_link::describe(error_owed_), ", asked for again"});
   }
+  units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine resend;
   resend.text("Resend: ").integer(numbering_.asked_for());
   transmit_.put_line({resend.view()});

@@ -2,6 +2,8 @@
 // Builds the reply texts.
 #include "host_link/replies.hpp"
 
+#include "units/event_bound.hpp"
+
 namespace host_link {
 
 using namespace std::string_view_literals;
@@ -25,6 +27,7 @@ void add_refused_command(TextLine& line, std::string_view command) {
 }  // namespace
 
 TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine line;
   add_heater(line, " T:", hotend);
   add_heater(line, " B:", bed);
@@ -40,6 +43,7 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
 
 TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine line;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
     line.character(units::axis_letters[axis]).character(':');

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
@@ -69,6 +70,7 @@ TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
     upper_digits.next();
     reversed[count++] = static_cast<char>('0' + value % 10);
     value /= 10;
+    units::happens<units::Event::long_digit>();
   }
   units::LoopBound<longest_number / 2, 1> lower_digits;
   for (auto rest = static_cast<std::uint32_t>(value); rest != 0; rest /= 10) {

@@ -18,6 +18,7 @@ enum class Event : std::uint32_t {
   byte_sent,  // given to the uart
   ok_repaid,  // one that was owed is queued
   character_read,  // of a line's text by the parser, again after going back
+  long_digit,  // of a number that needs more than 32 bits, written
   count
 };
 
