@@ -22,8 +22,9 @@ bool changes_nothing(std::string_view method) {
 
 // A page of another site: browsers say so, other programs say nothing.
 bool comes_from_another_site(const RequestHead& request) {
-  if (request.origin) {
-    return *request.origin != "http://" + request.host;
+  if (request.origin) {  // of this server, or of one with TLS before it
+    return *request.origin != "http://" + request.host &&
+           *request.origin != "https://" + request.host;
   }
   return request.fetch_site && *request.fetch_site != "same-origin" &&
          *request.fetch_site != "none";

@@ -62,11 +62,13 @@ TEST(guard, lets_programs_of_this_machine_and_its_own_page_do_everything) {
   post.origin = "http://localhost:5080";
   post.fetch_site = "same-origin";
   EXPECT_FALSE(refusal_of(post, {}));
+  post.origin = "https://localhost:5080";
+  EXPECT_FALSE(refusal_of(post, {})) << "through a proxy with TLS";
 }
 
 TEST(guard, lets_pages_of_other_sites_change_nothing) {
   for (const char* method : {"POST", "PUT", "DELETE", "PATCH", "UNKNOWN"}) {
-    for (const char* origin : {"http://evil.example", "null", "", "https://localhost:5080",
+    for (const char* origin : {"http://evil.example", "null", "", "ftp://localhost:5080",
                                "http://localhost:5081", "http://localhost:5080.evil.example"}) {
       RequestHead forged = request(method);
       forged.origin = origin;
