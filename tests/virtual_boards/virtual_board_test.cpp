@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 const fs::path project = PROJECT_DIRECTORY;
 // Every board's model has this clock (sim/CMakeLists.txt).
 constexpr const char* clock_hz = "4000000";
-// One clock for the registers before the pins, and one that an end stop is hit later by it.
-constexpr std::int64_t most_clocks_later = 2;
+// One clock for the registers before the pins. Each hit of an end stop comes later by it, and the
+// firmware may go on a clock later after it: two hits in the homing of each of three axes.
+constexpr std::int64_t most_clocks_later = 1 + 2 * 3;
 
 struct Edge {
   std::int64_t cycle{};
