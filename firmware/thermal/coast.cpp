@@ -16,8 +16,8 @@ constexpr std::int32_t longest_wait = 64'000, longest_pause = 12'000, longest_up
 // So long after a pause has begun the heat of before it, of which a firmware that has just
 // started knows nothing, is no longer felt.
 constexpr std::int32_t settling = 4'500;
-// Felt heat in percent of full power: what counts as much, and as none.
-constexpr std::int32_t much = 80, none = 12;
+// Felt heat in percent of full power: what counts as much, as little, and as none.
+constexpr std::int32_t much = 80, little = 20, none = 12;
 // Rooms are of 5 to 45 degrees. The most that a block loses, where it is colder than `coldest`, is
 // what the model loses at `coldest`.
 constexpr std::int32_t surroundings = 25'000, warmest_room = 45'000, coldest = 50'000;
@@ -95,17 +95,24 @@ void Coast::begin() {
 
 bool Coast::add(const Window& window) {
   const Slopes& slopes = window.slopes;
+  // The heat of before a pause is felt for a while.
+  if (slopes.heating >= model_->rise * much / 100) {
+    heating_ = slopes.heating;
+    warmed_ = warmed_by(slopes);
+  }
   if (!pausing_) {
     suspect(slopes);
     return false;
   }
   carried_least_ = std::min(carried_least_, slopes.blown + slopes.melted);
-  if (paused_ < settling || slopes.heating > model_->rise * none / 100) return false;
+  if (paused_ < settling || slopes.heating > model_->rise * little / 100) return false;
+  if (is_unanswered(slopes)) return true;
+  if (slopes.heating > model_->rise * none / 100) return false;
   ++windows_;
   const std::int32_t fall = late_heat(slopes) - slopes.measured;
   const std::int32_t beyond = fall - most_fall(window);
   excess_ = std::max<std::int32_t>(excess_ + beyond * window.milliseconds / 1'000, 0);
-  if (excess_ > limit + window.noise / 4 || is_unanswered(slopes)) return true;
+  if (excess_ > limit + window.noise / 4) return true;
   // One window is enough where nothing is learnt from it.
   if (excess_ == 0 && (window.celsius < least_known || windows_ > 1)) {
     pausing_ = false;
@@ -120,8 +127,6 @@ bool Coast::add(const Window& window) {
 void Coast::suspect(const Slopes& slopes) {
   if (slopes.heating > model_->rise / 2) recovering_ = false;
   if (slopes.heating < model_->rise * much / 100) return;
-  heating_ = slopes.heating;
-  warmed_ = warmed_by(slopes);
   const std::int32_t unexplained = warmed_ - slopes.heating;
   if (!compared_) fast_ = slow_ = unexplained;
   compared_ = true;
