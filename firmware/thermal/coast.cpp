@@ -89,7 +89,7 @@ void Coast::begin() {
   pausing_ = recovering_ = true;
   suspicious_ = false;
   paused_ = 0;
-  excess_ = windows_ = 0;
+  excess_ = fallen_ = windows_ = 0;
   carried_least_ = std::numeric_limits<std::int32_t>::max();
 }
 
@@ -111,6 +111,7 @@ bool Coast::add(const Window& window) {
   ++windows_;
   const std::int32_t fall = late_heat(slopes) - slopes.measured;
   const std::int32_t beyond = fall - most_fall(window);
+  fallen_ += fall;
   excess_ = std::max<std::int32_t>(excess_ + beyond * window.milliseconds / 1'000, 0);
   if (excess_ > limit + window.noise / 4) return true;
   // One window is enough where nothing is learnt from it.
@@ -177,12 +178,14 @@ std::int32_t Coast::most_fall(const Window& window) const {
   return most + model_->rise * offset / 100;
 }
 
+// The mean of the windows, since noise may hide much of the last; or the last, in which there is
+// less heat from before a start.
 void Coast::learn(const Window& window, std::int32_t fall) {
   if (lost_at_ == 0) wait_ = shortest_wait;
   carried_ = carried_least_;
   // In the warmest room it is more than half of what the model says.
   const std::int32_t least = (window.slopes.still / 2 + carried_) * model_->least_loss / 100;
-  lost_ = std::max(fall, least);
+  lost_ = std::max({fallen_ / windows_, fall, least});
   lost_at_ = window.celsius;
 }
 

@@ -70,8 +70,9 @@ class Coast {
   std::int32_t wait_ = shortest_wait;  // full heat before the next pause, ms
   std::int32_t heated_ = 0;  // with full heat since the last one, ms
   std::int32_t paused_ = 0;  // ms
-  // Of the pause: mK beyond what a heater loses, and the windows that are judged.
-  std::int32_t excess_ = 0, windows_ = 0;
+  // Of the pause: mK beyond what a heater loses, the sum of the falls in mK/s, and the windows that
+  // are judged.
+  std::int32_t excess_ = 0, fallen_ = 0, windows_ = 0;
   // The least that fan and filament take in it, in mK/s: the block feels more of it later.
   std::int32_t carried_least_ = 0;
   // What was lost in a pause, of which to fan and filament by the model, in mK/s, and how hot it
