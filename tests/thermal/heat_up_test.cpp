@@ -158,6 +158,31 @@ TEST(heat_ups, find_beads_that_freeze_in_a_pause) {
   EXPECT_EQ(results.hot, 0);
 }
 
+// So near to the target there is no pause: found late, by what the target takes. The limits are of
+// today, and no promise that this is good enough.
+TEST(heat_ups, find_a_bead_of_the_described_hotend_that_drifts_near_the_target) {
+  double latest = 0, highest = -300;
+  for (double target = 180; target <= 260; target += 10) {
+    for (double below = 20; below > 0; below -= 0.5) {
+      tests::Rig rig(tests::Part::hotend, {.seed = 3});
+      rig.set_target(target);
+      rig.run(
+          200, [](tests::Rig&, double) {},
+          [&] { return rig.block.sensor_celsius(rig.now) >= target - below; });
+      ASSERT_FALSE(rig.loop.fault());
+      const double begun_at = rig.now;
+      rig.drift(1);
+      rig.run(200);
+      EXPECT_TRUE(rig.loop.fault()) << target << ", " << below << " K below";
+      latest = std::max(latest, rig.now - begun_at);
+      highest = std::max(highest, rig.highest - target);
+    }
+  }
+  std::printf("near the target: found after %.1f s, %.1f K above the target\n", latest, highest);
+  EXPECT_LT(latest, 50);
+  EXPECT_LT(highest, 50);
+}
+
 // What the pauses cost the hotend as described. Who waits for the target goes on waiting.
 TEST(heat_ups, pause_the_described_hotend_for_less_than_ten_seconds) {
   for (const double start : {22, 137, 180}) {
