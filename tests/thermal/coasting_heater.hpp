@@ -40,6 +40,7 @@ struct CoastingHeater {
   double drift = 0;  // K/s
   double late = 0;  // K/s of heat that the model does not know of, and by how much it becomes less
   double late_seconds = 2;
+  double noise = 0.1;  // that windows tell of, from end to end, in K
   bool frozen = false, held = false, wanted = true;
   double target = 250;
   double block = room, reading = room;
@@ -70,7 +71,7 @@ struct CoastingHeater {
                                  .heating = static_cast<std::int32_t>(heating * model.rise),
                                  .still = millis(lost_at(reading - slope / 2, 25))},
                       .celsius = millis(reading),
-                      .noise = 100,
+                      .noise = millis(noise),
                       .milliseconds = 1'000});
   }
   void count(bool pausing, bool full) {
