@@ -163,7 +163,7 @@ TEST(heat_ups, find_beads_that_freeze_in_a_pause) {
 TEST(heat_ups, find_a_bead_of_the_described_hotend_that_drifts_near_the_target) {
   double latest = 0, highest = -300;
   for (double target = 180; target <= 260; target += 10) {
-    for (double below = 20; below > 0; below -= 0.5) {
+    for (double below = 25; below > 0; below -= 0.5) {
       tests::Rig rig(tests::Part::hotend, {.seed = 3});
       rig.set_target(target);
       rig.run(
