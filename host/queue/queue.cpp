@@ -24,6 +24,9 @@ CREATE INDEX IF NOT EXISTS changes_of_job ON changes(job);
 CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL);
 )";
 
+// Of a bed. `taken`: clear when its job was started; take_back() makes it clear again.
+enum class Bed : std::int64_t { not_clear = 0, clear = 1, taken = 2 };
+
 constexpr const char* columns =
     "SELECT id, name, file, bytes, state, held, wanted_printer, printer, reason, result, seconds, "
     "filament_mm, commands, starts, uploaded_ms, changed_ms FROM jobs ";
@@ -170,7 +173,7 @@ void Queue::start(JobId id, const std::string& printer) {
       .bind(printer)
       .bind(id)
       .run();
-  Statement(database_, "UPDATE beds SET clear = 0 WHERE printer = ?").bind(printer).run();
+  write_bed(printer, static_cast<std::int64_t>(Bed::taken));
   transaction.commit();
 }
 
@@ -180,7 +183,9 @@ void Queue::take_back(JobId id, std::string_view why) {
   if (job.state != JobState::starting) throw NotPermitted(sentence(job, ", not starting"));
   write_change(job, JobState::queued, why);
   Statement(database_, "UPDATE jobs SET starts = starts - 1 WHERE id = ?").bind(id).run();
-  Statement(database_, "UPDATE beds SET clear = 1 WHERE printer = ?").bind(job.printer).run();
+  if (bed_is_taken(job.printer)) {
+    write_bed(job.printer, static_cast<std::int64_t>(Bed::clear));
+  }
   transaction.commit();
 }
 
@@ -277,19 +282,31 @@ std::vector<std::string> Queue::files_in_use() {
   return files;
 }
 
-bool Queue::bed_is_clear(const std::string& printer) {
+std::int64_t Queue::read_bed(const std::string& printer) {
   Statement row(database_, "SELECT clear FROM beds WHERE printer = ?");
   row.bind(printer);
-  return row.step() && row.integer(0) != 0;
+  return row.step() ? row.integer(0) : static_cast<std::int64_t>(Bed::not_clear);
 }
 
-void Queue::set_bed_clear(const std::string& printer, bool clear) {
+void Queue::write_bed(const std::string& printer, std::int64_t bed) {
   Statement(database_,
             "INSERT INTO beds(printer, clear) VALUES(?, ?) "
             "ON CONFLICT(printer) DO UPDATE SET clear = excluded.clear")
       .bind(printer)
-      .bind(std::int64_t{clear})
+      .bind(bed)
       .run();
+}
+
+bool Queue::bed_is_clear(const std::string& printer) {
+  return read_bed(printer) == static_cast<std::int64_t>(Bed::clear);
+}
+
+bool Queue::bed_is_taken(const std::string& printer) {
+  return read_bed(printer) == static_cast<std::int64_t>(Bed::taken);
+}
+
+void Queue::set_bed_clear(const std::string& printer, bool clear) {
+  write_bed(printer, static_cast<std::int64_t>(clear ? Bed::clear : Bed::not_clear));
 }
 
 }  // namespace queue

@@ -50,7 +50,8 @@ class Queue {
   // where the job is held, wants another printer, the bed is not clear, or the printer has an
   // active job.
   void start(JobId id, const std::string& printer);
-  // starting -> queued: not a byte has left, so the bed is as free as before.
+  // starting -> queued: not a byte has left, so the bed is as free as before, unless a person has
+  // said meanwhile that it is not clear.
   void take_back(JobId id, std::string_view why);
   // The next job that may start on this printer.
   std::optional<Job> next_for(const std::string& printer);
@@ -68,10 +69,14 @@ class Queue {
   std::vector<std::string> files_in_use();
 
   bool bed_is_clear(const std::string& printer);
+  // It was clear when the last job was started, and nobody has said anything else since.
+  bool bed_is_taken(const std::string& printer);
   void set_bed_clear(const std::string& printer, bool clear);
 
  private:
   Job found(JobId id);
+  std::int64_t read_bed(const std::string& printer);
+  void write_bed(const std::string& printer, std::int64_t bed);
   void write_change(const Job& job, JobState to, std::string_view why);
 
   Database database_;

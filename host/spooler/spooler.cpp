@@ -181,6 +181,10 @@ bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState&
     }
     if (job.state == JobState::starting) {
       // The journal does not have it, so not a byte of it has left.
+      if (!queue_.bed_is_taken(printer.name())) {
+        queue_.take_back(job.id, "the bed is not clear any more");
+        return true;
+      }
       if (state.link == "ready") send_start(printer, job);
       return false;
     }

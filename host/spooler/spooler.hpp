@@ -58,6 +58,8 @@ class Spooler {
   std::vector<queue::Job> jobs();
   std::vector<queue::Change> history(queue::JobId id);
 
+  // Refused where the bed has a print on it. "Not clear" while a job starts is written down and
+  // refused: the start may have left already. Where it has not, the job is queued again.
   void set_bed_clear(const std::string& printer, bool clear);
   // pause, resume, cancel, stop, or send with a line.
   void ask(const std::string& printer, const nlohmann::json& wish);

@@ -124,9 +124,14 @@ std::uintmax_t Spooler::free_bytes() const {
 void Spooler::set_bed_clear(const std::string& printer, bool clear) {
   const std::scoped_lock lock(mutex_);
   link(printer);
-  if (clear && queue_.active_on(printer)) throw Refused("the bed has a print on it");
+  const auto job = queue_.active_on(printer);
+  if (clear && job) throw Refused("the bed has a print on it");
   queue_.set_bed_clear(printer, clear);
   changed();
+  if (job && job->state == JobState::starting) {
+    throw Refused("noted, but job " + std::to_string(job->id) +
+                  " is being started there: cancel it");
+  }
 }
 
 void Spooler::restart(const std::string& printer) {

@@ -174,6 +174,17 @@ TEST_F(QueueTest, takes_a_start_back_with_the_bed_as_it_was) {
   EXPECT_THROW(jobs.take_back(id, ""), NotPermitted);
 }
 
+TEST_F(QueueTest, a_bed_that_is_not_clear_any_more_stays_so_when_a_start_is_taken_back) {
+  const JobId id = checked("job");
+  start(id);
+  EXPECT_TRUE(jobs.bed_is_taken("left"));
+  jobs.set_bed_clear("left", false);
+  EXPECT_FALSE(jobs.bed_is_taken("left"));
+  jobs.take_back(id, "the feeder has not begun");
+  EXPECT_FALSE(jobs.bed_is_clear("left"));
+  EXPECT_THROW(jobs.start(id, "left"), NotPermitted);
+}
+
 TEST_F(QueueTest, starts_no_held_job_and_none_that_is_for_another_printer) {
   const JobId held = jobs.add({.name = "h", .file = "h.gcode", .bytes = 1, .held = true});
   const JobId other =

@@ -95,10 +95,12 @@ nlohmann::json SpoolerTest::printer_state(const std::string& name) {
   return {};
 }
 
-void SpoolerTest::kill_feeder(const std::string& name) {
+void SpoolerTest::kill_feeder(const std::string& name) { signal_feeder(SIGKILL, name); }
+
+void SpoolerTest::signal_feeder(int signal, const std::string& name) {
   const process::Identity feeder = feeder_of(data(), name);
   ASSERT_TRUE(process::is_running(feeder));
-  process::signal(feeder, SIGKILL);
+  process::signal(feeder, signal);
 }
 
 }  // namespace host_test

@@ -37,6 +37,7 @@ class SpoolerTest : public testing::Test {
   nlohmann::json printer_state(const std::string& name = "left");
   // The feeder's process, from its note.
   void kill_feeder(const std::string& name = "left");
+  void signal_feeder(int signal, const std::string& name = "left");
   std::filesystem::path data() const { return folder_.path() / "data"; }
 
   TemporaryFolder folder_;

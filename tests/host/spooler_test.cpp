@@ -3,6 +3,7 @@
 #include "host/spooler/spooler.hpp"
 
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include "directories.hpp"
 #include "host/spooler/checker.hpp"
@@ -114,6 +115,25 @@ TEST_F(SpoolerTest, a_job_whose_start_never_left_is_started_by_the_next_spooler)
   expect_state(id, JobState::finished);
   EXPECT_EQ(left.executed(), wanted);
   EXPECT_EQ(spool().find(id)->starts, 1);
+}
+
+TEST_F(SpoolerTest, does_not_begin_when_the_bed_is_not_clear_any_more) {
+  const auto id = upload_moves(30);
+  expect_state(id, JobState::queued);
+  expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
+  signal_feeder(SIGSTOP);
+  spool().set_bed_clear("left", true);
+  expect_state(id, JobState::starting);
+  EXPECT_THROW(spool().set_bed_clear("left", false), spooler::Refused);
+  kill_feeder();  // what it was sent is lost with it
+  expect_state(id, JobState::queued);
+  expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_EQ(spool().find(id)->state, JobState::queued);
+  EXPECT_FALSE(printer_state().at("bed_clear"));
+  EXPECT_EQ(left.executed().size(), 0u);
+  spool().set_bed_clear("left", true);
+  expect_state(id, JobState::finished);
 }
 
 TEST_F(SpoolerTest, a_job_that_the_feeder_has_forgotten_is_interrupted_and_a_person_decides) {
