@@ -22,6 +22,9 @@ const std::string& CommandFile::at(std::int64_t index) {
     if (!std::getline(stream_, line)) {
       throw std::runtime_error(path_.string() + " has no command " + std::to_string(index));
     }
+    if (stream_.eof()) {  // without its end: half of it may be missing
+      throw std::runtime_error(path_.string() + " was cut in command " + std::to_string(read_ + 1));
+    }
     kept_.push_back(std::move(line));
     if (kept_.size() > most_kept) kept_.pop_front();
     ++read_;

@@ -16,7 +16,8 @@ class CommandFile {
   explicit CommandFile(std::filesystem::path file);
 
   // Command 1 and up. Going on from the last one, or a little back, is quick; elsewhere the file is
-  // read from its begin. Throws std::runtime_error where there is no such command.
+  // read from its begin. Throws std::runtime_error where there is no such command, or
+  // where it is the last line and has no end: then the file was cut.
   const std::string& at(std::int64_t index);
 
  private:

@@ -50,6 +50,16 @@ TEST(command_file, is_read_forwards_and_backwards) {
   EXPECT_EQ(file.at(500), "line 500");
 }
 
+TEST(command_file, gives_no_command_that_was_cut) {
+  const TemporaryFolder folder;
+  folder.write("commands", "G28\nG1 X5 F3000");
+  CommandFile file(folder.path() / "commands");
+  EXPECT_EQ(file.at(1), "G28");
+  EXPECT_THROW(file.at(2), std::runtime_error);
+  EXPECT_EQ(file.at(1), "G28");
+  EXPECT_THROW(file.at(2), std::runtime_error);
+}
+
 TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "journal.json";

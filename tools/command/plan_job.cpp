@@ -16,7 +16,7 @@
 #include "tools/command/file_roles.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/signals.hpp"
-#include "tools/files/write_text.hpp"
+#include "tools/files/write_file.hpp"
 #include "tools/planning/plan_texts.hpp"
 #include "tools/planning/print_planner.hpp"
 
@@ -48,7 +48,7 @@ void write_commands(const std::filesystem::path& file,
   for (const devices::FileCommand& command : commands) {
     if (!host_link::sets_numbering(command.text)) text += command.text + '\n';
   }
-  files::write_text(file, text);
+  files::write_file(file, text);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ int plan(const PlanOptions& options) {
     refuse_long_ones(*commands, plan);
     write_commands(options.commands, *commands);
   }
-  if (!options.json.empty()) files::write_text(options.json, planning::to_json(plan));
+  if (!options.json.empty()) files::write_file(options.json, planning::to_json(plan));
   say("{}", planning::to_text(plan));
   return plan.fault.empty() && plan.refused.empty() ? success : failure;
 }
