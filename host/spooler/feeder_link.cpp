@@ -4,6 +4,7 @@
 
 #include <signal.h>
 
+#include <exception>
 #include <utility>
 
 #include "host/feeder/feeder_names.hpp"
@@ -57,15 +58,29 @@ bool FeederLink::update() {
   changed_ = false;
   if (chip_) chip_->keep_running();
   if (!connection_) attach();
-  if (!connection_) return changed_;
-  for (const std::string& line : connection_->exchange()) hear(line);
+  if (connection_) exchange();
+  // Last: a feeder is heard also while the disk is full.
+  feeder_.write_note();
+  if (chip_) chip_->write_note();
+  return changed_;
+}
+
+void FeederLink::exchange() {
+  std::exception_ptr fault;
+  for (const std::string& line : connection_->exchange()) {
+    try {
+      hear(line);
+    } catch (...) {  // of an answer's receiver: the other lines are heard all the same
+      fault = std::current_exception();
+    }
+  }
+  if (fault) std::rethrow_exception(fault);
   if (!connection_->is_open()) {
     detach();
   } else if (state_ && !is_heard()) {
     state_.reset();
     changed_ = true;
   }
-  return changed_;
 }
 
 bool FeederLink::is_heard() const {
@@ -88,9 +103,15 @@ void FeederLink::detach() {
   connection_.reset();
   state_.reset();
   changed_ = true;
+  std::exception_ptr fault;
   for (const Answer& answer : std::exchange(answers_, {})) {
-    if (answer) answer(connection_lost);
+    try {
+      if (answer) answer(connection_lost);
+    } catch (...) {
+      fault = std::current_exception();
+    }
   }
+  if (fault) std::rethrow_exception(fault);
 }
 
 void FeederLink::hear(const std::string& line) {

@@ -55,6 +55,7 @@ class FeederLink {
 
  private:
   void attach();
+  void exchange();
   void detach();
   void hear(const std::string& line);
 

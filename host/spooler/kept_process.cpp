@@ -29,8 +29,15 @@ void KeptProcess::keep_running() {
   started_at_ = now;
   identity_ =
       process::start_detached({.arguments = arguments_, .output = log_, .has_input = false});
+  is_noted_ = false;
+  write_note();
+}
+
+void KeptProcess::write_note() {
+  if (is_noted_) return;
   files::write_file(note_,
                     std::to_string(identity_.id) + " " + std::to_string(identity_.started) + "\n");
+  is_noted_ = true;
 }
 
 void KeptProcess::signal(int number) const { process::signal(identity_, number); }

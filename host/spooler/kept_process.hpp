@@ -20,6 +20,8 @@ class KeptProcess {
   bool is_running() const;
   // Starts it where it does not run, but not twice within some seconds. Throws std::runtime_error.
   void keep_running();
+  // Where keep_running() could not write its number. Throws std::runtime_error.
+  void write_note();
   void signal(int number) const;
 
  private:
@@ -27,7 +29,7 @@ class KeptProcess {
   std::vector<std::string> arguments_;
   process::Identity identity_;
   std::chrono::steady_clock::time_point started_at_{};
-  bool started_ = false;
+  bool started_ = false, is_noted_ = true;
 };
 
 }  // namespace spooler

@@ -33,6 +33,17 @@ class Stream {
   Streams streams_;
 };
 
+// Nothing where the queue cannot be read: the stream ends, and its client comes again. An exception
+// would end the server.
+std::shared_ptr<const spooler::Spooler::Snapshot> next_of(spooler::Spooler& spooler,
+                                                          std::int64_t version) {
+  try {
+    return spooler.next_snapshot(version, alive_interval);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 void add_event_route(httplib::Server& server, spooler::Spooler& spooler, Streams streams) {
@@ -42,8 +53,8 @@ void add_event_route(httplib::Server& server, spooler::Spooler& spooler, Streams
         if (stream->is_one_too_many) return answer_error(response, 503, "too many pages are open");
         response.set_chunked_content_provider(
             "text/event-stream", [&spooler, streams, stream](std::size_t, httplib::DataSink& sink) {
-              const auto snapshot = spooler.next_snapshot(stream->version, alive_interval);
-              if (streams.ends) return false;
+              const auto snapshot = next_of(spooler, stream->version);
+              if (streams.ends || !snapshot) return false;
               std::string text = "event: alive\ndata: {}\n\n";
               if (snapshot->version != stream->version) {
                 text = "id: " + std::to_string(snapshot->version) +
