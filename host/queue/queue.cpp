@@ -22,6 +22,7 @@ CREATE TABLE IF NOT EXISTS changes(
   to_state TEXT NOT NULL, why TEXT NOT NULL, time_ms INTEGER NOT NULL);
 CREATE INDEX IF NOT EXISTS changes_of_job ON changes(job);
 CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL);
+CREATE TABLE IF NOT EXISTS kept_files(file TEXT PRIMARY KEY);
 )";
 
 // Of a bed. `taken`: clear when its job was started; take_back() makes it clear again.
@@ -276,10 +277,22 @@ void Queue::remove(JobId id) {
 }
 
 std::vector<std::string> Queue::files_in_use() {
-  Statement rows(database_, "SELECT DISTINCT file FROM jobs");
+  Statement rows(database_, "SELECT file FROM jobs UNION SELECT file FROM kept_files");
   std::vector<std::string> files;
   while (rows.step()) files.push_back(rows.text(0));
   return files;
+}
+
+bool Queue::has_had_jobs() {
+  return Statement(database_, "SELECT 1 FROM sqlite_sequence WHERE name = 'jobs'").step();
+}
+
+void Queue::keep_files(const std::vector<std::string>& files) {
+  Transaction transaction(database_);
+  for (const std::string& file : files) {
+    Statement(database_, "INSERT OR IGNORE INTO kept_files(file) VALUES(?)").bind(file).run();
+  }
+  transaction.commit();
 }
 
 std::int64_t Queue::read_bed(const std::string& printer) {

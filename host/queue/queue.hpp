@@ -66,7 +66,12 @@ class Queue {
   JobId print_again(JobId id);
   // Forgets a job that is over. Its file may go where files_in_use() no longer has it.
   void remove(JobId id);
+  // Of the jobs, and those of keep_files().
   std::vector<std::string> files_in_use();
+  // False as long as no job was ever added.
+  bool has_had_jobs();
+  // Files of the store that are of no job and must not be removed, for ever.
+  void keep_files(const std::vector<std::string>& files);
 
   bool bed_is_clear(const std::string& printer);
   // It was clear when the last job was started, and nobody has said anything else since.

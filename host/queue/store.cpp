@@ -81,12 +81,23 @@ void Store::remove(const std::string& file) const { fs::remove(path_of(file)); }
 std::size_t Store::remove_all_but(const std::vector<std::string>& in_use) const {
   std::vector<fs::path> unused;
   for (const auto& entry : fs::directory_iterator(folder_)) {
-    if (!std::ranges::contains(in_use, entry.path().stem().string() + ".gcode")) {
+    const std::string name = entry.path().filename().string();
+    const bool is_part = name.ends_with(temporary_ending);
+    if (is_part || !std::ranges::contains(in_use, name.substr(0, name.find('.')) + ".gcode")) {
       unused.push_back(entry.path());
     }
   }
   for (const fs::path& file : unused) fs::remove(file);
   return unused.size();
+}
+
+std::vector<std::string> Store::files() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    std::string name = entry.path().filename().string();
+    if (!name.ends_with(temporary_ending)) names.push_back(std::move(name));
+  }
+  return names;
 }
 
 Store::Upload::Upload(const Store& store) : store_(store), name_(random_name() + ".gcode") {

@@ -28,8 +28,12 @@ class Store {
   std::filesystem::path path_of(const std::string& file) const { return folder_ / file; }
   void remove(const std::string& file) const;
   // Removes what no job uses: uploads that did not end, and files whose job was never committed.
-  // Their number.
+  // What else has the name of a file in use before its first dot, as the commands of its jobs, is
+  // kept. Returns the number of removed files.
   std::size_t remove_all_but(const std::vector<std::string>& in_use) const;
+
+  // Apart from uploads that did not end.
+  std::vector<std::string> files() const;
 
   // A file on its way. Gone at the end of its scope unless it was kept. Throws std::system_error.
   class Upload {

@@ -38,6 +38,18 @@ bool sync_file(const fs::path& file) {
   return synced;
 }
 
+// A file that is gone at the end of its scope.
+struct Temporary {
+  explicit Temporary(fs::path file) : path(std::move(file)) {}
+  ~Temporary() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  const fs::path path;
+};
+
 std::string reason_of(const Json& plan) {
   const Json& refused = plan.at("refused");
   if (refused.empty()) return "ends early: " + plan.at("fault").get<std::string>();
@@ -57,15 +69,13 @@ CheckResult refused(std::string reason, std::string report = {}) {
 }  // namespace
 
 CheckResult check(const fs::path& program, const fs::path& file, const fs::path& commands_file) {
-  fs::path report = commands_file;
-  report.replace_extension(".plan");
+  const Temporary report(commands_file.string() + ".plan"), fresh(commands_file.string() + ".new");
   const auto ended = process::capture(
       {.arguments = {"nice", "-n", "10", program.string(), "plan", file.string(), "--json",
-                     report.string(), "--commands", commands_file.string()},
+                     report.path.string(), "--commands", fresh.path.string()},
        .has_input = false,
        .cpu_limit = processor_limit});
-  Json plan = Json::parse(files::text_of(report), nullptr, false);
-  fs::remove(report);
+  Json plan = Json::parse(files::text_of(report.path), nullptr, false);
   if (ended.exit_status > 1 || plan.is_discarded()) {
     std::string said = ended.output;
     while (!said.empty() && said.back() == '\n') said.pop_back();
@@ -79,14 +89,17 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   while (lines.size() > most_refused_lines) lines.erase(lines.size() - 1);
   const std::string text = plan.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!accepted) return refused(reason, text);
-  if (!sync_file(commands_file)) return refused("the commands cannot be written");
+  fs::permissions(fresh.path, fs::perms::owner_read | fs::perms::owner_write);
+  const std::int64_t commands = lines_of(fresh.path);
+  if (!sync_file(fresh.path)) return refused("the commands cannot be written");
+  fs::rename(fresh.path, commands_file);
   queue::sync_folder(commands_file.parent_path());
   return {.accepted = true,
           .reason = {},
           .report = text,
           .seconds = plan.at("seconds"),
           .filament_mm = plan.at("filament_mm"),
-          .commands = lines_of(commands_file)};
+          .commands = commands};
 }
 
 Checker::~Checker() {
@@ -95,6 +108,7 @@ Checker::~Checker() {
 
 void Checker::begin(std::int64_t job, const fs::path& file, const fs::path& commands_file) {
   job_ = job;
+  commands_file_ = commands_file;
   done_ = false;
   thread_ = std::thread([this, file, commands_file] {
     try {

@@ -21,8 +21,9 @@ struct CheckResult {
   std::int64_t commands{};  // in `commands_file`
 };
 
-// Runs `program plan`, with a lower priority than the feeders have. Writes `commands_file`, which
-// is on the disk where the file was accepted.
+// Runs `program plan`, with a lower priority than the feeders have. Where the file
+// is accepted, `commands_file` is on the disk, whole and for this user alone; elsewhere what stood
+// there is there still.
 CheckResult check(const std::filesystem::path& program, const std::filesystem::path& file,
                   const std::filesystem::path& commands_file);
 
@@ -40,11 +41,13 @@ class Checker {
   // The result, once, when it is there.
   std::optional<CheckResult> take_result();
   std::int64_t job() const { return job_; }
+  const std::filesystem::path& commands_file() const { return commands_file_; }
 
  private:
   std::filesystem::path program_;
   std::thread thread_;
   std::int64_t job_ = 0;
+  std::filesystem::path commands_file_;
   CheckResult result_;
   std::atomic<bool> done_ = false;
 };

@@ -65,12 +65,24 @@ Spooler::~Spooler() = default;
 
 // What the last spooler left in the middle. Active jobs are followed when their feeders are heard.
 void Spooler::recover() {
+  keep_files_of_a_lost_queue();
   store_.remove_all_but(queue_.files_in_use());
   for (const Job& job : queue_.jobs()) {
     if (job.state == JobState::checking) {
       queue_.change(job.id, JobState::uploaded, "the spooler ended during the check");
     }
   }
+}
+
+// Without queue.db nothing says which files are of jobs; one may be printed at this moment.
+void Spooler::keep_files_of_a_lost_queue() {
+  if (queue_.has_had_jobs()) return;
+  std::vector<std::string> files = store_.files();
+  if (files.empty()) return;
+  for (std::string& file : files) file = file.substr(0, file.find('.')) + ".gcode";
+  queue_.keep_files(files);
+  notice_ = "queue.db was missing and is new: the files in " + (settings_.data / "files").string() +
+            " have no job and are kept";
 }
 
 void Spooler::run(const std::function<bool()>& ended) {
@@ -87,15 +99,17 @@ void Spooler::run(const std::function<bool()>& ended) {
 bool Spooler::pass() {
   const std::scoped_lock lock(mutex_);
   std::string fault;
-  try {
-    bool is_changed = check_files();
-    for (const auto& printer : printers_) {
-      is_changed |= printer->update();
-      is_changed |= follow(*printer);
+  const auto attempt = [&](const std::function<bool()>& step) {
+    try {
+      if (step()) changed();
+    } catch (const std::exception& error) {
+      fault = error.what();
     }
-    if (is_changed) changed();
-  } catch (const std::exception& error) {
-    fault = error.what();
+  };
+  attempt([this] { return check_files(); });
+  for (const auto& printer : printers_) {  // the fault of one does not stop the others
+    attempt([&] { return printer->update(); });
+    attempt([&] { return follow(*printer); });
   }
   if (fault != fault_) {
     fault_ = fault;
@@ -105,7 +119,8 @@ bool Spooler::pass() {
 }
 
 std::filesystem::path Spooler::commands_of(const Job& job) const {
-  return std::filesystem::absolute(store_.path_of(job.file)).replace_extension(".commands");
+  return std::filesystem::absolute(store_.path_of(job.file))
+      .replace_extension("." + std::to_string(job.id) + ".commands");
 }
 
 bool Spooler::check_files() {
@@ -118,6 +133,8 @@ bool Spooler::check_files() {
                        result->commands);
       queue_.change(job->id, result->accepted ? JobState::queued : JobState::refused,
                     result->reason);
+    } else {
+      std::filesystem::remove(checker_.commands_file());
     }
     is_changed = true;
   }

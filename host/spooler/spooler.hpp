@@ -91,6 +91,7 @@ class Spooler {
   };
 
   void recover();
+  void keep_files_of_a_lost_queue();
   bool pass();
   bool check_files();
   bool follow(FeederLink& printer);
@@ -98,6 +99,7 @@ class Spooler {
   void send_start(FeederLink& printer, const queue::Job& job);
   bool follow_job(FeederLink& printer, const queue::Job& job, const FeederState& state);
   FeederLink& link(const std::string& printer);
+  // Of each job its own: a check of the same file for another job leaves it alone.
   std::filesystem::path commands_of(const queue::Job& job) const;
   void changed();
   nlohmann::json to_json(const FeederLink& printer);
@@ -113,6 +115,7 @@ class Spooler {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::string fault_;  // of the last pass; empty: none
+  std::string notice_;  // of the start; shown where there is no fault
   std::int64_t version_ = 1;
   std::shared_ptr<const Snapshot> snapshot_;
 };

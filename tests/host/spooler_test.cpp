@@ -4,9 +4,15 @@
 
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
+
+#include <map>
+#include <set>
 
 #include "directories.hpp"
+#include "host/feeder/feeder_names.hpp"
 #include "host/spooler/checker.hpp"
+#include "host/spooler/feeder_link.hpp"
 #include "tests/host/spooler_fixture.hpp"
 #include "tools/files/file_text.hpp"
 
@@ -243,6 +249,103 @@ TEST_F(SpoolerTest, goes_on_when_the_queue_can_be_written_again) {
   expect_soon([&] { return spool().snapshot()->json.at("fault") == ""; }, "fault");
 }
 
+// The feeder may read the commands of the first one again at any time.
+TEST_F(SpoolerTest, a_job_printed_again_has_commands_of_its_own) {
+  const auto id = upload("G28 X\n", "a.gcode", true);
+  expect_state(id, JobState::queued);
+  spool().cancel(id);
+  const auto commands = [this] {
+    std::map<std::filesystem::path, ino_t> found;
+    for (const auto& entry : std::filesystem::directory_iterator(data() / "files")) {
+      struct stat status{};
+      if (entry.path().extension() != ".commands") continue;
+      EXPECT_EQ(stat(entry.path().c_str(), &status), 0);
+      EXPECT_EQ(status.st_mode & 0777u, 0600u) << "for this user alone";
+      found[entry.path()] = status.st_ino;
+    }
+    return found;
+  };
+  const auto first = commands();
+  ASSERT_EQ(first.size(), 1u);
+  const auto again = spool().print_again(id);
+  expect_state(again, JobState::queued);
+  EXPECT_EQ(commands().size(), 2u);
+  EXPECT_EQ(commands().at(first.begin()->first), first.begin()->second);
+  spool().remove(id);
+  EXPECT_EQ(commands().size(), 1u);
+  EXPECT_FALSE(commands().contains(first.begin()->first));
+  spool().set_bed_clear("left", true);
+  expect_state(again, JobState::finished);
+}
+
+TEST_F(SpoolerTest, removes_no_file_when_the_queue_was_lost) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(50);
+  const auto files = [this] {
+    std::set<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(data() / "files")) {
+      found.insert(entry.path());
+    }
+    return found;
+  };
+  const auto before = files();
+  ASSERT_EQ(before.size(), 2u);
+  expect_state(id, JobState::printing);
+  for (int start = 0; start < 2; ++start) {
+    end_spooler();
+    for (const char* name : {"queue.db", "queue.db-wal", "queue.db-shm"}) {
+      if (start == 0) std::filesystem::remove(data() / name);
+    }
+    begin_spooler();
+    EXPECT_EQ(files(), before);
+  }
+  EXPECT_THAT(spool().snapshot()->json.at("fault").get<std::string>(), HasSubstr("queue.db"));
+  const auto next = upload("G28 Y\n", "b.gcode", true);
+  expect_state(next, JobState::queued);
+  end_spooler();
+  begin_spooler();
+  EXPECT_THAT(files(), testing::IsSupersetOf(before)) << "also once there are jobs again";
+}
+
+// As with a full disk: nothing can be written in the left printer's folder.
+TEST_F(SpoolerTest, a_printer_whose_feeder_cannot_be_started_does_not_stop_the_other_one) {
+  expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
+  const auto note = data() / "printers/left/feeder.process";
+  kill_feeder();
+  std::filesystem::remove(note);
+  std::filesystem::create_directory(note);
+  expect_soon([&] { return spool().snapshot()->json.at("fault") != ""; }, "no fault");
+  const auto id = upload("G28 X\n", "r.gcode", false, "right");
+  spool().set_bed_clear("right", true);
+  expect_state(id, JobState::finished);
+  std::filesystem::remove(note);
+  expect_soon([&] { return std::filesystem::exists(note); }, "no note");
+  expect_soon([&] { return spool().snapshot()->json.at("fault") == ""; }, "fault");
+}
+
+TEST_F(SpoolerTest, hears_all_of_a_feeder_although_one_answer_cannot_be_written_down) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "printers/x");
+  feeder::Listener listener(folder.path() / "printers/x", feeder::socket_name);
+  spooler::Settings settings;
+  settings.data = folder.path();
+  spooler::FeederLink link(settings, {.name = "x", .port = "/dev/null"});
+  link.update();
+  auto connections = listener.accept();
+  ASSERT_EQ(connections.size(), 1u);
+  std::vector<std::string> refusals;
+  link.ask({{"do", "start"}}, [](const std::string&) { throw std::runtime_error("disk full"); });
+  link.ask({{"do", "pause"}}, [&](const std::string& refusal) { refusals.push_back(refusal); });
+  connections.front().send(R"({"event":"answer","refused":"no"})"
+                           "\n"
+                           R"({"event":"answer","refused":"not now"})");
+  connections.front().exchange();
+  EXPECT_THROW(link.update(), std::runtime_error);
+  EXPECT_EQ(refusals, std::vector<std::string>{"not now"});
+  EXPECT_FALSE(link.is_asked());
+}
+
 TEST_F(SpoolerTest, a_second_one_on_the_same_folder_is_refused) {
   spooler::Settings same;
   same.data = data();
@@ -263,6 +366,9 @@ TEST(check, gives_what_is_sent_without_comments_and_line_numbers_of_its_own) {
   const auto long_one =
       spooler::check(BUILD_DIRECTORY "/bin/stepfabric", folder.path() / "job.gcode", commands);
   EXPECT_FALSE(long_one.accepted);
+  EXPECT_EQ(files::text_of(commands), "G28 X\nM117 Hello\n") << "of the accepted one";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2)
+      << "nothing is left behind";
   EXPECT_THAT(long_one.reason, HasSubstr("too long"));
 }
 

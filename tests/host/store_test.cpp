@@ -46,7 +46,7 @@ TEST(store, removes_what_no_job_uses) {
   const Store store(folder.path() / "files");
   std::vector<std::string> kept;
   for (int i = 0; i < 2; ++i) kept.push_back(Store::Upload(store).keep());
-  folder.write("files/" + kept[0].substr(0, 24) + ".commands", "G28\n");
+  folder.write("files/" + kept[0].substr(0, 24) + ".12.commands", "G28\n");
   folder.write("files/" + kept[1].substr(0, 24) + ".commands", "G28\n");
   folder.write("files/0123.gcode.part", "G2");
   EXPECT_EQ(store.remove_all_but({kept[0]}), 3u);
