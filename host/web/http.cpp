@@ -4,10 +4,27 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "host/spooler/spooler.hpp"
 
 namespace web {
+
+namespace {
+
+HttpError wrong(const char* name, const std::string& wanted) {
+  return {400, std::string("the field `") + name + "` must be " + wanted};
+}
+
+const Json& field(const Json& body, const char* name) {
+  const auto found = body.find(name);
+  if (found == body.end()) {
+    throw HttpError(400, std::string("the field `") + name + "` is missing");
+  }
+  return *found;
+}
+
+}  // namespace
 
 void answer(httplib::Response& response, const Json& json, int status) {
   response.status = status;
@@ -33,7 +50,7 @@ void answer_errors_of(httplib::Response& response, const std::function<void()>& 
   } catch (const spooler::Refused& error) {
     answer_error(response, 409, error.what());
   } catch (const nlohmann::json::exception& error) {
-    answer_error(response, 400, error.what());
+    answer_error(response, 400, "a field of the body has a wrong type");
   } catch (const std::system_error& error) {
     const bool full = error.code().value() == ENOSPC || error.code().value() == EDQUOT;
     answer_error(response, full ? 507 : 500, error.what());
@@ -56,9 +73,30 @@ Json body_of(const httplib::Request& request, const httplib::ContentReader& read
   });
   if (!whole) throw HttpError(413, "more than 64 KiB, or the body ended early");
   if (text.find_first_not_of(" \r\n\t") == std::string::npos) return Json::object();
-  Json json = Json::parse(text);
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw HttpError(400, "the body is no JSON");
   if (!json.is_object()) throw HttpError(400, "a JSON object is expected");
   return json;
+}
+
+bool bool_of(const Json& body, const char* name) {
+  const Json& value = field(body, name);
+  if (!value.is_boolean()) throw wrong(name, "true or false");
+  return value;
+}
+
+std::string text_of(const Json& body, const char* name) {
+  const Json& value = field(body, name);
+  if (!value.is_string()) throw wrong(name, "a text");
+  return value;
+}
+
+queue::JobId job_of(const Json& body, const char* name) {
+  const Json& value = field(body, name);
+  const bool fits = value.is_number_unsigned() && value.get<std::uint64_t>() > 0 &&
+                    std::in_range<queue::JobId>(value.get<std::uint64_t>());
+  if (!fits) throw wrong(name, "the number of a job");
+  return value;
 }
 
 }  // namespace web

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/queue/job.hpp"
+
 namespace web {
 
 using Json = nlohmann::json;
@@ -31,5 +33,10 @@ void answer_errors_of(httplib::Response& response, const std::function<void()>& 
 
 // The body as a JSON object, empty without a body. Throws HttpError 400, 413, 415.
 Json body_of(const httplib::Request& request, const httplib::ContentReader& read);
+
+// A field of the body, or an element of one. Throw HttpError 400, which names it.
+bool bool_of(const Json& body, const char* name);
+std::string text_of(const Json& body, const char* name);
+queue::JobId job_of(const Json& body, const char* name);  // 1 to the largest number of 63 bits
 
 }  // namespace web

@@ -49,7 +49,7 @@ void answer_nothing(httplib::Response& response) { response.status = 204; }
 
 void upload(const httplib::Request& request, httplib::Response& response,
             const httplib::ContentReader& read, spooler::Spooler& spooler) {
-  const auto uploaded = take_upload(request, read, spooler, request.matches[1]);
+  const auto uploaded = take_upload(request, response, read, spooler, request.matches[1]);
   const std::string name = queue::cleaned_name(uploaded.form.file_name);
   const std::string location =
       "http://" + request.get_header_value("Host") + request.path + "/" + encoded(name);
@@ -70,10 +70,11 @@ void upload(const httplib::Request& request, httplib::Response& response,
 
 void do_job_command(const std::string& printer, const Json& body, spooler::Spooler& spooler,
                     const octoprint::View& view) {
-  const std::string command = body.at("command");
+  const std::string command = text_of(body, "command");
   std::string wish = command;
   if (command == "pause") {
-    wish = body.value("action", "toggle");
+    wish = "toggle";
+    if (body.contains("action")) wish = text_of(body, "action");
     if (wish == "toggle") wish = view.is_paused() ? "resume" : "pause";
   } else if (command != "cancel") {
     throw HttpError(409, "jobs start by themselves, in the order of the queue");
@@ -86,7 +87,7 @@ void do_job_command(const std::string& printer, const Json& body, spooler::Spool
 
 void do_printer_command(const std::string& printer, const Json& body, spooler::Spooler& spooler) {
   const Json lines =
-      body.contains("commands") ? body.at("commands") : Json::array({body.at("command")});
+      body.contains("commands") ? body.at("commands") : Json::array({text_of(body, "command")});
   for (const Json& line : lines) {
     spooler.ask(printer, {{"do", "send"}, {"line", line.get<std::string>()}});
   }
@@ -133,7 +134,8 @@ void add_octoprint_routes(httplib::Server& server, spooler::Spooler& spooler) {
          answer_nothing(response);
        });
   post(server, prefix + "connection", [](const auto&, auto& response, const Json& body) {
-    if (body.at("command") != "connect") throw HttpError(409, "the feeder keeps the connection");
+    if (text_of(body, "command") != "connect")
+      throw HttpError(409, "the feeder keeps the connection");
     answer_nothing(response);
   });
 }

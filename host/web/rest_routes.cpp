@@ -40,7 +40,8 @@ void add_job_routes(httplib::Server& server, spooler::Spooler& spooler) {
   server.Post(jobs, [&spooler](const httplib::Request& request, httplib::Response& response,
                                const httplib::ContentReader& read) {
     answer_errors_of(response, [&] {
-      const auto uploaded = take_upload(request, read, spooler, request.get_param_value("printer"));
+      const auto uploaded =
+          take_upload(request, response, read, spooler, request.get_param_value("printer"));
       response.set_header("Location", jobs + "/" + std::to_string(uploaded.id));
       answer(response, {{"id", uploaded.id}}, 201);
     });
@@ -64,16 +65,15 @@ void add_job_routes(httplib::Server& server, spooler::Spooler& spooler) {
   });
   post(server, one_job + "/hold",
        [&spooler](const auto& request, auto& response, const Json& body) {
-         spooler.set_held(id_of(request), body.at("held").get<bool>());
+         spooler.set_held(id_of(request), bool_of(body, "held"));
          answer(response, Json::object());
        });
-  post(server, one_job + "/move",
-       [&spooler](const auto& request, auto& response, const Json& body) {
-         const Json& next = body.at("before");
-         spooler.move(id_of(request),
-                      next.is_null() ? std::nullopt : std::optional(next.get<queue::JobId>()));
-         answer(response, Json::object());
-       });
+  post(
+      server, one_job + "/move", [&spooler](const auto& request, auto& response, const Json& body) {
+        const bool to_end = body.contains("before") && body.at("before").is_null();
+        spooler.move(id_of(request), to_end ? std::nullopt : std::optional(job_of(body, "before")));
+        answer(response, Json::object());
+      });
 }
 
 }  // namespace
@@ -90,13 +90,12 @@ void add_rest_routes(httplib::Server& server, spooler::Spooler& spooler) {
        });
   post(server, one_printer + "/send",
        [&spooler](const auto& request, auto& response, const Json& body) {
-         spooler.ask(request.matches[1],
-                     {{"do", "send"}, {"line", body.at("line").get<std::string>()}});
+         spooler.ask(request.matches[1], {{"do", "send"}, {"line", text_of(body, "line")}});
          answer(response, Json::object());
        });
   post(server, one_printer + "/bed_clear",
        [&spooler](const auto& request, auto& response, const Json& body) {
-         spooler.set_bed_clear(request.matches[1], body.at("clear").get<bool>());
+         spooler.set_bed_clear(request.matches[1], bool_of(body, "clear"));
          answer(response, Json::object());
        });
   post(server, one_printer + "/restart",

@@ -44,7 +44,8 @@ struct UploadedJob {
   UploadForm form;
 };
 // The form's file as a new job; `printer` may be empty.
-UploadedJob take_upload(const httplib::Request& request, const httplib::ContentReader& read,
-                        spooler::Spooler& spooler, const std::string& printer);
+UploadedJob take_upload(const httplib::Request& request, const httplib::Response& response,
+                        const httplib::ContentReader& read, spooler::Spooler& spooler,
+                        const std::string& printer);
 
 }  // namespace web

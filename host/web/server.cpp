@@ -2,40 +2,22 @@
 // Limits, rules, and the routes together.
 #include "host/web/server.hpp"
 
+#include "host/web/head.hpp"
+#include "host/web/listener.hpp"
 #include "host/web/routes.hpp"
 
 namespace web {
 
 namespace {
 
-constexpr std::size_t workers = 32;
-constexpr std::size_t most_waiting_connections = 64;
-constexpr time_t read_limit_s = 5, write_limit_s = 10;
-
-RequestHead head_of(const httplib::Request& request) {
-  const auto header = [&request](const char* name) -> std::optional<std::string> {
-    if (!request.has_header(name)) return std::nullopt;
-    return request.get_header_value(name);
-  };
-  std::string key = request.get_header_value("X-Api-Key");
-  const std::string authorization = request.get_header_value("Authorization");
-  if (key.empty() && authorization.starts_with("Bearer ")) key = authorization.substr(7);
-  return {.method = request.method,
-          .path = request.path,
-          .host = request.get_header_value("Host"),
-          .origin = header("Origin"),
-          .fetch_site = header("Sec-Fetch-Site"),
-          .key = std::move(key)};
-}
+// More than are waited for and listen to events together.
+constexpr std::size_t workers = 64;
+constexpr std::size_t most_waiting_connections = 256;
 
 void set_limits(httplib::Server& server) {
   server.new_task_queue = [] {
     return new httplib::ThreadPool(workers, most_waiting_connections);  // httplib deletes it
   };
-  server.set_read_timeout(read_limit_s);
-  server.set_write_timeout(write_limit_s);
-  // One request for each connection: what a refused one leaves unread is never taken for another.
-  server.set_keep_alive_max_count(1);
   server.set_payload_max_length(UploadLimits{}.bytes + 64 * 1024);
   server.set_tcp_nodelay(true);
   // httplib's own ones let two servers share a port.
@@ -55,11 +37,12 @@ void set_limits(httplib::Server& server) {
 
 }  // namespace
 
-Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules)
+Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
+               const WaitLimits& limits)
     : spooler_(spooler),
       address_(address),
       rules_(std::move(rules)),
-      server_(std::make_unique<httplib::Server>()) {
+      server_(std::make_unique<Listener>(limits)) {
   if (!is_loopback(address_.host) && rules_.key.empty()) {
     throw std::runtime_error("other machines reach " + written(address_) +
                              ": a key is needed (--key FILE)");
@@ -67,7 +50,8 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules)
   set_limits(*server_);
   server_->set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
-        const auto refusal = refusal_of(head_of(request), rules_);
+        auto refusal = fault_of(request);
+        if (!refusal) refusal = refusal_of(head_of(request), rules_);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
         answer_error(response, refusal->status, refusal->why);
         return httplib::Server::HandlerResponse::Handled;
@@ -90,6 +74,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules)
 
 Server::~Server() {
   ends_ = true;
+  server_->end();
   server_->stop();
   thread_.join();
 }

@@ -9,19 +9,19 @@
 
 #include "host/spooler/spooler.hpp"
 #include "host/web/address.hpp"
+#include "host/web/connections.hpp"
 #include "host/web/guard.hpp"
 
-namespace httplib {
-class Server;
-}
-
 namespace web {
+
+class Listener;
 
 class Server {
  public:
   // Listens when it returns. Throws std::runtime_error where the address is in use, or other
   // machines reach it and the rules have no key.
-  Server(spooler::Spooler& spooler, const Address& address, Rules rules);
+  Server(spooler::Spooler& spooler, const Address& address, Rules rules,
+         const WaitLimits& limits = {});
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -33,7 +33,7 @@ class Server {
   spooler::Spooler& spooler_;
   Address address_;
   Rules rules_;
-  std::unique_ptr<httplib::Server> server_;
+  std::unique_ptr<Listener> server_;
   std::atomic<bool> ends_ = false;
   std::atomic<int> streams_ = 0;
   std::thread thread_;

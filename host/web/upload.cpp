@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <exception>
 
 namespace web {
@@ -15,7 +14,6 @@ namespace {
 constexpr std::size_t longest_field = 4096;
 constexpr std::size_t most_fields = 20;
 constexpr std::uintmax_t space_to_leave = 64 * 1024 * 1024;
-constexpr double patience_seconds = 20;
 
 bool is_gcode(std::string name) {
   std::ranges::transform(name, name.begin(), [](char c) {
@@ -40,12 +38,14 @@ class FormReader {
     if (!is_file_) return true;
     if (!form.file_name.empty()) return fail(400, "more than one file");
     form.file_name = part.filename;
-    return is_gcode(form.file_name) || fail(415, "no G-code: a name ends with .gcode, .gco or .g");
+    return is_gcode(form.file_name) ||
+           fail(415,
+                "no G-code: the name `" + queue::cleaned_name(form.file_name) +
+                    "` does not end with .gcode, .gco, .g or .nc (a name ends at a semicolon)");
   }
   bool take(const char* data, std::size_t size) {
     total_ += size;
     if (total_ > limits_.bytes) return fail(413, "the file is too long");
-    if (is_too_slow()) return fail(408, "the upload is too slow");
     if (is_file_) {
       try {
         upload_.write({data, size});
@@ -68,17 +68,15 @@ class FormReader {
     if (error_) std::rethrow_exception(error_);
   }
 
+  std::size_t parts() const { return parts_; }
+  const std::string& last_name() const { return name_; }
+
   UploadForm form;
 
  private:
   bool fail(int status, const std::string& why) {
     error_ = std::make_exception_ptr(HttpError(status, why));
     return false;
-  }
-  bool is_too_slow() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
-    return passed.count() > patience_seconds &&
-           static_cast<double>(total_) < passed.count() * limits_.bytes_per_second;
   }
 
   queue::Store::Upload& upload_;
@@ -87,8 +85,16 @@ class FormReader {
   std::string name_, field_;
   bool is_file_ = false;
   std::size_t total_ = 0, parts_ = 0;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
+
+bool has_boundary(const std::string& type) {
+  constexpr std::string_view word = "boundary=";
+  const std::size_t at = type.find(word);
+  if (at == std::string::npos) return false;
+  std::string_view value = std::string_view(type).substr(at + word.size());
+  if (value.starts_with('"')) value.remove_prefix(1);
+  return !value.empty() && std::string_view("\"; ").find(value.front()) == std::string_view::npos;
+}
 
 std::uintmax_t announced_length(const httplib::Request& request) {
   const std::string text = request.get_header_value("Content-Length");
@@ -99,10 +105,13 @@ std::uintmax_t announced_length(const httplib::Request& request) {
 
 }  // namespace
 
-UploadForm read_form(const httplib::Request& request, const httplib::ContentReader& read,
-                     queue::Store::Upload& upload, std::uintmax_t free_bytes,
-                     const UploadLimits& limits) {
+UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
+                     const httplib::ContentReader& read, queue::Store::Upload& upload,
+                     std::uintmax_t free_bytes, const UploadLimits& limits) {
   if (!request.is_multipart_form_data()) throw HttpError(400, "a form with a file is expected");
+  if (!has_boundary(request.get_header_value("Content-Type"))) {
+    throw HttpError(400, "the Content-Type has no boundary");
+  }
   const std::uintmax_t length = announced_length(request);
   if (length > limits.bytes + 64 * 1024) throw HttpError(413, "the file is too long");
   if (free_bytes < length + space_to_leave) throw HttpError(507, "the disk has no room for it");
@@ -111,7 +120,14 @@ UploadForm read_form(const httplib::Request& request, const httplib::ContentRead
       read([&form](const httplib::MultipartFormData& part) { return form.begin_part(part); },
            [&form](const char* data, std::size_t size) { return form.take(data, size); });
   form.rethrow();
-  if (!whole) throw HttpError(400, "the form ended early");
+  if (!whole && response.status == 413) throw HttpError(413, "the form is too long");
+  if (!whole) {
+    throw HttpError(400, form.parts() == 0
+                             ? "no part of the form can be read: it ended early, has another "
+                               "boundary, or a broken chunk or header"
+                             : "the form ended early, or has a broken chunk or header after `" +
+                                   form.last_name() + "`");
+  }
   form.finish_part();
   if (form.form.file_name.empty()) throw HttpError(400, "the form has no file");
   if (upload.bytes() == 0) throw HttpError(400, "the file is empty");

@@ -11,8 +11,6 @@ namespace web {
 
 struct UploadLimits {
   std::size_t bytes = std::size_t{1} << 30u;
-  // A body that comes more slowly over all is given up after some seconds.
-  double bytes_per_second = 2000;
 };
 
 struct UploadForm {
@@ -21,10 +19,10 @@ struct UploadForm {
 };
 
 // Reads the fields of slicers in any order (`print`, `select`, `path`, `file`) and writes the file
-// into `upload`. Throws HttpError: 400 no file or a broken form, 408 too slow, 413 too long, 415 no
+// into `upload`. `response` has what httplib says of a broken body. Throws HttpError: 400 no file or a broken form, 413 too long, 415 no
 // G-code, 507 no space.
-UploadForm read_form(const httplib::Request& request, const httplib::ContentReader& read,
-                     queue::Store::Upload& upload, std::uintmax_t free_bytes,
-                     const UploadLimits& limits = {});
+UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
+                     const httplib::ContentReader& read, queue::Store::Upload& upload,
+                     std::uintmax_t free_bytes, const UploadLimits& limits = {});
 
 }  // namespace web

@@ -17,10 +17,10 @@ class WebTest : public SpoolerTest {
   WebTest() { serve({}); }
   ~WebTest() override { server_.reset(); }
 
-  void serve(const web::Rules& rules) {
+  void serve(const web::Rules& rules, const web::WaitLimits& limits = {}) {
     server_.reset();
-    server_ =
-        std::make_unique<web::Server>(spool(), web::Address{.host = "127.0.0.1", .port = 0}, rules);
+    server_ = std::make_unique<web::Server>(spool(), web::Address{.host = "127.0.0.1", .port = 0},
+                                            rules, limits);
   }
   httplib::Client client() const { return httplib::Client("127.0.0.1", port()); }
   int port() const { return server_->address().port; }

@@ -1,45 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The server over real HTTP: REST, events, page, limits.
 #include <gmock/gmock.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <chrono>
 
 #include "host/web/page_files.hpp"
+#include "tests/host/raw_client.hpp"
 #include "tests/host/web_fixture.hpp"
 #include "tools/files/file_text.hpp"
 
 namespace {
 
+using host_test::raw;
 using host_test::WebTest;
 using nlohmann::json;
 using queue::JobState;
 using testing::HasSubstr;
-
-// What comes back for these bytes, as they are, and others some time later.
-std::string raw(int port, const std::string& bytes, const std::string& later = {}) {
-  const int descriptor = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  EXPECT_EQ(connect(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
-  EXPECT_GT(send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL), 0);
-  if (!later.empty()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    send(descriptor, later.data(), later.size(), MSG_NOSIGNAL);
-  }
-  std::string text;
-  std::array<char, 4096> buffer{};
-  ssize_t count = 0;
-  while ((count = recv(descriptor, buffer.data(), buffer.size(), 0)) > 0) {
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  close(descriptor);
-  return text;
-}
 
 TEST_F(WebTest, an_upload_is_answered_when_its_job_and_its_file_are_there) {
   const auto answer = client().Post("/api/v1/jobs", form("G28 X\n", "../../a b.gcode", "false"));

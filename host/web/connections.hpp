@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long the server waits for requests, and for how many at a time.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <set>
+
+namespace web {
+
+struct WaitLimits {
+  // For the head of a request. A body may take the same time, and more at `bytes_per_second`; but
+  // never may nothing come for so long.
+  std::chrono::milliseconds patience{10'000};
+  double bytes_per_second = 2000;
+  std::size_t longest_head = 32 * 1024;  // bytes
+  // So many connections are waited for. Where there are more, the one that is due first is given
+  // up.
+  std::size_t most_waiting = 24;
+};
+
+using Clock = std::chrono::steady_clock;
+
+// A connection whose request is still on its way.
+struct Awaited {
+  int socket{};
+  Clock::time_point due;  // unchanged as long as it is entered
+  std::atomic<bool> given_up = false;
+};
+
+// All those of a server; for any thread.
+class Connections {
+ public:
+  explicit Connections(WaitLimits limits) : limits_(limits) {}
+
+  const WaitLimits& limits() const { return limits_; }
+  // Until leave(); gives another one up where there are too many.
+  void enter(Awaited& connection);
+  void leave(Awaited& connection);
+  // All of them, and each that comes.
+  void end();
+
+ private:
+  static void give_up(Awaited& connection);
+
+  WaitLimits limits_;
+  std::mutex mutex_;
+  std::set<Awaited*> awaited_;
+  bool ends_ = false;
+};
+
+}  // namespace web

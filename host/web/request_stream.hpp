@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The connection of one request, as httplib reads and writes it.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "host/web/connections.hpp"
+#include "host/web/http.hpp"
+
+namespace web {
+
+// A request that does not come in time, or whose head is too long, is answered here: 408, 431. Then
+// httplib finds the connection ended, and what it writes is dropped.
+class RequestStream final : public httplib::Stream {
+ public:
+  // `write_limit`: until a part of the answer must be taken.
+  RequestStream(int socket, Connections& connections, std::chrono::milliseconds write_limit);
+  RequestStream(const RequestStream&) = delete;
+  RequestStream& operator=(const RequestStream&) = delete;
+
+  bool is_readable() const override;
+  bool is_writable() const override;
+  ssize_t read(char* bytes, std::size_t size) override;
+  ssize_t write(const char* bytes, std::size_t size) override;
+  using Stream::write;
+  void get_remote_ip_and_port(std::string& ip, int& port) const override;
+  void get_local_ip_and_port(std::string& ip, int& port) const override;
+  socket_t socket() const override { return awaited_.socket; }
+
+ private:
+  Clock::time_point due() const;
+  bool fill();
+  void follow_head();
+  void answer_and_end(const char* status, const char* why);
+
+  Connections& connections_;
+  Awaited awaited_;
+  std::chrono::milliseconds write_limit_;
+  Clock::time_point began_ = Clock::now(), read_at_ = began_;
+  std::array<char, 16 * 1024> buffer_;
+  std::size_t used_ = 0, filled_ = 0;  // of the buffer
+  std::size_t total_ = 0, head_bytes_ = 0;  // that have come
+  std::array<char, 3> last_{};  // of the head
+  bool head_ended_ = false, ended_ = false;
+};
+
+}  // namespace web
