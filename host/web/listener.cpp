@@ -14,6 +14,7 @@ namespace web {
 namespace {
 
 constexpr std::chrono::seconds write_limit{10};
+constexpr int most_queued = 512;  // by the system
 constexpr std::size_t most_left_unread = 1024 * 1024;
 
 // What has come and was not read would make close() reset the connection, and the client might lose
@@ -28,6 +29,8 @@ void drop_unread(int socket) {
 }
 
 }  // namespace
+
+void Listener::queue_connections() { ::listen(svr_sock_, most_queued); }
 
 bool Listener::process_and_close_socket(socket_t socket) {
   bool answered = false;

@@ -10,6 +10,9 @@ namespace web {
 class Listener final : public httplib::Server {
  public:
   explicit Listener(WaitLimits limits) : connections_(limits) {}
+  // httplib lets the system queue 5 connections only: in a burst the others wait for seconds. To be
+  // called once it is bound.
+  void queue_connections();
   // Those that are waited for are given up. To be called before stop().
   void end() { connections_.end(); }
 

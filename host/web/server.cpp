@@ -68,6 +68,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
   } else if (!server_->bind_to_port(address_.host, address_.port)) {
     throw std::runtime_error("cannot listen on " + written(address_) + "; is it in use?");
   }
+  server_->queue_connections();
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   server_->wait_until_ready();
 }
