@@ -10,7 +10,7 @@ namespace feeder {
 
 namespace {
 
-// End a cancelled job: heaters, fan and motors off.
+// Heaters, fan and motors off.
 constexpr std::array<std::string_view, 4> closing_lines{"M104 S0", "M140 S0", "M107", "M84"};
 // Ends waits and moves at once, ahead of all lines that wait.
 constexpr std::string_view cancel_at_once = "//action:cancel\nM108\n";
@@ -18,17 +18,26 @@ constexpr std::string_view cancel_at_once = "//action:cancel\nM108\n";
 constexpr std::int64_t far_ahead = std::int64_t{1} << 29;
 // Each crash at the end of a job adds two lines to it.
 constexpr std::int64_t most_end_lines = 10'000;
-constexpr int most_openings = 8;
+constexpr int most_asks = 8;
 constexpr Time settling{300};  // answers to what was asked may still come
 constexpr Time resend_ok_limit{1000};  // a firmware may send none
 constexpr Time report_delay{3000};  // lines without a number are refused soon after a Resend
 constexpr Time end_interval{3000};
+constexpr Time retry_interval{1000};  // of the journal
 
 }  // namespace
 
 Conversation::Conversation(Journal& journal, std::function<std::int64_t()> base)
     : journal_(journal), make_base_(std::move(base)) {
   if (has_work()) begin_program();
+  if (journal.damage().empty()) return;
+  begin_closing({.job = 0,
+                 .file = {},
+                 .commands = 0,
+                 .base = 0,
+                 .phase = {},
+                 .why = journal.damage(),
+                 .outcome = Phase::interrupted});
 }
 
 bool Conversation::is_opening() const {
@@ -40,14 +49,15 @@ void Conversation::set_phase(Phase phase, std::string why) {
   Record changed = *record();
   changed.phase = phase;
   changed.why = std::move(why);
-  journal_.write(changed);
+  journal_.note(changed);
 }
 
 void Conversation::begin_program() {
   next_ = 1;
-  openings_ = 0;
+  asks_ = 0;
   numbering_is_set_ = false;
   strange_.reset();
+  wanted_.reset();
   if (record()->phase == Phase::cancelling) {
     base_ = make_base_();
     return;
@@ -56,7 +66,7 @@ void Conversation::begin_program() {
   try {
     file_ = std::make_unique<CommandFile>(record()->file);
   } catch (const std::exception& error) {
-    set_phase(Phase::interrupted, error.what());
+    end_job(Phase::interrupted, error.what());
   }
 }
 
@@ -85,7 +95,7 @@ std::string Conversation::text_of(std::int64_t index) {
 void Conversation::opened(Time now) {
   output_.clear();
   unanswered_ = 0;
-  last_heard_ = last_sent_ = now;
+  last_answered_ = last_sent_ = now;
   ask_now();
 }
 
@@ -104,21 +114,21 @@ void Conversation::ask(Time now) {
     output_ += "M105\n";
     return;
   }
-  if (record()->phase == Phase::cancelling && !numbering_is_set_) output_ += cancel_at_once;
-  if (is_opening()) {
-    if (++openings_ > most_openings) {
-      set_phase(record()->phase == Phase::opening ? Phase::failed : Phase::cancelled,
-                "the printer does not take the line numbers; are its heaters off?");
-      return;
-    }
-    output_ += framed(base_, "M110 N" + std::to_string(base_));
+  const bool closes = record()->phase == Phase::cancelling;
+  if ((closes || is_opening()) && ++asks_ > most_asks) {
+    if (closes) return give_up_closing();
+    return end_job(Phase::failed, "the printer does not take the line numbers");
   }
+  if (closes && !numbering_is_set_) output_ += cancel_at_once;
+  if (is_opening()) output_ += framed(wanted_.value_or(base_), "M110 N" + std::to_string(base_));
   output_ += framed(base_ + far_ahead, "M105");
 }
 
 void Conversation::become_ready(Time now) {
   link_ = Link::ready;
   unanswered_ = 0;
+  asks_ = 0;
+  last_answered_ = now;
   resend_at_.reset();
   strange_.reset();
   settled_at_ = now + settling;
@@ -126,11 +136,15 @@ void Conversation::become_ready(Time now) {
 }
 
 void Conversation::heard(std::string_view line, Time now) {
-  last_heard_ = now;
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
   if (line.empty() || line == "wait") return;
   const bool reports = read_temperatures(line, temperatures_);
   if (line.starts_with("ok")) return answer_ok(now);
+  const bool heats = reports && line.find(" W:") != std::string_view::npos;  // a wait for heat
+  if (heats || line.find("busy:") != std::string_view::npos) {
+    last_answered_ = now;
+    asks_ = 0;
+  }
   if (reports) return;
   if (const auto number = resend_in(line)) return answer_resend(*number, now);
   if (line.find("busy:") != std::string_view::npos) {
@@ -138,14 +152,14 @@ void Conversation::heard(std::string_view line, Time now) {
     return;
   }
   if (is_last_word(line)) {
+    if (record()->phase == Phase::cancelling) return set_phase(record()->outcome, record()->why);
     done_ = record()->commands;
-    set_phase(record()->phase == Phase::cancelling ? Phase::cancelled : Phase::finished);
-    return;
+    return set_phase(Phase::finished);
   }
   // What is asked on purpose is refused with a message for people.
   const bool was_asked_for = link_ == Link::asking && line.ends_with(", asked for again");
   if (!was_asked_for) say(line);
-  if (is_fatal(line)) return answer_fatal(line);
+  if (is_fatal(line)) return answer_fatal(line, now);
   if (line == "start") return ask_now();
   if (line.starts_with("//")) {
     line.remove_prefix(2);
@@ -156,6 +170,7 @@ void Conversation::heard(std::string_view line, Time now) {
 
 void Conversation::answer_ok(Time now) {
   waits_for_user_ = false;
+  last_answered_ = now;
   if (link_ == Link::asking && !has_work()) return become_ready(now);
   if (link_ != Link::ready) return;
   resend_at_.reset();
@@ -163,6 +178,7 @@ void Conversation::answer_ok(Time now) {
 }
 
 void Conversation::answer_resend(std::int64_t number, Time now) {
+  last_answered_ = now;
   if (!has_work()) return;
   if (link_ == Link::asking) return go_on_from(number, now);
   ++resends_;
@@ -178,10 +194,20 @@ void Conversation::go_on_from(std::int64_t number, Time now) {
   const std::int64_t index = number - base_;
   if (is_opening()) {
     if (index != 1) {
-      return;  // the M110 was not taken: again
+      wanted_ = number;  // the M110 was not taken: again
+      return;
     }
     numbering_is_set_ = true;
-    if (record()->phase == Phase::opening) set_phase(Phase::running);
+    if (record()->phase == Phase::opening) {
+      // On the disk before the first line leaves, or that line would be sent again after a kill.
+      Record running = *record();
+      running.phase = Phase::running;
+      try {
+        journal_.write(running);
+      } catch (const std::exception& error) {
+        return end_job(Phase::failed, error.what());
+      }
+    }
     next_ = 1;
     return become_ready(now);
   }
@@ -194,33 +220,33 @@ void Conversation::go_on_from(std::int64_t number, Time now) {
     strange_ = number;
     return;
   }
-  set_phase(Phase::interrupted,
-            "the printer was restarted, or another program used it: it wants line " +
-                std::to_string(number) + ", none of this job");
-  become_ready(now);
-}
-
-void Conversation::answer_fatal(std::string_view line) {
-  if (has_work()) set_phase(Phase::failed, "the printer says: " + std::string(line));
-  typed_.clear();
-  ask_now();
-  asked_ = last_heard_;
+  if (record()->phase == Phase::cancelling) {  // restarted: all of it once more
+    begin_program();
+    return ask_now();
+  }
+  end_job(Phase::interrupted,
+          "the printer was restarted, or another program used it: it wants line " +
+              std::to_string(number) + ", none of this job");
 }
 
 void Conversation::handle_action(std::string_view action) {
   if (action == "pause") pause();
   if (action == "resume") resume();
-  if (action == "cancel") cancel();
+  if (action == "cancel" && has_work()) cancel();
   if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
 }
 
 void Conversation::update(Time now) {
+  if (now - retried_at_ >= retry_interval) {
+    retried_at_ = now;
+    journal_.retry();
+  }
   if (link_ == Link::closed) return;
   if (link_ == Link::asking) {
     if (!asked_ || now - *asked_ >= ask_interval) ask(now);
     return;
   }
-  if (unanswered_ > 0 && now - std::max(last_heard_, last_sent_) > longest_silence) {
+  if (unanswered_ > 0 && now - std::max(last_answered_, last_sent_) > longest_silence) {
     return ask_now();
   }
   if (resend_at_ && now - *resend_at_ > resend_ok_limit) {
@@ -258,11 +284,7 @@ void Conversation::send_line(Time now) {
     put(framed(base_ + next_, text_of(next_)), now);
     ++next_;
   } catch (const std::exception& error) {  // the file of the commands is damaged
-    for (const char* heater_off : {"M104 S0", "M140 S0"}) {
-      put(framed(base_ + next_, heater_off), now);
-      ++next_;
-    }
-    set_phase(Phase::failed, error.what());
+    end_job(Phase::failed, error.what());
   }
 }
 

@@ -53,7 +53,9 @@ class Conversation {
   std::string start(std::int64_t job, const std::string& file, std::int64_t commands);
   std::string pause();
   std::string resume();
-  std::string cancel();
+  // Everything is switched off; a second one changes nothing, but without a port it gives up.
+  // `job`: none but this, which may be over; without, what is being printed, or heaters that are on.
+  std::string cancel(std::optional<std::int64_t> job = std::nullopt);
   // The job's outcome has been noted elsewhere.
   std::string forget(std::int64_t job);
   // A person's line, sent between the lines of the job.
@@ -70,6 +72,10 @@ class Conversation {
   std::int64_t done() const;
   const Temperatures& temperatures() const { return temperatures_; }
   bool waits_for_user() const { return waits_for_user_; }
+  // What is wrong with the journal, for people; or empty.
+  const std::string& fault() const {
+    return journal_.fault().empty() ? journal_.damage() : journal_.fault();
+  }
   std::uint64_t resends() const { return resends_; }
 
  private:
@@ -77,6 +83,11 @@ class Conversation {
   bool is_opening() const;
   void set_phase(Phase phase, std::string why = {});
   void begin_program();
+  // Whatever ends a job but its own end: everything is switched off, then it has this outcome.
+  void end_job(Phase outcome, std::string why);
+  void begin_closing(Record record);
+  void give_up_closing();
+  bool may_heat() const;
   std::string text_of(std::int64_t index);
   std::int64_t length() const;
   std::string last_word() const;
@@ -86,7 +97,7 @@ class Conversation {
   void answer_ok(Time now);
   void answer_resend(std::int64_t number, Time now);
   void go_on_from(std::int64_t number, Time now);
-  void answer_fatal(std::string_view line);
+  void answer_fatal(std::string_view line, Time now);
   void handle_action(std::string_view action);
   bool is_last_word(std::string_view line) const;
   void send_next(Time now);
@@ -106,14 +117,17 @@ class Conversation {
   std::int64_t next_ = 1;  // index of the next one
   std::int64_t done_ = 0;
   int unanswered_ = 0;  // lines whose ok is due
-  int openings_ = 0;  // tries to set the numbering
+  int asks_ = 0;  // in a row without an answer, where that ends something
   bool numbering_is_set_ = false;
   std::optional<Time> resend_at_;  // a Resend came, its ok is due
+  // Line that the printer awaits again: until it comes it takes no M110 with another number.
+  std::optional<std::int64_t> wanted_;
   std::optional<std::int64_t> strange_;  // number that was wanted and is none of the job's
   bool waits_for_user_ = false;
   Temperatures temperatures_;
   std::uint64_t resends_ = 0;
-  Time last_heard_{}, last_sent_{}, settled_at_{};
+  // A report that comes by itself answers nothing.
+  Time last_answered_{}, last_sent_{}, settled_at_{}, retried_at_{};
   std::optional<Time> asked_;  // nothing: ask at once
   std::optional<Time> report_at_;  // temperatures are to be reported by themselves from then on
 };

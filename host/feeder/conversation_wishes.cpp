@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people and the spooler ask of a conversation.
 #include <algorithm>
+#include <charconv>
 
 #include "host/feeder/conversation.hpp"
 
@@ -11,7 +12,20 @@ namespace {
 constexpr std::size_t longest_typed_line = 96;
 constexpr std::size_t most_typed_lines = 50;
 
-bool acts_at_once(std::string_view text) { return text == "M108" || text == "M410"; }
+std::string_view without_blanks(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+// As the firmware reads it: M112, m112;x, M 0112; 0 where it is no M command.
+std::int64_t m_code_of(std::string_view text) {
+  if (!text.starts_with('M') && !text.starts_with('m')) return 0;
+  text = without_blanks(text.substr(1));
+  std::int64_t code = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code);
+  return error == std::errc{} ? code : 0;
+}
 
 }  // namespace
 
@@ -36,7 +50,8 @@ std::string Conversation::start(std::int64_t job, const std::string& file, std::
                   .commands = commands,
                   .base = make_base_(),
                   .phase = Phase::opening,
-                  .why = {}});
+                  .why = {},
+                  .outcome = Phase::cancelled});
   begin_program();
   ask_now();
   return {};
@@ -60,24 +75,6 @@ std::string Conversation::resume() {
   return {};
 }
 
-std::string Conversation::cancel() {
-  if (!has_work()) return "nothing is being printed";
-  if (record()->phase == Phase::opening) {
-    set_phase(Phase::cancelled);
-    return {};
-  }
-  if (record()->phase == Phase::cancelling) {
-    if (link_ == Link::ready) return {};
-    set_phase(Phase::cancelled, "the printer does not answer: check that its heaters are off");
-    return {};
-  }
-  set_phase(Phase::cancelling);
-  typed_.clear();
-  begin_program();
-  if (link_ != Link::closed) ask_now();
-  return {};
-}
-
 std::string Conversation::forget(std::int64_t job) {
   if (!record()) return {};
   if (record()->job != job || !is_over(record()->phase)) {
@@ -89,23 +86,22 @@ std::string Conversation::forget(std::int64_t job) {
 }
 
 std::string Conversation::send(std::string_view text) {
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  text = without_blanks(text);
   const bool printable = std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
   if (text.empty() || text.size() > longest_typed_line || !printable) {
     return "a line has 1 to 96 printable characters";
   }
-  std::string code(text.substr(0, text.find(' ')));
-  std::ranges::transform(code, code.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-  });
-  if (code.starts_with("N") || code.starts_with("M110")) return "line numbers are the feeder's";
-  if (code == "M112") {
+  const std::int64_t code = m_code_of(text);
+  if (text.starts_with('N') || text.starts_with('n') || code == 110) {
+    return "line numbers are the feeder's";
+  }
+  if (code == 112) {
     stop_everything();
     return {};
   }
   if (link_ != Link::ready) return "the printer does not answer";
-  if (acts_at_once(code)) {
-    output_ += code + "\n";
+  if (code == 108 || code == 410) {  // they act at once
+    output_ += "M" + std::to_string(code) + "\n";
     ++unanswered_;
   } else if (typed_.size() < most_typed_lines) {
     typed_.emplace_back(text);

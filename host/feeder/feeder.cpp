@@ -161,7 +161,8 @@ std::string Feeder::obey(const std::string& line) {
     } else if (wish == "resume") {
       refusal = conversation_.resume();
     } else if (wish == "cancel") {
-      refusal = conversation_.cancel();
+      refusal = conversation_.cancel(job.is_null() ? std::nullopt
+                                                   : std::optional(job.get<std::int64_t>()));
     } else if (wish == "stop") {
       conversation_.stop_everything();
     } else if (wish == "send") {
@@ -191,6 +192,7 @@ std::string Feeder::state() const {
             {"resends", conversation_.resends()},
             {"hotend", {number(heat.hotend), number(heat.hotend_target)}},
             {"bed", {number(heat.bed), number(heat.bed_target)}},
+            {"fault", port_.fault().empty() ? conversation_.fault() : port_.fault()},
             {"process", getpid()}};
   if (const auto& record = conversation_.record()) {
     json["job"] = record->job;

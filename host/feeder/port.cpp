@@ -15,21 +15,29 @@
 
 namespace feeder {
 
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+}  // namespace
+
 Port::Port(std::filesystem::path path, std::uint32_t baud) : path_(std::move(path)), baud_(baud) {}
 
 Port::~Port() { close(); }
 
 bool Port::open() {
-  file_ = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (file_ < 0) return false;
-  if (isatty(file_) == 0 || flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    close();
-    return false;
-  }
   try {
+    file_ = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (file_ < 0) fail("cannot open " + path_.string());
+    if (isatty(file_) == 0) fail(path_.string() + " is no serial port");
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) fail("another program uses " + path_.string());
     devices::set_raw(file_, baud_);
-  } catch (const std::system_error&) {
+    fault_.clear();
+  } catch (const std::system_error& error) {
     close();
+    fault_ = error.what();
   }
   return file_ >= 0;
 }
@@ -37,6 +45,7 @@ bool Port::open() {
 void Port::close() {
   if (file_ >= 0) ::close(file_);
   file_ = -1;
+  fault_ = path_.string() + " was closed: unplugged, or its printer was switched off";
 }
 
 std::size_t Port::write(std::string_view bytes) {

@@ -16,8 +16,10 @@ class Port {
   Port(const Port&) = delete;
   Port& operator=(const Port&) = delete;
 
-  // False where there is no such port now, or another program has locked it.
+  // False where there is no such port now, or another program has locked it; `fault` says why.
   bool open();
+  // Why it is not open, for people; empty where it is.
+  const std::string& fault() const { return fault_; }
   void close();
   bool is_open() const { return file_ >= 0; }
   int descriptor() const { return file_; }
@@ -32,6 +34,7 @@ class Port {
   std::filesystem::path path_;
   std::uint32_t baud_;
   int file_ = -1;
+  std::string fault_ = "not opened yet";
 };
 
 }  // namespace feeder

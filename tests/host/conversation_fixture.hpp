@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <random>
@@ -65,7 +67,22 @@ class ConversationTest : public testing::Test {
   void run_until_executed(std::size_t lines) {
     for (int i = 0; i < 36'000 && printer.executed.size() < lines; ++i) run(feeder::Time(10));
   }
+  // As with a full disk: no new journal can be written.
+  void set_disk_full(bool full) {
+    const auto spare = folder_.path() / "journal.json.new";
+    std::filesystem::remove_all(spare);
+    if (full) std::filesystem::create_directory(spare);
+  }
+  std::filesystem::path folder() const { return folder_.path(); }
+  std::ptrdiff_t executed_moves() const {
+    return std::ranges::count_if(printer.executed,
+                                 [](const std::string& line) { return line.starts_with("G1"); });
+  }
+  std::ptrdiff_t executed(const std::string& text) const {
+    return std::ranges::count(printer.executed, text);
+  }
   feeder::Conversation& feed() { return *conversation_; }
+  feeder::Time now() const { return now_; }
   feeder::Phase phase() const { return conversation_->record()->phase; }
   std::string why() const { return conversation_->record()->why; }
 

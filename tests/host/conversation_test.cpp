@@ -55,6 +55,30 @@ TEST_F(ConversationTest, an_ok_that_is_lost_stops_nothing) {
   EXPECT_EQ(printer.executed, wanted);
 }
 
+TEST_F(ConversationTest, reports_of_the_printer_by_itself_do_not_stand_for_a_lost_ok) {
+  run(5s);  // until it was asked for reports
+  ASSERT_THAT(printer.typed, Contains("M155 S2"));
+  ASSERT_EQ(start(), "");
+  run_until_executed(20);
+  printer.lose_next_ok();
+  run(60s);
+  EXPECT_EQ(phase(), Phase::finished);
+  EXPECT_EQ(printer.executed, wanted);
+}
+
+// The requirement: what waits with reports of its heat, as Marlin in M109, is not asked meanwhile.
+TEST_F(ConversationTest, a_printer_that_reports_its_wait_for_heat_is_not_asked) {
+  ASSERT_EQ(start(), "");
+  run_until_executed(20);
+  feed().update(now());
+  feed().take_output();
+  for (int i = 0; i < 60; ++i) {
+    feed().heard("T:30.00 /200.00 B:20.25 /0.00 @:127 B@:0 W:?", now() + i * 1s);
+    feed().update(now() + i * 1s);
+  }
+  EXPECT_EQ(feed().link(), Link::ready);
+}
+
 TEST_F(ConversationTest, delivers_each_line_once_over_a_bad_cable) {
   ASSERT_EQ(start(2000), "");
   faults = 0.002;
@@ -97,7 +121,7 @@ TEST_F(ConversationTest, killed_over_a_bad_cable_too) {
 TEST_F(ConversationTest, a_restarted_printer_interrupts_the_job_for_good) {
   ASSERT_EQ(start(), "");
   run_until_executed(20);
-  const auto before = printer.executed.size();
+  const auto before = executed_moves();
   printer.restart();
   run_to_end();
   EXPECT_EQ(phase(), Phase::interrupted);
@@ -105,20 +129,20 @@ TEST_F(ConversationTest, a_restarted_printer_interrupts_the_job_for_good) {
   begin_feeder();
   run(60s);
   EXPECT_EQ(phase(), Phase::interrupted);
-  EXPECT_LE(printer.executed.size(), before + 1) << "the one on its way";
+  EXPECT_LE(executed_moves(), before + 1) << "the one on its way";
 }
 
 TEST_F(ConversationTest, a_printer_restarted_while_the_feeder_was_dead_interrupts_it_too) {
   ASSERT_EQ(start(), "");
   run_until_executed(20);
-  const auto before = printer.executed.size();
+  const auto before = executed_moves();
   printer.restart();
   printer.work(0ms);  // its greeting is lost
   begin_feeder();
   run_to_end();
   EXPECT_EQ(phase(), Phase::interrupted);
   run(60s);
-  EXPECT_EQ(printer.executed.size(), before);
+  EXPECT_EQ(executed_moves(), before);
 }
 
 TEST_F(ConversationTest, one_damaged_answer_interrupts_nothing) {
@@ -238,10 +262,22 @@ TEST_F(ConversationTest, sends_a_persons_lines_between_those_of_the_job_but_no_l
   EXPECT_NE(feed().send("m110 N5"), "");
   EXPECT_NE(feed().send("N5 G28"), "");
   EXPECT_NE(feed().send("G28\nM110"), "");
+  for (const char* numbered : {" M110 N5", "  N5 M105", "M110;N5", "M110*5", "M 110 N5", "m0110 N5",
+                               " n5M105", "M110N5", "M\t110", "N-1 M110"}) {
+    EXPECT_NE(feed().send(numbered), "") << numbered;
+  }
   EXPECT_NE(feed().send(""), "");
   run_to_end();
   EXPECT_THAT(printer.typed, Contains("M117 Hello"));
   EXPECT_EQ(printer.executed, wanted);
+}
+
+TEST_F(ConversationTest, a_typed_emergency_stop_is_sent_at_once_however_it_is_written) {
+  run(1s);
+  for (const char* stop : {"M112", " M112", "M112;x", "m112 ; now", "M 112", "M0112", "M112 S1"}) {
+    EXPECT_EQ(feed().send(stop), "") << stop;
+    EXPECT_EQ(feed().take_output(), "M112\n") << stop;
+  }
 }
 
 TEST_F(ConversationTest, asks_a_silent_idle_printer_until_it_is_there) {

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -167,6 +168,60 @@ TEST_F(FeederTest, prints_on_without_a_spooler_and_keeps_the_outcome) {
   begin_feeder();
   connect();
   state_with("phase", Json());
+}
+
+TEST_F(FeederTest, a_lost_ok_stops_nothing_although_the_printer_reports_by_itself) {
+  connect();
+  const auto end = Clock::now() + patience;
+  bool reports = false;
+  while (!reports && Clock::now() < end) {
+    printer.with([&](host_test::LinkPrinter& each) {
+      reports = std::ranges::count(each.typed, "M155 S2") > 0;
+    });
+    std::this_thread::sleep_for(20ms);
+  }
+  ASSERT_TRUE(reports);
+  start_job(400);
+  wait_until_executed(50);
+  printer.with([](host_test::LinkPrinter& each) { each.lose_next_ok(); });
+  state_with("phase", "finished");
+  EXPECT_EQ(printer.executed(), wanted);
+}
+
+// The journal's spare file is a folder: as with a full disk.
+TEST_F(FeederTest, is_cancelled_with_everything_off_although_the_disk_is_full) {
+  start_job(2000);
+  wait_until_executed(50);
+  const auto spare = std::filesystem::path(folder_of_feeder()) / "journal.json.new";
+  std::filesystem::remove(spare);
+  std::filesystem::create_directory(spare);
+  EXPECT_EQ(refusal_of({{"do", "cancel"}}), "");
+  EXPECT_EQ(refusal_of({{"do", "cancel"}}), "");
+  const Json state = state_with("phase", "cancelled");
+  EXPECT_THAT(state.at("fault"), testing::HasSubstr("cannot write"));
+  EXPECT_EQ(printer.executed().back(), "M84");
+  std::filesystem::remove(spare);
+  state_with("fault", "");
+  kill_feeder();
+  begin_feeder();
+  connect();
+  state_with("phase", "cancelled");
+}
+
+TEST_F(FeederTest, says_why_its_port_cannot_be_opened) {
+  connect();
+  state_with("link", "ready");
+  state_with("fault", "");
+  printer.unplug();
+  const auto says = [&](const std::string& text) {
+    message([&](const Json& each) {
+      return each.at("event") == "state" &&
+             each.at("fault").get<std::string>().find(text) != std::string::npos;
+    });
+  };
+  says("No such file or directory");
+  folder.write("port", "no terminal");
+  says("is no serial port");
 }
 
 TEST_F(FeederTest, a_second_one_for_the_same_printer_is_refused) {

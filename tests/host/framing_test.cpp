@@ -3,10 +3,14 @@
 #include "host/feeder/framing.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <set>
 
 #include "host/feeder/command_file.hpp"
 #include "host/feeder/journal.hpp"
 #include "tests/temporary_folder.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -60,7 +64,7 @@ TEST(command_file, gives_no_command_that_was_cut) {
   EXPECT_THROW(file.at(2), std::runtime_error);
 }
 
-TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
+TEST(journal, is_the_same_after_it_was_read_again) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "journal.json";
   Journal(path).write({.job = 5,
@@ -68,7 +72,8 @@ TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
                        .commands = 9,
                        .base = 1 << 20,
                        .phase = Phase::paused,
-                       .why = "because"});
+                       .why = "because",
+                       .outcome = Phase::failed});
   Journal again(path);
   ASSERT_TRUE(again.record());
   EXPECT_EQ(again.record()->job, 5);
@@ -77,10 +82,51 @@ TEST(journal, is_the_same_after_it_was_read_again_and_refuses_what_is_none) {
   EXPECT_EQ(again.record()->base, 1 << 20);
   EXPECT_EQ(again.record()->phase, Phase::paused);
   EXPECT_EQ(again.record()->why, "because");
+  EXPECT_EQ(again.record()->outcome, Phase::failed);
   again.clear();
   EXPECT_FALSE(Journal(path).record());
+}
+
+TEST(journal, sets_aside_what_is_none_and_says_so) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "journal.json";
+  EXPECT_EQ(Journal(path).damage(), "");
   folder.write("journal.json", "{\"job\": 5");
-  EXPECT_THROW(Journal{path}, std::runtime_error);
+  EXPECT_NE(Journal(path).damage(), "");
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(files::text_of(path.string() + ".damaged"), "{\"job\": 5");
+}
+
+// The requirement: a full disk stops no record but the first.
+TEST(journal, needs_no_more_space_after_the_first_record) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "journal.json";
+  const auto files = [&] {
+    std::set<std::pair<ino_t, blkcnt_t>> found;
+    for (const auto& each : std::filesystem::directory_iterator(folder.path())) {
+      struct stat status{};
+      stat(each.path().c_str(), &status);
+      found.emplace(status.st_ino, status.st_blocks);
+    }
+    return found;
+  };
+  Journal journal(path);
+  Record record{.job = 5,
+                .file = "/a",
+                .commands = 9,
+                .base = 1,
+                .phase = Phase::running,
+                .why = {},
+                .outcome = Phase::cancelled};
+  journal.write(record);
+  const auto before = files();
+  EXPECT_EQ(before.size(), 2u);
+  for (const int length : {10, 4000, 0}) {
+    record.why = std::string(static_cast<std::size_t>(length), 'x');
+    journal.write(record);
+    EXPECT_EQ(files(), before);
+    EXPECT_EQ(Journal(path).record()->why, record.why);
+  }
 }
 
 }  // namespace

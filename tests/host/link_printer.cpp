@@ -21,6 +21,7 @@ void LinkPrinter::restart() {
   unsent_ = "start\n";
   halted_ = waiting_ = wait_is_over_ = false;
   skipped_ = 0;
+  report_interval_ = {};
   in_hand_.reset();
 }
 
@@ -54,6 +55,9 @@ bool LinkPrinter::execute(const host_link::AcceptedLine& line) {
     said_at_rest = at_rest_;
   } else if (!line.number) {
     if (!line.emergency) typed.push_back(text);
+    if (text.starts_with("M155 S")) {
+      report_interval_ = std::chrono::seconds(std::stoi(text.substr(6)));
+    }
   } else if (text != "M400" && !text.starts_with("M110")) {
     executed.push_back(text);
   }
@@ -62,8 +66,15 @@ bool LinkPrinter::execute(const host_link::AcceptedLine& line) {
   return true;
 }
 
+void LinkPrinter::report(std::chrono::milliseconds now) {
+  if (report_interval_.count() == 0 || now - reported_at_ < report_interval_) return;
+  reported_at_ = now;
+  say(" T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0");
+}
+
 std::string LinkPrinter::work(std::chrono::milliseconds now) {
   if (!halted_) {
+    report(now);
     link_->update(link_time(now),
                   waiting_ ? host_link::Activity::paused_for_user : host_link::Activity::idle);
     while (const auto command = link_->emergency()) obey(*command);

@@ -17,7 +17,7 @@ class LinkPrinter {
  public:
   LinkPrinter() { restart(); }
 
-  // After a reset it greets, and knows nothing of what was.
+  // As M155 asks, it reports temperatures by itself. After a reset it greets, and knows nothing of what was.
   void restart();
   void receive(std::string_view bytes, std::chrono::milliseconds now);
   // Works, and returns what it sends.
@@ -27,6 +27,8 @@ class LinkPrinter {
   void lose_next_ok() { lose_ok_ = true; }
   // It says so, and answers nothing until it is restarted.
   void halt(std::string_view message);
+  // It says so, and goes on.
+  void say(std::string_view message) { unsent_ += std::string(message) + "\n"; }
   bool waits() const { return waiting_; }
 
   // Texts with a number but for those of the feeder itself, in the order of their execution.
@@ -37,6 +39,7 @@ class LinkPrinter {
   bool said_at_rest = false;
 
  private:
+  void report(std::chrono::milliseconds now);
   bool execute(const host_link::AcceptedLine& line);
   void obey(const host_link::EmergencyCommand& command);
 
@@ -44,6 +47,7 @@ class LinkPrinter {
   std::optional<host_link::AcceptedLine> in_hand_;  // the one that waits
   std::string unsent_;
   bool lose_ok_ = false, halted_ = false, waiting_ = false, wait_is_over_ = false, at_rest_ = false;
+  std::chrono::milliseconds report_interval_{0}, reported_at_{0};  // 0: by request only
   std::size_t skipped_ = 0;  // lines that wait and are not executed
 };
 
