@@ -18,6 +18,7 @@ FeederState feeder_state_of(const nlohmann::json& message) {
                     .job = std::nullopt,
                     .phase = message.value("phase", ""),
                     .why = message.value("why", ""),
+                    .fault = message.value("fault", ""),
                     .done = message.value("done", std::int64_t{}),
                     .commands = message.value("commands", std::int64_t{}),
                     .waits_for_user = message.at("waits_for_user"),

@@ -14,6 +14,7 @@ struct FeederState {
   std::optional<std::int64_t> job;
   std::string phase;  // of the job; empty without one
   std::string why;
+  std::string fault;  // of port or journal, for people; or empty
   std::int64_t done{};
   std::int64_t commands{};
   bool waits_for_user{};

@@ -48,6 +48,7 @@ Json Spooler::to_json(const FeederLink& printer) {
           {"simulated", printer.is_simulated()},
           {"feeder", printer.is_heard()},
           {"link", printer.is_heard() ? state.link : "unknown"},
+          {"fault", printer.is_heard() ? state.fault : ""},
           {"phase", state.phase},
           {"job", job ? Json(job->id) : Json()},
           {"feeder_job", state.job ? Json(*state.job) : Json()},

@@ -193,8 +193,12 @@ void Spooler::send_start(FeederLink& printer, const Job& job) {
 bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState& state) {
   if (state.job != job.id) {
     if (state.job) {  // another one, which is over or a person must end
-      if (is_over(state)) printer.ask({{"do", "forget"}, {"job", *state.job}}, {});
-      return false;
+      if (!is_over(state)) return false;
+      // Its journal was damaged: whether this job had begun is not known.
+      const bool lost = state.job == 0 && state.phase == "interrupted";
+      if (lost) queue_.change(job.id, JobState::interrupted, state.why);
+      printer.ask({{"do", "forget"}, {"job", *state.job}}, {});
+      return lost;
     }
     if (job.state == JobState::starting) {
       // The journal does not have it, so not a byte of it has left.

@@ -34,18 +34,33 @@ JobId Spooler::add(queue::Store::Upload& upload, const std::string& name, bool h
 
 void Spooler::cancel(JobId id) {
   std::string printer;
+  bool interrupted = false;
   {
     const std::scoped_lock lock(mutex_);
     const auto job = queue_.find(id);
     if (!job) throw queue::NoSuchJob(id);
-    if (!is_active(job->state)) {
+    const bool may_be_hot = job->state == JobState::interrupted || job->state == JobState::failed;
+    const bool has_its_printer = !job->printer.empty() && !queue_.active_on(job->printer);
+    if (!is_active(job->state) && !(may_be_hot && has_its_printer)) {
       queue_.change(id, JobState::cancelled, "by a person");
       changed();
       return;
     }
     printer = job->printer;
+    interrupted = job->state == JobState::interrupted;
   }
-  ask(printer, {{"do", "cancel"}});
+  // Heaters first, and whatever became of the job: the feeder refuses it where it has another one.
+  std::string why = "by a person";
+  try {
+    ask(printer, {{"do", "cancel"}, {"job", id}});
+  } catch (const std::runtime_error& error) {  // the printer is away: that must hold up nobody
+    if (!interrupted) throw;
+    why += std::string("; ") + error.what();
+  }
+  if (!interrupted) return;
+  const std::scoped_lock lock(mutex_);
+  queue_.change(id, JobState::cancelled, why);
+  changed();
 }
 
 void Spooler::move(JobId id, std::optional<JobId> next) {
@@ -147,7 +162,14 @@ void Spooler::ask(const std::string& printer, const nlohmann::json& wish) {
   };
   const auto waiting = std::make_shared<Waiting>();
   std::unique_lock lock(mutex_);
-  link(printer).ask(wish, [this, waiting](const std::string& refusal) {
+  FeederLink& found = link(printer);
+  nlohmann::json whole = wish;
+  // A feeder that has not heard of the job yet must not start it after its cancel.
+  const bool feeder_has_one = found.last_state().job && !is_over(found.last_state());
+  if (wish.at("do") == "cancel" && !wish.contains("job") && !feeder_has_one) {
+    if (const auto job = queue_.active_on(printer)) whole["job"] = job->id;
+  }
+  found.ask(whole, [this, waiting](const std::string& refusal) {
     waiting->refusal = refusal;
     changed_.notify_all();
   });

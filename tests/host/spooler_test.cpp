@@ -9,6 +9,8 @@
 #include <map>
 #include <set>
 
+#include <algorithm>
+
 #include "directories.hpp"
 #include "host/feeder/feeder_names.hpp"
 #include "host/spooler/checker.hpp"
@@ -172,6 +174,50 @@ TEST_F(SpoolerTest, a_restarted_printer_interrupts_its_job_and_the_bed_is_not_cl
   EXPECT_FALSE(printer_state().at("bed_clear"));
   spool().cancel(id);
   EXPECT_EQ(spool().find(id)->state, JobState::cancelled);
+}
+
+TEST_F(SpoolerTest, a_job_that_ended_badly_leaves_no_heater_on_and_its_cancel_sees_to_that) {
+  const auto heaters_off = [&] { return std::ranges::count(left.executed(), "M104 S0"); };
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(100);
+  left.with([](host_test::LinkPrinter& printer) { printer.say("Error:something odd"); });
+  expect_state(id, JobState::failed);
+  EXPECT_EQ(heaters_off(), 1);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("something odd"));
+  expect_soon([&] { return printer_state().at("feeder_job").is_null(); }, "not forgotten");
+  spool().cancel(id);
+  expect_soon([&] { return heaters_off() == 2; }, "heaters");
+  EXPECT_EQ(spool().find(id)->state, JobState::failed);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("something odd"));
+}
+
+TEST_F(SpoolerTest, an_interrupted_job_can_be_given_up_although_its_printer_is_away) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(100);
+  left.with([](host_test::LinkPrinter& printer) { printer.restart(); });
+  expect_state(id, JobState::interrupted);
+  left.unplug();
+  expect_soon([&] { return printer_state().at("link") == "closed"; }, "link");
+  EXPECT_THAT(printer_state().at("fault"), HasSubstr((folder_.path() / "left").string()));
+  spool().cancel(id);
+  EXPECT_EQ(spool().find(id)->state, JobState::cancelled);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("heaters"));
+}
+
+TEST_F(SpoolerTest, a_damaged_journal_interrupts_the_job_with_its_reason_and_the_heaters_off) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(100);
+  end_spooler();
+  kill_feeder();
+  folder_.write("data/printers/left/journal.json", "{");
+  begin_spooler();
+  expect_state(id, JobState::interrupted);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("journal"));
+  EXPECT_THAT(printer_state().at("fault"), HasSubstr("journal.json.damaged"));
+  EXPECT_THAT(left.executed(), testing::Contains("M104 S0"));
 }
 
 TEST_F(SpoolerTest, pauses_resumes_and_cancels) {

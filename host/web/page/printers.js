@@ -77,7 +77,8 @@ function showPrinter(printer, jobs) {
   const share = job && job.commands ? printer.done / job.commands : 0;
   part.job.textContent = job
     ? `${job.name}: line ${printer.done} of ${job.commands}, ${(100 * share).toFixed(1)} %, about ${time(job.seconds * (1 - share))} left`
-    : printer.feeder_job !== null ? `job ${printer.feeder_job}` : 'no job';
+    : printer.feeder_job ? `job ${printer.feeder_job}` : 'no job';
+  if (printer.fault) part.job.textContent += `: ${printer.fault}`;
   part.progress.value = share;
   draw(part, 'hotend', printer.hotend);
   draw(part, 'bed', printer.bed);
