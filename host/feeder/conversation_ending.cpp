@@ -14,7 +14,9 @@ constexpr std::string_view unknown_heat =
 }  // namespace
 
 void Conversation::end_job(Phase outcome, std::string why) {
-  if (record()->phase == Phase::cancelling) return;  // the first reason counts
+  if (record()->phase == Phase::cancelling) {
+    return;  // the first reason counts
+  }
   Record changed = *record();
   changed.outcome = outcome;
   changed.why = std::move(why);

@@ -184,9 +184,7 @@ void Queue::take_back(JobId id, std::string_view why) {
   if (job.state != JobState::starting) throw NotPermitted(sentence(job, ", not starting"));
   write_change(job, JobState::queued, why);
   Statement(database_, "UPDATE jobs SET starts = starts - 1 WHERE id = ?").bind(id).run();
-  if (bed_is_taken(job.printer)) {
-    write_bed(job.printer, static_cast<std::int64_t>(Bed::clear));
-  }
+  if (bed_is_taken(job.printer)) write_bed(job.printer, static_cast<std::int64_t>(Bed::clear));
   transaction.commit();
 }
 

@@ -18,9 +18,7 @@ HttpError wrong(const char* name, const std::string& wanted) {
 
 const Json& field(const Json& body, const char* name) {
   const auto found = body.find(name);
-  if (found == body.end()) {
-    throw HttpError(400, std::string("the field `") + name + "` is missing");
-  }
+  if (found == body.end()) throw HttpError(400, std::string("the field `") + name + "` is missing");
   return *found;
 }
 

@@ -134,8 +134,9 @@ void add_octoprint_routes(httplib::Server& server, spooler::Spooler& spooler) {
          answer_nothing(response);
        });
   post(server, prefix + "connection", [](const auto&, auto& response, const Json& body) {
-    if (text_of(body, "command") != "connect")
+    if (text_of(body, "command") != "connect") {
       throw HttpError(409, "the feeder keeps the connection");
+    }
     answer_nothing(response);
   });
 }

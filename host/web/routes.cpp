@@ -60,9 +60,7 @@ void add_last_routes(httplib::Server& server) {
   server.Patch(".*", not_found);
   server.Delete(".*", not_found);
   server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
-    if (response.body.empty()) {
-      answer_error(response, response.status, reason_of(response.status));
-    }
+    if (response.body.empty()) answer_error(response, response.status, reason_of(response.status));
   });
 }
 

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Disks and feeders that fail: the others go on, and no file is lost.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <map>
+#include <set>
+
+#include "host/feeder/feeder_names.hpp"
+#include "host/spooler/feeder_link.hpp"
+#include "host/spooler/spooler.hpp"
+#include "tests/host/spooler_fixture.hpp"
+
+namespace {
+
+using host_test::SpoolerTest;
+using queue::JobState;
+using testing::HasSubstr;
+
+// As with a full disk: printing goes on, the fault is shown, and all is made up for.
+TEST_F(SpoolerTest, goes_on_when_the_queue_can_be_written_again) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(50);
+  expect_state(id, JobState::printing);
+  {
+    queue::Database other(data() / "queue.db");
+    queue::Transaction lock(other);  // the spooler's writes fail after some seconds
+    expect_soon([&] { return left.executed().size() >= wanted.size(); }, "it stands still");
+    std::this_thread::sleep_for(std::chrono::seconds(7));
+    EXPECT_NE(spool().snapshot()->json.at("fault"), "");
+  }
+  expect_state(id, JobState::finished);
+  expect_soon([&] { return spool().snapshot()->json.at("fault") == ""; }, "fault");
+}
+
+// The feeder may read the commands of the first one again at any time.
+TEST_F(SpoolerTest, a_job_printed_again_has_commands_of_its_own) {
+  const auto id = upload("G28 X\n", "a.gcode", true);
+  expect_state(id, JobState::queued);
+  spool().cancel(id);
+  const auto commands = [this] {
+    std::map<std::filesystem::path, ino_t> found;
+    for (const auto& entry : std::filesystem::directory_iterator(data() / "files")) {
+      struct stat status{};
+      if (entry.path().extension() != ".commands") continue;
+      EXPECT_EQ(stat(entry.path().c_str(), &status), 0);
+      EXPECT_EQ(status.st_mode & 0777u, 0600u) << "for this user alone";
+      found[entry.path()] = status.st_ino;
+    }
+    return found;
+  };
+  const auto first = commands();
+  ASSERT_EQ(first.size(), 1u);
+  const auto again = spool().print_again(id);
+  expect_state(again, JobState::queued);
+  EXPECT_EQ(commands().size(), 2u);
+  EXPECT_EQ(commands().at(first.begin()->first), first.begin()->second);
+  spool().remove(id);
+  EXPECT_EQ(commands().size(), 1u);
+  EXPECT_FALSE(commands().contains(first.begin()->first));
+  spool().set_bed_clear("left", true);
+  expect_state(again, JobState::finished);
+}
+
+TEST_F(SpoolerTest, removes_no_file_when_the_queue_was_lost) {
+  const auto id = upload_moves(800);
+  spool().set_bed_clear("left", true);
+  expect_executed(50);
+  const auto files = [this] {
+    std::set<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(data() / "files")) {
+      found.insert(entry.path());
+    }
+    return found;
+  };
+  const auto before = files();
+  ASSERT_EQ(before.size(), 2u);
+  expect_state(id, JobState::printing);
+  for (int start = 0; start < 2; ++start) {
+    end_spooler();
+    for (const char* name : {"queue.db", "queue.db-wal", "queue.db-shm"}) {
+      if (start == 0) std::filesystem::remove(data() / name);
+    }
+    begin_spooler();
+    EXPECT_EQ(files(), before);
+  }
+  EXPECT_THAT(spool().snapshot()->json.at("fault").get<std::string>(), HasSubstr("queue.db"));
+  const auto next = upload("G28 Y\n", "b.gcode", true);
+  expect_state(next, JobState::queued);
+  end_spooler();
+  begin_spooler();
+  EXPECT_THAT(files(), testing::IsSupersetOf(before)) << "also once there are jobs again";
+}
+
+// As with a full disk: nothing can be written in the left printer's folder.
+TEST_F(SpoolerTest, a_printer_whose_feeder_cannot_be_started_does_not_stop_the_other_one) {
+  expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
+  const auto note = data() / "printers/left/feeder.process";
+  kill_feeder();
+  std::filesystem::remove(note);
+  std::filesystem::create_directory(note);
+  expect_soon([&] { return spool().snapshot()->json.at("fault") != ""; }, "no fault");
+  const auto id = upload("G28 X\n", "r.gcode", false, "right");
+  spool().set_bed_clear("right", true);
+  expect_state(id, JobState::finished);
+  std::filesystem::remove(note);
+  expect_soon([&] { return std::filesystem::exists(note); }, "no note");
+  expect_soon([&] { return spool().snapshot()->json.at("fault") == ""; }, "fault");
+}
+
+TEST_F(SpoolerTest, hears_all_of_a_feeder_although_one_answer_cannot_be_written_down) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "printers/x");
+  feeder::Listener listener(folder.path() / "printers/x", feeder::socket_name);
+  spooler::Settings settings;
+  settings.data = folder.path();
+  spooler::FeederLink link(settings, {.name = "x", .port = "/dev/null"});
+  link.update();
+  auto connections = listener.accept();
+  ASSERT_EQ(connections.size(), 1u);
+  std::vector<std::string> refusals;
+  link.ask({{"do", "start"}}, [](const std::string&) { throw std::runtime_error("disk full"); });
+  link.ask({{"do", "pause"}}, [&](const std::string& refusal) { refusals.push_back(refusal); });
+  connections.front().send(R"({"event":"answer","refused":"no"})"
+                           "\n"
+                           R"({"event":"answer","refused":"not now"})");
+  connections.front().exchange();
+  EXPECT_THROW(link.update(), std::runtime_error);
+  EXPECT_EQ(refusals, std::vector<std::string>{"not now"});
+  EXPECT_FALSE(link.is_asked());
+}
+
+}  // namespace
