@@ -54,7 +54,8 @@ class Conversation {
   std::string pause();
   std::string resume();
   // Everything is switched off; a second one changes nothing, but without a port it gives up.
-  // `job`: none but this, which may be over; without, what is being printed, or heaters that are on.
+  // `job`: only this one, which may be over; without, what is being printed, or heaters that are
+  // switched on.
   std::string cancel(std::optional<std::int64_t> job = std::nullopt);
   // The job's outcome has been noted elsewhere.
   std::string forget(std::int64_t job);

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "host/queue/bed.hpp"
+
 namespace queue {
 
 namespace {
@@ -24,9 +26,6 @@ CREATE INDEX IF NOT EXISTS changes_of_job ON changes(job);
 CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS kept_files(file TEXT PRIMARY KEY);
 )";
-
-// Of a bed. `taken`: clear when its job was started; take_back() makes it clear again.
-enum class Bed : std::int64_t { not_clear = 0, clear = 1, taken = 2 };
 
 constexpr const char* columns =
     "SELECT id, name, file, bytes, state, held, wanted_printer, printer, reason, result, seconds, "
@@ -291,33 +290,6 @@ void Queue::keep_files(const std::vector<std::string>& files) {
     Statement(database_, "INSERT OR IGNORE INTO kept_files(file) VALUES(?)").bind(file).run();
   }
   transaction.commit();
-}
-
-std::int64_t Queue::read_bed(const std::string& printer) {
-  Statement row(database_, "SELECT clear FROM beds WHERE printer = ?");
-  row.bind(printer);
-  return row.step() ? row.integer(0) : static_cast<std::int64_t>(Bed::not_clear);
-}
-
-void Queue::write_bed(const std::string& printer, std::int64_t bed) {
-  Statement(database_,
-            "INSERT INTO beds(printer, clear) VALUES(?, ?) "
-            "ON CONFLICT(printer) DO UPDATE SET clear = excluded.clear")
-      .bind(printer)
-      .bind(bed)
-      .run();
-}
-
-bool Queue::bed_is_clear(const std::string& printer) {
-  return read_bed(printer) == static_cast<std::int64_t>(Bed::clear);
-}
-
-bool Queue::bed_is_taken(const std::string& printer) {
-  return read_bed(printer) == static_cast<std::int64_t>(Bed::taken);
-}
-
-void Queue::set_bed_clear(const std::string& printer, bool clear) {
-  write_bed(printer, static_cast<std::int64_t>(clear ? Bed::clear : Bed::not_clear));
 }
 
 }  // namespace queue

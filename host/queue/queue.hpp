@@ -70,11 +70,11 @@ class Queue {
   std::vector<std::string> files_in_use();
   // False as long as no job was ever added.
   bool has_had_jobs();
-  // Files of the store that are of no job and must not be removed, for ever.
+  // Files of the store that are of no job and must never be removed.
   void keep_files(const std::vector<std::string>& files);
 
   bool bed_is_clear(const std::string& printer);
-  // It was clear when the last job was started, and nobody has said anything else since.
+  // It was clear when the last job was started, and no one has said anything else since.
   bool bed_is_taken(const std::string& printer);
   void set_bed_clear(const std::string& printer, bool clear);
 

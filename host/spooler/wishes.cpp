@@ -53,7 +53,7 @@ void Spooler::cancel(JobId id) {
   std::string why = "by a person";
   try {
     ask(printer, {{"do", "cancel"}, {"job", id}});
-  } catch (const std::runtime_error& error) {  // the printer is away: that must hold up nobody
+  } catch (const std::runtime_error& error) {  // the printer is away: go on
     if (!interrupted) throw;
     why += std::string("; ") + error.what();
   }

@@ -16,8 +16,7 @@ struct WaitLimits {
   std::chrono::milliseconds patience{10'000};
   double bytes_per_second = 2000;
   std::size_t longest_head = 32 * 1024;  // bytes
-  // So many connections are waited for. Where there are more, the one that is due first is given
-  // up.
+  // So many connections are waited for. Of more, the one that is due first is closed.
   std::size_t most_waiting = 24;
 };
 

@@ -17,7 +17,8 @@ class LinkPrinter {
  public:
   LinkPrinter() { restart(); }
 
-  // As M155 asks, it reports temperatures by itself. After a reset it greets, and knows nothing of what was.
+  // As M155 asks, it reports temperatures by itself. After a reset it greets, and knows nothing
+  // of what was before.
   void restart();
   void receive(std::string_view bytes, std::chrono::milliseconds now);
   // Works, and returns what it sends.

@@ -29,7 +29,7 @@ const std::vector<std::string> unfinished{
     "POST /api/v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
     "boundary=xyz\r\nTransfer-Encoding: chunked\r\n\r\n"};
 
-TEST_F(WebTest, a_request_that_comes_byte_by_byte_is_ended_and_told_why) {
+TEST_F(WebTest, a_request_that_comes_byte_by_byte_is_ended_with_a_reason) {
   serve({}, {.patience = 500ms});
   for (const std::string& begin : unfinished) {
     const RawClient slow(port());

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which printers' beds are clear: what the next start needs.
+#include "host/queue/bed.hpp"
+#include "host/queue/queue.hpp"
+
+namespace queue {
+
+std::int64_t Queue::read_bed(const std::string& printer) {
+  Statement row(database_, "SELECT clear FROM beds WHERE printer = ?");
+  row.bind(printer);
+  return row.step() ? row.integer(0) : static_cast<std::int64_t>(Bed::not_clear);
+}
+
+void Queue::write_bed(const std::string& printer, std::int64_t bed) {
+  Statement(database_,
+            "INSERT INTO beds(printer, clear) VALUES(?, ?) "
+            "ON CONFLICT(printer) DO UPDATE SET clear = excluded.clear")
+      .bind(printer)
+      .bind(bed)
+      .run();
+}
+
+bool Queue::bed_is_clear(const std::string& printer) {
+  return read_bed(printer) == static_cast<std::int64_t>(Bed::clear);
+}
+
+bool Queue::bed_is_taken(const std::string& printer) {
+  return read_bed(printer) == static_cast<std::int64_t>(Bed::taken);
+}
+
+void Queue::set_bed_clear(const std::string& printer, bool clear) {
+  write_bed(printer, static_cast<std::int64_t>(clear ? Bed::clear : Bed::not_clear));
+}
+
+}  // namespace queue
