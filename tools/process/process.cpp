@@ -216,6 +216,10 @@ Identity start_detached(const Start& start) {
   const pid_t id = fork();
   if (id < 0) throw std::runtime_error("cannot start " + start.arguments.front());
   if (id == 0) execute(arguments.data(), folder.c_str(), streams, cpu_seconds, Tie::none);
+  // Until it has a session of its own, for signals go to its group. One that ended keeps it.
+  for (int i = 0; i < 1'000 && getsid(id) != id && getsid(id) >= 0; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   return {.id = id, .started = start_of(id).value_or(0)};
 }
 
