@@ -90,33 +90,30 @@ TEST_F(ConversationTest, delivers_each_line_once_over_a_bad_cable) {
 }
 
 // The requirement: after a kill at any moment it goes on exactly where the printer is.
-TEST_F(ConversationTest, killed_at_any_moment_it_goes_on_at_the_line_that_the_printer_wants) {
-  ASSERT_EQ(start(3000), "");
-  std::mt19937 random(3);
-  int kills = 0;
-  for (; kills < 200 && !is_over(phase()); ++kills) {
-    run(Time(10 + random() % 1500));
-    begin_feeder();
+class KilledConversationTest : public ConversationTest {
+ protected:
+  void expect_all_once_with_kills_within(unsigned most_milliseconds) {
+    ASSERT_EQ(start(3000), "");
+    std::mt19937 random(3);
+    int kills = 0;
+    for (; kills < 200 && !is_over(phase()); ++kills) {
+      run(Time(10 + random() % most_milliseconds));
+      begin_feeder();
+    }
+    EXPECT_GE(kills, 10);
+    run_to_end();
+    EXPECT_EQ(phase(), Phase::finished) << why();
+    EXPECT_EQ(printer.executed, wanted);
   }
-  EXPECT_GE(kills, 10);
-  run_to_end();
-  EXPECT_EQ(phase(), Phase::finished) << why();
-  EXPECT_EQ(printer.executed, wanted);
+};
+
+TEST_F(KilledConversationTest, goes_on_at_the_line_that_the_printer_wants) {
+  expect_all_once_with_kills_within(1500);
 }
 
-TEST_F(ConversationTest, killed_over_a_bad_cable_too) {
-  ASSERT_EQ(start(3000), "");
+TEST_F(KilledConversationTest, goes_on_over_a_bad_cable_too) {
   faults = 0.002;
-  std::mt19937 random(5);
-  int kills = 0;
-  for (; kills < 200 && !is_over(phase()); ++kills) {
-    run(Time(10 + random() % 2500));
-    begin_feeder();
-  }
-  EXPECT_GE(kills, 10);
-  run_to_end();
-  EXPECT_EQ(phase(), Phase::finished) << why();
-  EXPECT_EQ(printer.executed, wanted);
+  expect_all_once_with_kills_within(2500);
 }
 
 TEST_F(ConversationTest, a_restarted_printer_interrupts_the_job_for_good) {

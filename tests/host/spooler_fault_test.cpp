@@ -19,9 +19,7 @@ using testing::HasSubstr;
 
 // As with a full disk: printing goes on, the fault is shown, and all is made up for.
 TEST_F(SpoolerTest, goes_on_when_the_queue_can_be_written_again) {
-  const auto id = upload_moves(800);
-  spool().set_bed_clear("left", true);
-  expect_executed(50);
+  const auto id = begin_print(800, 50);
   expect_state(id, JobState::printing);
   {
     queue::Database other(data() / "queue.db");
@@ -64,9 +62,7 @@ TEST_F(SpoolerTest, a_job_printed_again_has_commands_of_its_own) {
 }
 
 TEST_F(SpoolerTest, removes_no_file_when_the_queue_was_lost) {
-  const auto id = upload_moves(800);
-  spool().set_bed_clear("left", true);
-  expect_executed(50);
+  const auto id = begin_print(800, 50);
   const auto files = [this] {
     std::set<std::filesystem::path> found;
     for (const auto& entry : std::filesystem::directory_iterator(data() / "files")) {

@@ -88,6 +88,29 @@ void SpoolerTest::expect_executed(std::size_t lines) {
   expect_soon([&] { return left.executed().size() >= lines; }, "too few lines executed");
 }
 
+queue::JobId SpoolerTest::begin_print(int moves, std::size_t executed) {
+  const queue::JobId id = upload_moves(moves);
+  spool().set_bed_clear("left", true);
+  expect_executed(executed);
+  return id;
+}
+
+void SpoolerTest::restart_with(queue::JobId id, queue::JobState state) {
+  end_spooler();
+  {
+    queue::Queue jobs(data() / "queue.db");
+    jobs.set_bed_clear("left", true);
+    jobs.start(id, "left");
+    if (state != queue::JobState::starting) jobs.change(id, state, "");
+  }
+  begin_spooler();
+}
+
+void SpoolerTest::expect_printed(queue::JobId id) {
+  expect_state(id, queue::JobState::finished);
+  EXPECT_EQ(left.executed(), wanted);
+}
+
 nlohmann::json SpoolerTest::printer_state(const std::string& name) {
   for (const auto& printer : spool().snapshot()->json.at("printers")) {
     if (printer.at("name") == name) return printer;

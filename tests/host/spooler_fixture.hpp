@@ -30,6 +30,13 @@ class SpoolerTest : public testing::Test {
   queue::JobId upload_moves(int lines, bool held = false);
   queue::JobId upload(const std::string& text, const std::string& name = "job.gcode",
                       bool held = false, const std::string& printer = {});
+  // A job of so many moves on the left printer, of which so many are executed.
+  queue::JobId begin_print(int moves, std::size_t executed);
+  // Another spooler, with a job in its queue that is starting or printing on the left printer, and
+  // of which the feeder knows nothing.
+  void restart_with(queue::JobId id, queue::JobState state);
+  // Waits until it is finished: all of `wanted` was executed by the left printer, once.
+  void expect_printed(queue::JobId id);
   // Waits for this; fails after a minute.
   void expect_soon(const std::function<bool()>& fits, const std::string& what);
   void expect_state(queue::JobId id, queue::JobState state);

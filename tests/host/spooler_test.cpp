@@ -25,8 +25,7 @@ TEST_F(SpoolerTest, prints_what_was_uploaded_once_the_bed_is_clear) {
   std::this_thread::sleep_for(std::chrono::seconds(1));
   EXPECT_EQ(spool().find(id)->state, JobState::queued) << "without a free bed";
   spool().set_bed_clear("left", true);
-  expect_state(id, JobState::finished);
-  EXPECT_EQ(left.executed(), wanted);
+  expect_printed(id);
   EXPECT_EQ(right.executed().size(), 0u);
   EXPECT_FALSE(printer_state().at("bed_clear"));
 }
@@ -61,9 +60,7 @@ TEST_F(SpoolerTest, never_prints_a_file_with_a_refused_line) {
 }
 
 TEST_F(SpoolerTest, pauses_resumes_and_cancels) {
-  const auto id = upload_moves(2000);
-  spool().set_bed_clear("left", true);
-  expect_executed(50);
+  const auto id = begin_print(2000, 50);
   EXPECT_THROW(spool().set_bed_clear("left", true), spooler::Refused);
   EXPECT_THROW(spool().ask("left", {{"do", "resume"}}), spooler::Refused);
   spool().ask("left", {{"do", "pause"}});
@@ -78,9 +75,7 @@ TEST_F(SpoolerTest, pauses_resumes_and_cancels) {
 }
 
 TEST_F(SpoolerTest, an_emergency_stop_fails_the_job) {
-  const auto id = upload_moves(2000);
-  spool().set_bed_clear("left", true);
-  expect_executed(50);
+  const auto id = begin_print(2000, 50);
   spool().ask("left", {{"do", "stop"}});
   expect_state(id, JobState::failed);
   EXPECT_THAT(spool().find(id)->reason, HasSubstr("emergency stop"));
