@@ -95,7 +95,7 @@ std::string essence_of(std::string_view vhdl) {
 }
 
 std::string text_of_the_judge(const fs::path& project) {
-  static const std::regex include(R"re(#include "(tools/[^"]+)")re");
+  static const std::regex include(R"re(#include "(tools/proof/[^"]+)")re");
   std::map<fs::path, std::string> texts;
   std::vector<fs::path> open{"tools/proof/task.cpp"};
   while (!open.empty()) {

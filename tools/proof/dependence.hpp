@@ -26,8 +26,9 @@ Versions versions_of_tools(const std::filesystem::path& folder);
 // be an instruction to a tool, and space.
 std::string essence_of(std::string_view vhdl);
 
-// The text of tools/proof/task.cpp and of all of this project that it includes, from each header to
-// its .cpp: what takes the steps from sources to verdict, with the options of every tool.
+// The text of tools/proof/task.cpp and of all in tools/proof that it includes, from each header to
+// its .cpp: what takes the steps from sources to verdict, with the options of every tool. Not that
+// of the libraries which read files and start processes: they have tests of their own.
 std::string text_of_the_judge(const std::filesystem::path& project);
 
 class Dependence {
