@@ -12,6 +12,7 @@
 #include "application/host_commands.hpp"
 #include "application/motion_commands.hpp"
 #include "application/report_commands.hpp"
+#include "application/retraction_commands.hpp"
 #include "application/setting_commands.hpp"
 #include "application/timer_commands.hpp"
 
@@ -21,6 +22,7 @@ struct CommandGroups {
   CommandGroups(const MachineDescription& machine, MotionTask& motion_task, HeatTask& heat_task,
                 drivers::Fan& fan, host_link::HostLink& link)
       : motion(motion_task, heat_task, coordinates),
+        retraction(motion_task, heat_task, motion, coordinates),
         modes(coordinates),
         settings(machine, motion_task, coordinates),
         factors(motion_task, coordinates),
@@ -33,12 +35,13 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(
-        std::tie(motion, modes, settings, factors, timer, heat, reports, host, files, dry_runs));
+    return std::get<Group&>(std::tie(motion, retraction, modes, settings, factors, timer, heat,
+                                     reports, host, files, dry_runs));
   }
 
   Coordinates coordinates;
   MotionCommands motion;
+  RetractionCommands retraction;
   CoordinateCommands modes;
   SettingCommands settings;
   FactorCommands factors;

@@ -41,6 +41,11 @@ inline constexpr Arguments axis_speeds{numbers("XYZE", "mm/s", most_mm_per_s)};
 inline constexpr Arguments accelerations{numbers("PTRS", "mm/s²", most_mm_per_s2)};
 inline constexpr Arguments advanced{numbers("XYZEST", "mm/s", most_mm_per_s), numbers("J", "mm", 1),
                                     numbers("B", no_effect)};
+inline constexpr Arguments retraction_move{numbers("S", no_effect)};
+inline constexpr Arguments retraction{numbers("SZ", "mm"), numbers("F", "mm/min"),
+                                      numbers("W", no_effect)};
+inline constexpr Arguments recovery{numbers("S", "mm"), numbers("F", "mm/min"),
+                                    numbers("WR", no_effect)};
 inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor), flags("BR")};
 inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor)};
 inline constexpr Arguments line_number{numbers("N", "number")};

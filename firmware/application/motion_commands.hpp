@@ -29,6 +29,9 @@ class MotionCommands {
   Progress set_soft_limits(ActiveCommand& command);
   Progress report_soft_limits(ActiveCommand& command);
 
+  // Nothing where the machine may go there.
+  std::optional<Progress> refuse_beyond_limits(ActiveCommand& command, const Positions& machine);
+
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
@@ -42,7 +45,6 @@ class MotionCommands {
   Progress append(ActiveCommand& command);
   // Nothing where the line is not refused, and need not wait.
   std::optional<Progress> take_target(ActiveCommand& command, Target& target);
-  std::optional<Progress> refuse_beyond_limits(ActiveCommand& command, const Positions& machine);
   Progress begin_arc(ActiveCommand& command, bool clockwise);
   std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);
   Progress append_chord(ActiveCommand& command);

@@ -41,7 +41,11 @@ constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
       .accelerations{{{'S', print}, {'S', travel}, {'P', print}, {'T', travel}, {'R', retract}}},
       .advanced{{{'S', set_micrometers<motion::set_min_print_speed, Speed>},
                  {'T', set_micrometers<motion::set_min_travel_speed, Speed>},
-                 {'J', motion::set_junction_deviation}}}};
+                 {'J', motion::set_junction_deviation}}},
+      .retraction{{{'S', motion::set_retraction_length},
+                   {'F', motion::set_retraction_speed},
+                   {'Z', motion::set_retraction_lift}}},
+      .recovery{{{'S', motion::set_recovery_extra}, {'F', motion::set_recovery_speed}}}};
 }();
 
 // A line with one value out of range changes nothing.
@@ -104,6 +108,16 @@ Progress SettingCommands::set_advanced(ActiveCommand& command) {
   motion::Accepted accepted = change_per_axis(changed, command, motion::set_jerk);
   if (accepted) accepted = change_for_all(changed, command, settings_.advanced);
   return set_limits(command, changed, accepted);
+}
+
+Progress SettingCommands::set_retraction(ActiveCommand& command) {
+  motion::Limits changed = motion_.limits();
+  return set_limits(command, changed, change_for_all(changed, command, settings_.retraction));
+}
+
+Progress SettingCommands::set_recovery(ActiveCommand& command) {
+  motion::Limits changed = motion_.limits();
+  return set_limits(command, changed, change_for_all(changed, command, settings_.recovery));
 }
 
 // The position in millimetres is kept, as in Marlin.

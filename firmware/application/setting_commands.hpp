@@ -22,6 +22,9 @@ class SettingCommands {
   Progress set_max_speeds(ActiveCommand& command);
   Progress set_accelerations(ActiveCommand& command);
   Progress set_advanced(ActiveCommand& command);
+  // M207, M208.
+  Progress set_retraction(ActiveCommand& command);
+  Progress set_recovery(ActiveCommand& command);
   // Any of these without values.
   Progress report(ActiveCommand& command);
   Progress list(ActiveCommand& command);
@@ -37,6 +40,8 @@ class SettingCommands {
   struct Settings {
     std::array<Setting, 5> accelerations;
     std::array<Setting, 3> advanced;
+    std::array<Setting, 3> retraction;
+    std::array<Setting, 2> recovery;
   };
   template <class Quantity>
   using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);

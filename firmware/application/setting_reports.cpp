@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// M92 M201 M203 M204 M205 as lines.
+// M92 M201 M203 M204 M205 M207 M208 as lines.
 #include "application/setting_reports.hpp"
 
 #include "units/event_bound.hpp"
@@ -40,6 +40,21 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
     put_micrometers('P', limits.print_acceleration.count());
     put_micrometers('R', limits.retract_acceleration.count());
     put_micrometers('T', limits.travel_acceleration.count());
+    return line;
+  }
+  if (code >= 207) {
+    constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
+    const motion::Retraction& retraction = limits.retraction;
+    const auto put_values = [&](units::Nanometers length, units::MicrometersPerSecond speed) {
+      put(line, 'S', length.count(), inches);
+      put(line, 'F', speed.count() * nanometers_per_minute, inches);
+    };
+    if (code == 208) {
+      put_values(retraction.extra, retraction.recovery_speed);
+      return line;
+    }
+    put_values(retraction.length, retraction.speed);
+    put(line, 'Z', retraction.lift.count(), inches);
     return line;
   }
   if (code == 205) {

@@ -11,7 +11,7 @@
 namespace application {
 
 // The commands that M503 lists, in Marlin's order.
-inline constexpr std::array<std::uint16_t, 5> reported_settings{92, 203, 201, 204, 205};
+inline constexpr std::array<std::uint16_t, 7> reported_settings{92, 203, 201, 204, 205, 207, 208};
 
 // "echo: M203 X200.00 Y200.00 Z12.00 E80.00", with the code of one of these commands. In s and
 // in mm or inches, but steps always per mm.

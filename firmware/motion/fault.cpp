@@ -16,6 +16,8 @@ std::string_view describe(Fault fault) {
       return "jerk out of range";
     case Fault::junction_deviation_out_of_range:
       return "junction deviation out of range";
+    case Fault::length_out_of_range:
+      return "length out of range";
     case Fault::feedrate_out_of_range:
       return "feedrate out of range";
     case Fault::target_out_of_range:

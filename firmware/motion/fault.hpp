@@ -13,6 +13,7 @@ enum class Fault : std::uint8_t {
   acceleration_out_of_range,
   jerk_out_of_range,
   junction_deviation_out_of_range,
+  length_out_of_range,
   feedrate_out_of_range,
   target_out_of_range,
   line_too_long,

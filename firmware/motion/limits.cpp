@@ -2,6 +2,8 @@
 // Changes of the machine's limits at run time, each refused if out of range.
 #include "motion/limits.hpp"
 
+#include <algorithm>
+
 namespace motion {
 
 namespace {
@@ -22,6 +24,19 @@ Accepted set_acceleration(units::MicrometersPerSecondSquared& place,
 Accepted set_speed(units::MicrometersPerSecond& place, units::MicrometersPerSecond value,
                    std::int32_t least, Fault fault) {
   return set(place, value, units::MicrometersPerSecond(least), max_speed, fault);
+}
+
+Accepted set_retraction(units::Nanometers& place, units::Nanometers value,
+                        units::Nanometers least) {
+  return set(place, value, least, max_retraction, Fault::length_out_of_range);
+}
+
+Accepted set_speed_per_minute(units::MicrometersPerSecond& place, units::Nanometers per_minute) {
+  constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
+  const std::int64_t speed = per_minute.count() / nanometers_per_minute;
+  if (speed > max_speed.count()) return std::unexpected(Fault::speed_out_of_range);
+  const auto narrow = static_cast<std::int32_t>(std::max<std::int64_t>(speed, 0));
+  return set_speed(place, units::MicrometersPerSecond(narrow), 1, Fault::speed_out_of_range);
 }
 
 }  // namespace
@@ -67,6 +82,26 @@ Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value)
 Accepted set_junction_deviation(Limits& limits, units::Nanometers value) {
   return set(limits.junction_deviation, value, units::Nanometers(), max_junction_deviation,
              Fault::junction_deviation_out_of_range);
+}
+
+Accepted set_retraction_length(Limits& limits, units::Nanometers value) {
+  return set_retraction(limits.retraction.length, value, units::Nanometers());
+}
+
+Accepted set_retraction_lift(Limits& limits, units::Nanometers value) {
+  return set_retraction(limits.retraction.lift, value, units::Nanometers());
+}
+
+Accepted set_retraction_speed(Limits& limits, units::Nanometers per_minute) {
+  return set_speed_per_minute(limits.retraction.speed, per_minute);
+}
+
+Accepted set_recovery_extra(Limits& limits, units::Nanometers value) {
+  return set_retraction(limits.retraction.extra, value, -max_retraction);
+}
+
+Accepted set_recovery_speed(Limits& limits, units::Nanometers per_minute) {
+  return set_speed_per_minute(limits.retraction.recovery_speed, per_minute);
 }
 
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,

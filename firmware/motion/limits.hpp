@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of the machine's axes: set by the machine description, changed by M92 and M201
-// to M205.
+// The limits of the machine's axes and how filament is retracted: set by the machine description,
+// changed by M92 and M201 to M208.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,15 @@ struct AxisLimits {
   std::optional<HomingParameters> homing{};
 };
 
+// How G10 draws filament back and G11 pushes it forward again. The defaults are Marlin's.
+struct Retraction {
+  units::Nanometers length{3'000'000};
+  units::MicrometersPerSecond speed{45'000};
+  units::Nanometers lift{};  // of Z, until G11
+  units::Nanometers extra{};  // beyond what was drawn back; below 0: less than that
+  units::MicrometersPerSecond recovery_speed{8'000};
+};
+
 struct Limits {
   units::PerAxis<AxisLimits> axes{};
   units::MicrometersPerSecondSquared print_acceleration{};
@@ -42,6 +51,7 @@ struct Limits {
   units::MicrometersPerSecond min_travel_speed{};
   units::Nanometers junction_deviation{};  // 0: X, Y and Z are limited by their jerk
   std::uint8_t min_cruise_percent{};  // of a line on which the nominal speed is not reached
+  Retraction retraction{};
 
   constexpr AxisLimits& of(units::Axis axis) { return axes[units::index_of(axis)]; }
   constexpr const AxisLimits& of(units::Axis axis) const { return axes[units::index_of(axis)]; }
@@ -52,6 +62,7 @@ inline constexpr units::StepsPerMeter max_steps_per_meter{10'000'000};
 inline constexpr units::MicrometersPerSecond max_speed{10'000'000};
 inline constexpr units::MicrometersPerSecondSquared max_acceleration{100'000'000};
 inline constexpr units::Nanometers max_junction_deviation{1'000'000};
+inline constexpr units::Nanometers max_retraction{100'000'000};  // and lift
 
 // A value out of range changes nothing and is returned as the fault to report.
 using Accepted = std::expected<void, Fault>;
@@ -74,6 +85,13 @@ Accepted set_min_print_speed(Limits& limits, units::MicrometersPerSecond value);
 Accepted set_min_travel_speed(Limits& limits, units::MicrometersPerSecond value);
 // M205 J, 0 or more; 0: classic jerk.
 Accepted set_junction_deviation(Limits& limits, units::Nanometers value);
+// M207 S and Z, 0 or more, and F in nm/min, more than 0.
+Accepted set_retraction_length(Limits& limits, units::Nanometers value);
+Accepted set_retraction_lift(Limits& limits, units::Nanometers value);
+Accepted set_retraction_speed(Limits& limits, units::Nanometers per_minute);
+// M208 S, of either sign, and F.
+Accepted set_recovery_extra(Limits& limits, units::Nanometers value);
+Accepted set_recovery_speed(Limits& limits, units::Nanometers per_minute);
 
 // The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,

@@ -41,6 +41,30 @@ TEST(machine_generator, names_what_is_missing) {
   expect_complaints({{"travel_mm = 110.0", "", "axes.z.travel_mm: is missing"}});
 }
 
+TEST(machine_generator, takes_a_retraction_or_marlins) {
+  EXPECT_EQ(machine::machine.limits.retraction.length.count(), 3'000'000);
+  EXPECT_EQ(machine::machine.limits.retraction.recovery_speed.count(), 8'000);
+  const auto with = [](const std::string& values) {
+    return tests::changed_description("[drivers.a4988]",
+                                      "[retraction]\n" + values + "\n[drivers.a4988]");
+  };
+  const TemporaryFolder folder;
+  folder.write("machine.toml", with("length_mm = 0.8\nspeed_mm_s = 35.25\nlift_mm = 0.2\n"
+                                    "extra_mm = -0.05\nrecovery_speed_mm_s = 30.5"));
+  const std::string header = machine_generator::header_of(folder.path() / "machine.toml");
+  for (const char* value :
+       {".length = units::Nanometers{800000}", ".extra = units::Nanometers{-50000}",
+        ".lift = units::Nanometers{200000}", "PerSecond{35250}", "PerSecond{30500}"}) {
+    EXPECT_THAT(header, HasSubstr(value));
+  }
+  EXPECT_THAT(tests::complaint_of(machine_generator::header_of, with("length_mm = 0.8")),
+              HasSubstr("retraction.speed_mm_s: is missing"));
+  EXPECT_THAT(tests::complaint_of(machine_generator::header_of,
+                                  with("length_mm = -1\nspeed_mm_s = 35\nlift_mm = 0\n"
+                                       "extra_mm = 0\nrecovery_speed_mm_s = 30")),
+              HasSubstr("retraction.length_mm: is -1"));
+}
+
 TEST(machine_generator, names_what_it_does_not_know) {
   expect_complaints(
       {{"baud = 250_000", "baud = 250_000\nparity = 1", "serial.parity: is not an entry"}});

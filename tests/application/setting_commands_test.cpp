@@ -14,6 +14,8 @@ const std::string described_settings = R"(
     <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
     <- echo: M204 P1500.00 R1500.00 T1500.00
     <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
+    <- echo: M207 S3.00 F2700.00 Z0.00
+    <- echo: M208 S0.00 F480.00
     <- ok
 )";
 
@@ -124,6 +126,8 @@ TEST(setting_commands, m503_lists_all_in_the_form_that_sets_them) {
     <- echo: M201 X3000.00 Y3000.00 Z500.00 E10000.00
     <- echo: M204 P1500.00 R1500.00 T1500.00
     <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
+    <- echo: M207 S3.00 F2700.00 Z0.00
+    <- echo: M208 S0.00 F480.00
     <- ok
   )");
 }
@@ -150,6 +154,8 @@ TEST(setting_commands, reports_in_inches_after_g20) {
     <- echo: M201 X118.110 Y118.110 Z19.685 E393.701
     <- echo: M204 P59.055 R59.055 T59.055
     <- echo: M205 S0.000 T0.000 J0.010000 X0.394 Y0.394 Z0.016 E0.098
+    <- echo: M207 S0.118 F106.299 Z0.000
+    <- echo: M208 S0.000 F18.898
     <- ok
     -> G21
     <- ok

@@ -114,6 +114,20 @@ void read_motion(Reader motion, motion::Limits& limits) {
   motion.finish();
 }
 
+// Of G10 and G11; a machine without the table has Marlin's values.
+void read_retraction(Reader table, motion::Retraction& retraction) {
+  const auto length = [&table](const char* key, std::int64_t least) {
+    return units::Nanometers(
+        table.scaled(key, nanometers_per_mm, least, motion::max_retraction.count()));
+  };
+  retraction = {.length = length("length_mm", 0),
+                .speed = speed(table, "speed_mm_s", 1),
+                .lift = length("lift_mm", 0),
+                .extra = length("extra_mm", -motion::max_retraction.count()),
+                .recovery_speed = speed(table, "recovery_speed_mm_s", 1)};
+  table.finish();
+}
+
 }  // namespace
 
 Machine read_machine(const toml::table& table, const std::filesystem::path& file) {
@@ -127,6 +141,9 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   read_serial(root.table("serial"), machine.description);
   read_axes(root.table("axes"), root.table("drivers"), machine.description);
   read_motion(root.table("motion"), machine.description.limits);
+  if (root.has("retraction")) {
+    read_retraction(root.table("retraction"), machine.description.limits.retraction);
+  }
   read_heaters(root, machine.description);
   root.finish();
   return machine;

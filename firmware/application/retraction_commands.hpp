@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// G10 and G11: filament is drawn back and pushed forward again as M207 and M208 say, and Z is
+// lifted meanwhile. The host's coordinates do not show it.
+#pragma once
+
+#include <cstdint>
+
+#include "application/active_command.hpp"
+#include "application/coordinates.hpp"
+#include "application/heat_task.hpp"
+#include "application/motion_commands.hpp"
+#include "application/motion_task.hpp"
+
+namespace application {
+
+class RetractionCommands {
+ public:
+  RetractionCommands(MotionTask& motion, HeatTask& heat, MotionCommands& moves,
+                     Coordinates& coordinates)
+      : motion_(motion), heat_(heat), moves_(moves), coordinates_(coordinates) {}
+
+  // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
+  Progress retract(ActiveCommand& command);
+  // First Z, then the filament. After a stop Z is not lowered, since it need not have got there:
+  // its coordinate becomes higher by the lift instead, unless homing or G92 has set it.
+  Progress recover(ActiveCommand& command);
+
+ private:
+  Progress begin(ActiveCommand& command, units::Nanometers lift);
+  Progress append(ActiveCommand& command, units::Axis axis, units::Nanometers distance,
+                  units::MicrometersPerSecond speed);
+  Progress lift(ActiveCommand& command, units::Nanometers distance);
+  units::Position above_host() const;
+
+  MotionTask& motion_;
+  HeatTask& heat_;
+  MotionCommands& moves_;
+  Coordinates& coordinates_;
+  bool retracted_{};
+  units::Nanometers length_{};  // that is drawn back
+  units::Nanometers lift_{};  // of Z
+  units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
+  std::uint32_t jumps_{};  // of the position then
+};
+
+}  // namespace application
