@@ -97,6 +97,10 @@ Description description_of(const toml::table& table, const std::filesystem::path
   description.name = root["name"].text();
   description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
   for (std::size_t i = 0; i < axis_count; ++i) description.axes[i] = axis_of(root, axis_letters[i]);
+  if (const Entry retraction = root["retraction"]) {
+    description.retraction = {retraction["length_mm"].number(), retraction["lift_mm"].number(),
+                              retraction["extra_mm"].number()};
+  }
   description.hotend = heater_of(root, "hotend");
   description.bed = heater_of(root, "bed");
   const Entry converter = root["temperature_converter"];

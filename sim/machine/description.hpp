@@ -28,6 +28,13 @@ struct AxisDescription {
   devices::DriverTiming driver;
 };
 
+// Of G10 and G11, until the file sets another; the defaults are those of the firmware.
+struct RetractionDescription {
+  double length_mm = 3;
+  double lift_mm{};
+  double extra_mm{};
+};
+
 struct HeaterDescription {
   std::size_t sensor_channel{};
   std::size_t heater_channel{};
@@ -49,6 +56,7 @@ struct Description {
   std::string name;
   std::uint32_t baud{};
   std::array<AxisDescription, axis_count> axes;
+  RetractionDescription retraction;
   HeaterDescription hotend;
   HeaterDescription bed;
   ConverterDescription converter;

@@ -9,6 +9,7 @@ namespace report {
 namespace {
 
 constexpr std::string_view axis_words = "XYZE";
+constexpr std::size_t height = 2;
 constexpr std::size_t extruder = 3;
 constexpr Femtometers per_billionth_mm = femtometers_per_mm / billionths;
 constexpr Femtometers per_billionth_inch = 25'400;
@@ -34,6 +35,10 @@ Request GcodePath::read(std::string_view command) {
 void GcodePath::read_g(const GcodeWords& words, Request& request) {
   if (is_any(words, 'G', 0, 1, 2, 3)) {
     request = move(words);
+  } else if (words.is('G', 10)) {
+    request = retract();
+  } else if (words.is('G', 11)) {
+    request = recover();
   } else if (is_any(words, 'G', 17, 18, 19)) {
     plane_ = words.is('G', 17) ? 0 : words.is('G', 18) ? 1 : 2;
   } else if (is_any(words, 'G', 20, 21)) {
@@ -65,12 +70,20 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
       resolution.steps_per_mm[i] = words.value(axis_words[i]);
     }
     request = resolution;
+  } else if (words.is('M', 207)) {
+    retraction_.length = length(words, 'S').value_or(retraction_.length);
+    retraction_.lift = length(words, 'Z').value_or(retraction_.lift);
+  } else if (words.is('M', 208)) {
+    retraction_.extra = length(words, 'S').value_or(retraction_.extra);
+  } else if (is_any(words, 'M', 501, 502)) {
+    retraction_ = machines_retraction_;
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
     flow_percent_ = words.value('S').value_or(flow_percent_ * billionths) / billionths;
   } else if (words.is('M', 400)) {
     request = Rest{};
   } else if (words.is('M', 410)) {
+    has_jumped_ = true;
     request = QuickStop{};
   }
 }
@@ -139,7 +152,37 @@ Request GcodePath::home(const GcodeWords& words) {
     homing.axes[i] = all || words.has(axis_words[i]);
     if (homing.axes[i]) machine_[i] = logical_[i] = 0;
   }
+  has_jumped_ = true;
   return homing;
+}
+
+// What the file calls the place stays as it is.
+Request GcodePath::retract() {
+  if (retracted_) return NoMotion{};
+  Move move{machine_, machine_, {}};
+  move.to[extruder] -= retraction_.length;
+  move.to[height] += retraction_.lift;
+  machine_ = move.to;
+  retracted_ = retraction_;
+  above_file_ = machine_[height] - logical_[height];
+  has_jumped_ = false;
+  return move;
+}
+
+// After a stop or homing the chip does not lower Z. Unless the file or homing has said since what the
+// place is called, it is higher by the lift.
+Request GcodePath::recover() {
+  if (!retracted_) return NoMotion{};
+  Move move{machine_, machine_, {}};
+  move.to[extruder] += retracted_->length + retraction_.extra;
+  if (!has_jumped_) {
+    move.to[height] -= retracted_->lift;
+  } else if (machine_[height] - logical_[height] == above_file_) {
+    logical_[height] += retracted_->lift;
+  }
+  machine_ = move.to;
+  retracted_.reset();
+  return move;
 }
 
 void GcodePath::set_position(const GcodeWords& words) {

@@ -48,10 +48,21 @@ struct NoMotion {};
 using Request =
     std::variant<NoMotion, Move, Homing, TemperatureTarget, NewResolution, Rest, QuickStop>;
 
-// Understands G0 to G3, G17 to G21, G28, G90 to G92, M82 M83 M92 M221 M400 M410 and M104 M109 M140
-// M149 M190; all else asks no motion.
+// What G10 does: M207 S and Z, with M208 S what G11 does. Marlin's defaults, those of a machine
+// without [retraction].
+struct Retraction {
+  Femtometers length = 3 * femtometers_per_mm;
+  Femtometers lift{};
+  Femtometers extra{};
+};
+
+// Understands G0 to G3, G10 G11, G17 to G21, G28, G90 to G92, M82 M83 M92 M207 M208 M221 M400 M410
+// and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
+  explicit GcodePath(const Retraction& retraction = {})
+      : machines_retraction_(retraction), retraction_(retraction) {}
+
   Request read(std::string_view command);
   const Point& position() const { return machine_; }
 
@@ -67,10 +78,17 @@ class GcodePath {
   Request move(const GcodeWords& words);
   std::optional<ArcShape> arc_of(const GcodeWords& words, const Move& move) const;
   Request home(const GcodeWords& words);
+  Request retract();
+  Request recover();
   void set_position(const GcodeWords& words);
 
   Point machine_{};
   Point logical_{};  // what the file calls it
+  Retraction machines_retraction_;
+  Retraction retraction_;
+  std::optional<Retraction> retracted_;  // what G10 has done
+  Femtometers above_file_{};  // the machine's Z above that of the file then
+  bool has_jumped_ = false;  // since then, by a stop or homing
   std::int64_t flow_percent_ = 100;
   std::size_t plane_ = 0;  // G17 XY, G18 ZX, G19 YZ
   bool inches_ = false;

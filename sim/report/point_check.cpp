@@ -28,8 +28,8 @@ double length_of(const Move& move) {
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
-                       sim::ClockRate rate)
-    : origin_(start), rate_(rate), match_({.position = start}) {
+                       sim::ClockRate rate, const Retraction& retraction)
+    : origin_(start), rate_(rate), gcode_(retraction), match_({.position = start}) {
   for (std::size_t i = 0; i < resolution_.size(); ++i) {
     resolution_[i] = resolution_of(steps_per_mm[i]);
   }

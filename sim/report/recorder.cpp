@@ -3,6 +3,7 @@
 #include "sim/report/recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/report/firmware_watch.hpp"
@@ -25,6 +26,15 @@ std::array<double, 4> resolutions(const machine::Printer& printer) {
   return steps_per_mm;
 }
 
+Retraction retraction_of(const machine::Printer& printer) {
+  const machine::RetractionDescription& retraction = printer.description().retraction;
+  const auto length = [](double millimeters) {
+    constexpr double nanometers_per_mm = 1e6;  // the finest of a description
+    return Femtometers{std::llround(millimeters * nanometers_per_mm)} * 1'000'000;
+  };
+  return {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)};
+}
+
 }  // namespace
 
 Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulation& simulation,
@@ -32,9 +42,10 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      points_(resolutions(printer), start_positions(printer), simulation.rate()),
+      points_(resolutions(printer), start_positions(printer), simulation.rate(),
+              retraction_of(printer)),
       tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
-      requested_path_(simulation.rate()),
+      requested_path_(simulation.rate(), retraction_of(printer)),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),

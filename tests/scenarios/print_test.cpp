@@ -74,6 +74,18 @@ TEST(print, the_first_lines_of_the_washer_are_made_to_the_step) {
   EXPECT_GT(print.report["hotend"]["target_c"].get<double>(), 200.0);
 }
 
+TEST(print, retraction_by_the_firmware_ends_to_the_step) {
+  const std::string gcode =
+      "M104 S200\nG28\nM109 S200\nG1 X20 Y20 Z0.3 E2 F3000\nG10\nG1 X30\nG11\nG1 X40 E2.5\n"
+      "M207 S1.203 F1800 Z0.4\nM208 S0.017 F1200\nG92 E0\nG10\nG1 Y60 F6000\nG11\nM83\n"
+      "G1 Y65 E0.25\nG10\nG10\nG91\nG1 X-5 Z0.3\nG90\nG11\nG1 X20 E0.7\n";
+  const Print print = print_text(gcode, {"--warm"});
+  expect_clean(print);
+  expect_edges_as_requested((scenarios::scratch_folder() / "input.gcode").string(), print,
+                            4'000'000);
+  EXPECT_NEAR(print.report["axes"]["e"]["steps_backward"].get<double>(), (3 + 2 * 1.203) * 500, 2);
+}
+
 // In all planes, both directions, by centre and radius; helices, full circles, with E. A chord's
 // middle is 0.005 mm nearer to the centre than its ends.
 TEST(print, arcs_lie_on_their_circles_and_end_to_the_step) {

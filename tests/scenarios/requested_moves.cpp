@@ -57,6 +57,12 @@ class Interpreter {
         case 19:
           plane_ = planes[static_cast<std::size_t>(*g->second) - 17];
           break;
+        case 10:
+          retract(number);
+          break;
+        case 11:
+          recover(number);
+          break;
         case 28:
           home(number, words);
           break;
@@ -75,6 +81,11 @@ class Interpreter {
     } else if (const auto m = words.find('M'); m != words.end() && m->second) {
       if (*m->second == 82) relative_e_ = false;
       if (*m->second == 83) relative_e_ = true;
+      if (*m->second == 207) {
+        length_ = value(words, 'S', length_);
+        lift_ = value(words, 'Z', lift_);
+      }
+      if (*m->second == 208) extra_ = value(words, 'S', extra_);
     }
   }
 
@@ -127,6 +138,33 @@ class Interpreter {
                                      .sweep = sweep};
   }
 
+  static std::int64_t value(const Words& words, char letter, std::int64_t otherwise) {
+    const auto word = words.find(letter);
+    return word == words.end() || !word->second ? otherwise : units(*word->second);
+  }
+
+  // By as much as the machine is elsewhere, so is the origin of the file's coordinates.
+  void shift(int number, std::size_t axis, std::int64_t distance) {
+    if (distance == 0) return;
+    physical_[axis] += distance;
+    offset_[axis] += distance;
+    add(number, false, {});
+  }
+
+  void retract(int number) {
+    if (drawn_back_) return;
+    drawn_back_ = {length_, lift_};
+    shift(number, 3, -length_);
+    shift(number, 2, lift_);
+  }
+
+  void recover(int number) {
+    if (!drawn_back_) return;
+    shift(number, 2, -drawn_back_->second);
+    shift(number, 3, drawn_back_->first + extra_);
+    drawn_back_.reset();
+  }
+
   void home(int number, const Words& words) {
     std::array<bool, axes> homed{};
     bool some = false;
@@ -171,6 +209,8 @@ class Interpreter {
   Plane plane_ = planes[0];
   std::array<std::int64_t, axes> physical_{};  // 10^-5 mm
   std::array<std::int64_t, axes> offset_{};  // physical - logical
+  std::int64_t length_ = 300'000, lift_ = 0, extra_ = 0;  // M207, M208: Marlin's, in 10^-5 mm
+  std::optional<std::pair<std::int64_t, std::int64_t>> drawn_back_;  // by G10: length and lift
   bool relative_ = false;
   bool relative_e_ = false;
   std::vector<RequestedMove> moves_;

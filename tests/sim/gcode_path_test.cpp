@@ -56,6 +56,40 @@ TEST(GcodePath, reads_arcs_with_their_centre_or_radius) {
   EXPECT_THAT(place(path), ElementsAre(25.0, 15.0, 0.0, 0.0));
 }
 
+TEST(GcodePath, retracts_and_recovers_what_m207_and_m208_say) {
+  GcodePath path;
+  path.read("G1 X1 Z2 E10");
+  EXPECT_EQ(end_of(path, "G10"), (std::array<double, 4>{1, 0, 2, 7}));
+  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G10")));
+  EXPECT_EQ(end_of(path, "G1 X5 E11"), (std::array<double, 4>{5, 0, 2, 8}));
+  path.read("M207 S1 Z0.5");
+  path.read("M208 S0.25");
+  EXPECT_EQ(end_of(path, "G11"), (std::array<double, 4>{5, 0, 2, 11.25}));
+  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G11")));
+  EXPECT_EQ(end_of(path, "G10"), (std::array<double, 4>{5, 0, 2.5, 10.25}));
+  path.read("G92 Z0");
+  EXPECT_EQ(end_of(path, "G11"), (std::array<double, 4>{5, 0, 2, 11.5}));
+}
+
+TEST(GcodePath, does_not_lower_z_after_a_stop_or_homing) {
+  GcodePath path;
+  path.read("G1 Z2 E10");
+  path.read("M207 S1 Z0.5");
+  path.read("G10");
+  path.read("M410");
+  EXPECT_EQ(end_of(path, "G11"), (std::array<double, 4>{0, 0, 2.5, 10}));
+  EXPECT_EQ(end_of(path, "G1 Z2"), (std::array<double, 4>{0, 0, 2, 10}));
+  path.read("G10");
+  path.read("G28 Z");
+  EXPECT_EQ(end_of(path, "G11"), (std::array<double, 4>{0, 0, 0, 10}));
+  EXPECT_EQ(end_of(path, "G1 Z2"), (std::array<double, 4>{0, 0, 2, 10}));
+}
+
+TEST(GcodePath, begins_with_the_retraction_of_the_machine) {
+  GcodePath path({.length = 2 * mm, .lift = mm, .extra = {}});
+  EXPECT_EQ(end_of(path, "G10"), (std::array<double, 4>{0, 0, 1, -2}));
+}
+
 TEST(GcodePath, sees_no_motion_in_a_feed_rate) {
   GcodePath path;
   EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G1 F1200")));
