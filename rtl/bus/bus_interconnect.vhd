@@ -30,6 +30,9 @@ architecture rtl of bus_interconnect is
 
   -- One bit per slave: the address lies in its window.
   signal selected : std_ulogic_vector(base_addresses'range);
+  -- The slave that was strobed in the clock before, without an answer then: only its answer counts. Registers,
+  -- because answers go far into the processor.
+  signal asked : std_ulogic_vector(base_addresses'range) := (others => '0');
   signal answered : std_ulogic;
   signal joined : bus_response_t;
 
@@ -59,7 +62,7 @@ begin
   begin
     sum := bus_response_idle;
     for slave in base_addresses'range loop
-      if selected(slave) then
+      if asked(slave) then
         sum.acknowledge := sum.acknowledge or slave_responses(slave).acknowledge;
         sum.error := sum.error or slave_responses(slave).error;
         sum.data := sum.data or slave_responses(slave).data;
@@ -76,6 +79,7 @@ begin
   watch : process
   begin
     wait until rising_edge(clk);
+    asked <= selected and (selected'range => request.strobe and not answered and not given_up);
     given_up <= '0';
     waited_cycles <= 0;
     if request.strobe and not answered and not given_up then
@@ -86,6 +90,7 @@ begin
       end if;
     end if;
     if reset then
+      asked <= (others => '0');
       given_up <= '0';
       waited_cycles <= 0;
     end if;

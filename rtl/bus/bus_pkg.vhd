@@ -20,8 +20,8 @@ package bus_pkg is
     data : std_ulogic_vector(31 downto 0);
   end record;
 
-  -- From a slave: for one clock `acknowledge` (with the data of a read) or `error`; otherwise all zero,
-  -- so that the responses of all slaves can be joined by OR.
+  -- From a slave, in the clock after its first strobe at the earliest: for one clock `acknowledge` (with
+  -- the data of a read) or `error`; otherwise all zero.
   type bus_response_t is record
     acknowledge : std_ulogic;
     error : std_ulogic;

@@ -27,6 +27,7 @@ architecture rtl of heater_control_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(4 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal watchdog_word : std_ulogic_vector(31 downto 0);
@@ -110,7 +111,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when (request.address(11 downto 2) >= 1 and request.address(11 downto 2) <= 3)
     or (request.address(11 downto 2) >= 5 and request.address(11 downto 2) <= 29) else '0';
@@ -231,52 +233,32 @@ begin
     end if;
   end process;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it.
+  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+  -- can be written, or read, has such an event.
   find_events : process
   begin
     wait until rising_edge(clk);
-    feed_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 0);
-    watchdog_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 1);
-    sensor_timeout_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 2);
-    clear_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 4);
-    minimum_count_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 9);
-    minimum_count_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 10);
-    minimum_count_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 11);
-    minimum_count_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 12);
-    maximum_count_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 13);
-    maximum_count_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 14);
-    maximum_count_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 15);
-    maximum_count_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 16);
-    hot_count_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 21);
-    hot_count_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 22);
-    hot_count_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 23);
-    hot_count_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 24);
-    settle_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 25);
-    settle_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 26);
-    settle_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 27);
-    settle_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 28);
-    supply_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 29);
+    feed_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 0);
+    watchdog_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 1);
+    sensor_timeout_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 2);
+    clear_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 4);
+    minimum_count_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 9);
+    minimum_count_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 10);
+    minimum_count_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 11);
+    minimum_count_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 12);
+    maximum_count_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 13);
+    maximum_count_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 14);
+    maximum_count_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 15);
+    maximum_count_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 16);
+    hot_count_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 21);
+    hot_count_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 22);
+    hot_count_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 23);
+    hot_count_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 24);
+    settle_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 25);
+    settle_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 26);
+    settle_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 27);
+    settle_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 28);
+    supply_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 29);
     if reset then
       feed_written <= '0';
       watchdog_written <= '0';

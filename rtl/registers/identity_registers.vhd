@@ -26,6 +26,7 @@ architecture rtl of identity_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(2 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal magic_word : std_ulogic_vector(31 downto 0);
@@ -61,7 +62,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 5 else '0';
 

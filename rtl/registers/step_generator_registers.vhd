@@ -27,6 +27,7 @@ architecture rtl of step_generator_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(6 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal build_word : std_ulogic_vector(31 downto 0);
@@ -158,7 +159,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
     or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 11)
@@ -349,102 +351,57 @@ begin
     end if;
   end process;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it.
+  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+  -- can be written, or read, has such an event.
   find_events : process
   begin
     wait until rising_edge(clk);
-    control_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 1);
-    command_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 2);
-    motor_enable_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 5);
-    rate_floor_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 6);
-    segment_flags_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 12);
-    segment_line_ticks_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 13);
-    segment_ticks_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 14);
-    segment_rate_low_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 15);
-    segment_rate_high_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 16);
-    segment_acceleration_low_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 17);
-    segment_acceleration_high_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 18);
-    segment_jerk_low_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 19);
-    segment_jerk_high_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 20);
-    segment_steps_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 21);
-    segment_steps_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 22);
-    segment_steps_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 23);
-    segment_steps_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 24);
-    segment_steps_4_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 25);
-    segment_steps_5_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 26);
-    segment_steps_6_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 27);
-    segment_steps_7_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 28);
-    segment_commit_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 29);
-    pulse_guard_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 30);
-    pulse_guard_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 31);
-    pulse_guard_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 32);
-    pulse_guard_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 33);
-    pulse_guard_4_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 34);
-    pulse_guard_5_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 35);
-    pulse_guard_6_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 36);
-    pulse_guard_7_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 37);
-    direction_guard_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 38);
-    direction_guard_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 39);
-    direction_guard_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 40);
-    direction_guard_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 41);
-    direction_guard_4_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 42);
-    direction_guard_5_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 43);
-    direction_guard_6_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 44);
-    direction_guard_7_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 45);
-    position_0_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 46);
-    position_1_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 47);
-    position_2_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 48);
-    position_3_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 49);
-    position_4_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 50);
-    position_5_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 51);
-    position_6_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 52);
-    position_7_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 53);
+    control_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 1);
+    command_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 2);
+    motor_enable_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 5);
+    rate_floor_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 6);
+    segment_flags_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 12);
+    segment_line_ticks_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 13);
+    segment_ticks_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 14);
+    segment_rate_low_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 15);
+    segment_rate_high_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 16);
+    segment_acceleration_low_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 17);
+    segment_acceleration_high_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 18);
+    segment_jerk_low_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 19);
+    segment_jerk_high_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 20);
+    segment_steps_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 21);
+    segment_steps_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 22);
+    segment_steps_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 23);
+    segment_steps_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 24);
+    segment_steps_4_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 25);
+    segment_steps_5_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 26);
+    segment_steps_6_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 27);
+    segment_steps_7_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 28);
+    segment_commit_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 29);
+    pulse_guard_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 30);
+    pulse_guard_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 31);
+    pulse_guard_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 32);
+    pulse_guard_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 33);
+    pulse_guard_4_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 34);
+    pulse_guard_5_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 35);
+    pulse_guard_6_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 36);
+    pulse_guard_7_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 37);
+    direction_guard_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 38);
+    direction_guard_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 39);
+    direction_guard_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 40);
+    direction_guard_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 41);
+    direction_guard_4_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 42);
+    direction_guard_5_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 43);
+    direction_guard_6_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 44);
+    direction_guard_7_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 45);
+    position_0_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 46);
+    position_1_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 47);
+    position_2_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 48);
+    position_3_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 49);
+    position_4_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 50);
+    position_5_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 51);
+    position_6_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 52);
+    position_7_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 53);
     if reset then
       control_written <= '0';
       command_written <= '0';

@@ -27,6 +27,7 @@ architecture rtl of step_pins_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(2 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal control_word : std_ulogic_vector(31 downto 0);
@@ -66,7 +67,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 4 else '0';
 
@@ -104,16 +106,14 @@ begin
     end if;
   end process;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it.
+  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+  -- can be written, or read, has such an event.
   find_events : process
   begin
     wait until rising_edge(clk);
-    control_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 0);
-    stop_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 3);
-    status_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 4);
+    control_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 0);
+    stop_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 3);
+    status_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 4);
     if reset then
       control_written <= '0';
       stop_written <= '0';

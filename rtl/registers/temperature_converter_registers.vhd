@@ -27,6 +27,7 @@ architecture rtl of temperature_converter_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(4 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal control_word : std_ulogic_vector(31 downto 0);
@@ -88,7 +89,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 25 else '0';
 
@@ -175,22 +177,17 @@ begin
     or reference_high_3_word
     or settings_lock_word;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it.
+  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+  -- can be written, or read, has such an event.
   find_events : process
   begin
     wait until rising_edge(clk);
-    control_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 0);
-    discharge_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 1);
-    timeout_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 2);
-    pause_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 3);
-    short_limit_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 4);
-    settings_lock_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 25);
+    control_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 0);
+    discharge_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 1);
+    timeout_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 2);
+    pause_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 3);
+    short_limit_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 4);
+    settings_lock_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 25);
     if reset then
       control_written <= '0';
       discharge_written <= '0';

@@ -27,6 +27,7 @@ architecture rtl of uart_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(3 downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   signal baud_rate_word : std_ulogic_vector(31 downto 0);
@@ -71,7 +72,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= '1' when request.address(11 downto 2) <= 1
     or (request.address(11 downto 2) >= 3 and request.address(11 downto 2) <= 9) else '0';
@@ -128,16 +130,14 @@ begin
     end if;
   end process;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it.
+  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+  -- can be written, or read, has such an event.
   find_events : process
   begin
     wait until rising_edge(clk);
-    clear_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 2);
-    data_written <= access_begins and known and request.write and
-      (request.address(11 downto 2) ?= 3);
-    data_read <= access_begins and known and not request.write and
-      (request.address(11 downto 2) ?= 3);
+    clear_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 2);
+    data_written <= access_begins and whole_write and (request.address(11 downto 2) ?= 3);
+    data_read <= access_begins and not request.write and (request.address(11 downto 2) ?= 3);
     if reset then
       clear_written <= '0';
       data_written <= '0';

@@ -47,7 +47,7 @@ entity capacitor_timer is
     reference_high_count : out unsigned(31 downto 0) := (others => '0');
     -- A phase has just begun.
     changes : out std_ulogic := '0';
-    -- The clock before the one in which the present phase ends by time alone.
+    -- Two clocks before the one in which the present phase ends by time alone.
     wake_cycles : out cycles_t := (others => '0')
   );
 end entity;
@@ -67,6 +67,8 @@ architecture rtl of capacitor_timer is
   signal first_cycle : cycles_t := (others => '0');
   signal elapsed : cycles_t;
   signal limit : cycles_t;
+  -- These clocks have passed. Known from the clock before, to keep two carry chains off what a phase ends.
+  signal over : std_ulogic := '0';
   signal precharge_cycles : unsigned(15 downto 0) := (others => '0');
   signal sum : unsigned(31 downto 0) := (others => '0');
   signal low_sum : unsigned(31 downto 0) := (others => '0');
@@ -92,19 +94,22 @@ architecture rtl of capacitor_timer is
     return thermistor;
   end function;
 
+  function limit_of(timed : phase_t; asked : converter_settings_t; precharge : unsigned(15 downto 0))
+    return cycles_t is
+  begin
+    case timed is
+      when emptying => return asked.discharge_cycles;
+      when precharging => return x"00" & (precharge - 1);
+      when charging => return asked.timeout_cycles;
+      when off | pausing | publishing => return asked.pause_cycles;
+    end case;
+  end function;
+
 begin
 
   elapsed <= seen_cycles - first_cycle;
 
-  choose_limit : process (all)
-  begin
-    case phase is
-      when emptying => limit <= settings.discharge_cycles;
-      when precharging => limit <= x"00" & (precharge_cycles - 1);
-      when charging => limit <= settings.timeout_cycles;
-      when off | pausing | publishing => limit <= settings.pause_cycles;
-    end case;
-  end process;
+  limit <= limit_of(phase, settings, precharge_cycles);
 
   convert : process
     variable next_sum : unsigned(31 downto 0);
@@ -113,6 +118,7 @@ begin
     begin
       phase <= next_phase;
       first_cycle <= seen_cycles + 1;
+      over <= '1' when limit_of(next_phase, settings, precharge_cycles) = 0 else '0';
       changes <= '1';
     end procedure;
 
@@ -154,7 +160,9 @@ begin
     wait until rising_edge(clk);
     updated <= '0';
     changes <= '0';
-    wake_cycles <= first_cycle + limit - 1;
+    wake_cycles <= first_cycle + limit - 2;
+    -- A phase of no clocks to wait for is over when it begins.
+    over <= '1' when elapsed >= limit - 1 else '0';
 
     case phase is
       when off =>
@@ -165,14 +173,14 @@ begin
         end if;
 
       when pausing =>
-        if elapsed >= limit then
+        if over then
           low_sum <= (others => '0');
           high_sum <= (others => '0');
           start_resistor(first_resistor(settings.references));
         end if;
 
       when emptying =>
-        if elapsed >= limit then
+        if over then
           if sense then
             finish(temperature_converter_status_state_stuck);
           elsif precharge_cycles /= 0 and settings.references = '1' then
@@ -185,7 +193,7 @@ begin
         end if;
 
       when precharging =>
-        if elapsed >= limit then
+        if over then
           begin_phase(charging);
           charge_through(resistor);
         end if;
@@ -205,12 +213,10 @@ begin
           elsif resistor = reference_high then
             high_sum <= next_sum;
             start_resistor(thermistor);
-          elsif next_sum < settings.short_limit then
-            finish(temperature_converter_status_state_shorted);
           else
             finish(temperature_converter_status_state_ok);
           end if;
-        elsif elapsed >= limit then
+        elsif over then
           sum <= sum + elapsed + 1;
           if resistor = thermistor and settings.references = '1' then
             finish(temperature_converter_status_state_open);
@@ -224,6 +230,10 @@ begin
         if enable then
           updated <= '1';
           state <= to_unsigned(outcome, state'length);
+          -- Not in the clock of the last charge: there the sum is late.
+          if outcome = temperature_converter_status_state_ok and sum < settings.short_limit then
+            state <= to_unsigned(temperature_converter_status_state_shorted, state'length);
+          end if;
           thermistor_count <= sum;
           reference_low_count <= low_sum;
           reference_high_count <= high_sum;

@@ -151,13 +151,13 @@ begin
 
   -- A change of settings is two clocks older than the next write to a limit, and none comes in its clock.
   charges <= resize(more_charges, 9) + 1;
-  longest_settle <= resize(ticks_per_s * maximum_settle_s, longest_settle'length);
   find_bounds : process
   begin
     wait until rising_edge(clk);
     least_count <= resize(
       resize(shift_right(clock_frequency_hz * to_unsigned(least_charge, 7), 20), 14) * charges, 32);
     most_count <= clock_frequency_hz(26 downto 4) * charges;
+    longest_settle <= resize(ticks_per_s * maximum_settle_s, longest_settle'length);
   end process;
 
   limits_locked <= or any_locked;

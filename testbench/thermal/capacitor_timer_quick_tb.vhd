@@ -80,11 +80,11 @@ begin
         level <= 0;
       end if;
     end loop;
-    -- A discharge ends by time alone: in the clock after the one to wake in, and this is a change.
+    -- A discharge ends by time alone: two clocks after the one to wake in, and this is a change.
     if discharging = '0' and discharging_before = '1' and enable = '1' and restart = '0' and reset = '0'
       and discharging_earlier = '1' and drive_enable /= "000" then
       reports_a_change : assert changes = '1' report "no change" severity error;
-      wakes_in_time : assert wake_before + 2 = seen_cycles
+      wakes_in_time : assert wake_before + 3 = seen_cycles
         report to_hstring(wake_before) & " before " & to_hstring(seen_cycles) severity error;
     end if;
     -- Phases of one clock come in short rows only.

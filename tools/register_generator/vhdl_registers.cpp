@@ -161,7 +161,7 @@ class Writer {
         const std::string name = element.name + "_" + event;
         finds += fill(one_event_template,
                       {{"event", name},
-                       {"direction", event == "written" ? "request.write" : "not request.write"},
+                       {"direction", event == "written" ? "whole_write" : "not request.write"},
                        {"index", std::to_string(element.index)}});
         resets += name + " <= '0';\n";
       }

@@ -34,6 +34,7 @@ architecture rtl of @unit@_registers is
   -- Of what is known only: the bits above are 0.
   signal register_index : unsigned(@index_high@ downto 0) := (others => '0');
   signal written_data : std_ulogic_vector(31 downto 0) := (others => '0');
+  signal whole_write : std_ulogic;
   signal readable, writable, known : std_ulogic;
   signal read_word : std_ulogic_vector(31 downto 0);
   @signals@
@@ -64,7 +65,8 @@ begin
   end process;
 
   -- Whole words only.
-  known <= writable and (and request.select_bytes) when request.write = '1' else readable;
+  whole_write <= request.write and (and request.select_bytes);
+  known <= writable and whole_write when request.write = '1' else readable;
 
   readable <= @readable@;
 
@@ -107,7 +109,8 @@ end if;
 // Writes and reads that the hardware sees in the clock of their acknowledge.
 inline constexpr std::string_view events_template =
     R"(
--- Which register it is, is found out before the clock in which the hardware needs it.
+-- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
+-- can be written, or read, has such an event.
 find_events : process
 begin
   wait until rising_edge(clk);
@@ -119,8 +122,7 @@ end process;
 )";
 
 inline constexpr std::string_view one_event_template =
-    R"(@event@ <= access_begins and known and @direction@ and
-  (request.address(11 downto 2) ?= @index@);
+    R"(@event@ <= access_begins and @direction@ and (request.address(11 downto 2) ?= @index@);
 )";
 
 inline constexpr std::string_view note_template =
