@@ -71,9 +71,8 @@ class Scripts {
   // The firmware into the layout that is there.
   void pack() const {
     if (!std::filesystem::exists(directory_ / "layout.config")) {
-      throw std::runtime_error(
-          fmt::format("{} has no layout: without --firmware-only one is made",
-                      directory_.string()));
+      throw std::runtime_error(fmt::format("{} has no layout: without --firmware-only one is made",
+                                           directory_.string()));
     }
     call({script("pack_bitstream.sh", ""), (directory_ / "layout.config").string(),
           (directory_ / "contents.hex").string(), firmware_.string(),
@@ -136,9 +135,10 @@ void add_options(CLI::App& job, Options& options) {
   job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (not core)");
   job.add_flag("--zbb,!--no-zbb", options.zbb,
                "the processor with extension Zbb, for firmware that is compiled for it");
-  job.add_flag("--firmware-only", options.firmware_only,
-               "the firmware into what an earlier synthesis has left in the folder, in seconds: into "
-               "the bitstream, with the same layout, or into the project for Quartus")
+  job.add_flag(
+         "--firmware-only", options.firmware_only,
+         "the firmware into what an earlier synthesis has left in the folder, in seconds: into "
+         "the bitstream, with the same layout, or into the project for Quartus")
       ->excludes(all);
   job.add_option("--directory", options.directory,
                  "folder for the bitstream, synthesis.json and the tools' logs")

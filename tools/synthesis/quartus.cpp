@@ -120,8 +120,8 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
   };
   if (options.firmware_only) {
     if (!std::filesystem::exists(folder / "make_project.tcl")) {
-      throw std::runtime_error(fmt::format(
-          "{} has no project: without --firmware-only one is made", folder.string()));
+      throw std::runtime_error(
+          fmt::format("{} has no project: without --firmware-only one is made", folder.string()));
     }
     call({(tools / "write_mif.sh").string(), firmware.string(), std::to_string(memory_bytes),
           folder.string()});

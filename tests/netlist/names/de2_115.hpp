@@ -17,9 +17,7 @@ namespace board {
 inline constexpr unsigned watch_clocks = 1;
 
 inline void set_clock(BoardNetlist& model, bool level) { model.clock_50mhz = level; }
-inline void change_watch_clock(BoardNetlist& model) {
-  model.clock_25mhz = model.clock_25mhz == 0;
-}
+inline void change_watch_clock(BoardNetlist& model) { model.clock_25mhz = model.clock_25mhz == 0; }
 inline void set_receive(BoardNetlist& model, bool level) { model.uart_rxd = level; }
 inline bool transmit(const BoardNetlist& model) { return model.uart_txd; }
 
