@@ -92,12 +92,13 @@ architecture rtl of ulx3s is
   -- From the host, with a break behind one that has closed its port.
   signal receive : std_ulogic;
   signal reset_done : std_ulogic_vector(15 downto 0) := (others => '0');
-  -- The chip's pins, a clock before the board's.
+  signal released : std_ulogic;
+  -- The chip's pins, a clock before the board's. Before its reset it may hold anything, which no pin shows.
   signal step_level, direction_level, motor_enable : std_ulogic_vector(4 downto 0);
   signal heater_level : std_ulogic_vector(1 downto 0);
-  signal fan_level : std_ulogic;
+  signal fan_level, transmit_level : std_ulogic;
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
-  signal watch_clk, supply_closed, supply_veto : std_ulogic;
+  signal watch_clk, supply_closed, supply_wanted, supply_veto : std_ulogic;
   signal fault, sleeping : std_ulogic;
 
 begin
@@ -113,7 +114,7 @@ begin
     port map (
       clk => clk,
       watch_clk => watch_clk,
-      wanted => supply_closed,
+      wanted => supply_wanted,
       closed => heater_supply,
       veto => supply_veto);
 
@@ -122,6 +123,7 @@ begin
     wait until rising_edge(clk);
     reset_done <= reset_done(14 downto 0) & locked;
   end process;
+  released <= reset_done(15);
 
   watch_port : entity work.port_watch
     generic map (quiet_clocks => quiet_clocks, break_clocks => break_clocks)
@@ -133,9 +135,9 @@ begin
       clock_frequency_hz => clock_frequency_hz)
     port map (
       clk => clk,
-      reset => not reset_done(15),
+      reset => not released,
       receive => receive,
-      transmit => ftdi_rxd,
+      transmit => transmit_level,
       step => step_level,
       direction => direction_level,
       motor_enable => motor_enable,
@@ -161,21 +163,23 @@ begin
   -- their distance whatever the layout.
   each_axis : for axis in step'range generate
     step_register : component output_register
-      port map (clk => clk, level => step_level(axis), pin => step(axis));
+      port map (clk => clk, level => step_level(axis) and released, pin => step(axis));
     direction_register : component output_register
-      port map (clk => clk, level => direction_level(axis), pin => direction(axis));
+      port map (clk => clk, level => direction_level(axis) and released, pin => direction(axis));
     enable_register : component output_register_high
-      port map (clk => clk, level => not motor_enable(axis), pin => motor_enable_n(axis));
+      port map (clk => clk, level => not (motor_enable(axis) and released), pin => motor_enable_n(axis));
   end generate;
   each_heater : for heater in heater_gate'range generate
     gate_register : component output_register
-      port map (clk => clk, level => heater_level(heater), pin => heater_gate(heater));
+      port map (clk => clk, level => heater_level(heater) and released, pin => heater_gate(heater));
   end generate;
   fan_register : component output_register
-    port map (clk => clk, level => fan_level, pin => fan_gate);
+    port map (clk => clk, level => fan_level and released, pin => fan_gate);
+  supply_wanted <= supply_closed and released;
+  ftdi_rxd <= transmit_level or not released;
 
   drive_resistors : for pin in sensor_resistor'range generate
-    sensor_resistor(pin) <= drive_level(pin) when drive_enable(pin) else 'Z';
+    sensor_resistor(pin) <= drive_level(pin) when drive_enable(pin) and released else 'Z';
   end generate;
 
   led <= (0 => fault, 1 => not sleeping, 6 downto 2 => motor_enable, 7 => locked);

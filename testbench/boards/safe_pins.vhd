@@ -6,6 +6,7 @@ use ieee.std_logic_1164.all;
 
 entity safe_pins is
   generic (
+    reference_period : time := 20 ns;
     watch_period : time
   );
   port (
@@ -25,14 +26,12 @@ end entity;
 
 architecture simulation of safe_pins is
 
-  constant period : time := 20 ns;
-
   signal reference, watch : std_ulogic := '0';
   signal reference_runs, watch_runs : boolean := false;
 
 begin
 
-  reference <= not reference after period / 2 when reference_runs;
+  reference <= not reference after reference_period / 2 when reference_runs;
   watch <= not watch after watch_period / 2 when watch_runs;
   reference_clk <= reference;
   watch_clk <= watch;
@@ -43,7 +42,7 @@ begin
     wait for 2 us;
     watch_runs <= true;
     wait for 2 us;
-    -- 20 us until the clock is steady, and 16 clocks; then a processor without a program.
+    -- 1000 periods until the clock is steady, and 16 clocks; then a processor without a program.
     reference_runs <= true;
     wait for 100 us;
     reference_runs <= false;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ULX3S's netlist boots its firmware out of its block RAM, answers, heats and moves, pin for
-// pin and clock for clock as the model of the chip that was never synthesised.
+// A board's netlist boots its firmware out of its block RAM, answers, heats and moves, pin for pin
+// and clock for clock as the model of the chip that was never synthesised.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// boards/ulx3s: the netlist was made for this clock.
+// The netlists were made for this clock.
 constexpr std::uint32_t clock_hz = 50'000'000;
 constexpr sim::Clock millisecond = clock_hz / 1000;
 
@@ -59,6 +60,10 @@ class StepCounter : public devices::StepListener {
 };
 
 TEST(ChipNetlist, boots_answers_heats_and_moves_as_the_model_does_in_every_clock) {
+#ifdef CONTENTS_DIRECTORY
+  // Where Quartus' files of the memory's contents are: the model of a Cyclone's block RAM reads them.
+  std::filesystem::current_path(CONTENTS_DIRECTORY);
+#endif
   tests::NetlistTwin chip(clock_hz);
   // Warm sensors are soon measured. M105 would wait for the first reading: too long here.
   tests::LoadedPrinter loaded(chip, clock_hz, 150.0, 100.0);

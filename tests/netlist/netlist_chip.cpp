@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins and clock of the netlist's model.
+// Pins and clocks of the netlist's model, whose names are in the header BOARD_NAMES.
 #include "tests/netlist/netlist_chip.hpp"
 
 #include <verilated.h>
 
 #include <stdexcept>
 
-#include "Vulx3s.h"
-#include "Vulx3s___024root.h"
+#include BOARD_NAMES
 
 namespace tests {
 
@@ -15,18 +14,16 @@ using sim::OutputPins;
 
 namespace {
 
-// ulx3s.vhd: from the first clock on with a locked loop.
+// ulx3s.vhd, cyclone_board.vhd: from the first clock on with a locked loop.
 constexpr int reset_clocks = 16;
 constexpr unsigned fault_lamp = 0, awake_lamp = 1;
-// 50 MHz against half of 2.4: the oscillator changes its level so seldom.
-constexpr unsigned oscillator_clocks = 10;
 constexpr unsigned all_axes = (1U << sim::axis_count) - 1;
 
 }  // namespace
 
 NetlistChip::NetlistChip()
     : context_(std::make_unique<VerilatedContext>()),
-      model_(std::make_unique<Vulx3s>(context_.get())) {
+      model_(std::make_unique<BoardNetlist>(context_.get())) {
   set_inputs();
   model_->eval();  // Initial values: the first rise of the clock must be one.
   for (int i = 0; i < reset_clocks; ++i) clock();
@@ -39,19 +36,18 @@ NetlistChip::~NetlistChip() {
 }
 
 void NetlistChip::clock() {
-  if (++oscillator_phase_ == oscillator_clocks) {
-    oscillator_phase_ = 0;
-    model_->rootp->ulx3s__DOT__oscillator_0__DOT__level ^= 1;
+  if (++watch_phase_ == board::watch_clocks) {
+    watch_phase_ = 0;
+    board::change_watch_clock(*model_);
   }
-  model_->clk_25mhz = 1;
+  board::set_clock(*model_, true);
   model_->eval();
-  model_->clk_25mhz = 0;
+  board::set_clock(*model_, false);
   model_->eval();
 }
 
 void NetlistChip::set_inputs() {
-  model_->ftdi_txd = inputs_.receive;
-  model_->ftdi_ndtr = 0;  // a host has the port open
+  board::set_receive(*model_, inputs_.receive);
   model_->end_stop = inputs_.end_stops;
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;
@@ -61,12 +57,12 @@ void NetlistChip::set_inputs() {
 }
 
 OutputPins NetlistChip::sampled_outputs() const {
-  const Vulx3s& model = *model_;
+  const BoardNetlist& model = *model_;
   constexpr unsigned channel_pins = 3, channel_mask = 7;
   std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
                        std::uint64_t{model.direction} << OutputPins::direction_bit |
                        std::uint64_t{~model.motor_enable_n & all_axes} << OutputPins::enable_bit |
-                       std::uint64_t{model.ftdi_rxd} << OutputPins::transmit_bit |
+                       std::uint64_t{board::transmit(model)} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |
                        std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ULX3S's netlist of ECP5 cells, its firmware in the cells' initial values, as a chip
-// of the co-simulation.
+// A board's netlist of its FPGA's cells, the firmware in their initial values, as a chip of the
+// co-simulation.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,11 @@
 #include "sim/simulation/chip.hpp"
 
 class VerilatedContext;
-class Vulx3s;
 
 namespace tests {
+
+// The model, of the board in whose header it is (names).
+class BoardNetlist;
 
 // Its time begins where the board's reset ends, as VerilatedChip's does: the board's own clocks of
 // reset after configuration are over. The memory can neither be written nor read: what is in it has
@@ -37,9 +39,9 @@ class NetlistChip : public sim::Chip {
   sim::OutputPins sampled_outputs() const;
 
   std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<Vulx3s> model_;
+  std::unique_ptr<BoardNetlist> model_;
   sim::ProcessorStatistics processor_;
-  unsigned oscillator_phase_ = 0;
+  unsigned watch_phase_ = 0;
 };
 
 }  // namespace tests

@@ -8,7 +8,7 @@ namespace tests {
 
 namespace {
 
-// boards/ulx3s/ulx3s.vhd: output_register.
+// output_register of boards/ulx3s/ulx3s.vhd, drive_pins of boards/cyclone/cyclone_board.vhd.
 constexpr sim::OutputPins pins_with_registers() {
   using sim::OutputPins;
   constexpr std::uint64_t axes = (std::uint64_t{1} << sim::axis_count) - 1;

@@ -15,4 +15,6 @@ ghdl synth --std=08 --workdir=work --out=verilog -gsize_bytes="$size" memory |
 verilator --binary -Wno-fatal -Wno-WIDTH -Wno-PINMISSING --top-module memory_pair "-DSIZE_BYTES=$size" -j 2 \
   "$project/tests/synthesis/memory_pair.sv" memory_of_rtl.v "$project"/boards/cyclone/memory*.v \
   "$project/tools/hardware/cyclone_cells.v" > verilator.log 2>&1 || { tail -n 40 verilator.log; exit 1; }
+printf '' > nothing.bin
+"$project/tools/hardware/write_mif.sh" nothing.bin "$size" .
 obj_dir/Vmemory_pair

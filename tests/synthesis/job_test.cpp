@@ -30,6 +30,7 @@ constexpr const char* place_script = R"(#!/bin/sh
 case $5 in 2) mhz=63.5 ;; *) mhz=5$5.0 ;; esac
 mkdir -p "$6"
 echo "seed $5 on $4" > "$6/$2.bit"
+echo "layout of seed $5 for $7" > "$6/layout.config"
 cat > "$6/report.json" <<END
 {"fmax": {"clk": {"achieved": $mhz, "constraint": 60.0}},
  "utilization": {
@@ -109,6 +110,24 @@ TEST_F(SynthesisJob, places_from_the_seed_that_is_asked_for_and_says_where_that_
   EXPECT_EQ(object.at("fastest_mhz"), 57.0);
 }
 
+TEST_F(SynthesisJob, puts_new_firmware_into_the_layout_that_is_there) {
+  write_script("pack_bitstream.sh", "#!/bin/sh\ncat \"$1\" > \"$4\"\necho \"$2 $3\" >> \"$4\"\n");
+  options_.firmware_only = true;
+  EXPECT_THROW(run(), std::runtime_error);
+  options_.firmware_only = false;
+  options_.seeds = 3;
+  EXPECT_TRUE(run());
+  EXPECT_NE(text_of("calls").find(" ulx3s - "), std::string::npos) << text_of("calls");
+  const std::string calls = text_of("calls"), report = text_of("out/synthesis.json");
+  options_.firmware_only = true;
+  EXPECT_TRUE(run());
+  const std::string out = std::filesystem::canonical(folder_ / "out");
+  EXPECT_EQ(text_of("out/ulx3s.bit"),
+            "layout of seed 2 for firmware.elf\n" + out + "/contents.hex firmware.elf\n");
+  EXPECT_EQ(text_of("calls"), calls);
+  EXPECT_EQ(text_of("out/synthesis.json"), report);
+}
+
 TEST_F(SynthesisJob, takes_the_debug_port_where_the_board_has_one) {
   options_.debug = true;
   options_.seed = 2;
@@ -169,6 +188,13 @@ echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas"
   EXPECT_EQ(object.at("block_rams").at("used"), 192 + 6);
   EXPECT_EQ(object.at("multipliers").at("used"), 5);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/de2_70.bit"));
+  write_script("write_mif.sh", "#!/bin/sh\necho \"$1 $2\" > \"$3/lane1.mif\"\n");
+  options_.firmware_only = true;
+  EXPECT_THROW(run(), std::runtime_error);
+  std::ofstream(folder_ / "out/quartus/make_project.tcl");
+  EXPECT_TRUE(run());
+  EXPECT_EQ(text_of("out/quartus/lane1.mif"), "firmware.elf 98304\n");
+  options_.firmware_only = false;
   // One that is too large, and one of which nothing is known.
   write_script("synthesize_cyclone.sh", R"(#!/bin/sh
 echo '{"design": {"num_cells_by_type": {

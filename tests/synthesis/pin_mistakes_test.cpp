@@ -106,6 +106,17 @@ TEST_F(Mistake, a_port_that_is_connected_twice_is_found) {
   EXPECT_THAT(shortcomings(), Contains(HasSubstr("fan_gate is connected twice")));
 }
 
+TEST_F(Mistake, a_clock_without_a_constraint_or_with_another_frequency_is_found) {
+  const char* timing = "constraints/ulx3s.lpf";
+  const std::string good = "FREQUENCY PORT \"clk_25mhz\" 25 MHZ;";
+  replace(timing, good, "FREQUENCY PORT \"clk_25mhz\" 20 MHZ;");
+  EXPECT_THAT(shortcomings(), Contains("clk_25mhz is constrained to another frequency"));
+  replace(timing, "\"clk_25mhz\" 20 MHZ", "\"clk\" 25 MHZ");
+  EXPECT_THAT(shortcomings(), Contains("clk_25mhz has 0 timing constraints"));
+  replace(timing, "FREQUENCY PORT \"clk\" 25 MHZ;", "# " + good + "\n");
+  EXPECT_THAT(shortcomings(), Contains("clk_25mhz has 0 timing constraints"));
+}
+
 TEST_F(Mistake, a_signal_of_unknown_needs_is_found) {
   replace(signals, "fan_gate,", "fan,");
   EXPECT_THAT(shortcomings(), Contains(HasSubstr("does not say what fan_gate needs")));

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <set>
 #include <string_view>
 
 #include "tests/synthesis/board_pins.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace synthesis {
 namespace {
@@ -40,9 +42,11 @@ struct Kind {
   bool registered = false;
   // Of a lamp on the board: 2.5 V will do.
   bool any_volts = false;
+  // Its frequency in MHz is in its name.
+  bool is_clock = false;
 };
 
-constexpr Kind oscillator{"in", "NONE"};
+constexpr Kind oscillator{"in", "NONE", 0, 0, "", false, false, true};
 constexpr Kind rests_high{"in", "UP"};
 constexpr Kind rests_low{"in", "DOWN"};
 constexpr Kind fail_safe{"in", "UP", 0, 0, "up"};
@@ -99,7 +103,8 @@ class Check {
         signals_(read_table(project / "constraints/signals.csv")),
         pins_(read_table(project / "boards" / board / "pins.csv")),
         banks_(read_table(project / "boards" / board / "banks.csv")),
-        is_cyclone_(std::filesystem::exists(project / "boards" / board / "device.csv")) {}
+        is_cyclone_(std::filesystem::exists(project / "boards" / board / "device.csv")),
+        timing_(is_cyclone_ ? "" : files::text_of(project / "constraints" / (board + ".lpf"))) {}
 
   std::vector<std::string> run() {
     if (!constraints_.refusal.empty()) return {constraints_.refusal};
@@ -122,6 +127,24 @@ class Check {
     is_cyclone_ ? check_cyclone_buffer(port, pin, need->kind) : check_buffer(port, pin, need->kind);
     check_place(port, pin, need->kind);
     check_table(port, need->kind.outside, need->kind.registered);
+    if (need->kind.is_clock && !is_cyclone_) check_frequency(port);
+  }
+
+  // nextpnr takes 12 MHz for a clock that has none. (What Quartus gets, check_project.tcl checks.)
+  void check_frequency(const std::string& port) {
+    static const std::regex constraint("(?:^|\\n)FREQUENCY PORT \"(\\w+)\" ([0-9.]+) MHZ;"),
+        mhz("\\d+(?=mhz)");
+    std::smatch wanted;
+    std::regex_search(port, wanted, mhz);
+    int times = 0;
+    for (std::sregex_iterator at(timing_.begin(), timing_.end(), constraint), end; at != end;
+         ++at) {
+      if ((*at)[1] != port) continue;
+      if (std::stod((*at)[2]) != std::stod(wanted[0]))
+        say(port, "is constrained to another frequency");
+      ++times;
+    }
+    if (times != 1) say(port, fmt::format("has {} timing constraints", times));
   }
 
   void check_buffer(const std::string& port, const ConstrainedPin& pin, const Kind& kind) {
@@ -203,6 +226,7 @@ class Check {
   std::vector<Row> signals_, pins_, banks_;
   std::set<std::string> sites_;
   bool is_cyclone_;
+  std::string timing_;
   std::vector<std::string> said_;
 };
 

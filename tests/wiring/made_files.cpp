@@ -1,92 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads S-expressions and groups of an SVG.
+// Reads the netlist and groups of an SVG.
 #include "tests/wiring/made_files.hpp"
 
 #include <algorithm>
 #include <regex>
 #include <stdexcept>
 
+#include "tests/wiring/s_expression.hpp"
 #include "tools/files/file_text.hpp"
 
 namespace wiring_files {
-namespace {
-
-// A word, or a list.
-struct Expression {
-  std::string word;
-  std::vector<Expression> list;
-
-  const Expression* find(const std::string& name) const {
-    const auto found = std::ranges::find_if(list, [&](const Expression& one) {
-      return !one.list.empty() && one.list.front().word == name;
-    });
-    return found == list.end() ? nullptr : &*found;
-  }
-  // Of "(name word)", or nothing.
-  std::string text(const std::string& name) const {
-    const Expression* found = find(name);
-    return found != nullptr && found->list.size() == 2 ? found->list[1].word : "";
-  }
-};
-
-class Reader {
- public:
-  explicit Reader(const std::string& text) : text_(text) {}
-
-  Expression all() {
-    const Expression expression = one();
-    skip_space();
-    if (at_ != text_.size()) throw std::runtime_error("more than one expression");
-    return expression;
-  }
-
- private:
-  Expression one() {
-    skip_space();
-    if (next() == '(') {
-      return list();
-    }
-    return {.word = next() == '"' ? quoted() : plain(), .list = {}};
-  }
-  Expression list() {
-    Expression expression;
-    ++at_;
-    for (skip_space(); next() != ')'; skip_space()) {
-      expression.list.push_back(one());
-    }
-    ++at_;
-    return expression;
-  }
-  std::string quoted() {
-    std::string word;
-    for (++at_; next() != '"'; ++at_) {
-      if (next() == '\\') ++at_;
-      word += next();
-    }
-    ++at_;
-    return word;
-  }
-  std::string plain() {
-    const std::size_t end = text_.find_first_of(" \n()\"", at_);
-    if (end == at_) throw std::runtime_error("a word is missing");
-    std::string word = text_.substr(at_, end - at_);
-    at_ = end;
-    return word;
-  }
-  void skip_space() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n')) ++at_;
-  }
-  char next() const {
-    if (at_ >= text_.size()) throw std::runtime_error("the expression does not end");
-    return text_[at_];
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0;
-};
-
-}  // namespace
-
 std::string Netlist::net_of(const std::string& pin) const {
   const auto found =
       std::ranges::find_if(pins, [&](const auto& net) { return net.second.contains(pin); });
@@ -111,8 +34,7 @@ std::vector<std::string> Netlist::between(char letter, const std::string& one,
 }
 
 Netlist read_netlist(const std::filesystem::path& file) {
-  const std::string text = files::text_of(file);
-  const Expression all = Reader(text).all();
+  const Expression all = read_expression(file);
   Netlist netlist;
   netlist.version = all.text("version");
   const Expression *components = all.find("components"), *nets = all.find("nets");

@@ -37,15 +37,48 @@ module altsyncram #(
   output reg [width_b - 1:0] q_b
 );
 
+`ifndef YOSYS
   reg [width_a - 1:0] words [0:numwords_a - 1];
+  // Of init_file, which Quartus would look for in the project's folder and a simulation does in its own: lines of
+  // "address : contents;" in hexadecimal, behind CONTENT BEGIN.
+  string line;
+  integer contents, place, address, value, is_inside;
 
-  // Port A is used for reading only.
-  always @(posedge clock0) if (clocken0) q_a <= words[address_a];
+  initial begin
+    if (operation_mode != "BIDIR_DUAL_PORT" || width_b != width_a || numwords_b != numwords_a ||
+        address_reg_b != "CLOCK1" || indata_reg_b != "CLOCK1" || wrcontrol_wraddress_reg_b != "CLOCK1" ||
+        clock_enable_input_a != "NORMAL" || clock_enable_input_b != "NORMAL" || clock_enable_output_a != "BYPASS" ||
+        clock_enable_output_b != "BYPASS" || outdata_reg_a != "UNREGISTERED" || outdata_reg_b != "UNREGISTERED")
+      $fatal(1, "%m: a block RAM in a way that this model does not know");
+    q_a = 0;
+    q_b = 0;
+    contents = $fopen(init_file, "r");
+    if (contents == 0) $fatal(1, "%m: there is no file %s", init_file);
+    is_inside = 0;
+    place = 0;
+    while ($fgets(line, contents) != 0) begin
+      if ($sscanf(line, " %h : %h;", address, value) == 2 && is_inside != 0) begin
+        if (address != place || value >> width_a != 0) $fatal(1, "%m: %s is not in the order of its addresses", init_file);
+        words[place] = value[width_a - 1:0];
+        place = place + 1;
+      end else if (line == "CONTENT BEGIN\n") is_inside = 1;
+    end
+    if (place != numwords_a) $fatal(1, "%m: %s has %0d words", init_file, place);
+    $fclose(contents);
+  end
 
+  // Port A is used for reading only. What it reads while port B writes the same word is undefined, so here it is wrong.
+  always @(posedge clock0) begin
+    if (wren_a) $fatal(1, "%m: a write that this model does not know");
+    if (clocken0) q_a <= clocken1 && wren_b && address_a == address_b ? ~words[address_a] : words[address_a];
+  end
+
+  // A port that writes shows what it has written.
   always @(posedge clock1) if (clocken1) begin
     if (wren_b) words[address_b] <= data_b;
     q_b <= wren_b ? data_b : words[address_b];
   end
+`endif
 
 endmodule
 
@@ -104,7 +137,7 @@ module cyclone_multiplier #(
 
 endmodule
 
-// Multiplies by one.
+// The phase-locked loop without its time: it multiplies by one, and is locked at once.
 module altpll #(
   parameter intended_device_family = "Cyclone IV E",
   parameter lpm_type = "altpll",
@@ -125,6 +158,10 @@ module altpll #(
   output [width_clock - 1:0] clk,
   output locked
 );
+
+  initial
+    if (clk0_multiply_by != clk0_divide_by || operation_mode != "NORMAL" || clk0_phase_shift != "0")
+      $fatal(1, "%m: a phase-locked loop in a way that this model does not know");
 
   assign clk = {{width_clock - 1{1'b0}}, inclk[0]};
   assign locked = 1'b1;

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# What synthesize_board.sh has left in NETLIST_DIRECTORY on an ECP5: netlist -> (nextpnr) -> layout -> (ecppack) ->
-# bitstream, with report.json in the directory, and in pins.json what the constraints ask of the pins' times.
-# Usage: place_board.sh PROJECT BOARD NETLIST_DIRECTORY DEVICE SEED DIRECTORY
+# What synthesize_board.sh has left in NETLIST_DIRECTORY on an ECP5: netlist -> (nextpnr) -> layout.config ->
+# (pack_bitstream.sh) -> bitstream with the firmware, with report.json in the directory, and in pins.json what the
+# constraints ask of the pins' times. Usage: place_board.sh PROJECT BOARD NETLIST_DIRECTORY DEVICE SEED DIRECTORY FIRMWARE.elf
 set -euo pipefail
-project=$1 board=$2 netlist=$3/netlist.json device=$4 seed=$5 directory=$6
+project=$1 board=$2 netlist=$3/netlist.json contents=$3/contents.hex device=$4 seed=$5 directory=$6 firmware=$7
 
 . "$project/tools/hardware/steps.sh"
 
@@ -41,4 +41,4 @@ awk -F, '
 
 place nextpnr-ecp5 "--$device" --package CABGA381 --speed 6 --json "$netlist" \
   --lpf board.lpf --textcfg layout.config --report report.json --seed "$seed" "${weights[@]}" --timing-allow-fail
-step ecppack.log ecppack --compress layout.config "$board.bit"
+"$project/tools/hardware/pack_bitstream.sh" layout.config "$contents" "$firmware" "$board.bit"

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The whole chip for an ECP5 board, or a part of it alone: VHDL -> (GHDL) -> Verilog -> (Yosys) -> netlist of
-# cells, netlist.json and cells.json (how many) in the directory. place_board.sh makes the bitstream of it.
-# Usage: synthesize_board.sh PROJECT BOARD FIRMWARE.elf DIRECTORY [-gGENERIC=VALUE...]
+# cells, netlist.json and cells.json (how many) in the directory. place_board.sh makes the bitstream of it. With "-" in
+# place of a program the memory's contents are random, contents.hex in the directory: by them pack_bitstream.sh finds where
+# each bit of the memory lies in a layout, and puts a program there.
+# Usage: synthesize_board.sh PROJECT BOARD FIRMWARE.elf|- DIRECTORY [-gGENERIC=VALUE...]
 set -euo pipefail
 project=$1 board=$2 firmware=$3 directory=$4
 shift 4
@@ -13,13 +15,22 @@ cd "$directory"
 rm -f netlist.json cells.json
 "$project/tools/hardware/write_verilog.sh" "$project" "$board" "$directory" "$@"
 
-# The firmware becomes the initial contents of the memory, one file per lane of bytes.
-riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
-od -An -v -tx1 -w4 work/firmware.bin |
-  awk -v lower="$(sed -nE 's/^ *reg \[7:0\] lanes_n1_bytes\[([0-9]+):0\].*/\1/p' work/chip.v)" '{
-    bank = NR <= lower + 1 ? "" : "upper_"
-    for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/" bank "lane" lane ".hex"
-  }'
+# The contents of the memory, one file per lane of bytes and bank.
+last_of() { sed -nE "s/^ *reg \\[7:0\\] $1_n1_bytes\\[([0-9]+):0\\].*/\\1/p" work/chip.v; }
+lower=$(last_of lanes) upper=$(last_of two_banks_upper_lanes)
+rm -f contents.hex
+if [ "$firmware" = - ]; then
+  words=$((lower + 1 + (${upper:--1} + 1)))
+  step ecpbram.log ecpbram --generate contents.hex --width 32 --depth $words --seed 1
+  sed -E 's/^(..)(..)(..)(..)$/\4 \3 \2 \1/' contents.hex > work/contents
+else
+  riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
+  od -An -v -tx1 -w4 work/firmware.bin > work/contents
+fi
+awk -v lower="$lower" '{
+  bank = NR <= lower + 1 ? "" : "upper_"
+  for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/" bank "lane" lane ".hex"
+}' work/contents
 # A memory of one bank has no upper bank.
 for lane in 1 2 3 4; do touch "work/upper_lane$lane.hex"; done
 sed -E -e 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \

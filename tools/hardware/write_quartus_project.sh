@@ -43,35 +43,8 @@ awk '
 ' work/chip.v > "$board.v" || { echo "failed: there is not one memory to replace" >&2; exit 1; }
 cp "$project"/boards/cyclone/*.v .
 
-# One file of contents for each lane of bytes, and of each of the memory's two banks.
-riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
 size=$(sed -nE 's/^ *\.size_bytes\(([0-9]+)\)\)$/\1/p' "$board.v")
-[ "$size" = 98304 ] || { echo "failed: contents are made for 96 KiB of memory only" >&2; exit 1; }
-[ "$(stat -c %s work/firmware.bin)" -le "$size" ] || { echo "failed: the firmware is larger than the memory" >&2; exit 1; }
-od -An -v -tx1 -w4 work/firmware.bin | awk -v words=$((size / 4)) '
-  function open_lanes(bank, depth, lane) {
-    for (lane = 1; lane <= 4; lane++) {
-      file[lane] = bank "lane" lane ".mif"
-      print "WIDTH = 8;\nDEPTH = " depth ";\nADDRESS_RADIX = HEX;\nDATA_RADIX = HEX;\nCONTENT BEGIN" > file[lane]
-    }
-    address = 0
-  }
-  function write_word(a, b, c, d) {
-    if (count == 0) open_lanes("", words * 2 / 3)
-    if (count == words * 2 / 3) { close_lanes(); open_lanes("upper_", words / 3) }
-    printf "  %X : %s;\n", address, a > file[1]
-    printf "  %X : %s;\n", address, b > file[2]
-    printf "  %X : %s;\n", address, c > file[3]
-    printf "  %X : %s;\n", address, d > file[4]
-    address += 1
-    count += 1
-  }
-  function close_lanes(lane) {
-    for (lane = 1; lane <= 4; lane++) { print "END;" > file[lane]; close(file[lane]) }
-  }
-  { write_word($1, $2 == "" ? "00" : $2, $3 == "" ? "00" : $3, $4 == "" ? "00" : $4) }
-  END { while (count < words) write_word("00", "00", "00", "00"); close_lanes() }
-'
+"$project/tools/hardware/write_mif.sh" "$firmware" "$size" .
 
 "$project/tools/hardware/write_constraints.sh" "$project" "$board" > pins.tcl
 "$project/tools/hardware/write_delays.sh" "$project" "$board" > "$board.sdc"

@@ -11,9 +11,9 @@ mkdir -p "$directory/work"
 cd "$directory"
 rm -f work/*
 
-# A board has a folder; another top entity is one of those in testbench.
+# A board has a folder; another top entity is one of testbench, or a part of the chip.
 folder=$project/boards/$top
-[ -d "$folder" ] || folder=$(dirname "$(find "$project/testbench" -name "$top.vhd" | grep .)")
+[ -d "$folder" ] || folder=$(dirname "$(find "$project/testbench" "$project/rtl" -name "$top.vhd" | grep .)")
 mapfile -t files < <(find "$project/rtl" "$project/boards/cyclone" -name '*.vhd' | sort)
 step ghdl.log ghdl -i --std=08 --workdir=work "${files[@]}" "$folder"/*.vhd
 step ghdl.log ghdl -m --std=08 --workdir=work "$top"

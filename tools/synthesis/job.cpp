@@ -46,10 +46,15 @@ class Scripts {
         look_(look) {}
 
   void synthesize() const {
-    std::vector<std::string> words{
-        script("synthesize_board.sh", "synthesize_ice40.sh"), project_.string(), options_.board,
-        device_.family == Family::ecp5 ? firmware_.string() : options_.device, directory_.string()};
-    if (options_.board == "core") {
+    const bool alone = options_.board == "core";
+    // A board's firmware comes into the layout: see pack().
+    std::vector<std::string> words{script("synthesize_board.sh", "synthesize_ice40.sh"),
+                                   project_.string(), options_.board,
+                                   device_.family != Family::ecp5 ? options_.device
+                                   : alone                        ? firmware_.string()
+                                                                  : "-",
+                                   directory_.string()};
+    if (alone) {
       words.push_back(fmt::format("-gmemory_size_bytes={}", device_.memory_bytes));
     }
     if (options_.debug) words.emplace_back("-ghas_debug=true");
@@ -59,7 +64,19 @@ class Scripts {
 
   void place(std::uint32_t seed, const std::filesystem::path& folder) const {
     call({script("place_board.sh", "place_ice40.sh"), project_.string(), options_.board,
-          directory_.string(), options_.device, std::to_string(seed), folder.string()});
+          directory_.string(), options_.device, std::to_string(seed), folder.string(),
+          firmware_.string()});
+  }
+
+  // The firmware into the layout that is there.
+  void pack() const {
+    if (!std::filesystem::exists(directory_ / "layout.config")) {
+      throw std::runtime_error(fmt::format("{} has no layout: without --firmware-only one is made",
+                                           directory_.string()));
+    }
+    call({script("pack_bitstream.sh", ""), (directory_ / "layout.config").string(),
+          (directory_ / "contents.hex").string(), firmware_.string(),
+          (directory_ / (options_.board + ".bit")).string()});
   }
 
  private:
@@ -118,6 +135,11 @@ void add_options(CLI::App& job, Options& options) {
   job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (not core)");
   job.add_flag("--zbb,!--no-zbb", options.zbb,
                "the processor with extension Zbb, for firmware that is compiled for it");
+  job.add_flag(
+         "--firmware-only", options.firmware_only,
+         "the firmware into what an earlier synthesis has left in the folder, in seconds: into "
+         "the bitstream, with the same layout, or into the project for Quartus")
+      ->excludes(all);
   job.add_option("--directory", options.directory,
                  "folder for the bitstream, synthesis.json and the tools' logs")
       ->type_name("DIR")
@@ -142,6 +164,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   }
   const Device& device = device_named(options.device);
   const bool alone = options.board == "core";
+  if (options.firmware_only && alone) throw std::runtime_error("core has no firmware");
   if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");
   if (device.family != Family::ecp5 && !alone) {
     throw std::runtime_error(fmt::format("{} has an ECP5; an {} is only possible for core",
@@ -155,6 +178,13 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
     return make_quartus_project(options, project, firmware, directory, look);
   }
   const Scripts scripts(options, project, firmware, directory, look);
+  if (options.firmware_only) {
+    scripts.pack();
+    fmt::print("{} has the firmware, and the layout that was there\n",
+               (directory / (options.board + ".bit")).string());
+    return true;
+  }
+  std::filesystem::remove(directory / "layout.config");
   scripts.synthesize();
   Report report;
   std::vector<Placement> placements;
@@ -165,9 +195,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
     placements.push_back({.seed = seed, .fastest_mhz = placed.fastest_mhz});
     if (placed.fastest_mhz <= report.fastest_mhz) continue;
     report = placed;
-    const std::filesystem::path bitstream = folder / (options.board + ".bit");
-    if (std::filesystem::exists(bitstream)) {
-      std::filesystem::copy_file(bitstream, directory / bitstream.filename(),
+    for (const std::string& name : {options.board + ".bit", std::string("layout.config")}) {
+      if (!std::filesystem::exists(folder / name)) continue;
+      std::filesystem::copy_file(folder / name, directory / name,
                                  std::filesystem::copy_options::overwrite_existing);
     }
   }

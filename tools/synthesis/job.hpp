@@ -24,14 +24,16 @@ struct Options {
   std::uint32_t seeds = 1;
   bool debug = false;
   bool zbb = STEPFABRIC_ZBB;
+  // The layout that the directory has from before, with the firmware of now.
+  bool firmware_only = false;
   std::filesystem::path directory = "synthesis";
 };
 
 void add_options(CLI::App& job, Options& options);
 
 // All boards or one. `firmware` is the ELF file that becomes the memory's contents. Writes the
-// netlist, BOARD.bit and synthesis.json of the fastest placement, and a folder for each placement,
-// into the directory.
+// netlist, BOARD.bit, layout.config and synthesis.json of the fastest placement, and a folder for
+// each placement, into the directory.
 // False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
 // tool fails. `look` is called every few milliseconds; where it throws, the tools end.
 bool synthesize(const Options& options, const std::filesystem::path& project,

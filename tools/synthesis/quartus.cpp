@@ -118,6 +118,17 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
       throw std::runtime_error("the synthesis failed");
     }
   };
+  if (options.firmware_only) {
+    if (!std::filesystem::exists(folder / "make_project.tcl")) {
+      throw std::runtime_error(
+          fmt::format("{} has no project: without --firmware-only one is made", folder.string()));
+    }
+    call({(tools / "write_mif.sh").string(), firmware.string(), std::to_string(memory_bytes),
+          folder.string()});
+    fmt::print("{0} has the firmware: quartus_cdb --update_mif {1} && quartus_asm {1} there\n",
+               folder.string(), options.board);
+    return true;
+  }
   std::vector<std::string> words{(tools / "write_quartus_project.sh").string(), project.string(),
                                  options.board, firmware.string(), folder.string()};
   if (options.debug) words.emplace_back("-ghas_debug=true");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <tuple>
 
@@ -39,19 +40,32 @@ std::string spoken(std::string name) {
   return name;
 }
 
+// By it KiCad knows a component again. Two hashes of 64 bits (FNV-1a) in the form of a UUID, so
+// that a designator always has the same.
+std::string time_stamp(const std::string& designator) {
+  const auto hash = [&designator](std::uint64_t value) {
+    constexpr std::uint64_t prime = 0x100'0000'01b3;
+    for (const char c : designator) value = (value ^ static_cast<unsigned char>(c)) * prime;
+    return value;
+  };
+  const std::string digits =
+      fmt::format("{:016x}{:016x}", hash(0xcbf2'9ce4'8422'2325), hash(0x8422'2325'cbf2'9ce4));
+  return fmt::format("{}-{}-{}-{}-{}", digits.substr(0, 8), digits.substr(8, 4),
+                     digits.substr(12, 4), digits.substr(16, 4), digits.substr(20));
+}
+
 std::string components(const Description& description) {
   std::string text = "  (components\n";
   for (const Part* part : description.parts()) {
     const Kind& kind = description.kind_of(*part);
     text += fmt::format("    (comp (ref {})\n      (value {})\n", quoted(part->designator),
                         quoted(description.value_of(*part).text()));
-    if (!kind.footprint.empty()) {
-      text += fmt::format("      (footprint {})\n", quoted(kind.footprint));
-    }
+    text += fmt::format("      (footprint {})\n", quoted(kind.footprint));
     text += fmt::format(
         "      (libsource (lib \"stepfabric\") (part {}) (description {}))\n"
-        "      (sheetpath (names \"/\") (tstamps \"/\")))\n",
-        quoted(kind.name), quoted(spoken(kind.name)));
+        "      (sheetpath (names \"/\") (tstamps \"/\"))\n"
+        "      (tstamps {}))\n",
+        quoted(kind.name), quoted(spoken(kind.name)), quoted(time_stamp(part->designator)));
   }
   return text + "  )\n";
 }
