@@ -30,8 +30,8 @@ architecture rtl of bus_interconnect is
 
   -- One bit per slave: the address lies in its window.
   signal selected : std_ulogic_vector(base_addresses'range);
-  -- The slave that was strobed in the clock before, without an answer then: only its answer counts. Registers,
-  -- because answers go far into the processor.
+  -- The slave that was strobed in the clock before, without an answer then: only its answer counts.
+  -- Registers, because answers go far into the processor.
   signal asked : std_ulogic_vector(base_addresses'range) := (others => '0');
   signal answered : std_ulogic;
   signal joined : bus_response_t;

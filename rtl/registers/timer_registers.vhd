@@ -96,8 +96,8 @@ begin
     end if;
   end process;
 
-  -- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
-  -- can be written, or read, has such an event.
+  -- Which register it is, is found out before the clock in which the hardware needs it. Only what
+  -- can be written, or read, has such an event: the address alone says that it is known.
   find_events : process
   begin
     wait until rising_edge(clk);

@@ -109,8 +109,8 @@ end if;
 // Writes and reads that the hardware sees in the clock of their acknowledge.
 inline constexpr std::string_view events_template =
     R"(
--- Which register it is, is found out before the clock in which the hardware needs it. It is known: only what
--- can be written, or read, has such an event.
+-- Which register it is, is found out before the clock in which the hardware needs it. Only what
+-- can be written, or read, has such an event: the address alone says that it is known.
 find_events : process
 begin
   wait until rising_edge(clk);
