@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- In place of the cells of boards/ulx3s: a loop that jitters until it locks, registers in pads, and an oscillator of its own.
+-- In place of the cells of boards/ulx3s: a loop that jitters until it locks, registers in pads, and an
+-- oscillator of its own.
 
 library ieee;
 use ieee.std_logic_1164.all;

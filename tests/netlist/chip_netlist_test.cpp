@@ -61,7 +61,7 @@ class StepCounter : public devices::StepListener {
 
 TEST(ChipNetlist, boots_answers_heats_and_moves_as_the_model_does_in_every_clock) {
 #ifdef CONTENTS_DIRECTORY
-  // Where Quartus' files of the memory's contents are: the model of a Cyclone's block RAM reads them.
+  // Quartus' files of the memory's contents are here; the model of the block RAM reads them.
   std::filesystem::current_path(CONTENTS_DIRECTORY);
 #endif
   tests::NetlistTwin chip(clock_hz);

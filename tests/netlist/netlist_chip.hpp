@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A board's netlist of its FPGA's cells, the firmware in their initial values, as a chip of the
-// co-simulation.
+// A board's netlist of its FPGA's cells, the firmware in their initial values, as a chip of
+// the co-simulation.
 #pragma once
 
 #include <memory>

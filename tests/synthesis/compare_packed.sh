@@ -35,7 +35,7 @@ refuses() {
   ! "$tools/pack_bitstream.sh" "$@" found.bit 2> refused.log || { echo "failed: takes $*"; exit 1; }
   cmp wanted.bit found.bit
 }
-sed '1,600s/^./0/' random/contents.hex > other.hex
+sed '1,600y/0123456789abcdef/fedcba9876543210/' random/contents.hex > other.hex
 refuses random/layout.config other.hex program.elf
 refuses with_program/layout.config random/contents.hex program.elf
 cat program.bin program.bin > large.bin
