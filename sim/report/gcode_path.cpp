@@ -169,8 +169,8 @@ Request GcodePath::retract() {
   return move;
 }
 
-// After a stop or homing the chip does not lower Z. Unless the file or homing has said since what the
-// place is called, it is higher by the lift.
+// After a stop or homing the chip does not lower Z. Unless the file or homing has said since what
+// the place is called, it is higher by the lift.
 Request GcodePath::recover() {
   if (!retracted_) return NoMotion{};
   Move move{machine_, machine_, {}};

@@ -31,8 +31,8 @@ struct RequestedMove {
 };
 
 // Reads G0 to G3, G10 G11, G17 to G19, G28, G90 to G92, M82 M83, M207 M208 (all else requests no
-// motion). Positions are mechanical: they start at 0 on every axis, E counts from its position at the
-// start. Without homing or a stop between G10 and G11.
+// motion). Positions are mechanical: they start at 0 on every axis, E counts from its position at
+// the start. Without homing or a stop between G10 and G11.
 std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
                                            const std::array<double, axes>& steps_per_mm);
 

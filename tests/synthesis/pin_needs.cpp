@@ -140,8 +140,9 @@ class Check {
     for (std::sregex_iterator at(timing_.begin(), timing_.end(), constraint), end; at != end;
          ++at) {
       if ((*at)[1] != port) continue;
-      if (std::stod((*at)[2]) != std::stod(wanted[0]))
+      if (std::stod((*at)[2]) != std::stod(wanted[0])) {
         say(port, "is constrained to another frequency");
+      }
       ++times;
     }
     if (times != 1) say(port, fmt::format("has {} timing constraints", times));

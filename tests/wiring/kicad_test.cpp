@@ -77,8 +77,9 @@ class Reading {
     for (auto child = one.list.begin() + 1; child != one.list.end(); ++child) {
       const std::string word = child->list.empty() ? child->word : child->list.front().word;
       if (!children.contains(word)) complain("there is no " + word + " in " + name);
-      if (!seen.insert(word).second && !repeated.contains(word))
+      if (!seen.insert(word).second && !repeated.contains(word)) {
         complain(word + " twice in " + name);
+      }
       expect_form(*child, word, name);
     }
     for (const std::string& child : children) {
@@ -140,8 +141,9 @@ class Reading {
         } else if (!pins_of_[part->second].contains(pin)) {
           complain(ref + " has no pin " + pin);
         }
-        if (!connected_.insert(ref + "." + pin).second)
+        if (!connected_.insert(ref + "." + pin).second) {
           complain(ref + "." + pin + " is on two nets");
+        }
       }
     });
   }

@@ -54,9 +54,7 @@ class Scripts {
                                    : alone                        ? firmware_.string()
                                                                   : "-",
                                    directory_.string()};
-    if (alone) {
-      words.push_back(fmt::format("-gmemory_size_bytes={}", device_.memory_bytes));
-    }
+    if (alone) words.push_back(fmt::format("-gmemory_size_bytes={}", device_.memory_bytes));
     if (options_.debug) words.emplace_back("-ghas_debug=true");
     if (options_.zbb) words.emplace_back("-ghas_zbb=true");
     call(words);
