@@ -38,8 +38,8 @@ constexpr std::int32_t part_scale = 256;
 // many windows.
 constexpr std::int32_t showing = 30, showing_windows = 8;
 // More heat than a moment ago is a cause to pause: beyond what draught, fan and filament may take,
-// an absolute part in percent of the rise, and in a hold a supply that is so much lower, in percent.
-// In mK.
+// an absolute part in percent of the rise, and in a hold a supply that is so much lower, in
+// percent. The limit is in mK.
 constexpr std::int32_t doubted_offset = 2, doubted_sag = 7, doubt_limit = 1'500;
 // Of what was lost in the last pause, in percent, what is lost at least.
 constexpr std::int32_t known_part = 90;
@@ -194,8 +194,8 @@ void Coast::doubt(const Window& window) {
   carried_reference_ += (carried - carried_reference_) / windows;
 }
 
-// After a pause that no heat went before. A drift or a low supply show less power, so the most
-// counts.
+// After a pause that no heat went before. A drift or a low supply shows less power, and so the most
+// of it is what counts.
 bool Coast::show_power(const Slopes& slopes) {
   if (slopes.heating < model_->rise * showing / 100) return false;
   const std::int32_t lost = slopes.still + slopes.blown + slopes.melted - reference_;

@@ -65,7 +65,7 @@ double arrival(const Case& given) {
   return rig.loop.at_target() ? rig.now : -1;
 }
 
-// With less than a quarter of its power left in the worst wind a heater may pass for one that fails.
+// With less than a quarter of its power left in the worst wind a heater may pass for a failing one.
 bool holds(const Case& given) {
   const plants::HeatedBlockProperties hotend = tests::described_hotend();
   const double lost =
