@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pauses of a heater that heats up, in which its block cools down: a reading that falls faster than
-// that of any described heater drifts.
+// Pauses of a heater, in which its block cools down: a reading that falls faster than that of any
+// described heater, or than this one has lost before, drifts.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +25,11 @@ class Coast {
     bool held{};  // the target, since it was set
     std::int32_t milliseconds{};
   };
-  // With each update while a temperature is wanted: true while the heater is to pause. A pause
-  // begins 10 K or more below a target that has not been held yet, and lasts 12 s at most. Full
-  // heat without a break goes before each, but for one at the start: 8 s, and twice as much after
-  // each pause for a suspicion, up to 64 s, until a target is held.
+  // With each update while a temperature is wanted: true while the heater is to pause, for 12 s at
+  // most. It pauses once at a hot start and half way, 10 K or more below a target that has not been
+  // held yet, the latter after 8 s of full heat; and anywhere where it needs more heat than a
+  // moment ago, 8 s or more after the last pause, and twice as much after each one for
+  // such a doubt, up to 64 s, until a target is reached.
   bool pause(const State& state);
   // Of a window of the comparison.
   struct Window {
@@ -57,8 +58,15 @@ class Coast {
   bool is_due(const State& state);
   void begin();
   void suspect(const Slopes& slopes);
+  void doubt(const Window& window);
+  bool show_power(const Slopes& slopes);
   bool is_unanswered(const Slopes& slopes) const;
+  std::int32_t answered_power(const Slopes& slopes) const;
   std::int32_t late_heat(const Slopes& slopes) const;
+  std::int32_t room() const;
+  std::int32_t least_lost(std::int32_t celsius) const;
+  std::int32_t lost_before(const Slopes& slopes) const;
+  std::int32_t most_more(const Slopes& slopes) const;
   std::int32_t most_fall(const Window& window) const;
   void learn(const Window& window, std::int32_t fall);
 
@@ -78,13 +86,28 @@ class Coast {
   // What was lost in a pause, of which to fan and filament by the model, in mK/s, and how hot it
   // was then, in mK; 0: not known.
   std::int32_t lost_ = 0, carried_ = 0, lost_at_ = 0;
-  // What the model does not explain of the slope with much heat: means over few and many windows,
-  // in mK/s.
-  std::int32_t fast_ = 0, slow_ = 0;
-  bool compared_ = false, suspicious_ = false, may_drift_ = true;
-  // The last window with much heat: the slope without losses, and the heat of the model, in mK/s;
-  // 0: there was none.
+  // What the model does not explain of the slope with much heat: a mean, in mK/s.
+  std::int32_t fast_ = 0;
+  bool is_compared_ = false, may_drift_ = true;
+  // The last window with heat that shows: the slope without losses, and the heat of the model, in
+  // mK/s; 0: there was none.
   std::int32_t warmed_ = 0, heating_ = 0;
+  // Of this heater: its power, of the nominal one with 8 fractional bits, and what it shows of it.
+  std::int32_t power_ = 256, shown_ = 0;
+  std::int32_t showing_left_ = 0;  // windows
+  // What its power does not explain of the slope, and what fan and filament take: means over the
+  // last windows, in mK/s.
+  std::int32_t reference_ = 0, carried_reference_ = 0;
+  bool is_referenced_ = false;
+  // What is missing of it beyond what may, in mK; the pause waits for its time.
+  std::int32_t doubt_ = 0;
+  bool doubts_ = false;
+  bool held_ = false;  // the target, at the last update
+  std::int32_t calm_windows_ = 0;  // of the hold
+  std::int32_t since_pause_ = 0;  // ms
+  std::int32_t last_fall_ = 0;  // mK/s
+  // The room is no warmer, in mK.
+  std::int32_t coldest_seen_ = 1'000'000;
 };
 
 }  // namespace thermal

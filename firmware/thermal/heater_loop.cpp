@@ -92,7 +92,10 @@ Duty HeaterLoop::heat(units::Millicelsius measured, units::Milliseconds now) {
                            .held = protection_.holding(),
                            .milliseconds = static_cast<std::int32_t>(elapsed.count())},
                           wanted);
-  if (plausibility_.is_pausing()) protection_.pause();
+  if (plausibility_.is_pausing()) {
+    protection_.pause();
+    controller_.reset();
+  }
   const bool settled =
       protection_.holding() && std::clamp(measured, target_ - near, target_ + near) == measured;
   return plausibility_.probe(settled, duty);

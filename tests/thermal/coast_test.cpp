@@ -81,6 +81,16 @@ TEST_F(Coasting, finds_a_drift_that_begins_at_any_moment_far_below_the_target) {
   }
 }
 
+// So near to the target that only a doubt makes it pause.
+TEST_F(Coasting, finds_a_drift_that_begins_just_below_the_target) {
+  for (const double below : {9, 12, 15, 20}) {
+    CoastingHeater heater;
+    ASSERT_FALSE(heater.heat_up_to(heater.target - below)) << below;
+    heater.drift = 1;
+    EXPECT_TRUE(heater.run(20)) << below << " K below";
+  }
+}
+
 // What is lost in the first pause shows more than the description.
 TEST_F(Coasting, a_drift_shows_by_what_this_heater_has_lost_before) {
   loss = 0.6;

@@ -45,7 +45,8 @@ struct CoastingHeater {
   double target = 250;
   double block = room, reading = room;
   double now = 0;
-  // Pauses that have begun, those of them without 8 s of full heat before, the longest one in s.
+  // Pauses that have begun, those of them within 8 s of wanted heat after another, the longest one
+  // in s.
   int pauses = 0, sudden = 0;
   double longest = 0;
 
@@ -58,7 +59,7 @@ struct CoastingHeater {
                                                 .full = full,
                                                 .held = held,
                                                 .milliseconds = 100});
-    count(pausing, full);
+    count(pausing);
     advance(full && !pausing ? 1 : 0);
     sum_ += felt_;
     if (++updates_ % 10 != 0) return false;
@@ -74,7 +75,7 @@ struct CoastingHeater {
                       .noise = millis(noise),
                       .milliseconds = 1'000});
   }
-  void count(bool pausing, bool full) {
+  void count(bool pausing) {
     if (pausing && !was_pausing_) {
       ++pauses;
       sudden += heated_ < 7.85;
@@ -83,7 +84,7 @@ struct CoastingHeater {
     was_pausing_ = pausing;
     paused_ += pausing ? 0.1 : 0;
     longest = std::max(longest, paused_);
-    heated_ = full && !pausing ? heated_ + 0.1 : 0;
+    heated_ = wanted && !pausing ? heated_ + 0.1 : 0;
   }
   void advance(double duty) {
     now += 0.1;

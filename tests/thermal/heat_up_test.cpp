@@ -142,7 +142,7 @@ TEST(heat_ups, find_most_beads_that_drift_from_any_moment_on) {
   });
   EXPECT_GT(results.broken, 2'000);
   EXPECT_LT(results.late, results.broken * 4 / 100);
-  EXPECT_LT(results.hot, results.broken * 2 / 100);
+  EXPECT_LT(results.hot, results.broken * 2 / 1'000);
 }
 
 // Without heat a reading that stands still looks like a block that hardly cools down.
@@ -158,8 +158,7 @@ TEST(heat_ups, find_beads_that_freeze_in_a_pause) {
   EXPECT_EQ(results.hot, 0);
 }
 
-// So near to the target there is no pause: found late, by what the target takes. The limits are of
-// today, and no promise that this is good enough.
+// So near to the target a pause comes on suspicion only.
 TEST(heat_ups, find_a_bead_of_the_described_hotend_that_drifts_near_the_target) {
   double latest = 0, highest = -300;
   for (double target = 180; target <= 260; target += 10) {
@@ -179,8 +178,8 @@ TEST(heat_ups, find_a_bead_of_the_described_hotend_that_drifts_near_the_target) 
     }
   }
   std::printf("near the target: found after %.1f s, %.1f K above the target\n", latest, highest);
-  EXPECT_LT(latest, 50);
-  EXPECT_LT(highest, 50);
+  EXPECT_LT(latest, 20);
+  EXPECT_LT(highest, 15);
 }
 
 // What the pauses cost the hotend as described. Who waits for the target goes on waiting.
