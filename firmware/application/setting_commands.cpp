@@ -3,6 +3,7 @@
 #include "application/setting_commands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 
@@ -29,6 +30,19 @@ motion::Accepted set_micrometers(motion::Limits& limits, units::Nanometers value
   return set(limits, micrometers<Quantity>(value));
 }
 
+// What change_per_axis() may call.
+template <class Quantity>
+using Setter = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
+template <class Quantity>
+constexpr std::array<Setter<Quantity>, 0> setters{};
+template <>
+constexpr std::array setters<units::MicrometersPerSecondSquared>{
+    Setter<units::MicrometersPerSecondSquared>{motion::set_max_acceleration}};
+template <>
+constexpr std::array setters<units::MicrometersPerSecond>{
+    Setter<units::MicrometersPerSecond>{motion::set_max_speed},
+    Setter<units::MicrometersPerSecond>{motion::set_jerk}};
+
 }  // namespace
 
 constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
@@ -53,6 +67,7 @@ template <class Quantity>
 motion::Accepted SettingCommands::change_per_axis(motion::Limits& changed,
                                                   const ActiveCommand& command,
                                                   SetOfAxis<Quantity> set) const {
+  units::declare_call_by<setters<Quantity>>();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = coordinates_.rounded_length(command.command, units::axis_letters[i]);
     if (!value) continue;

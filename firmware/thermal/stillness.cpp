@@ -175,7 +175,11 @@ void accumulate(Values course, Gain gain) {
 
 bool Stillness::add(const Window& window) {
   bool still = false;
-  while (judged_ < limits().size()) still = look_further() || still;
+  units::LoopBound<std::tuple_size_v<LimitTable>> judged;
+  while (judged_ < limits().size()) {
+    judged.next();
+    still = look_further() || still;
+  }
   std::shift_left(windows_.begin(), windows_.end(), 1);
   windows_.back() = window;
   seen_ = std::min(seen_ + 1, longest);
