@@ -3,6 +3,7 @@
 #include "application/setting_commands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 
@@ -29,6 +30,19 @@ motion::Accepted set_micrometers(motion::Limits& limits, units::Nanometers value
   return set(limits, micrometers<Quantity>(value));
 }
 
+// What change_per_axis() may call.
+template <class Quantity>
+using Setter = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
+template <class Quantity>
+constexpr std::array<Setter<Quantity>, 0> setters{};
+template <>
+constexpr std::array setters<units::MicrometersPerSecondSquared>{
+    Setter<units::MicrometersPerSecondSquared>{motion::set_max_acceleration}};
+template <>
+constexpr std::array setters<units::MicrometersPerSecond>{
+    Setter<units::MicrometersPerSecond>{motion::set_max_speed},
+    Setter<units::MicrometersPerSecond>{motion::set_jerk}};
+
 }  // namespace
 
 constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
@@ -53,6 +67,7 @@ template <class Quantity>
 motion::Accepted SettingCommands::change_per_axis(motion::Limits& changed,
                                                   const ActiveCommand& command,
                                                   SetOfAxis<Quantity> set) const {
+  units::declare_call_by<setters<Quantity>>();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = coordinates_.rounded_length(command.command, units::axis_letters[i]);
     if (!value) continue;
@@ -149,18 +164,14 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  units::LoopBound<std::size(reported_settings) + 1> lines;
-  for (said = std::max(said, first); said <= reported_settings.size(); ++said) {
-    lines.next();
-    if (said == 0) {
-      if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
-      continue;
-    }
-    const auto line =
-        setting_report(reported_settings[said - 1], motion_.limits(), coordinates_.inches());
-    if (command.say(line) == Progress::again) return Progress::again;
-  }
-  return Progress::done;
+  said = std::max(said, first);
+  if (said > reported_settings.size()) return Progress::done;
+  const Progress progress =
+      said == 0 ? command.say("echo: G20 ; Units in inches")
+                : command.say(setting_report(reported_settings[said - 1], motion_.limits(),
+                                             coordinates_.inches()));
+  if (progress == Progress::done) ++said;
+  return Progress::again;
 }
 
 Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
@@ -171,8 +182,9 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     motion_.set_steps_per_meter(machine_.limits);
     coordinates_.set_planned(motion_.position());
     command.phase = ActiveCommand::Phase::working;
+    return lists ? Progress::again : Progress::done;
   }
-  return lists ? list(command) : Progress::done;
+  return list(command);
 }
 
 }  // namespace application

@@ -24,7 +24,12 @@ void put(char character) {
 }
 
 void put(const char* text) {
-  for (; *text != '\0'; ++text) put(*text);
+  constexpr std::uint32_t longest = 64;  // none of the texts below or of halt() is longer
+  units::LoopBound<longest> characters;
+  for (; *text != '\0'; ++text) {
+    characters.next();
+    put(*text);
+  }
 }
 
 void put_hexadecimal(std::uint32_t value) {

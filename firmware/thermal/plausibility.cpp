@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "thermal/low_pass.hpp"
+#include "units/loop_bound.hpp"
 
 namespace thermal {
 namespace {
@@ -186,7 +187,9 @@ void Plausibility::watch_demand(const Slopes& slopes, const Window& now,
   }
   if (!is_compared || !demand_.add(slopes, now.milliseconds)) return;
   const HeaterGrid& grid = model_->grid;
+  units::LoopBound<steps> powers;
   for (int power = 0; power < steps; ++power) {
+    powers.next();
     needs_too_much_[static_cast<std::size_t>(power)] =
         demand_.has_grown({grid.halfway(2 * power - 1), grid.halfway(2 * power + 1)});
   }
@@ -273,14 +276,18 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
     parts[index] = part;
   }
   bool explained = false;
+  units::LoopBound<steps, 1> powers;
   for (int power = 0; power < steps; ++power) {
+    powers.next();
     const std::int32_t part = model_->grid.power(power);
     const std::int32_t warms = heating * part / 1'024;
     const std::int32_t full = model_->rise * part / 1'024 * (100 - sag) / 100;
     const std::int32_t most_missing = warms * (100 - most_sag) / 100 - spread - measured;
     const std::int32_t most_surplus = measured - warms - spread;
     const bool needs_too_much = needs_too_much_[static_cast<std::size_t>(power)];
+    units::LoopBound<steps, 2> losses;
     for (int loss = 0; loss < steps; ++loss) {
+      losses.next();
       const auto index = static_cast<std::size_t>(loss);
       Evidence& against = heaters_[static_cast<std::size_t>(power * steps + loss)];
       const bool is_too_strong = rules_out(against.missing, most_missing - most_cools[index]);

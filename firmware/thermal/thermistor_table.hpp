@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "thermal/elementary_functions.hpp"
+#include "units/loop_bound.hpp"
 #include "units/quantity.hpp"
 
 namespace thermal {
@@ -49,9 +51,18 @@ class ThermistorTable {
     }
     const auto value = static_cast<std::uint32_t>(resistance.count());
     // The first point that is at least as hot: resistance falls along the table.
-    const auto colder_end = std::partition_point(milliohms_.begin() + 1, milliohms_.end() - 1,
-                                                 [value](std::uint32_t r) { return r > value; });
-    const auto index = static_cast<std::size_t>(colder_end - milliohms_.begin());
+    std::size_t index = 1;
+    units::LoopBound<std::bit_width(size - 2)> halves;
+    for (std::size_t count = size - 2; count > 0;) {
+      halves.next();
+      const std::size_t half = count / 2;
+      if (milliohms_[index + half] > value) {
+        index += half + 1;
+        count -= half + 1;
+      } else {
+        count = half;
+      }
+    }
     const std::int64_t span = milliohms_[index - 1] - milliohms_[index];
     const std::int64_t part = milliohms_[index - 1] - value;
     return point(index - 1) +

@@ -16,18 +16,22 @@ namespace units {
 template <std::uint32_t most, std::uint32_t tag = 0>
 class LoopBound {
  public:
-  LoopBound() = default;
+  constexpr LoopBound() = default;
   LoopBound(const LoopBound&) = delete;
   LoopBound& operator=(const LoopBound&) = delete;
-  [[gnu::always_inline]] inline ~LoopBound() {
+  [[gnu::always_inline]] constexpr ~LoopBound() {
 #ifdef __riscv
-    mark<1>();
+    if !consteval {
+      mark<1>();
+    }
 #endif
   }
 
-  [[gnu::always_inline]] inline void next() {
+  [[gnu::always_inline]] constexpr void next() {
 #ifdef __riscv
-    mark<0>();
+    if !consteval {
+      mark<0>();
+    }
 #else
     if (++rounds_ > most) std::abort();
 #endif

@@ -11,8 +11,9 @@
 namespace timing {
 namespace {
 
-// To be lowered with each loop that gets a bound. A new function shall have one.
-constexpr std::ptrdiff_t most_without_bound = 14;
+// `main`, which does not end, and copies of a length that only their callers know: copy, move, fill
+// and the three names by which the compiler calls them. Every other function shall have one.
+constexpr std::ptrdiff_t most_without_bound = 7;
 
 TEST(Coverage, few_functions_of_the_firmware_have_no_bound) {
   Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
