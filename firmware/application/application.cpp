@@ -3,11 +3,13 @@
 #include "application/application.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "host_link/replies.hpp"
 #include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/task_span.hpp"
+#include "units/text.hpp"
 
 namespace application {
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr units::Milliseconds count_period{100};
 constexpr units::Milliseconds cooling_period{1000};
+constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
 // How long the loop sleeps if nothing wakes it. Segments are handed over with 40 ms in hand.
 constexpr std::uint32_t ticks_at_work = 2;
@@ -280,6 +283,20 @@ void Application::halt(std::string_view fault) {
   if (!fault.empty()) link_.say(fault);
   link_.say(host_link::halted);
   units::happens<units::Event::halted>();
+}
+
+// Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
+// answered with the fault again, at most once a second, so that a host that connects now
+// learns why.
+void Application::serve_halted(Now now) {
+  std::array<char, most_bytes> bytes;
+  const std::size_t count = hardware_.uart.read(bytes).count;
+  static_assert(most_bytes <= units::longest_text);
+  const bool line_ended = units::find({bytes.data(), count}, '\n') != std::string_view::npos;
+  if (!line_ended || now.milliseconds < next_complaint_) return;
+  next_complaint_ = now.milliseconds + complaint_period;
+  if (!fault_.view().empty()) link_.say(fault_.view());
+  link_.say(host_link::halted);
 }
 
 }  // namespace application

@@ -5,10 +5,8 @@
 #include <span>
 
 #include "application/application.hpp"
-#include "host_link/replies.hpp"
 #include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
-#include "units/text.hpp"
 
 namespace application {
 
@@ -61,21 +59,6 @@ void Application::transmit() {
     link_.sent(sent);
     if (sent < bytes.size()) return;
   }
-}
-
-// Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
-// answered with the fault again, at most once a second, so that a host that connects now
-// learns why.
-void Application::serve_halted(Now now) {
-  constexpr units::Milliseconds complaint_period{1000};
-  std::array<char, most_bytes> bytes;
-  const std::size_t count = hardware_.uart.read(bytes).count;
-  static_assert(most_bytes <= units::longest_text);
-  const bool line_ended = units::find({bytes.data(), count}, '\n') != std::string_view::npos;
-  if (!line_ended || now.milliseconds < next_complaint_) return;
-  next_complaint_ = now.milliseconds + complaint_period;
-  if (!fault_.view().empty()) link_.say(fault_.view());
-  link_.say(host_link::halted);
 }
 
 }  // namespace application

@@ -22,9 +22,10 @@ class TickClock {
   Now update(units::Cycles clocks) {
     if (const units::Cycles passed = clocks - tick_begin_; clocks >= next_tick()) {
       // A 64-bit division takes the processor a thousand clocks, one of 32 bits 18.
-      const std::int64_t ticks = passed.count() <= std::numeric_limits<std::uint32_t>::max()
-                                     ? static_cast<std::uint32_t>(passed.count()) / clocks_per_tick_
-                                     : passed.count() / clocks_per_tick_;
+      const std::int64_t ticks =
+          passed.count() <= std::numeric_limits<std::uint32_t>::max()
+              ? static_cast<std::uint32_t>(passed.count()) / clocks_per_tick_
+              : passed.count() / clocks_per_tick_;
       tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
       milliseconds_ += units::Milliseconds(ticks);
     }

@@ -18,9 +18,7 @@ class PassLimits : public testing::Test {
  protected:
   PassLimits() { printer.run(0.3); }
 
-  std::ptrdiff_t lines_waiting() const {
-    return std::ranges::count(printer.chip.to_firmware, '\n');
-  }
+  std::ptrdiff_t lines_waiting() const { return std::ranges::count(printer.chip.to_firmware, '\n'); }
 
   // So many short lines are planned, and motion waits for more.
   void plan(int lines) {
