@@ -70,7 +70,6 @@ class FakeChip {
   void open_supply(bool registers::heater_control::Supply::* cause = nullptr);
   std::uint32_t motion_watchdog_feeds{};
   std::uint32_t underruns{};
-  std::uint32_t lines_begun{};  // whose first segment has been handed over
   void stop_by_watchdog();
   std::uint64_t time{};
   bool has_boot_loader{};

@@ -63,7 +63,6 @@ void FakeChip::commit() {
     segment.steps[axis] = (flags.backward >> axis & 1u) != 0 ? -count : count;
   }
   queue_.push_back(segment);
-  if (!segment.continues) ++lines_begun;
 }
 
 void FakeChip::advance_motion(std::uint32_t clocks) {

@@ -72,19 +72,6 @@ TEST(Uart, reads_no_more_than_fits_and_no_more_than_has_come) {
   EXPECT_EQ(line.uart.receive_level(), 0u);
 }
 
-TEST(Uart, reads_no_more_than_so_many_line_ends) {
-  Line line = fast_line();
-  line.host.send("a\nb\r\nc\n");
-  line.finish_sending();
-  std::string text(100, '\0');
-  const drivers::ReceivedBytes first = line.uart.read(text, 2);
-  EXPECT_EQ(text.substr(0, first.count), "a\nb\r");
-  EXPECT_FALSE(first.all);
-  const drivers::ReceivedBytes rest = line.uart.read(text, 3);
-  EXPECT_EQ(text.substr(0, rest.count), "\nc\n");
-  EXPECT_TRUE(rest.all);
-}
-
 TEST(Uart, writes_no_more_than_there_is_space_for) {
   Line line = fast_line();
   EXPECT_EQ(line.uart.transmit_space(), transmit_depth);
