@@ -40,13 +40,6 @@ class Reply {
   Progress say(std::string_view line) { return link_.say(line) ? Progress::done : Progress::again; }
   Progress say(const host_link::TextLine& line) { return say(line.view()); }
 
-  // Of a reply of several lines the next, one a pass; `done` where there is none.
-  Progress say_next(const std::optional<host_link::TextLine>& line) {
-    if (!line) return Progress::done;
-    if (say(*line) == Progress::done) ++lines_said;
-    return Progress::again;
-  }
-
   std::size_t lines_said{};  // of a reply of several lines, counted by its handler
   host_link::TextLine behind_ok;  // " T:20.00 ..." of M105
 

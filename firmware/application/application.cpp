@@ -6,7 +6,6 @@
 #include <array>
 
 #include "host_link/replies.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/task_span.hpp"
 #include "units/text.hpp"
@@ -84,7 +83,6 @@ bool Application::start(std::uint32_t baud) {
 bool Application::update() {
   const units::Cycles began = hardware_.timer.now();
   const Now now = clock_.update(began);
-  units::EventBound<units::Event::halted, 1> halts;
   bool more = false;
   if (halted_) {
     serve_halted(now);
@@ -94,21 +92,20 @@ bool Application::update() {
       exchange_bytes(now);
       act_on_emergencies();
     });
-    if (!halted_) {
-      more = run<Task::commands>([&] {
-        return short_passes_ == 0 ? executor_.update(now) : executor_.answer_questions(now);
-      });
-    }
+    if (!halted_) more = run<Task::commands>([&] { return executor_.update(now); });
     counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line during the rest of the pass.
     transmit();
-    const bool lines_are_due = run<Task::refill>([&] { return refill(); });
-    more = lines_are_due || more || executor_.has_got_room();
-    if (lines_are_due && short_passes_ < most_short_passes) {
-      ++short_passes_;
-    } else {
-      short_passes_ = 0;
-      do_what_can_wait(now);
+    more = run<Task::refill>([&] { return refill(); }) || more || executor_.has_got_room();
+    run<Task::heat>([&] {
+      note_cooling(now);
+      heat_.update(now);
+    });
+    run<Task::faults>([&] { look_for_faults(); });
+    run<Task::reports>([&] { report(now); });
+    if (!halted_) {
+      switch_off_idle_motors(now);
+      switch_off_forgotten_heaters(now);
     }
   }
   transmit();
@@ -120,19 +117,6 @@ bool Application::update() {
   return more;
 }
 
-// Not in a short pass.
-void Application::do_what_can_wait(Now now) {
-  run<Task::heat>([&] {
-    note_cooling(now);
-    heat_.update(now);
-  });
-  run<Task::faults>([&] { look_for_faults(); });
-  run<Task::reports>([&] { report(now); });
-  if (halted_) return;
-  switch_off_idle_motors(now);
-  switch_off_forgotten_heaters(now);
-}
-
 // The events that end the sleep after this pass.
 void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
@@ -142,8 +126,8 @@ void Application::set_alarms() {
 
 void Application::act_on_emergencies() {
   using Kind = host_link::EmergencyCommand::Kind;
-  // A line brings one at most, and none waits longer.
-  units::LoopBound<most_lines, 1> acted_on;
+  // One of each kind may wait.
+  units::LoopBound<host_link::EmergencyCommand::kinds, 1> acted_on;
   while (const auto command = link_.emergency()) {
     acted_on.next();
     switch (command->kind) {
@@ -214,13 +198,11 @@ void Application::report(Now now) {
     return true;
   };
   const ReportCommands& reports = executor_.groups().reports;
-  // One a pass.
   if (!reports.first_temperatures_awaited(now.milliseconds) &&
       due(reports.temperature_interval(), next_report_)) {
     say_temperatures();
-  } else if (due(reports.position_interval(), next_position_)) {
-    say_position();
   }
+  if (due(reports.position_interval(), next_position_)) say_position();
 }
 
 void Application::say_temperatures() {
@@ -282,7 +264,6 @@ void Application::halt(std::string_view fault) {
   counters_.halted = 1;
   if (!fault.empty()) link_.say(fault);
   link_.say(host_link::halted);
-  units::happens<units::Event::halted>();
 }
 
 // Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is

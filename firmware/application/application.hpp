@@ -37,20 +37,13 @@ class Application {
 
  private:
   void set_alarms();
-  // What a pass takes from the uart at most: as many lines as most hosts have in flight.
+  // Bytes that a pass takes at most.
   static constexpr std::size_t most_bytes = 128;
-  static constexpr std::size_t most_lines = 4;
-  // What it hands over of motion: it lasts longer than the next pass, if that is a short one.
-  static constexpr std::uint32_t most_lines_of_motion = 2;
-  // While more is due, passes leave out commands, heat and reports, but not more than so many in
-  // turn: with these the horizon is full, of the shortest lines.
-  static constexpr std::uint32_t most_short_passes = 8;
-  void exchange_bytes(Now now);
-  void receive(Now now);
+  void exchange_bytes(Now now, std::size_t most = most_bytes);
+  void receive(Now now, std::size_t most);
   bool refill();
   void transmit();
   void act_on_emergencies();
-  void do_what_can_wait(Now now);
   void note_cooling(Now now);
   void look_for_faults();
   void report(Now now);
@@ -81,7 +74,6 @@ class Application {
   units::Milliseconds at_rest_since_{};
   units::Milliseconds next_cooling_{};
   std::uint32_t extruder_steps_{};
-  std::uint32_t short_passes_{};  // in turn, until now
   host_link::TextLine fault_;
   bool halted_{};
 };

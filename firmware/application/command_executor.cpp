@@ -4,7 +4,7 @@
 
 #include "gcode/parser.hpp"
 #include "host_link/replies.hpp"
-#include "units/event_bound.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 
@@ -19,17 +19,13 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
       query_(link) {}
 
 bool CommandExecutor::update(Now now) {
-  units::EventBound<units::Event::command_tried, 1> tried;
   active_.now = now;
   follow_position_jump();
-  answer_query();
+  answer_queries();
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ == Stage::executing) {
     if (held_ && begins()) return false;
-    const std::size_t said = active_.lines_said;
-    // Of a reply of several lines the next goes out at once.
-    if (proceed() == Progress::again) return active_.lines_said != said;
-    if (fatal()) return false;
+    if (proceed() == Progress::again || fatal()) return false;
     stage_ = Stage::answering;
   }
   if (!link_.finished(active_.behind_ok.view())) return false;
@@ -77,10 +73,7 @@ bool CommandExecutor::take_line() {
   if (cancelled) --cancelled_lines_;
   active_.refused = cancelled && !line->emergency;
   stage_ = line->emergency || cancelled ? Stage::answering : parse(line->text);
-  if (!parse_error_) return true;
-  const bool asked_again = link_.ask_again();
-  units::happens<units::Event::command_tried>();
-  if (!asked_again) return true;
+  if (!parse_error_ || !link_.ask_again()) return true;
   stage_ = Stage::idle;
   return false;
 }
@@ -109,9 +102,7 @@ Progress CommandExecutor::proceed() {
   if (begins()) {
     if (const auto progress = prepare()) return *progress;
   }
-  const Progress progress = row_->handler()(groups_, active_);
-  units::happens<units::Event::command_tried>();
-  return progress;
+  return row_->handler()(groups_, active_);
 }
 
 Progress CommandExecutor::refuse_unparsed() {
@@ -168,19 +159,16 @@ bool CommandExecutor::may_start() {
   return true;
 }
 
-// Ahead of the current line, which may have to wait long. One a pass.
-void CommandExecutor::answer_query() {
-  const auto code = link_.query();
-  if (!code) return;
-  const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
-  if (progress == Progress::again) return;
-  if (link_.query_answered(query_.behind_ok.view())) query_.begin();
-}
-
-bool CommandExecutor::answer_questions(Now now) {
-  if (link_.temperatures_wanted()) return update(now);
-  answer_query();
-  return false;
+// Ahead of the current line, which may have to wait long.
+void CommandExecutor::answer_queries() {
+  units::LoopBound<host_link::HostLink::most_queries> queries;
+  while (const auto code = link_.query()) {
+    queries.next();
+    const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
+    if (progress == Progress::again) return;
+    if (!link_.query_answered(query_.behind_ok.view())) return;
+    query_.begin();
+  }
 }
 
 void CommandExecutor::follow_position_jump() {

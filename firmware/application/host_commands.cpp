@@ -5,7 +5,6 @@
 #include <array>
 
 #include "platform/boot_loader.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -58,11 +57,13 @@ Progress HostCommands::ask_user(ActiveCommand& command, Question question) {
     static constexpr std::array<std::string_view, 4> prompt{
         "paused", "prompt_begin ", "prompt_button Continue", "prompt_show"};
     if (!pauses && said == 0) said = 1;
-    if (said < prompt.size()) {
+    units::LoopBound<prompt.size()> lines;
+    for (; said < prompt.size(); ++said) {
+      lines.next();
       host_link::TextLine line;
       line.text("//action:").text(prompt[said]);
       if (said == 1) line.text(text_of(question));
-      return command.say_next(line);
+      if (command.say(line) == Progress::again) return Progress::again;
     }
     const auto time = pauses ? units::Milliseconds{} : command.asked_time();
     answer_due_ = time.count() > 0 ? now + time : units::Milliseconds{};
@@ -83,7 +84,6 @@ Progress HostCommands::say_text(ActiveCommand& command) {
   std::string_view text = command.command.text;
   bool action = false;
   bool echo = false;
-  units::EventBound<units::Event::character_read, units::longest_text> passed_over;
   const auto takes = [&text](std::string_view prefix) {
     if (!units::starts_with(text, prefix)) return false;
     text.remove_prefix(prefix.size());
@@ -91,7 +91,6 @@ Progress HostCommands::say_text(ActiveCommand& command) {
     while (!text.empty() && text.front() == ' ') {
       blanks.next();
       text.remove_prefix(1);
-      units::happens<units::Event::character_read>(text.size());
     }
     return true;
   };

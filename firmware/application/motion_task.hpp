@@ -30,8 +30,6 @@ class MotionTask {
   // Every pass after that, until it is false: hands over the next line, or what of it the step
   // generator has room for, if that is due.
   bool refill();
-  // It would hand over more, or find no room for it.
-  bool is_due() const { return planner_.is_due(pace_.time()); }
   // refill() had no more room for segments: these may be short, so less than the planner's horizon
   // may be in hand.
   bool queue_full() const { return queue_full_; }

@@ -6,6 +6,7 @@
 
 #include "application/capabilities.hpp"
 #include "host_link/replies.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -48,7 +49,13 @@ Progress ReportCommands::say_firmware(Reply& reply) const {
                                                 .extruders = 1,
                                                 .capabilities = present};
   // The firmware's name, then the capabilities, then nothing.
-  return reply.say_next(host_link::firmware_line(firmware, reply.lines_said));
+  units::LoopBound<std::tuple_size_v<decltype(present)> + 2> lines;
+  while (const auto line = host_link::firmware_line(firmware, reply.lines_said)) {
+    lines.next();
+    if (reply.say(*line) == Progress::again) return Progress::again;
+    ++reply.lines_said;
+  }
+  return Progress::done;
 }
 
 Progress ReportCommands::report_end_stops(ActiveCommand& command) {
@@ -58,7 +65,13 @@ Progress ReportCommands::report_end_stops(ActiveCommand& command) {
     const auto& homing = motion_.limits().axes[i].homing;
     states[i] = {end_stop_names[i], homing && (triggered >> homing->end_stop & 1u) != 0};
   }
-  return command.say_next(host_link::end_stop_line(states, command.lines_said));
+  units::LoopBound<end_stop_names.size() + 1> lines;
+  while (const auto line = host_link::end_stop_line(states, command.lines_said)) {
+    lines.next();
+    if (command.say(*line) == Progress::again) return Progress::again;
+    ++command.lines_said;
+  }
+  return Progress::done;
 }
 
 Progress ReportCommands::set_position_interval(ActiveCommand& command) {

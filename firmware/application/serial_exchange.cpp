@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a pass exchanges with the host and with the step generator: so much at most.
+// Bytes from and to the host, in a pass of the loop and between the lines that it hands over.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -9,24 +9,33 @@
 #include "units/loop_bound.hpp"
 
 namespace application {
+namespace {
 
-void Application::exchange_bytes(Now now) {
+// So much is handed over in any case: it lasts longer in motion than it takes to receive a line, to
+// answer it and to hand over the next, so that what has begun from rest does not run dry.
+constexpr unsigned lines_without_look = 2;
+constexpr std::size_t bytes_of_a_line = 32;
+
+}  // namespace
+
+void Application::exchange_bytes(Now now, std::size_t most) {
   // None leaves the queue meanwhile.
   using Queue = host_link::TransmitQueue;
   units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
-  receive(now);
+  units::EventBound<units::Event::ok_repaid, host_link::HostLink::most_oks> oks;
+  receive(now, most);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
   link_.update(now.milliseconds, executor_.activity());
 }
 
-void Application::receive(Now now) {
+void Application::receive(Now now, std::size_t most) {
   units::EventBound<units::Event::byte_received, most_bytes> read;
   units::EventBound<units::Event::byte_taken, most_bytes> taken;
-  units::EventBound<units::Event::line_ended, most_lines> ended;
   std::array<char, most_bytes> bytes;
   const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
-  const auto [count, gap_before_last, all] = hardware_.uart.read(bytes, most_lines);
-  if (hang_up_.seen(errors, gap_before_last, all, now.milliseconds)) link_.hang_up();
+  const auto [count, gap_before_last] = hardware_.uart.read(std::span(bytes).first(most));
+  const bool emptied = count < most && !gap_before_last;
+  if (hang_up_.seen(errors, gap_before_last, emptied, now.milliseconds)) link_.hang_up();
   if (count == 0) return;
   std::span<const char> received(bytes.data(), count);
   if (gap_before_last && !hang_up_.explains(errors)) {
@@ -38,15 +47,30 @@ void Application::receive(Now now) {
   counters_.lines_accepted = link_.statistics().accepted;
 }
 
-// True if more is due at once: for a start from rest the planner, full, has many lines.
+// Between lines, and after the last, a stop is executed, and a query answered if it is next:
+// the planner, full, has many for a start from rest. True if something has come that may have to
+// be executed.
 bool Application::refill() {
-  if (halted_) return false;
-  units::LoopBound<most_lines_of_motion> handed_over;
-  for (std::uint32_t i = 0; i < most_lines_of_motion; ++i) {
+  bool come = false;
+  bool more = true;
+  // Meanwhile none is planned; the last round finds no line.
+  units::LoopBound<motion::Planner::capacity + 1> handed_over;
+  for (unsigned lines = 1; more && !halted_; ++lines) {
     handed_over.next();
-    if (!motion_.refill()) return false;
+    more = motion_.refill();
+    if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
+    come = true;
+    const Now now = clock_.update(hardware_.timer.now());
+    {
+      units::EventBound<units::Event::byte_received, bytes_of_a_line> read;
+      units::EventBound<units::Event::byte_taken, bytes_of_a_line> taken;
+      exchange_bytes(now, bytes_of_a_line);
+    }
+    act_on_emergencies();
+    if (!halted_) executor_.answer_questions(now);
+    transmit();
   }
-  return motion_.is_due();
+  return come;
 }
 
 void Application::transmit() {

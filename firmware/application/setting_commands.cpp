@@ -164,14 +164,18 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  said = std::max(said, first);
-  if (said > reported_settings.size()) return Progress::done;
-  const Progress progress =
-      said == 0 ? command.say("echo: G20 ; Units in inches")
-                : command.say(setting_report(reported_settings[said - 1], motion_.limits(),
-                                             coordinates_.inches()));
-  if (progress == Progress::done) ++said;
-  return Progress::again;
+  units::LoopBound<std::size(reported_settings) + 1> lines;
+  for (said = std::max(said, first); said <= reported_settings.size(); ++said) {
+    lines.next();
+    if (said == 0) {
+      if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
+      continue;
+    }
+    const auto line =
+        setting_report(reported_settings[said - 1], motion_.limits(), coordinates_.inches());
+    if (command.say(line) == Progress::again) return Progress::again;
+  }
+  return Progress::done;
 }
 
 Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
@@ -182,9 +186,8 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     motion_.set_steps_per_meter(machine_.limits);
     coordinates_.set_planned(motion_.position());
     command.phase = ActiveCommand::Phase::working;
-    return lists ? Progress::again : Progress::done;
   }
-  return list(command);
+  return lists ? list(command) : Progress::done;
 }
 
 }  // namespace application

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
+#include "units/loop_bound.hpp"
 #include "units/quantity.hpp"
 
 namespace application {
@@ -20,14 +20,19 @@ class TickClock {
   explicit constexpr TickClock(units::Hertz clock) : clocks_per_tick_(clock.count() / 1000) {}
 
   Now update(units::Cycles clocks) {
-    if (const units::Cycles passed = clocks - tick_begin_; clocks >= next_tick()) {
-      // A 64-bit division takes the processor a thousand clocks, one of 32 bits 18.
-      const std::int64_t ticks =
-          passed.count() <= std::numeric_limits<std::uint32_t>::max()
-              ? static_cast<std::uint32_t>(passed.count()) / clocks_per_tick_
-              : passed.count() / clocks_per_tick_;
-      tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
-      milliseconds_ += units::Milliseconds(ticks);
+    // Of more a division finds the number.
+    constexpr std::uint32_t most_ticks = 32;
+    units::LoopBound<most_ticks + 1> begun;
+    for (std::uint32_t i = 0; clocks >= next_tick(); ++i) {
+      begun.next();
+      if (i == most_ticks) {
+        const std::int64_t ticks = (clocks - tick_begin_).count() / clocks_per_tick_;
+        tick_begin_ += units::Cycles(ticks * clocks_per_tick_);
+        milliseconds_ += units::Milliseconds(ticks);
+        break;
+      }
+      tick_begin_ += units::Cycles(clocks_per_tick_);
+      milliseconds_ += units::Milliseconds(1);
     }
     const auto into_tick = static_cast<std::uint32_t>((clocks - tick_begin_).count());
     const std::uint32_t part = into_tick * 1000 / clocks_per_tick_;  // clocks_per_tick < 2^22

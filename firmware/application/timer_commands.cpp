@@ -85,7 +85,9 @@ Progress TimerCommands::report_statistics(ActiveCommand& command) {
     const std::uint32_t under_way = state_ == State::stopped ? 0 : 1;
     line.text("Stats: Prints: ").integer(prints_).text(", Finished: ").integer(finished_);
     line.text(", Failed: ").integer(std::int64_t{prints_} - finished_ - under_way);
-    return command.say_next(line);
+    if (command.say(line) == Progress::again) return Progress::again;
+    command.lines_said = 1;
+    line.clear();
   }
   put_duration(line.text("Stats: Total time: "), total_);
   put_duration(line.text(", Longest job: "), longest_);

@@ -49,10 +49,9 @@ bool TemperatureConverter::refused_settings() const {
 
 thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const {
   // A conversion takes milliseconds, so that at most one ends between the two looks at the status,
-  // and none in the round after that. Where one does all the same, its counts may be of two: none.
-  constexpr std::uint32_t most_looks = 2;
-  units::LoopBound<most_looks> looks;
-  for (std::uint32_t look = 0; look < most_looks; ++look) {
+  // and none in the round after that.
+  units::LoopBound<2> looks;
+  for (;;) {
     looks.next();
     const auto status = platform::read<registers::Status>(channel);
     const thermal::SensorReading reading{
@@ -67,7 +66,6 @@ thermal::SensorReading TemperatureConverter::reading(std::size_t channel) const 
       return reading;
     }
   }
-  return {};
 }
 
 }  // namespace drivers

@@ -20,19 +20,16 @@ bool Uart::configure(std::uint32_t baud, units::Hertz clock) {
   return true;
 }
 
-ReceivedBytes Uart::read(std::span<char> bytes, std::size_t most_line_ends) {
+ReceivedBytes Uart::read(std::span<char> bytes) {
   ReceivedBytes received;
   units::LoopBound<uart_registers::receive_depth> reads;
-  while (received.count < bytes.size() && !received.gap_before_last && most_line_ends != 0) {
+  while (received.count < bytes.size() && !received.gap_before_last) {
     reads.next();
     const auto data = platform::read<uart_registers::Data>();
-    received.all = !data.valid;
-    if (received.all) break;
+    if (!data.valid) break;
     units::happens<units::Event::byte_received>();
-    const auto byte = static_cast<char>(data.byte);
-    bytes[received.count++] = byte;
+    bytes[received.count++] = static_cast<char>(data.byte);
     received.gap_before_last = data.gap;
-    if (byte == first_line_end_ || byte == second_line_end_) --most_line_ends;
   }
   return received;
 }
@@ -87,8 +84,6 @@ void Uart::clear_errors() {
 bool Uart::line_waits() const { return platform::read<uart_registers::Status>().line_waits; }
 
 void Uart::set_line_ends(char first, char second) {
-  first_line_end_ = first;
-  second_line_end_ = second;
   platform::write(uart_registers::LineEnds{
       .first = static_cast<unsigned char>(first),
       .second = static_cast<unsigned char>(second),

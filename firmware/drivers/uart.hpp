@@ -34,7 +34,6 @@ struct UartErrorCounts {
 struct ReceivedBytes {
   std::size_t count{};
   bool gap_before_last{};  // right before the last of them something was lost
-  bool all{};  // no more have come
 };
 
 // Interrupt sources: levels, which last until the FIFO has been served.
@@ -60,10 +59,9 @@ class Uart {
   // with the line as it was, where the clock is too slow for it.
   [[nodiscard]] bool configure(std::uint32_t baud, units::Hertz clock);
 
-  // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap, nor
-  // beyond so many ends of lines. The span is no longer than the FIFO is deep
-  // (registers::uart::receive_depth).
-  ReceivedBytes read(std::span<char> bytes, std::size_t most_line_ends = SIZE_MAX);
+  // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap. The
+  // span is no longer than the FIFO is deep (registers::uart::receive_depth).
+  ReceivedBytes read(std::span<char> bytes);
   // Hands over as many bytes as there is space for, from the first on; returns how many.
   std::size_t write(std::span<const char> bytes);
 
@@ -85,8 +83,6 @@ class Uart {
 
  private:
   static constexpr std::uint64_t fastest_increment = std::uint64_t{1} << 30;
-
-  char first_line_end_ = '\n', second_line_end_ = '\r';  // as after reset
 };
 
 }  // namespace drivers

@@ -40,7 +40,6 @@ bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& 
     kept.next();
     billionths = billionths * 10 + digit_value(line[position++]);
     ++decimals;
-    units::happens<units::Event::character_read>(position);
   }
   billionths *= scale[decimals];
   // Decimals that are not kept: the first one alone decides the rounding.

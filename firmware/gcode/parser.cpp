@@ -54,9 +54,6 @@ class LineParser {
   std::expected<Command, ParseError> parse() {
     // It goes back once, in M0 and M1.
     units::EventBound<units::Event::character_read, 2 * longest_text> places;
-    // Goes on behind what was found, and ends where nothing is.
-    units::EventBound<units::Event::character_searched, longest_text> searched;
-    units::EventBound<units::Event::comment_passed, longest_text / 2> comments;
     if (!skip_blanks_and_comments()) return failure();
     if (at_end()) return fail(ParseFault::empty_line, position_);
     if (!read_name_of_objects() && !read_letter_and_code()) return failure();
@@ -124,7 +121,7 @@ class LineParser {
         return set_error(ParseFault::unclosed_comment, position_);
       }
       position_ = closing + 1;
-      units::happens<units::Event::comment_passed>(position_);
+      units::happens<units::Event::character_read>(position_);
     }
   }
 
@@ -186,7 +183,6 @@ class LineParser {
     units::LoopBound<longest_text> characters;
     for (; !at_end() && here() != ';'; ++position_) {
       characters.next();
-      units::happens<units::Event::character_read>(position_);
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
       if (!is_blank(here())) end = position_ + 1;
     }
@@ -202,7 +198,6 @@ class LineParser {
     units::LoopBound<longest_text> characters;
     for (; position_ < closing; ++position_) {
       characters.next();
-      units::happens<units::Event::character_read>(position_);
       if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
     }
     position_ = closing + 1;

@@ -4,7 +4,6 @@
 
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -75,12 +74,10 @@ std::uint8_t button_in(std::string_view parameters) {
 std::uint32_t take_m_code(std::string_view& text) {
   if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
   std::size_t end = 1;
-  units::EventBound<units::Event::character_judged, max_line_length> each_once;
   units::LoopBound<max_line_length> blanks;
   while (end < text.size() && is_blank(text[end])) {
     blanks.next();
     ++end;
-    units::happens<units::Event::character_judged>(end);
   }
   std::uint32_t code = 0;
   units::LoopBound<max_line_length, 1> digits;
@@ -88,7 +85,6 @@ std::uint32_t take_m_code(std::string_view& text) {
     digits.next();
     code = code * 10 + static_cast<std::uint32_t>(text[end] - '0');
     if (code > largest_code) return 0;
-    units::happens<units::Event::character_judged>(code);
   }
   if (end < text.size() && text[end] == '.') return 0;
   text.remove_prefix(end);

@@ -71,9 +71,7 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   for (const char byte : bytes) {
     received.next();
     units::happens<units::Event::byte_taken>(static_cast<unsigned char>(byte));
-    if (!receiver_.put(byte)) continue;
-    units::happens<units::Event::line_ended>();
-    handle(receiver_.take());
+    if (receiver_.put(byte)) handle(receiver_.take());
   }
 }
 

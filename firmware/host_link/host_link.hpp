@@ -63,6 +63,8 @@ class HostLink {
   bool ask_again();
 
   static constexpr std::size_t most_queries = 4;
+  // That fit into what waits to be sent: "ok" and the line's end.
+  static constexpr std::size_t most_oks = TransmitQueue::capacity / 3;
   // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
   // each while the user is waited for, since its host may be one that has just come; and M105 from
   // a person in the middle of a job.

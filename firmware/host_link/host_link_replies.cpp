@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages of the link itself: oks, resend requests, notices, busy messages, and their timing.
 #include "host_link/host_link.hpp"
-
 #include "host_link/text_line.hpp"
 #include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
@@ -16,15 +15,10 @@ constexpr units::Milliseconds framed_line_time_out{300};
 // next is hardly there sooner.
 constexpr units::Milliseconds plain_line_time_out{2000};
 constexpr units::Milliseconds rescue_interval{2000};
-constexpr std::uint32_t longest_notice = 80;
 // Kept free for the link's own replies: the largest, a resend request, has at most 69 bytes.
 constexpr std::size_t link_reserve = 96;
 
 constexpr std::uint8_t most_owed = 255;
-// Of an ok without a report: "ok N4294967295 P32 B16" and its end.
-constexpr std::uint32_t longest_ok = 32;
-// Of those that are owed so many are sent at once.
-constexpr std::uint32_t oks_at_once = 2;
 
 // Busy messages come so much before their time, since a pass of the loop and the line take some.
 constexpr units::Milliseconds busy_lead{50};
@@ -64,10 +58,7 @@ std::string_view HostLink::describe(Notice notice) {
   return "";
 }
 
-bool HostLink::say(std::string_view line) {
-  units::EventBound<units::Event::byte_queued, TextLine::capacity + 1> bytes;
-  return transmit_.put_line({line}, link_reserve);
-}
+bool HostLink::say(std::string_view line) { return transmit_.put_line({line}, link_reserve); }
 
 bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report) {
   units::EventBound<units::Event::long_digit, 0> numbers;
@@ -79,7 +70,6 @@ bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report)
     // The slot of the line that is being answered is free again.
     ok.text(" B").integer(static_cast<std::int64_t>(queue_.room() + (in_hand_ ? 1 : 0)));
   }
-  units::EventBound<units::Event::byte_queued, longest_ok + TextLine::capacity> bytes;
   if (!transmit_.put_line({ok.view(), report})) return false;
   last_exchange_ = now_;
   last_busy_ = now_;
@@ -87,7 +77,6 @@ bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report)
 }
 
 void HostLink::answer_ok(std::optional<LineNumber> number) {
-  units::EventBound<units::Event::byte_queued, longest_ok> bytes;
   if (!put_ok(number, {})) count_up(oks_owed_, 1);
 }
 
@@ -115,7 +104,6 @@ void HostLink::drop_owed_resend() {
 
 bool HostLink::put_notice(std::size_t index) {
   const std::string_view text = describe(static_cast<Notice>(index));
-  units::EventBound<units::Event::byte_queued, longest_notice> bytes;
   if (!transmit_.put_line({"echo:", text})) return false;
   count_up(oks_owed_, notices_owed_[index]);
   notices_owed_[index] = 0;
@@ -126,7 +114,6 @@ bool HostLink::put_resend() {
   // All three lines or none. The first has not the form of an error, since a host may end its print
   // where one byte of that is damaged.
   if (transmit_.room() < link_reserve) return false;
-  units::EventBound<units::Event::byte_queued, link_reserve> bytes;
   if (error_owed_ != LineError::none) {
     transmit_.put_line({"echo:", host_link::describe(error_owed_), ", asked for again"});
   }
@@ -144,21 +131,19 @@ bool HostLink::put_resend() {
 }
 
 void HostLink::send_owed() {
-  // One notice each time.
   for (std::size_t index = 0; index < notice_count; ++index) {
-    if (notices_owed_[index] == 0) continue;
-    if (!put_notice(index)) return;
-    break;
+    if (notices_owed_[index] != 0 && !put_notice(index)) return;
   }
   // After an overrun the host is asked to go on only when half of the queue is free again.
   const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
   if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
-  units::EventBound<units::Event::byte_queued, oks_at_once * longest_ok> bytes;
-  units::LoopBound<oks_at_once> oks;
-  for (std::uint32_t i = 0; i < oks_at_once && oks_owed_ != 0; ++i) {
+  units::LoopBound<most_owed> oks;
+  units::EventBound<units::Event::ok_repaid, most_oks> fit;
+  while (oks_owed_ != 0) {
     oks.next();
     if (!put_ok(std::nullopt, {})) return;
     --oks_owed_;
+    units::happens<units::Event::ok_repaid>(oks_owed_);
   }
 }
 
@@ -201,7 +186,6 @@ void HostLink::keep_alive(Activity activity) {
     return;
   }
   if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_ - busy_lead) return;
-  units::EventBound<units::Event::byte_queued, longest_notice> bytes;
   if (transmit_.put_line({"echo:busy: ", busy_reason(activity)})) last_busy_ = now_;
 }
 

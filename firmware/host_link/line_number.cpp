@@ -7,7 +7,6 @@
 #include "host_link/emergency.hpp"
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -28,7 +27,6 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
     const auto digit = static_cast<std::uint32_t>(text[position] - '0');
     if (magnitude > (limit - digit) / 10) return std::nullopt;
     magnitude = magnitude * 10 + digit;
-    units::happens<units::Event::character_judged>(magnitude);
   }
   text.remove_prefix(position);
   return negative ? 0 - magnitude : magnitude;

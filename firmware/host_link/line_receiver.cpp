@@ -7,7 +7,6 @@
 
 #include "host_link/line_number.hpp"
 #include "units/digits.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
@@ -27,13 +26,11 @@ void trim(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) {
     front.next();
     text.remove_prefix(1);
-    units::happens<units::Event::character_judged>(text.size());
   }
   units::LoopBound<max_line_length, 1> back;
   while (!text.empty() && is_blank(text.back())) {
     back.next();
     text.remove_suffix(1);
-    units::happens<units::Event::character_judged>(text.size());
   }
 }
 
@@ -90,7 +87,6 @@ void LineReceiver::put_into_checksum(char byte) {
 }
 
 ReceivedLine LineReceiver::read() const {
-  units::EventBound<units::Event::character_judged, max_line_length> each_once;
   ReceivedLine line;
   line.too_long = length_ > max_line_length;
   line.unprintable = unprintable_;

@@ -27,7 +27,6 @@ void add_refused_command(TextLine& line, std::string_view command) {
 }  // namespace
 
 TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
-  units::EventBound<units::Event::character_written, TextLine::capacity> characters;
   units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine line;
   add_heater(line, " T:", hotend);
@@ -44,7 +43,6 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
 
 TextLine position_report(const units::PerAxis<units::Position>& position,
                          const units::PerAxis<units::Steps>& count) {
-  units::EventBound<units::Event::character_written, TextLine::capacity> characters;
   units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine line;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
@@ -83,13 +81,11 @@ std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, s
 }
 
 TextLine unknown_command(std::string_view command) {
-  units::EventBound<units::Event::character_written, TextLine::capacity> characters;
   TextLine line;
   return line.text("echo:Unknown command: \"").text(command).character('"');
 }
 
 TextLine not_executed(std::string_view reason, std::uint32_t position, std::string_view command) {
-  units::EventBound<units::Event::character_written, TextLine::capacity> characters;
   TextLine line;
   line.text("echo:").text(reason).text(" at column ").integer(position + std::int64_t{1});
   add_refused_command(line, command);
@@ -97,7 +93,6 @@ TextLine not_executed(std::string_view reason, std::uint32_t position, std::stri
 }
 
 TextLine not_executed(std::string_view reason, std::string_view command) {
-  units::EventBound<units::Event::character_written, TextLine::capacity> characters;
   TextLine line;
   line.text("echo:").text(reason);
   add_refused_command(line, command);

@@ -35,7 +35,6 @@ TextLine& TextLine::text(std::string_view part) {
       break;
     }
     buffer_[length_++] = part[i];
-    units::happens<units::Event::character_written>(length_);
   }
   return *this;
 }
@@ -62,7 +61,6 @@ TextLine& TextLine::decimal(std::int64_t value, unsigned digit_count, unsigned p
 }
 
 TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
-  units::EventBound<units::Event::digit_made, longest_number> digits_of_number;
   std::array<char, longest_number> reversed;
   unsigned count = 0;
   // 64-bit division is a library call of a thousand clocks on the soft core: only where it
@@ -73,19 +71,16 @@ TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
     reversed[count++] = static_cast<char>('0' + value % 10);
     value /= 10;
     units::happens<units::Event::long_digit>();
-    units::happens<units::Event::digit_made>();
   }
   units::LoopBound<longest_number / 2, 1> lower_digits;
   for (auto rest = static_cast<std::uint32_t>(value); rest != 0; rest /= 10) {
     lower_digits.next();
     reversed[count++] = static_cast<char>('0' + rest % 10);
-    units::happens<units::Event::digit_made>(count);
   }
   units::LoopBound<longest_number> zeros;
   while (count < at_least) {
     zeros.next();
     reversed[count++] = '0';
-    units::happens<units::Event::digit_made>(count);
   }
   units::LoopBound<longest_number, 1> characters;
   while (count > 0) {

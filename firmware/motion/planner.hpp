@@ -62,8 +62,6 @@ class Planner {
   // Everything appended so far starts without waiting for more (M400, or before any wait for rest).
   void flush() { flush_ = true; }
 
-  // Whether a segment should be queued now, if the step generator has room.
-  bool is_due(units::Microseconds now) const { return !between_lines() || may_hand_over(now); }
   // The next segment, if one should be queued now. To be called while the step generator has room.
   std::optional<Segment> next_segment(units::Microseconds now);
 

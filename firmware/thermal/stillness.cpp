@@ -174,13 +174,19 @@ void accumulate(Values course, Gain gain) {
 }  // namespace
 
 bool Stillness::add(const Window& window) {
+  bool still = false;
+  units::LoopBound<std::tuple_size_v<LimitTable>> judged;
+  while (judged_ < limits().size()) {
+    judged.next();
+    still = look_further() || still;
+  }
   std::shift_left(windows_.begin(), windows_.end(), 1);
   windows_.back() = window;
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
   judged_ = 0;
-  return look_further() || still_ >= lasting_length;
+  return look_further() || still || still_ >= lasting_length;
 }
 
 bool Stillness::look_further() {

@@ -34,8 +34,7 @@ class Stillness {
       : is_slow_(2 * rhythm > static_cast<std::int32_t>(slow[0].length)) {}
 
   // True if the reading is of a frozen sensor. This looks at the shortest time alone, and each call
-  // of look_further() at a longer one, for all of them at once take a processor long. A window
-  // takes three updates at least, so that all have been looked at when the next one comes.
+  // of look_further() at a longer one, for all of them at once take a processor long.
   bool add(const Window& window);
   bool look_further();
   // There is no rhythm.

@@ -16,15 +16,8 @@ enum class Event : std::uint32_t {
   byte_taken,  // by the host link
   byte_queued,  // of a reply
   byte_sent,  // given to the uart
-  line_ended,  // by the bytes that the host link takes
+  ok_repaid,  // one that was owed is queued
   character_read,  // of a line's text by the parser, again after going back
-  character_searched,  // in a text, for another
-  character_judged,  // of a received line's text
-  command_tried,  // its handler is called, or it is asked for again
-  comment_passed,  // by the parser
-  character_written,  // into a reply line, or the one that finds no room
-  halted,  // by a fault
-  digit_made,  // of a number, written
   long_digit,  // of a number that needs more than 32 bits, written
   count
 };

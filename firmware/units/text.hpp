@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace units {
@@ -30,13 +29,7 @@ inline std::size_t find_first_of(std::string_view text, std::string_view wanted,
 }
 
 inline std::size_t find(std::string_view text, char wanted, std::size_t start = 0) {
-  LoopBound<longest_text> places;
-  for (std::size_t i = start; i < text.size(); ++i) {
-    places.next();
-    happens<Event::character_searched>(i);
-    if (text[i] == wanted) return i;
-  }
-  return std::string_view::npos;
+  return find_first_of(text, {&wanted, 1}, start);
 }
 
 inline bool starts_with(std::string_view text, std::string_view prefix) {

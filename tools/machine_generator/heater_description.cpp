@@ -85,7 +85,7 @@ thermal::HeaterModel model(Reader reader, double milliwatts) {
       .draught = percent("draught", 0, 200),
       .missing_limit =
           quantity<units::Millicelsius>(reader.scaled("missing_limit_k", thousand, 1, 16'000)),
-      .window = units::Milliseconds(reader.scaled("window_s", thousand, 300, 60'000))};
+      .window = units::Milliseconds(reader.scaled("window_s", thousand, 100, 60'000))};
   reader.finish();
   return thermal::HeaterModel(properties);
 }
