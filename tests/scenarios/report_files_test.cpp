@@ -174,7 +174,7 @@ TEST_F(ReportFiles, say_that_a_job_was_interrupted_that_waited_for_a_pipe) {
     std::this_thread::sleep_for(3s);
     EXPECT_FALSE(program.ending()) << testing::PrintToString(job);
     program.signal(SIGTERM);
-    std::this_thread::sleep_for(3s);
+    for (int i = 0; i < 600 && !program.ending(); ++i) std::this_thread::sleep_for(100ms);
     ASSERT_TRUE(program.ending()) << testing::PrintToString(job);
     EXPECT_EQ(program.ending()->exit_status, 130) << testing::PrintToString(job);
     expect_faulted("interrupted");
