@@ -31,20 +31,20 @@ TEST_F(ConversationTest, refuses_what_a_person_types_where_it_would_disturb_a_ru
 
 // What comes by itself would hide all else.
 TEST_F(ConversationTest, shows_reports_only_where_a_person_has_asked) {
-  std::vector<std::string> lines;
+  std::vector<std::string> said;
   run(5s);
-  feed().on_said = [&lines](std::string_view line) { lines.emplace_back(line); };
+  feed().on_said = [&said](std::string_view line) { said.emplace_back(line); };
   printer.say("X:1.00 Y:2.00 Z:3.00 E:0.00 Count X:80 Y:160 Z:7680");
   run(3s);
   ASSERT_TRUE(feed().position());
   EXPECT_EQ(feed().position()->steps[2], 7680);
-  EXPECT_THAT(lines, testing::IsEmpty());
+  EXPECT_THAT(said, testing::IsEmpty());
   EXPECT_EQ(feed().send("M105"), "");
   run(6s);
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_THAT(lines[1], testing::HasSubstr("T:21.50"));
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_THAT(said[1], testing::HasSubstr("T:21.50"));
   feed().closed();
-  EXPECT_FALSE(feed().position());  // what happens to it now is not known
+  EXPECT_FALSE(feed().position());  // nobody knows what happens to it now
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "tests/temporary_folder.hpp"
 #include "tools/planning/path_file.hpp"
