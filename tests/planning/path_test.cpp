@@ -31,8 +31,8 @@ Path path_of(std::initializer_list<std::string_view> lines) {
 }
 
 MATCHER_P4(is_point, x, y, command, extrudes, "") {
-  return std::abs(double{arg.x_mm} - x) < 0.01 && std::abs(double{arg.y_mm} - y) < 0.01 &&
-         std::cmp_equal(arg.command, command) && arg.extrudes == extrudes;
+  return std::abs(arg.x_mm - x) < 0.01 && std::abs(arg.y_mm - y) < 0.01 && arg.command == command &&
+         arg.extrudes == extrudes;
 }
 
 TEST(path, names_the_command_of_each_line_though_it_is_planned_ahead) {
