@@ -38,6 +38,7 @@ void PathRecorder::add(const Walk& walk) {
   const auto from = std::exchange(position_, walk.end_mm);
   const bool moves = from[0] != position_[0] || from[1] != position_[1];
   const bool extrudes = moves && walk.filament_mm > 0;
+  if (!moves && !path_.points.empty()) return;
   const double rise = position_[2] - layer_z_;
   const bool is_flat = std::abs(position_[2] - from[2]) < same_height_mm;
   const bool is_other = is_flat ? std::abs(rise) >= same_height_mm : rise >= rise_mm;
@@ -49,7 +50,6 @@ void PathRecorder::add(const Walk& walk) {
     path_.layers.push_back({.z_mm = position_[2], .first = 0});
     append(begin);
   }
-  if (!moves) return;
   if (extrudes && (!has_layer_ || is_other)) {
     if (has_layer_) {
       path_.layers.push_back({.z_mm = position_[2], .first = path_.points.size()});

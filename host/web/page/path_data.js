@@ -57,32 +57,24 @@ class PathData {
 // So many commands at most are taken and not made yet: the planner's lines and what is under way.
 const mostAhead = 48;
 
-const nearMm = 0.1;  // steps are exact, but points are rounded and some left out
-
-// The place on the line to a point that is nearest to X, Y: {distance in mm, share of the line}.
-function nearestOn(points, i, x, y) {
-  const fromX = points.x[i - 1], fromY = points.y[i - 1];
-  const dx = points.x[i] - fromX, dy = points.y[i] - fromY, length = dx * dx + dy * dy;
-  const share = length ? Math.min(1, Math.max(0, ((x - fromX) * dx + (y - fromY) * dy) / length)) : 1;
-  return {distance: Math.hypot(fromX + share * dx - x, fromY + share * dy - y), share};
-}
-
-// The part of the path on which the head stands: of what the printer has taken, the first line since `last` that
-// goes through the place that it reports; lines that cross there later are not made yet. What is extruded must be
-// at that height too. Null where it is on none.
-async function partUnderWay(path, done, position, last) {
+// The part of the path on which the head stands: of what the printer has taken, the place nearest to
+// where it says that it is. Null where it is on none, as between layers.
+async function partUnderWay(path, done, position) {
   if (!position) return null;
-  const [x, y, z] = path.placeOf(position), end = path.layerOf(done);
-  const first = path.layerOf(Math.max(1, done - mostAhead));
-  for (let index = Math.max(first, last ? last.layer : 0); index <= end; ++index) {
-    const points = await path.layer(index), isHere = Math.abs(path.layers[index].z - z) <= 0.15;
-    if (!points) return null;
-    for (let i = last && last.layer === index ? last.point : 1; i < points.x.length; ++i) {
+  const [x, y, z] = path.placeOf(position);
+  let best = null;
+  const last = path.layerOf(done);
+  for (const index of [last - 1, last]) {
+    const points = await path.layer(index);
+    if (!points || Math.abs(path.layers[index].z - z) > 0.15) continue;
+    for (let i = 1; i < points.x.length; ++i) {
       if (points.command[i] < done - mostAhead || points.command[i] > done + 1) continue;
-      if (points.extrudes[i] && !isHere) continue;
-      const {distance, share} = nearestOn(points, i, x, y);
-      if (distance <= nearMm) return {layer: index, point: i, share};
+      const fromX = points.x[i - 1], fromY = points.y[i - 1];
+      const dx = points.x[i] - fromX, dy = points.y[i] - fromY, length = dx * dx + dy * dy;
+      const share = length ? Math.min(1, Math.max(0, ((x - fromX) * dx + (y - fromY) * dy) / length)) : 1;
+      const distance = Math.hypot(fromX + share * dx - x, fromY + share * dy - y);
+      if (distance < 0.5 && (!best || distance <= best.distance)) best = {distance, layer: index, point: i, share};
     }
   }
-  return null;
+  return best;
 }

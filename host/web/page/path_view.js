@@ -40,9 +40,8 @@ class PathView {
   async progress(done, position) {
     const path = this.path;
     if (!path) return;
-    const turn = this.turn = (this.turn || 0) + 1;
-    const part = await partUnderWay(path, done, position, this.part);
-    if (this.path !== path || this.turn !== turn) return;  // the next report was faster
+    const part = await partUnderWay(path, done, position);
+    if (this.path !== path) return;
     if (part) this.part = part;
     this.head = position ? path.placeOf(position) : null;
     this.followPrint();

@@ -118,16 +118,7 @@ void Browser::set_size(int width, int height) {
            {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
 
-void Browser::click(const std::string& selector) {
-  try {
-    call("POST", element_path(selector, "/click"));
-  } catch (const BrowserError& error) {
-    if (!std::string_view(error.what()).contains("click intercepted")) throw;
-    run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'});",
-        Json::array({selector}));
-    call("POST", element_path(selector, "/click"));
-  }
-}
+void Browser::click(const std::string& selector) { call("POST", element_path(selector, "/click")); }
 
 void Browser::type(const std::string& selector, const std::string& text) {
   call("POST", element_path(selector, "/value"), {{"text", text}});

@@ -32,7 +32,7 @@ class Browser {
   void open(const std::string& address);
   // Of the page's area, in CSS pixels.
   void set_size(int width, int height);
-  // As a person does: it is scrolled to, from under the bar too, and must be visible then.
+  // As a person does: it is scrolled to, and must be visible and not covered.
   void click(const std::string& selector);
   // Into this element. For a file field: a path.
   void type(const std::string& selector, const std::string& text);
