@@ -90,9 +90,7 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   const Temporary report(commands_file.string() + ".plan"), fresh(commands_file.string() + ".new");
   const auto ended = process::capture(
       {.arguments = {"nice", "-n", "10", program.string(), "plan", file.string(), "--json",
-                     report.path.string(), "--commands", fresh.path.string(), "--path",
-                     fs::path(commands_file).replace_extension(path_ending).string(), "--picture",
-                     fs::path(commands_file).replace_extension(picture_ending).string()},
+                     report.path.string(), "--commands", fresh.path.string()},
        .has_input = false,
        .cpu_limit = processor_limit});
   Json plan = Json::parse(files::text_of(report.path), nullptr, false);

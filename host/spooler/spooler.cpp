@@ -118,6 +118,11 @@ bool Spooler::pass() {
   return fault.empty();
 }
 
+std::filesystem::path Spooler::commands_of(const Job& job) const {
+  return std::filesystem::absolute(store_.path_of(job.file))
+      .replace_extension("." + std::to_string(job.id) + ".commands");
+}
+
 bool Spooler::check_files() {
   bool is_changed = false;
   if (const auto result = checker_.take_result()) {
@@ -134,7 +139,7 @@ bool Spooler::check_files() {
       queue_.change(job->id, result->accepted ? JobState::queued : JobState::refused,
                     result->reason);
     } else {
-      remove_made_with(checker_.commands_file());
+      std::filesystem::remove(checker_.commands_file());
     }
     is_changed = true;
   }

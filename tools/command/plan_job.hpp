@@ -16,8 +16,6 @@ struct PlanOptions {
   std::filesystem::path machine;  // empty: the machine of the build
   std::filesystem::path json;  // empty: none
   std::filesystem::path commands;  // empty: not written
-  std::filesystem::path path;  // empty: not written
-  std::filesystem::path picture;  // empty: not written
   std::uint32_t clock_hz = 4'000'000;  // as `print` has it
 };
 

@@ -16,13 +16,6 @@ void add_options(CLI::App& app, PlanOptions& options) {
   job.add_option("--commands", options.commands,
                  "write what a host sends, one command a line, without comments and M110")
       ->type_name("FILE");
-  job.add_option(
-         "--path", options.path,
-         "write the path by layers (tools/planning/path_file.hpp), if something is extruded")
-      ->type_name("FILE");
-  job.add_option("--picture", options.picture,
-                 "write a small picture of the path, if something is extruded")
-      ->type_name("FILE.png");
   job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();
