@@ -164,10 +164,6 @@ void Plausibility::begin_window() {
   idle_ = true;
 }
 
-std::int32_t Plausibility::filament_loss(const Cooling& cooling) const {
-  return model_->filament_loss * (cooling.filament.count() / 64) / 16;
-}
-
 // The nominal heater's power, to hold the target in the most draught, with the reserve. In mK/s.
 std::int32_t Plausibility::needed_to_hold(units::Millicelsius target) const {
   return slope_lost(target.count(), model_->loss) * (100 + model_->draught) / 100 *
@@ -285,9 +281,7 @@ bool Plausibility::is_heat_missing(const Slopes& slopes, units::Millicelsius tar
     const std::int32_t most_missing = warms * (100 - most_sag) / 100 - spread - measured;
     const std::int32_t most_surplus = measured - warms - spread;
     const bool needs_too_much = needs_too_much_[static_cast<std::size_t>(power)];
-    units::LoopBound<steps, 2> losses;
     for (int loss = 0; loss < steps; ++loss) {
-      losses.next();
       const auto index = static_cast<std::size_t>(loss);
       Evidence& against = heaters_[static_cast<std::size_t>(power * steps + loss)];
       const bool is_too_strong = rules_out(against.missing, most_missing - most_cools[index]);

@@ -75,7 +75,9 @@ class Plausibility {
   void begin_window();
   Finding compare(const Window& raw, std::optional<units::Millicelsius> target,
                   const Cooling& cooling);
-  std::int32_t filament_loss(const Cooling& cooling) const;
+  std::int32_t filament_loss(const Cooling& cooling) const {
+    return model_->filament_loss * (cooling.filament.count() / 64) / 16;
+  }
   std::int32_t needed_to_hold(units::Millicelsius target) const;
   Slopes slopes_until(const Window& now, const Cooling& cooling) const;
   void watch_demand(const Slopes& slopes, const Window& now,
