@@ -15,6 +15,7 @@
 
 #include "host/feeder/command_file.hpp"
 #include "host/feeder/framing.hpp"
+#include "host/feeder/homed_axes.hpp"
 #include "host/feeder/journal.hpp"
 
 namespace feeder {
@@ -75,6 +76,8 @@ class Conversation {
   const Temperatures& temperatures() const { return temperatures_; }
   // The last report; nothing before the first, and after a loss of the printer.
   const std::optional<Position>& position() const { return position_; }
+  // As far as this process has sent lines.
+  const std::string& homed_axes() const { return homed_.axes(); }
   bool waits_for_user() const { return waits_for_user_; }
   // What is wrong with the journal, for people; or empty.
   const std::string& fault() const {
@@ -133,6 +136,7 @@ class Conversation {
   bool waits_for_user_ = false;
   Temperatures temperatures_;
   std::optional<Position> position_;
+  HomedAxes homed_;
   std::uint64_t resends_ = 0;
   // A report that comes by itself answers nothing.
   Time last_answered_{}, last_sent_{}, settled_at_{}, retried_at_{};

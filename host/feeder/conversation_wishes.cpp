@@ -116,6 +116,7 @@ void Conversation::say_if_asked(std::int64_t code, std::string_view line) {
 
 void Conversation::stop_everything() {
   output_ = "M112\n";
+  homed_.forget();
   typed_.clear();
   say("> M112");
   if (has_work()) set_phase(Phase::failed, "stopped by a person (emergency stop)");

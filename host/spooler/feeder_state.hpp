@@ -19,6 +19,7 @@ struct FeederState {
   std::int64_t commands{};
   bool waits_for_user{};
   std::uint64_t resends{};
+  std::string homed;  // some of `xyz`
   // In degrees Celsius; powers from 0 to 1.
   std::optional<double> hotend, hotend_target, hotend_power, bed, bed_target, bed_power;
   // As the printer reports it: {"mm": [X, Y, Z, E], "steps": [X, Y, Z]}; null before.
