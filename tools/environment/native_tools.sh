@@ -15,6 +15,7 @@ native_tools_suffice() {
     at_least g++ 14.0 && at_least riscv64-unknown-elf-g++ 14.0 && at_least yosys 0.52 &&
     at_least gnuplot 5.4 && command -v ccache >/dev/null && command -v z3 >/dev/null && command -v curl >/dev/null &&
     command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
+    python3 -c 'import websockets.sync.client' 2>/dev/null &&
     at_least clang-format 19.0 && native_fuzzer_links && native_libraries_compile
 }
 
@@ -26,6 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, std::size_t) { retur
 native_libraries_compile() {
   g++ -std=c++20 -fsyntax-only -x c++ - 2>/dev/null <<'CPP' || return 1
 #include <CLI/CLI.hpp>
+#include <boost/beast/version.hpp>
 #include <elfutils/libdw.h>
 #include <fmt/format.h>
 #include <gelf.h>
