@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -52,6 +53,23 @@ void sync_folder(const fs::path& folder) {
   if (!synced) fail("cannot synchronise " + folder.string());
 }
 
+void make_folder(const fs::path& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  const fs::path above = path.parent_path();
+  if (above == path) return;
+  const bool was_there = fs::is_directory(path);
+  if (!was_there) {
+    make_folder(above);
+    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) fail("cannot make " + path.string());
+  }
+  // Also where it was there: who made it may have been killed before this.
+  try {
+    sync_folder(above);
+  } catch (const std::system_error&) {  // not for this user to read: it is older than this program
+    if (!was_there) throw;
+  }
+}
+
 std::string cleaned_name(std::string_view name) {
   if (const auto slash = name.find_last_of("/\\"); slash != std::string_view::npos) {
     name.remove_prefix(slash + 1);
@@ -72,7 +90,7 @@ std::string cleaned_name(std::string_view name) {
 }
 
 Store::Store(fs::path folder) : folder_(std::move(folder)) {
-  fs::create_directories(folder_);
+  make_folder(folder_);
   fs::permissions(folder_, fs::perms::owner_all);
 }
 

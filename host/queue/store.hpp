@@ -14,6 +14,9 @@ namespace queue {
 // What has been written to the folder's files and to the folder itself is on the disk afterwards.
 // Throws std::system_error.
 void sync_folder(const std::filesystem::path& folder);
+// The folder and those above it are there, and their names are on the disk. Readable for this user
+// alone where it was missing. Throws std::system_error.
+void make_folder(const std::filesystem::path& folder);
 
 // A file name for people, from what a client sends: its last component, without control characters,
 // at most 120 bytes of whole UTF-8 characters, no dot in front; "unnamed.gcode" where nothing is

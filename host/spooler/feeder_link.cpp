@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/feeder/feeder_names.hpp"
+#include "host/queue/store.hpp"
 
 namespace spooler {
 
@@ -48,7 +49,9 @@ FeederLink::FeederLink(const Settings& settings, const PrinterSpec& printer)
       folder_(settings.data / "printers" / printer.name),
       feeder_(folder_ / "feeder.process", folder_ / "feeder.log",
               feeder_call(settings, printer, folder_)) {
-  std::filesystem::create_directories(folder_);
+  // With a lost folder its journal would be lost, and a job could be started again.
+  queue::make_folder(folder_.parent_path());
+  queue::make_folder(folder_);
   if (is_simulated()) {
     chip_.emplace(folder_ / "chip.process", folder_ / "chip.log", chip_call(settings, folder_));
   }

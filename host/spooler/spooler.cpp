@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds pass_interval{20}, pass_interval_after_fault
 constexpr std::chrono::seconds block_time{10};
 
 std::filesystem::path made(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  queue::make_folder(folder);
   std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
   return folder;
 }
