@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <ios>
 #include <map>
 #include <optional>
 #include <random>
@@ -42,7 +43,10 @@ std::vector<pid_t> processes_with(const std::filesystem::path& folder) {
     const std::string name = entry.path().filename().string();
     const pid_t id = std::atoi(name.c_str());
     if (id <= 0 || id == getpid()) continue;
-    if (files::text_of(entry.path() / "cmdline").contains(folder.string())) found.push_back(id);
+    try {
+      if (files::text_of(entry.path() / "cmdline").contains(folder.string())) found.push_back(id);
+    } catch (const std::ios_base::failure&) {  // it has just ended
+    }
   }
   return found;
 }

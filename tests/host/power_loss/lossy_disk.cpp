@@ -57,7 +57,8 @@ void LossyDisk::apply(const Record& record) {
       files_[record.head.inode] = std::make_shared<File>();
       return change({{first, file(record.head.inode)}});
     case Kind::make_folder:
-      return change({{first, std::make_shared<File>(File{.is_folder = true, .durable = {}, .pending = {}})}});
+      return change(
+          {{first, std::make_shared<File>(File{.is_folder = true, .durable = {}, .pending = {}})}});
     case Kind::write:
       file(record.head.inode)->pending.push_back({.at = record.head.number, .bytes = record.first});
       return;
@@ -142,8 +143,8 @@ void LossyDisk::lose_power(File& file, std::mt19937& random) {
       break;
     }
     for (std::size_t begin = 0; begin < each.bytes.size();) {
-      const std::size_t end = std::min(
-          each.bytes.size(), ((each.at + begin) / sector + 1) * sector - each.at);
+      const std::size_t end =
+          std::min(each.bytes.size(), ((each.at + begin) / sector + 1) * sector - each.at);
       if (chance(random, share)) {
         apply_to(file.durable,
                  {.at = each.at + begin, .bytes = each.bytes.substr(begin, end - begin)});

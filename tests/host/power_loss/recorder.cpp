@@ -175,9 +175,9 @@ int rename_and_note(const char* from, const char* to, unsigned flags) {
   if (status != 0 || !is_recorded(target)) return static_cast<int>(status);
   struct stat now{};
   stat(target.c_str(), &now);
-  record({.kind = (flags & RENAME_EXCHANGE) != 0 ? Kind::exchange : Kind::rename,
-          .inode = now.st_ino},
-         absolute(from), target);
+  record(
+      {.kind = (flags & RENAME_EXCHANGE) != 0 ? Kind::exchange : Kind::rename, .inode = now.st_ino},
+      absolute(from), target);
   if (late_sync != 0) record({.kind = Kind::sync, .inode = late_sync});
   late_sync = 0;
   return 0;
@@ -229,9 +229,7 @@ FILE* fopen(const char* name, const char* mode) __attribute__((alias("fopen64"))
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
   const auto* text = static_cast<const char*>(bytes);
-  if (descriptor == STDOUT_FILENO && !folder().empty()) {
-    record({.kind = Kind::said}, {text, size});
-  }
+  if (descriptor == STDOUT_FILENO && !folder().empty()) record({.kind = Kind::said}, {text, size});
   const ssize_t count = syscall(SYS_write, descriptor, bytes, size);
   if (inode_of(descriptor) == 0) return count;
   const off_t end = lseek(descriptor, 0, SEEK_CUR);

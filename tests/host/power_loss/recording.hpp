@@ -27,8 +27,7 @@ class Recording {
   std::vector<Record> end();
   // The power is lost after so many operations. Returns what was said on standard outputs until
   // then.
-  std::string cut(const std::vector<Record>& records, std::size_t operations,
-                  std::mt19937& random);
+  std::string cut(const std::vector<Record>& records, std::size_t operations, std::mt19937& random);
 
  private:
   std::filesystem::path log() const { return place_ / ("log." + std::to_string(number_)); }
