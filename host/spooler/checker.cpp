@@ -6,9 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <system_error>
 
 #include "host/queue/store.hpp"
 #include "tools/files/file_text.hpp"
@@ -24,6 +28,7 @@ using Json = nlohmann::json;
 constexpr std::chrono::seconds processor_limit{900};
 constexpr std::size_t most_refused_lines = 200;  // in the report
 constexpr std::size_t longest_reason = 500;
+constexpr int interrupted_status = 130;  // of the program, by a signal to end
 
 std::int64_t lines_of(const fs::path& file) {
   std::ifstream stream(file);
@@ -66,6 +71,19 @@ CheckResult refused(std::string reason, std::string report = {}) {
   return {.accepted = false, .reason = std::move(reason), .report = std::move(report)};
 }
 
+CheckResult not_done(const std::string& why) {
+  CheckResult result = refused("the check could not be done: " + why);
+  result.must_be_repeated = true;
+  return result;
+}
+
+// What the program says where it cannot write.
+bool says_that_the_disk_is_full(std::string_view said) {
+  return std::ranges::any_of(std::array{ENOSPC, EDQUOT}, [said](int error) {
+    return said.contains(std::generic_category().message(error));
+  });
+}
+
 }  // namespace
 
 CheckResult check(const fs::path& program, const fs::path& file, const fs::path& commands_file) {
@@ -79,6 +97,10 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   if (ended.exit_status > 1 || plan.is_discarded()) {
     std::string said = ended.output;
     while (!said.empty() && said.back() == '\n') said.pop_back();
+    const bool was_ended = ended.exit_status == interrupted_status;
+    if (was_ended || ended.exit_status <= 1 || says_that_the_disk_is_full(said)) {
+      return not_done(said);
+    }
     return refused(said.empty() ? "the check ended with status " + std::to_string(ended.exit_status)
                                 : said);
   }
@@ -91,7 +113,7 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   if (!accepted) return refused(reason, text);
   fs::permissions(fresh.path, fs::perms::owner_read | fs::perms::owner_write);
   const std::int64_t commands = lines_of(fresh.path);
-  if (!sync_file(fresh.path)) return refused("the commands cannot be written");
+  if (!sync_file(fresh.path)) return not_done("the commands cannot be written");
   fs::rename(fresh.path, commands_file);
   queue::sync_folder(commands_file.parent_path());
   return {.accepted = true,
@@ -114,7 +136,7 @@ void Checker::begin(std::int64_t job, const fs::path& file, const fs::path& comm
     try {
       result_ = check(program_, file, commands_file);
     } catch (const std::exception& error) {
-      result_ = refused(std::string("the check failed: ") + error.what());
+      result_ = not_done(error.what());
     }
     done_ = true;
   });

@@ -14,7 +14,9 @@ namespace spooler {
 
 struct CheckResult {
   bool accepted = false;
-  std::string reason;  // for people, where it was refused
+  // Nothing is known of the file: the check could not be done, as on a full disk.
+  bool must_be_repeated = false;
+  std::string reason;  // for people, where it was not accepted
   std::string report;  // JSON: refused lines with number, text and reason, layers, axes; or empty
   double seconds{};  // planned, without heating
   double filament_mm{};

@@ -2,6 +2,7 @@
 // Where a spooler keeps its data, and which programs it starts.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct Settings {
   std::filesystem::path tool_program;
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";  // or max
+  std::chrono::milliseconds check_interval{20'000};  // until a check that failed is tried again
 };
 
 }  // namespace spooler

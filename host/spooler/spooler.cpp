@@ -128,7 +128,12 @@ bool Spooler::check_files() {
   if (const auto result = checker_.take_result()) {
     const auto job = queue_.find(checker_.job());
     // It may have been cancelled, and removed.
-    if (job && job->state == JobState::checking) {
+    check_fault_.clear();
+    if (job && job->state == JobState::checking && result->must_be_repeated) {
+      check_fault_ = job->name + ": " + result->reason + "; it is tried again";
+      checks_again_at_ = std::chrono::steady_clock::now() + settings_.check_interval;
+      queue_.change(job->id, JobState::uploaded, result->reason);
+    } else if (job && job->state == JobState::checking) {
       queue_.set_check(job->id, result->report, result->seconds, result->filament_mm,
                        result->commands);
       queue_.change(job->id, result->accepted ? JobState::queued : JobState::refused,
@@ -138,7 +143,7 @@ bool Spooler::check_files() {
     }
     is_changed = true;
   }
-  if (!checker_.is_idle()) return is_changed;
+  if (!checker_.is_idle() || std::chrono::steady_clock::now() < checks_again_at_) return is_changed;
   for (const Job& job : queue_.jobs(0)) {
     if (job.state == JobState::checking) {  // its result could not be written
       queue_.change(job.id, JobState::uploaded, "the check did not end");

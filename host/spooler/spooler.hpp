@@ -115,6 +115,8 @@ class Spooler {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::string fault_;  // of the last pass; empty: none
+  std::string check_fault_;  // of the last check, where it could not be done
+  std::chrono::steady_clock::time_point checks_again_at_{};
   std::string notice_;  // of the start; shown where there is no fault
   std::int64_t version_ = 1;
   std::shared_ptr<const Snapshot> snapshot_;

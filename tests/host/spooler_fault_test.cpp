@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "directories.hpp"
 #include "host/feeder/feeder_names.hpp"
 #include "host/spooler/feeder_link.hpp"
 #include "host/spooler/spooler.hpp"
@@ -125,6 +126,27 @@ TEST_F(SpoolerTest, hears_all_of_a_feeder_although_one_answer_cannot_be_written_
   EXPECT_THROW(link.update(), std::runtime_error);
   EXPECT_EQ(refusals, std::vector<std::string>{"not now"});
   EXPECT_FALSE(link.is_asked());
+}
+
+// The program's first call finds the disk full, as /dev/full is; the next one does not.
+TEST_F(SpoolerTest, a_check_that_finds_the_disk_full_is_done_again) {
+  const std::string call = BUILD_DIRECTORY "/bin/stepfabric plan";
+  const auto noted = folder_.path() / "first";
+  folder_.write("plan.sh", "#!/bin/sh\nif [ ! -e " + noted.string() + " ]; then\n  touch " +
+                               noted.string() + "\n  exec " + call +
+                               " \"$2\" --json \"$4\" --commands /dev/full\nfi\nshift\nexec " +
+                               call + " \"$@\"\n");
+  std::filesystem::permissions(folder_.path() / "plan.sh", std::filesystem::perms::owner_all);
+  end_spooler();
+  check_program = folder_.path() / "plan.sh";
+  check_interval = std::chrono::seconds(1);
+  begin_spooler();
+  const auto id = upload("G28 X\n", "a.gcode", true);
+  expect_soon([&] { return spool().snapshot()->json.at("fault") != ""; }, "no fault");
+  EXPECT_THAT(spool().snapshot()->json.at("fault").get<std::string>(),
+              testing::AllOf(HasSubstr("a.gcode"), HasSubstr("No space left on device")));
+  expect_state(id, JobState::queued);
+  EXPECT_EQ(spool().snapshot()->json.at("fault"), "");
 }
 
 }  // namespace

@@ -38,12 +38,13 @@ SpoolerTest::~SpoolerTest() {
 
 void SpoolerTest::begin_spooler() {
   ends_ = false;
-  spooler_ = std::make_unique<spooler::Spooler>(
-      spooler::Settings{.data = data(),
-                        .printers = {{.name = "left", .port = folder_.path() / "left"},
-                                     {.name = "right", .port = folder_.path() / "right"}},
-                        .feeder_program = BUILD_DIRECTORY "/bin/stepfabric_feeder",
-                        .tool_program = BUILD_DIRECTORY "/bin/stepfabric"});
+  spooler_ = std::make_unique<spooler::Spooler>(spooler::Settings{
+      .data = data(),
+      .printers = {{.name = "left", .port = folder_.path() / "left"},
+                   {.name = "right", .port = folder_.path() / "right"}},
+      .feeder_program = BUILD_DIRECTORY "/bin/stepfabric_feeder",
+      .tool_program = check_program.empty() ? BUILD_DIRECTORY "/bin/stepfabric" : check_program,
+      .check_interval = check_interval});
   thread_ = std::thread([this] { spooler_->run([this] { return ends_.load(); }); });
 }
 

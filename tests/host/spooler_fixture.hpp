@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -51,6 +53,9 @@ class SpoolerTest : public testing::Test {
   PtyPrinter left{folder_.path() / "left"};
   PtyPrinter right{folder_.path() / "right"};
   std::vector<std::string> wanted;
+  // Of the next begin_spooler().
+  std::filesystem::path check_program;  // empty: the real one
+  std::chrono::milliseconds check_interval{20'000};
 
  private:
   std::unique_ptr<spooler::Spooler> spooler_;
