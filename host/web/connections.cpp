@@ -5,6 +5,8 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 namespace web {
 
@@ -13,10 +15,16 @@ void Connections::enter(Awaited& connection) {
   awaited_.insert(&connection);
   if (ends_) return give_up(connection);
   if (awaited_.size() <= limits_.most_waiting) return;
+  std::map<std::string_view, std::size_t> of_client;
+  for (const Awaited* each : awaited_) ++of_client[each->client];
+  const auto goes_before = [&](const Awaited& one, const Awaited& other) {
+    const std::size_t ones = of_client[one.client], others = of_client[other.client];
+    return ones != others ? ones > others : one.due < other.due;
+  };
   Awaited* first = nullptr;
   for (Awaited* each : awaited_) {
-    const bool is_earlier = first == nullptr || each->due < first->due;
-    if (each != &connection && !each->given_up && is_earlier) first = each;
+    if (each == &connection || each->given_up) continue;
+    if (first == nullptr || goes_before(*each, *first)) first = each;
   }
   if (first != nullptr) give_up(*first);
 }

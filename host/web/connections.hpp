@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 #include <set>
+#include <string>
 
 namespace web {
 
@@ -16,7 +17,8 @@ struct WaitLimits {
   std::chrono::milliseconds patience{10'000};
   double bytes_per_second = 2000;
   std::size_t longest_head = 32 * 1024;  // bytes
-  // So many connections are waited for. Of more, the one that is due first is closed.
+  // So many connections are waited for. Of more, the one that is due first is closed, of the client
+  // that has most: one client cannot push out another one.
   std::size_t most_waiting = 24;
 };
 
@@ -25,6 +27,7 @@ using Clock = std::chrono::steady_clock;
 // A connection whose request is still on its way.
 struct Awaited {
   int socket{};
+  std::string client;  // its address
   Clock::time_point due;  // unchanged as long as it is entered
   std::atomic<bool> given_up = false;
 };

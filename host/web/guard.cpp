@@ -65,16 +65,24 @@ std::string read_key(const std::filesystem::path& file) {
   return key;
 }
 
+bool may_always_come(const RequestHead& request) {
+  return request.method == "POST" && request.path.starts_with("/api/v1/printers/") &&
+         request.path.ends_with("/stop");
+}
+
 std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules) {
   if (!is_own_name(request.host, rules.names)) {
-    return Refusal{403, "this server is not named so; --host-name gives it a name"};
+    return Refusal{.status = 403,
+                   .why = "this server is not named so; --host-name gives it a name"};
   }
   if (!changes_nothing(request.method) && comes_from_another_site(request)) {
-    return Refusal{403, "a page of another site may change nothing"};
+    return Refusal{.status = 403, .why = "a page of another site may change nothing"};
   }
   if (!rules.key.empty() && needs_key(request.path) &&
       !equal_in_constant_time(request.key, rules.key)) {
-    return Refusal{403, "the key is missing or wrong (header X-Api-Key)"};
+    return Refusal{.status = 403,
+                   .why = "the key is missing or wrong (header X-Api-Key)",
+                   .has_wrong_key = !request.key.empty()};
   }
   return std::nullopt;
 }

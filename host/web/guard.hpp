@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/web/rate.hpp"
+
 namespace web {
 
 // The same time for every wrong key of a length.
@@ -29,13 +31,18 @@ struct RequestHead {
 struct Refusal {
   int status{};
   std::string why;
+  bool has_wrong_key = false;
 };
 
 struct Rules {
   std::string key;  // empty: none is needed
   std::vector<std::string> names;  // of this server, apart from addresses and localhost
+  RateLimits rate{};
 };
 
+// Of the request as such. A caller with a RateLimit asks it before, unless may_always_come(), and
+// tells it of a wrong key.
+bool may_always_come(const RequestHead& request);  // an emergency stop
 std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules);
 
 }  // namespace web

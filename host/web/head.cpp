@@ -33,22 +33,23 @@ bool is_length(std::string_view text) {
 std::optional<Refusal> fault_of(const httplib::Request& request) {
   for (const char* name : single_headers) {
     if (request.get_header_value_count(name) > 1) {
-      return Refusal{400, std::string("the header ") + name + " is there more than once"};
+      return Refusal{.status = 400,
+                     .why = std::string("the header ") + name + " is there more than once"};
     }
   }
   const bool has_length = request.has_header("Content-Length");
   const bool has_encoding = request.has_header("Transfer-Encoding");
   if (has_length && has_encoding) {
-    return Refusal{400, "Content-Length and Transfer-Encoding exclude each other"};
+    return Refusal{.status = 400, .why = "Content-Length and Transfer-Encoding exclude each other"};
   }
   if (has_length && !is_length(request.get_header_value("Content-Length"))) {
-    return Refusal{400, "Content-Length is no number"};
+    return Refusal{.status = 400, .why = "Content-Length is no number"};
   }
   if (has_encoding && lower(request.get_header_value("Transfer-Encoding")) != "chunked") {
-    return Refusal{400, "the only Transfer-Encoding is chunked"};
+    return Refusal{.status = 400, .why = "the only Transfer-Encoding is chunked"};
   }
   if (request.has_header("Expect") && lower(request.get_header_value("Expect")) != "100-continue") {
-    return Refusal{417, "the only Expect is 100-continue"};
+    return Refusal{.status = 417, .why = "the only Expect is 100-continue"};
   }
   return std::nullopt;
 }

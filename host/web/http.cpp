@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/spooler/spooler.hpp"
+#include "host/web/multipart.hpp"
 
 namespace web {
 
@@ -16,6 +17,8 @@ HttpError wrong(const char* name, const std::string& wanted) {
   return {400, std::string("the field `") + name + "` must be " + wanted};
 }
 
+constexpr const char* form_type = "Form-Content-Type";
+
 const Json& field(const Json& body, const char* name) {
   const auto found = body.find(name);
   if (found == body.end()) throw HttpError(400, std::string("the field `") + name + "` is missing");
@@ -23,6 +26,21 @@ const Json& field(const Json& body, const char* name) {
 }
 
 }  // namespace
+
+// Where it is there twice, it is refused later.
+void set_form_type(httplib::Request& request) {
+  request.headers.erase(form_type);
+  if (!request.is_multipart_form_data() || request.get_header_value_count("Content-Type") != 1) {
+    return;
+  }
+  request.headers.emplace(form_type, request.get_header_value("Content-Type"));
+  request.headers.erase("Content-Type");
+}
+
+std::optional<std::string> form_type_of(const httplib::Request& request) {
+  if (!request.has_header(form_type)) return std::nullopt;
+  return request.get_header_value(form_type);
+}
 
 void answer(httplib::Response& response, const Json& json, int status) {
   response.status = status;
@@ -39,6 +57,8 @@ void answer_errors_of(httplib::Response& response, const std::function<void()>& 
     work();
   } catch (const HttpError& error) {
     answer_error(response, error.status, error.what());
+  } catch (const MultipartError& error) {
+    answer_error(response, 400, error.what());
   } catch (const queue::NoSuchJob& error) {
     answer_error(response, 404, error.what());
   } catch (const spooler::NoSuchPrinter& error) {
@@ -62,7 +82,7 @@ Json body_of(const httplib::Request& request, const httplib::ContentReader& read
   const bool has_body =
       request.has_header("Content-Length") || request.has_header("Transfer-Encoding");
   if (!has_body) return Json::object();
-  if (request.is_multipart_form_data()) throw HttpError(415, "JSON is expected");
+  if (form_type_of(request)) throw HttpError(415, "JSON is expected");
   std::string text;
   const bool whole = read([&text](const char* data, std::size_t size) {
     if (text.size() + size > largest_body) return false;

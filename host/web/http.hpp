@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +21,11 @@ struct HttpError : std::runtime_error {
   HttpError(int code, const std::string& why) : std::runtime_error(why), status(code) {}
   int status;
 };
+
+// httplib would read a form by itself, and cuts names at a semicolon. So a form has its Content-Type
+// in a header that no client can send; nothing where the request has no form.
+void set_form_type(httplib::Request& request);
+std::optional<std::string> form_type_of(const httplib::Request& request);
 
 // No larger body is read but of an upload.
 inline constexpr std::size_t largest_body = 64 * 1024;

@@ -41,8 +41,8 @@ bool Listener::process_and_close_socket(socket_t socket) {
     stream.get_remote_ip_and_port(remote, remote_port);
     stream.get_local_ip_and_port(local, local_port);
     bool is_closed = false;
-    answered =
-        process_request(stream, remote, remote_port, local, local_port, true, is_closed, nullptr);
+    answered = process_request(stream, remote, remote_port, local, local_port, true, is_closed,
+                               set_form_type);
   } catch (const std::exception&) {  // the fault of one request ends no other
   }
   shutdown(socket, SHUT_WR);

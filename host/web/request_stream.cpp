@@ -10,6 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "host/web/rate.hpp"
+
 namespace web {
 
 namespace {
@@ -49,6 +51,10 @@ void read_address(const sockaddr_storage& address, std::string& ip, int& port) {
 RequestStream::RequestStream(int socket, Connections& connections, milliseconds write_limit)
     : connections_(connections), write_limit_(write_limit) {
   awaited_.socket = socket;
+  int port = 0;
+  std::string address;
+  get_remote_ip_and_port(address, port);
+  awaited_.client = client_of(address);
 }
 
 bool RequestStream::is_readable() const { return !ended_ && used_ < filled_; }
@@ -65,6 +71,7 @@ Clock::time_point RequestStream::due() const {
 }
 
 ssize_t RequestStream::read(char* bytes, std::size_t size) {
+  if (used_ == filled_ && head_ended_ && size >= buffer_.size()) return receive(bytes, size);
   if (used_ == filled_ && !fill()) return ended_ ? -1 : 0;
   const std::size_t count = std::min(size, filled_ - used_);
   std::copy_n(buffer_.data() + used_, count, bytes);
@@ -72,9 +79,9 @@ ssize_t RequestStream::read(char* bytes, std::size_t size) {
   return static_cast<ssize_t>(count);
 }
 
-// False at the end of the connection.
-bool RequestStream::fill() {
-  if (ended_) return false;
+// Waits for them. 0 at the end of the connection, -1 where the request is given up.
+ssize_t RequestStream::receive(char* bytes, std::size_t size) {
+  if (ended_) return -1;
   bool is_there = wait_for(awaited_.socket, POLLIN, milliseconds(0));
   if (!is_there) {
     awaited_.due = due();
@@ -85,18 +92,25 @@ bool RequestStream::fill() {
   }
   if (awaited_.given_up) {
     answer_and_end("503 Service Unavailable", "too many requests are on their way: try again");
-    return false;
+    return -1;
   }
   if (!is_there || Clock::now() > due()) {
     answer_and_end("408 Request Timeout", "the request came too slowly");
-    return false;
+    return -1;
   }
-  const ssize_t count = recv(awaited_.socket, buffer_.data(), buffer_.size(), 0);
+  const ssize_t count = recv(awaited_.socket, bytes, size, 0);
+  if (count <= 0) return 0;
+  total_ += static_cast<std::size_t>(count);
+  read_at_ = Clock::now();
+  return count;
+}
+
+// False at the end of the connection.
+bool RequestStream::fill() {
+  const ssize_t count = receive(buffer_.data(), buffer_.size());
   if (count <= 0) return false;
   used_ = 0;
   filled_ = static_cast<std::size_t>(count);
-  total_ += filled_;
-  read_at_ = Clock::now();
   if (!head_ended_) follow_head();
   return !ended_;
 }

@@ -42,6 +42,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
     : spooler_(spooler),
       address_(address),
       rules_(std::move(rules)),
+      rate_(rules_.rate),
       server_(std::make_unique<Listener>(limits)) {
   if (!is_loopback(address_.host) && rules_.key.empty()) {
     throw std::runtime_error("other machines reach " + written(address_) +
@@ -50,9 +51,9 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
   set_limits(*server_);
   server_->set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
-        auto refusal = fault_of(request);
-        if (!refusal) refusal = refusal_of(head_of(request), rules_);
+        const auto refusal = refusal_for(request);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+        if (refusal->status == 429) response.set_header("Retry-After", "1");
         answer_error(response, refusal->status, refusal->why);
         return httplib::Server::HandlerResponse::Handled;
       });
@@ -71,6 +72,17 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
   server_->queue_connections();
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   server_->wait_until_ready();
+}
+
+std::optional<Refusal> Server::refusal_for(const httplib::Request& request) {
+  if (auto fault = fault_of(request)) return fault;
+  const RequestHead head = head_of(request);
+  if (!may_always_come(head) && !rate_.take(request.remote_addr)) {
+    return Refusal{.status = 429, .why = "too many requests: wait a second"};
+  }
+  auto refusal = refusal_of(head, rules_);
+  if (refusal && refusal->has_wrong_key) rate_.note_wrong_key(request.remote_addr);
+  return refusal;
 }
 
 Server::~Server() {

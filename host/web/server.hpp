@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -11,6 +12,10 @@
 #include "host/web/address.hpp"
 #include "host/web/connections.hpp"
 #include "host/web/guard.hpp"
+
+namespace httplib {
+struct Request;
+}
 
 namespace web {
 
@@ -30,9 +35,12 @@ class Server {
   const Address& address() const { return address_; }
 
  private:
+  std::optional<Refusal> refusal_for(const httplib::Request& request);
+
   spooler::Spooler& spooler_;
   Address address_;
   Rules rules_;
+  RateLimit rate_;
   std::unique_ptr<Listener> server_;
   std::atomic<bool> ends_ = false;
   std::atomic<int> streams_ = 0;

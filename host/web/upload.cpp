@@ -7,6 +7,8 @@
 #include <charconv>
 #include <exception>
 
+#include "host/web/multipart.hpp"
+
 namespace web {
 
 namespace {
@@ -30,71 +32,43 @@ class FormReader {
   FormReader(queue::Store::Upload& upload, const UploadLimits& limits)
       : upload_(upload), limits_(limits) {}
 
-  bool begin_part(const httplib::MultipartFormData& part) {
+  // Throw HttpError.
+  void begin_part(const MultipartReader::Part& part) {
     finish_part();
-    if (++parts_ > most_fields) return fail(400, "too many fields");
+    if (++parts_ > most_fields) throw HttpError(400, "too many fields");
     name_ = part.name;
-    is_file_ = name_ == "file" && !part.filename.empty();
-    if (!is_file_) return true;
-    if (!form.file_name.empty()) return fail(400, "more than one file");
-    form.file_name = part.filename;
-    return is_gcode(form.file_name) ||
-           fail(415,
-                "no G-code: the name `" + queue::cleaned_name(form.file_name) +
-                    "` does not end with .gcode, .gco, .g or .nc (a name ends at a semicolon)");
+    is_file_ = name_ == "file" && part.file_name && !part.file_name->empty();
+    if (!is_file_) return;
+    if (!form.file_name.empty()) throw HttpError(400, "more than one file");
+    form.file_name = *part.file_name;
+    if (is_gcode(form.file_name)) return;
+    throw HttpError(415, "no G-code: the name `" + queue::cleaned_name(form.file_name) +
+                             "` does not end with .gcode, .gco, .g or .nc");
   }
-  bool take(const char* data, std::size_t size) {
-    total_ += size;
-    if (total_ > limits_.bytes) return fail(413, "the file is too long");
-    if (is_file_) {
-      try {
-        upload_.write({data, size});
-      } catch (...) {
-        error_ = std::current_exception();
-        return false;
-      }
-      return true;
-    }
-    if (field_.size() + size > longest_field) return fail(400, "a field is too long");
-    field_.append(data, size);
-    return true;
+  void take(std::string_view data) {
+    total_ += data.size();
+    if (total_ > limits_.bytes) throw HttpError(413, "the file is too long");
+    if (is_file_) return upload_.write(data);
+    if (field_.size() + data.size() > longest_field) throw HttpError(400, "a field is too long");
+    field_ += data;
   }
   void finish_part() {
     if (!is_file_ && name_ == "print") form.prints = is_true(field_);
     field_.clear();
     name_.clear();
   }
-  void rethrow() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
   std::size_t parts() const { return parts_; }
   const std::string& last_name() const { return name_; }
 
   UploadForm form;
 
  private:
-  bool fail(int status, const std::string& why) {
-    error_ = std::make_exception_ptr(HttpError(status, why));
-    return false;
-  }
-
   queue::Store::Upload& upload_;
   UploadLimits limits_;
-  std::exception_ptr error_;
   std::string name_, field_;
   bool is_file_ = false;
   std::size_t total_ = 0, parts_ = 0;
 };
-
-bool has_boundary(const std::string& type) {
-  constexpr std::string_view word = "boundary=";
-  const std::size_t at = type.find(word);
-  if (at == std::string::npos) return false;
-  std::string_view value = std::string_view(type).substr(at + word.size());
-  if (value.starts_with('"')) value.remove_prefix(1);
-  return !value.empty() && std::string_view("\"; ").find(value.front()) == std::string_view::npos;
-}
 
 std::uintmax_t announced_length(const httplib::Request& request) {
   const std::string text = request.get_header_value("Content-Length");
@@ -108,25 +82,34 @@ std::uintmax_t announced_length(const httplib::Request& request) {
 UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
                      const httplib::ContentReader& read, queue::Store::Upload& upload,
                      std::uintmax_t free_bytes, const UploadLimits& limits) {
-  if (!request.is_multipart_form_data()) throw HttpError(400, "a form with a file is expected");
-  if (!has_boundary(request.get_header_value("Content-Type"))) {
-    throw HttpError(400, "the Content-Type has no boundary");
-  }
+  const auto type = form_type_of(request);
+  if (!type) throw HttpError(400, "a form with a file is expected");
+  const auto boundary = boundary_of(*type);
+  if (!boundary) throw HttpError(400, "the Content-Type has no boundary");
   const std::uintmax_t length = announced_length(request);
   if (length > limits.bytes + 64 * 1024) throw HttpError(413, "the file is too long");
   if (free_bytes < length + space_to_leave) throw HttpError(507, "the disk has no room for it");
   FormReader form(upload, limits);
-  const bool whole =
-      read([&form](const httplib::MultipartFormData& part) { return form.begin_part(part); },
-           [&form](const char* data, std::size_t size) { return form.take(data, size); });
-  form.rethrow();
-  if (!whole && response.status == 413) throw HttpError(413, "the form is too long");
-  if (!whole) {
-    throw HttpError(400, form.parts() == 0
-                             ? "no part of the form can be read: it ended early, has another "
-                               "boundary, or a broken chunk or header"
-                             : "the form ended early, or has a broken chunk or header after `" +
-                                   form.last_name() + "`");
+  MultipartReader parts(
+      *boundary, [&form](const MultipartReader::Part& part) { form.begin_part(part); },
+      [&form](std::string_view data) { form.take(data); });
+  std::exception_ptr fault;
+  const bool is_read = read([&](const char* data, std::size_t size) {
+    try {
+      parts.take({data, size});
+    } catch (...) {
+      fault = std::current_exception();
+    }
+    return fault == nullptr;
+  });
+  if (fault) std::rethrow_exception(fault);
+  if (!is_read && response.status == 413) throw HttpError(413, "the form is too long");
+  if (!is_read || !parts.is_whole()) {
+    throw HttpError(
+        400, form.parts() == 0
+                 ? "no part of the form can be read: it ended early, has another "
+                   "boundary, or a broken chunk"
+                 : "the form ended early, or has a broken chunk after `" + form.last_name() + "`");
   }
   form.finish_part();
   if (form.form.file_name.empty()) throw HttpError(400, "the form has no file");

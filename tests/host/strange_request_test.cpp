@@ -98,8 +98,13 @@ TEST_F(WebTest, says_what_is_wrong_with_a_form) {
   EXPECT_THAT(why("; boundary=x", "zz\r\n", "chunked"),
               AllOf(HasSubstr(" 400 "), HasSubstr("broken chunk")));
   EXPECT_THAT(why("; boundary=x", part("a;b.exe")),
-              AllOf(HasSubstr(" 415 "), HasSubstr("a name ends at a semicolon")));
+              AllOf(HasSubstr(" 415 "), HasSubstr("a;b.exe")));
   EXPECT_THAT(why("; boundary=x", part("a.gcode")), HasSubstr(" 201 "));
+  EXPECT_THAT(why("; boundary=x", part("../a;b.gcode")), HasSubstr(" 201 "));
+  EXPECT_EQ(spool().jobs().back().name, "a;b.gcode");
+  EXPECT_THAT(
+      why("; boundary=x\r\nForm-Content-Type: multipart/form-data; boundary=y", part("b.gcode")),
+      HasSubstr(" 201 "));
 }
 
 TEST_F(WebTest, says_what_is_wrong_with_an_address_or_a_method) {
