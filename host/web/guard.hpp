@@ -41,7 +41,7 @@ struct Rules {
 };
 
 // Of the request as such. A caller with a RateLimit asks it before, unless may_always_come(), and
-// tells it of a wrong key.
+// notes a wrong key there.
 bool may_always_come(const RequestHead& request);  // an emergency stop
 std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules);
 

@@ -22,8 +22,8 @@ struct HttpError : std::runtime_error {
   int status;
 };
 
-// httplib would read a form by itself, and cuts names at a semicolon. So a form has its Content-Type
-// in a header that no client can send; nothing where the request has no form.
+// httplib would read a form by itself, and cuts names at a semicolon. So a form has its
+// Content-Type in a header that no client can send; nothing where the request has no form.
 void set_form_type(httplib::Request& request);
 std::optional<std::string> form_type_of(const httplib::Request& request);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delimiters are looked for in what has come; only what may be the begin of one is kept.
+// Delimiters are looked for in what has come; only what may begin one is kept.
 #include "host/web/multipart.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ std::string value_of(std::string_view& text) {
   return value;
 }
 
-// How many bytes at the end of `bytes` may be the begin of the delimiter.
+// How many bytes at the end of `bytes` may begin the delimiter.
 std::size_t begun_at_end(std::string_view bytes, std::string_view delimiter) {
   std::size_t length = std::min(bytes.size(), delimiter.size() - 1);
   while (!delimiter.starts_with(bytes.substr(bytes.size() - length))) --length;

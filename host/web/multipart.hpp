@@ -16,8 +16,9 @@ struct MultipartError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The parameter of a header such as `form-data; name="file"`; of a quoted one what is in the quotes,
-// with semicolons. Nothing where there is none. Throws MultipartError where it is there twice.
+// The parameter of a header such as `form-data; name="file"`; of a quoted one what is in the
+// quotes, with semicolons. Nothing where there is none. Throws MultipartError where it is there
+// twice, or a quote is open.
 std::optional<std::string> parameter_of(std::string_view header, std::string_view name);
 
 // Of a Content-Type; nothing where it has none of 1 to 200 printable characters.

@@ -29,7 +29,7 @@ TEST_F(WebTest, refuses_requests_beyond_the_rate_but_never_the_emergency_stop) {
 }
 
 // As of a program that opens connections without end. That printing goes on is seen in print_test.
-TEST_F(WebTest, serves_a_person_beside_ten_thousand_idle_connections) {
+TEST_F(WebTest, serves_a_person_although_ten_thousand_connections_are_idle) {
   serve({}, {.patience = 1h});
   std::vector<int> idle;
   sockaddr_in address{};
@@ -44,7 +44,7 @@ TEST_F(WebTest, serves_a_person_beside_ten_thousand_idle_connections) {
     idle.push_back(one);
     (void)connect(one, reinterpret_cast<sockaddr*>(&address), sizeof address);
     if (i % 1000 == 999) {
-      EXPECT_EQ(client().Get("/api/v1/state")->status, 200) << "beside " << i + 1;
+      EXPECT_EQ(client().Get("/api/v1/state")->status, 200) << i + 1;
     }
   }
   EXPECT_GE(idle.size(), 500u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spooler and feeder are killed, or their machine loses power, at random instants while jobs come and
-// are printed one after the other: each acknowledged job is printed once, line by line.
+// Spooler and feeder are killed, or their machine loses power, at random instants while jobs come
+// and are printed one after the other: each acknowledged job is printed once, line by line.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often a random test is done, and from which seed: so many in CI, more by a variable of the
-// environment.
+// How often a random test is done, and from which seed: so many in CI, more by variables of the
+// process's environment.
 #pragma once
 
 #include <cstdlib>

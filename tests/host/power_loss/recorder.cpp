@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library for LD_PRELOAD: writes down, in their order, what a program and its children do with the
-// files below a folder. Nothing is really synchronised.
+// A library for LD_PRELOAD: writes down, in their order, what a program and its children do with
+// the files below a folder. Nothing is really synchronised.
 //   RECORDER_FOLDER  files below it are recorded
 //   RECORDER_LOG     outside of it: one record after the other, of all processes
 //   RECORDER_FAULT   what the program is made to do wrong: no_file_sync, no_folder_sync,

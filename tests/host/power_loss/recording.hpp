@@ -25,8 +25,7 @@ class Recording {
   void begin();
   // To be called when all these programs have ended.
   std::vector<Record> end();
-  // The power is lost after so many operations. Returns what was said on standard outputs until
-  // then.
+  // The power is lost after so many operations. Returns what standard outputs had said until then.
   std::string cut(const std::vector<Record>& records, std::size_t operations, std::mt19937& random);
 
  private:
