@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "host/queue/store.hpp"
+
 namespace queue {
 
 namespace {
@@ -35,6 +37,9 @@ Database::Database(const std::filesystem::path& file) {
     throw std::runtime_error("job database: no write-ahead log is possible in " +
                              file.parent_path().string());
   }
+  // SQLite does not see to it that the removal of the journal with which it began the log is on the
+  // disk. A loss of power would bring it back, and undo the whole database with it.
+  sync_folder(std::filesystem::absolute(file).parent_path());
   execute("PRAGMA synchronous=FULL");
   execute("PRAGMA foreign_keys=ON");
 }
