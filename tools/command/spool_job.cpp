@@ -11,6 +11,7 @@
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
+#include "tools/command/privileges.hpp"
 #include "tools/command/signals.hpp"
 
 namespace command {
@@ -39,6 +40,16 @@ spooler::Settings settings_of(const SpoolOptions& options) {
           .simulation_speed = options.simulation_speed};
 }
 
+void refuse_to_serve_as_root(const web::Address& address, const SpoolOptions& options) {
+  if (!is_root() || options.allows_root) return;
+  if (!web::is_loopback(address.host)) {
+    throw std::runtime_error("other machines reach " + web::written(address) +
+                             ": not as root; --user NAME runs as that user, --allow-root as root "
+                             "all the same");
+  }
+  say_to(stderr, "stepfabric: the spooler runs as root; --user NAME runs as that user\n");
+}
+
 void greet(const web::Server& server, const spooler::Settings& settings) {
   say("spooling on http://{}/, data in {}\n", web::written(server.address()),
       settings.data.string());
@@ -53,10 +64,12 @@ void greet(const web::Server& server, const spooler::Settings& settings) {
 
 int spool(const SpoolOptions& options) {
   let_writes_fail();
+  if (!options.user.empty()) become_user(options.user);
   const spooler::Settings settings = settings_of(options);
   const web::Address address = web::address_of(options.listen);
   web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
                    .names = options.host_names};
+  refuse_to_serve_as_root(address, options);
   build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);
   const web::Server server(spooler, address, std::move(rules));
