@@ -107,7 +107,11 @@ class Powerless {
     const auto records = recording_.end();
     const std::size_t operations = power_loss::random_cut(records, random);
     acknowledged.hear(recording_.cut(records, operations, random));
-    return acknowledged.violation(recording_.folder());
+    // In a copy: who looks writes too, and is not recorded.
+    const std::filesystem::path copy = folder_.path() / "copy";
+    std::filesystem::remove_all(copy);
+    std::filesystem::copy(recording_.folder(), copy, std::filesystem::copy_options::recursive);
+    return acknowledged.violation(copy);
   }
   Acknowledged acknowledged;
 

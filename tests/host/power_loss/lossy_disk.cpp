@@ -92,6 +92,11 @@ void LossyDisk::apply(const Record& record) {
   }
 }
 
+void LossyDisk::skip(const Record& record) {
+  const auto found = files_.find(record.head.inode);
+  if (found != files_.end()) found->second->is_restored = false;
+}
+
 void LossyDisk::apply_to(std::string& bytes, const Change& change) {
   if (change.is_truncate) {
     bytes.resize(change.at);

@@ -29,6 +29,8 @@ class LossyDisk {
   explicit LossyDisk(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   void apply(const Record& record);
+  // It came after the loss, so what the folder has of its file is not to be trusted.
+  void skip(const Record& record);
   // Of each file that is not synchronised: nothing, all, the first part of what was written with a
   // torn end, or any of its sectors of 512 bytes; of changes of names the first ones or any.
   void lose_power(std::mt19937& random);

@@ -35,7 +35,11 @@ std::vector<Record> Recording::end() {
 std::string Recording::cut(const std::vector<Record>& records, std::size_t operations,
                            std::mt19937& random) {
   std::string said;
-  for (std::size_t i = 0; i < operations && i < records.size(); ++i) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i >= operations) {
+      disk_.skip(records[i]);
+      continue;
+    }
     if (records[i].head.kind == Kind::said) said += records[i].first;
     disk_.apply(records[i]);
   }
