@@ -8,8 +8,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "host/web/address.hpp"
-
 namespace web {
 
 namespace {
@@ -36,6 +34,12 @@ bool needs_key(std::string_view path) {
 }
 
 }  // namespace
+
+void check_reach(const Address& address, const Rules& rules) {
+  if (is_loopback(address.host) || !rules.key.empty()) return;
+  throw std::runtime_error("other machines reach " + written(address) +
+                           ": a key is needed (--key FILE)");
+}
 
 bool equal_in_constant_time(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;

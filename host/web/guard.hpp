@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/web/address.hpp"
 #include "host/web/rate.hpp"
 
 namespace web {
@@ -43,6 +44,9 @@ struct Rules {
 // Of the request as such. A caller with a RateLimit asks it before, unless may_always_come(), and
 // notes a wrong key there.
 bool may_always_come(const RequestHead& request);  // an emergency stop
+// Throws std::runtime_error where other machines reach the address and there is no key.
+void check_reach(const Address& address, const Rules& rules);
+
 std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules);
 
 }  // namespace web

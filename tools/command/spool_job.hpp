@@ -21,6 +21,8 @@ struct SpoolOptions {
   std::vector<std::string> host_names;
   std::string user;  // that the spooler becomes; empty: as it was started
   bool allows_root = false;  // also where other machines reach it
+  std::string moonraker;  // address of the first printer's; empty: none
+  std::filesystem::path frontend;
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";
 };
