@@ -14,7 +14,7 @@ namespace moonraker {
 namespace {
 
 constexpr std::size_t workers = 32;
-constexpr std::string_view socket_path = "/websocket";
+constexpr std::string_view socket_path = "/websocket", stop_path = "/printer/emergency_stop";
 
 web::Rules without_key(web::Rules rules) {
   rules.key.clear();
@@ -42,6 +42,7 @@ Server::Server(spooler::Spooler& spooler, SettingsStore& settings, const Options
             .hub = Hub(options.hub)},
       address_(options.address),
       rules_(without_key(options.rules)),
+      rate_(options.rules.rate),
       sockets_(core_, methods_, options.sockets),
       listener_(options.wait, workers) {
   web::check_reach(address_, options.rules);
@@ -51,8 +52,9 @@ Server::Server(spooler::Spooler& spooler, SettingsStore& settings, const Options
   set_headers(listener_);
   listener_.set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
-        const auto refusal = refusal_of(request);
+        const auto refusal = refusal_for(request);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+        if (refusal->status == 429) response.set_header("Retry-After", "1");
         answer_error(response, {refusal->status, refusal->why});
         return httplib::Server::HandlerResponse::Handled;
       });
@@ -77,6 +79,16 @@ bool Server::has_key(const httplib::Request& request) {
          core_.access.take_oneshot(request.get_param_value("token"));
 }
 
+std::optional<web::Refusal> Server::refusal_for(const httplib::Request& request) {
+  const bool is_stop = request.method == "POST" && request.path == stop_path;
+  if (!is_stop && !rate_.take(request.remote_addr)) {
+    return web::Refusal{.status = 429, .why = "too many requests: wait a second"};
+  }
+  auto refusal = refusal_of(request);
+  if (refusal && refusal->has_wrong_key) rate_.note_wrong_key(request.remote_addr);
+  return refusal;
+}
+
 std::optional<web::Refusal> Server::refusal_of(const httplib::Request& request) {
   if (auto fault = web::fault_of(request)) return fault;
   web::RequestHead head = web::head_of(request);
@@ -89,11 +101,13 @@ std::optional<web::Refusal> Server::refusal_of(const httplib::Request& request) 
     return method.needs_no_key && !method.path.empty() && method.path == head.path;
   });
   if (is_open || has_key(request)) return std::nullopt;
-  return web::Refusal{401, "Unauthorized: the key is missing or wrong (header X-Api-Key)"};
+  return web::Refusal{.status = 401,
+                      .why = "Unauthorized: the key is missing or wrong (header X-Api-Key)",
+                      .has_wrong_key = !head.key.empty()};
 }
 
 web::Listener::Taker Server::taker_for(const httplib::Request& request) {
-  if (request.path != socket_path || refusal_of(request)) return {};
+  if (request.path != socket_path || refusal_for(request)) return {};
   const Handshake handshake{.is_http_1_1 = request.version == "HTTP/1.1",
                             .target = std::string(socket_path),
                             .host = request.get_header_value("Host"),

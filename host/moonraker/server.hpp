@@ -44,6 +44,8 @@ class Server {
   const std::string& printer() const { return core_.printer; }
 
  private:
+  // With the limit of requests for each client.
+  std::optional<web::Refusal> refusal_for(const httplib::Request& request);
   std::optional<web::Refusal> refusal_of(const httplib::Request& request);
   bool has_key(const httplib::Request& request);
   web::Listener::Taker taker_for(const httplib::Request& request);
@@ -52,6 +54,7 @@ class Server {
   const Methods methods_;
   web::Address address_;
   web::Rules rules_;  // without the key, which is the core's
+  web::RateLimit rate_;
   Sockets sockets_;
   web::Listener listener_;
   std::unique_ptr<Broadcaster> broadcaster_;
