@@ -53,7 +53,7 @@ TEST_F(SpooledPrint, refuses_to_start_where_it_may_not) {
     arguments.insert(arguments.begin(), {stepfabric, "spool", "--data", folder / "data"});
     return process::capture({.arguments = arguments, .has_input = false});
   };
-  const auto open = refused({"--listen", "0.0.0.0:0"});
+  const auto open = refused({"--listen", "0.0.0.0:0", "--allow-root"});
   EXPECT_EQ(open.exit_status, 2);
   EXPECT_THAT(open.output, testing::HasSubstr("--key"));
   EXPECT_EQ(refused({"--printer", "left"}).exit_status, 2);
