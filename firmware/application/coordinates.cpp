@@ -107,8 +107,7 @@ Positions Coordinates::machine_target(const Positions& target, const Positions& 
 void Coordinates::take_feedrate(const gcode::Command& command) {
   const auto per_minute = rounded_length(command, 'F');
   if (!per_minute || per_minute->count() <= 0) return;
-  constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
-  const std::int64_t speed = divided(per_minute->count(), nanometers_per_minute);
+  const std::int64_t speed = divided(per_minute->count(), motion::nanometers_per_minute);
   feedrate_ = units::MicrometersPerSecond(
       static_cast<std::int32_t>(std::clamp<std::int64_t>(speed, 1, motion::max_speed.count())));
 }

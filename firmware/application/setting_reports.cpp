@@ -43,11 +43,10 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
     return line;
   }
   if (code >= 207) {
-    constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
     const motion::Retraction& retraction = limits.retraction;
     const auto put_values = [&](units::Nanometers length, units::MicrometersPerSecond speed) {
       put(line, 'S', length.count(), inches);
-      put(line, 'F', speed.count() * nanometers_per_minute, inches);
+      put(line, 'F', speed.count() * motion::nanometers_per_minute, inches);
     };
     if (code == 208) {
       put_values(retraction.extra, retraction.recovery_speed);

@@ -32,7 +32,6 @@ Accepted set_retraction(units::Nanometers& place, units::Nanometers value,
 }
 
 Accepted set_speed_per_minute(units::MicrometersPerSecond& place, units::Nanometers per_minute) {
-  constexpr std::int64_t nanometers_per_minute = 60'000;  // in one um/s
   const std::int64_t speed = per_minute.count() / nanometers_per_minute;
   if (speed > max_speed.count()) return std::unexpected(Fault::speed_out_of_range);
   const auto narrow = static_cast<std::int32_t>(std::max<std::int64_t>(speed, 0));

@@ -64,6 +64,9 @@ inline constexpr units::MicrometersPerSecondSquared max_acceleration{100'000'000
 inline constexpr units::Nanometers max_junction_deviation{1'000'000};
 inline constexpr units::Nanometers max_retraction{100'000'000};  // and lift
 
+// Feedrates of G-code are per minute: so many nm/min are one um/s.
+inline constexpr std::int64_t nanometers_per_minute = 60'000;
+
 // A value out of range changes nothing and is returned as the fault to report.
 using Accepted = std::expected<void, Fault>;
 
