@@ -8,6 +8,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "host/web/ascii.hpp"
+
 namespace web {
 
 namespace {
@@ -20,13 +22,6 @@ bool is_ipv4(const std::string& host) {
 bool is_ipv6(const std::string& host) {
   in6_addr address{};
   return inet_pton(AF_INET6, host.c_str(), &address) == 1;
-}
-
-bool equal_names(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  };
-  return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 struct Parts {

@@ -5,18 +5,15 @@
 #include <algorithm>
 #include <charconv>
 
+#include "host/web/ascii.hpp"
+
 namespace web {
 
 namespace {
 
 constexpr std::size_t longest_boundary = 200;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-bool equal_names(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

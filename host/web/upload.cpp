@@ -7,6 +7,7 @@
 #include <charconv>
 #include <exception>
 
+#include "host/web/ascii.hpp"
 #include "host/web/multipart.hpp"
 
 namespace web {
@@ -17,10 +18,8 @@ constexpr std::size_t longest_field = 4096;
 constexpr std::size_t most_fields = 20;
 constexpr std::uintmax_t space_to_leave = 64 * 1024 * 1024;
 
-bool is_gcode(std::string name) {
-  std::ranges::transform(name, name.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+bool is_gcode(const std::string& file_name) {
+  const std::string name = lower(file_name);
   constexpr std::array<std::string_view, 4> endings{".gcode", ".gco", ".g", ".nc"};
   return std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
 }
