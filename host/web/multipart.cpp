@@ -153,9 +153,17 @@ std::size_t MultipartReader::step(std::string_view bytes) {
     case State::head:
       return take_head(bytes);
     case State::end:
+      skip(bytes.size());
       return bytes.size();
   }
   return bytes.size();
+}
+
+void MultipartReader::skip(std::size_t bytes) {
+  skipped_ += bytes;
+  if (skipped_ <= longest_head) return;
+  throw MultipartError(is_whole() ? "too much follows the last delimiter of the form"
+                                  : "the form has another boundary");
 }
 
 std::size_t MultipartReader::take_data(std::string_view bytes) {
@@ -165,8 +173,7 @@ std::size_t MultipartReader::take_data(std::string_view bytes) {
   if (state_ == State::body) {
     if (size > 0) data_(bytes.substr(0, size));
   } else {
-    skipped_ += size;
-    if (skipped_ > longest_head) throw MultipartError("the form has another boundary");
+    skip(size);
   }
   if (ends) state_ = State::after_delimiter;
   return ends ? size + delimiter_.size() : size;
@@ -181,6 +188,7 @@ std::size_t MultipartReader::take_delimiter_end(std::string_view bytes) {
   if (bytes.size() < 2) return 0;
   if (bytes.starts_with("--")) {
     state_ = State::end;
+    skipped_ = 0;
   } else if (bytes.starts_with("\r\n")) {
     state_ = State::head;
   } else {

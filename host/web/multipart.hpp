@@ -33,7 +33,8 @@ class MultipartReader {
     std::string name;
     std::optional<std::string> file_name;  // as the client sends it: not cleaned
   };
-  static constexpr std::size_t longest_head = 8192;  // bytes, of a part, or before the first one
+  // Also of what is before the first part, and of what is behind the last one.
+  static constexpr std::size_t longest_head = 8192;  // bytes, of a part
 
   // `data` belongs to the part that began last.
   MultipartReader(const std::string& boundary, std::function<void(const Part&)> begin,
@@ -49,6 +50,7 @@ class MultipartReader {
   enum class State : unsigned char { before, after_delimiter, head, body, end };
 
   std::size_t step(std::string_view bytes);
+  void skip(std::size_t bytes);
   std::size_t take_data(std::string_view bytes);
   std::size_t take_delimiter_end(std::string_view bytes);
   std::size_t take_head(std::string_view bytes);
@@ -58,7 +60,7 @@ class MultipartReader {
   std::function<void(std::string_view)> data_;
   State state_ = State::before;
   std::string rest_ = "\r\n";  // that is not used yet; the first delimiter needs no line end
-  std::size_t skipped_ = 0;  // before the first delimiter
+  std::size_t skipped_ = 0;  // before the first delimiter, or behind the last one
 };
 
 }  // namespace web

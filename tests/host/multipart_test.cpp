@@ -91,6 +91,17 @@ TEST(multipart, refuses_what_can_be_read_in_two_ways_or_not_at_all) {
   }
 }
 
+TEST(multipart, refuses_much_that_follows_its_end) {
+  const std::string form = part("name=a", "data") + "--x--";
+  const std::size_t most = MultipartReader::longest_head;
+  EXPECT_TRUE(read(form + std::string(most, ' '), 100).is_whole);
+  EXPECT_THROW(read(form + std::string(most + 1, ' '), 100), MultipartError);
+  EXPECT_THROW(read("--x--" + std::string(most + 1, ' '), 7), MultipartError);
+  const std::string before = std::string(most - 2, ' ') + "\r\n";
+  EXPECT_TRUE(read(before + form + std::string(most, ' '), 100).is_whole)
+      << "each end has its own limit";
+}
+
 TEST(multipart, takes_boundaries_of_printable_characters) {
   EXPECT_EQ(web::boundary_of("multipart/form-data; boundary=\"a b;c\"; charset=x"), "a b;c");
   EXPECT_EQ(web::boundary_of("multipart/form-data;BOUNDARY=x"), "x");
