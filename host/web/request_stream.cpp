@@ -71,7 +71,6 @@ Clock::time_point RequestStream::due() const {
 }
 
 ssize_t RequestStream::read(char* bytes, std::size_t size) {
-  if (used_ == filled_ && head_ended_ && size >= buffer_.size()) return receive(bytes, size);
   if (used_ == filled_ && !fill()) return ended_ ? -1 : 0;
   const std::size_t count = std::min(size, filled_ - used_);
   std::copy_n(buffer_.data() + used_, count, bytes);
@@ -79,9 +78,9 @@ ssize_t RequestStream::read(char* bytes, std::size_t size) {
   return static_cast<ssize_t>(count);
 }
 
-// Waits for them. 0 at the end of the connection, -1 where the request is given up.
-ssize_t RequestStream::receive(char* bytes, std::size_t size) {
-  if (ended_) return -1;
+// Waits for more. False at the end of the connection, or where the request is given up.
+bool RequestStream::fill() {
+  if (ended_) return false;
   bool is_there = wait_for(awaited_.socket, POLLIN, milliseconds(0));
   if (!is_there) {
     awaited_.due = due();
@@ -92,25 +91,18 @@ ssize_t RequestStream::receive(char* bytes, std::size_t size) {
   }
   if (awaited_.given_up) {
     answer_and_end("503 Service Unavailable", "too many requests are on their way: try again");
-    return -1;
+    return false;
   }
   if (!is_there || Clock::now() > due()) {
     answer_and_end("408 Request Timeout", "the request came too slowly");
-    return -1;
+    return false;
   }
-  const ssize_t count = recv(awaited_.socket, bytes, size, 0);
-  if (count <= 0) return 0;
-  total_ += static_cast<std::size_t>(count);
-  read_at_ = Clock::now();
-  return count;
-}
-
-// False at the end of the connection.
-bool RequestStream::fill() {
-  const ssize_t count = receive(buffer_.data(), buffer_.size());
+  const ssize_t count = recv(awaited_.socket, buffer_.data(), buffer_.size(), 0);
   if (count <= 0) return false;
+  read_at_ = Clock::now();
   used_ = 0;
   filled_ = static_cast<std::size_t>(count);
+  total_ += filled_;
   if (!head_ended_) follow_head();
   return !ended_;
 }

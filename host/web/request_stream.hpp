@@ -30,7 +30,6 @@ class RequestStream final : public httplib::Stream {
 
  private:
   Clock::time_point due() const;
-  ssize_t receive(char* bytes, std::size_t size);
   bool fill();
   void follow_head();
   void answer_and_end(const char* status, const char* why);
