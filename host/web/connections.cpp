@@ -4,9 +4,9 @@
 
 #include <sys/socket.h>
 
-#include <algorithm>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace web {
 
@@ -23,7 +23,7 @@ void Connections::enter(Awaited& connection) {
   };
   Awaited* first = nullptr;
   for (Awaited* each : awaited_) {
-    if (each == &connection || each->given_up) continue;
+    if (each == &connection) continue;
     if (first == nullptr || goes_before(*each, *first)) first = each;
   }
   if (first != nullptr) give_up(*first);
@@ -37,11 +37,12 @@ void Connections::leave(Awaited& connection) {
 void Connections::end() {
   const std::scoped_lock lock(mutex_);
   ends_ = true;
-  std::ranges::for_each(awaited_, [](Awaited* each) { give_up(*each); });
+  for (Awaited* each : std::exchange(awaited_, {})) give_up(*each);
 }
 
-// Its thread wakes up and finds the end of what it reads.
+// Its thread wakes up and finds the end of what it reads. Until then it counts no more.
 void Connections::give_up(Awaited& connection) {
+  awaited_.erase(&connection);
   connection.given_up = true;
   shutdown(connection.socket, SHUT_RD);
 }

@@ -18,7 +18,7 @@ struct WaitLimits {
   double bytes_per_second = 2000;
   std::size_t longest_head = 32 * 1024;  // bytes
   // So many connections are waited for. Of more, the one that is due first is closed, of the client
-  // that has most: one client cannot push out another one.
+  // that has most, so one with many pushes out its own ones.
   std::size_t most_waiting = 24;
 };
 
@@ -45,11 +45,11 @@ class Connections {
   void end();
 
  private:
-  static void give_up(Awaited& connection);
+  void give_up(Awaited& connection);
 
   WaitLimits limits_;
   std::mutex mutex_;
-  std::set<Awaited*> awaited_;
+  std::set<Awaited*> awaited_;  // without those given up
   bool ends_ = false;
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of rate and connections, each for its client: one client takes nothing from another one.
+// Limits of rate and of connections that are waited for, each for its client. Streams of events are
+// counted together.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -85,6 +87,23 @@ TEST(connections, a_client_with_many_pushes_out_its_own_ones) {
   EXPECT_FALSE(slow.awaited.given_up);
   EXPECT_TRUE(many.front()->awaited.given_up);
   EXPECT_FALSE(many.back()->awaited.given_up);
+}
+
+// Their threads need some time to end them.
+TEST(connections, those_that_are_given_up_count_no_more) {
+  web::Connections all({.most_waiting = 4});
+  std::vector<std::unique_ptr<Waiting>> many;
+  for (int i = 0; i < 8; ++i) many.push_back(std::make_unique<Waiting>(all, "192.0.2.2", 10s));
+  const auto given_up = [&] {
+    return std::ranges::count_if(many,
+                                 [](const auto& each) { return each->awaited.given_up.load(); });
+  };
+  EXPECT_EQ(given_up(), 4);
+  many.pop_back();  // one that is still waited for
+  const Waiting another(all, "192.0.2.1", 10s);
+  EXPECT_EQ(given_up(), 4) << "four are waited for, which is not too many";
+  const Waiting last(all, "192.0.2.1", 1s);
+  EXPECT_EQ(given_up(), 5) << "of the client that has three, not of the one with two";
 }
 
 }  // namespace
