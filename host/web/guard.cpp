@@ -35,6 +35,17 @@ bool needs_key(std::string_view path) {
   return path != "/" && path != "/page.css" && path != "/page.js";
 }
 
+// Of one printer: its route and no other.
+bool is_emergency_stop(const RequestHead& request) {
+  constexpr std::string_view begin = "/api/v1/printers/", end = "/stop";
+  std::string_view name = request.path;
+  if (request.method != "POST" || !name.starts_with(begin)) return false;
+  name.remove_prefix(begin.size());
+  if (!name.ends_with(end)) return false;
+  name.remove_suffix(end.size());
+  return !name.empty() && !name.contains('/');
+}
+
 }  // namespace
 
 bool equal_in_constant_time(std::string_view a, std::string_view b) {
@@ -65,24 +76,21 @@ std::string read_key(const std::filesystem::path& file) {
   return key;
 }
 
-bool may_always_come(const RequestHead& request) {
-  return request.method == "POST" && request.path.starts_with("/api/v1/printers/") &&
-         request.path.ends_with("/stop");
-}
-
-std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules) {
-  if (!is_own_name(request.host, rules.names)) {
+std::optional<Refusal> Guard::refusal_of(const RequestHead& request, std::string_view address) {
+  RateLimit& rate = is_emergency_stop(request) ? stop_rate_ : rate_;
+  if (!rate.take(address)) return Refusal{.status = 429, .why = "too many requests: wait a second"};
+  if (request.fault) return request.fault;
+  if (!is_own_name(request.host, rules_.names)) {
     return Refusal{.status = 403,
                    .why = "this server is not named so; --host-name gives it a name"};
   }
   if (!changes_nothing(request.method) && comes_from_another_site(request)) {
     return Refusal{.status = 403, .why = "a page of another site may change nothing"};
   }
-  if (!rules.key.empty() && needs_key(request.path) &&
-      !equal_in_constant_time(request.key, rules.key)) {
-    return Refusal{.status = 403,
-                   .why = "the key is missing or wrong (header X-Api-Key)",
-                   .has_wrong_key = !request.key.empty()};
+  if (!rules_.key.empty() && needs_key(request.path) &&
+      !equal_in_constant_time(request.key, rules_.key)) {
+    if (!request.key.empty()) rate.note_wrong_key(address);
+    return Refusal{.status = 403, .why = "the key is missing or wrong (header X-Api-Key)"};
   }
   return std::nullopt;
 }

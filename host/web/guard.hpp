@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/web/rate.hpp"
@@ -19,6 +20,11 @@ bool equal_in_constant_time(std::string_view a, std::string_view b);
 // Throws std::runtime_error where it is no such key.
 std::string read_key(const std::filesystem::path& file);
 
+struct Refusal {
+  int status{};
+  std::string why;
+};
+
 struct RequestHead {
   std::string method;
   std::string path;
@@ -26,23 +32,30 @@ struct RequestHead {
   std::optional<std::string> origin;
   std::optional<std::string> fetch_site;  // header Sec-Fetch-Site
   std::string key;  // header X-Api-Key, or the token of Authorization: Bearer
-};
-
-struct Refusal {
-  int status{};
-  std::string why;
-  bool has_wrong_key = false;
+  std::optional<Refusal> fault;  // of the head itself
 };
 
 struct Rules {
   std::string key;  // empty: none is needed
   std::vector<std::string> names;  // of this server, apart from addresses and localhost
   RateLimits rate{};
+  RateLimits stop_rate{.burst = 20, .per_second = 5};  // of emergency stops, which have their own
 };
 
-// Of the request as such. A caller with a RateLimit asks it before, unless may_always_come(), and
-// notes a wrong key there.
-bool may_always_come(const RequestHead& request);  // an emergency stop
-std::optional<Refusal> refusal_of(const RequestHead& request, const Rules& rules);
+// For any thread.
+class Guard {
+ public:
+  explicit Guard(Rules rules)
+      : rules_(std::move(rules)), rate_(rules_.rate), stop_rate_(rules_.stop_rate) {}
+
+  bool has_key() const { return !rules_.key.empty(); }
+  // 429 beyond the rate, for which each request counts, also a refused one; then the fault of the
+  // head; 403 for another name, another site, a missing or wrong key. `address`: the client's.
+  std::optional<Refusal> refusal_of(const RequestHead& request, std::string_view address);
+
+ private:
+  const Rules rules_;
+  RateLimit rate_, stop_rate_;
+};
 
 }  // namespace web

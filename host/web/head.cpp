@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "host/web/ascii.hpp"
+
 namespace web {
 
 namespace {
@@ -16,19 +18,10 @@ constexpr std::array single_headers{"Host",         "X-Api-Key",      "Authoriza
 constexpr std::size_t most_digits = 18;
 constexpr std::string_view bearer = "bearer ";
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 bool is_length(std::string_view text) {
   return !text.empty() && text.size() <= most_digits &&
          std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
-
-}  // namespace
 
 std::optional<Refusal> fault_of(const httplib::Request& request) {
   for (const char* name : single_headers) {
@@ -54,6 +47,8 @@ std::optional<Refusal> fault_of(const httplib::Request& request) {
   return std::nullopt;
 }
 
+}  // namespace
+
 RequestHead head_of(const httplib::Request& request) {
   const auto header = [&request](const char* name) -> std::optional<std::string> {
     if (!request.has_header(name)) return std::nullopt;
@@ -70,7 +65,8 @@ RequestHead head_of(const httplib::Request& request) {
           .host = request.get_header_value("Host"),
           .origin = header("Origin"),
           .fetch_site = header("Sec-Fetch-Site"),
-          .key = std::move(key)};
+          .key = std::move(key),
+          .fault = fault_of(request)};
 }
 
 }  // namespace web

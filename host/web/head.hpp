@@ -2,17 +2,13 @@
 // What a request says in its head, and what no head may say.
 #pragma once
 
-#include <optional>
-
 #include "host/web/guard.hpp"
 #include "host/web/http.hpp"
 
 namespace web {
 
-// A head that can be read in two ways, so that a proxy may understand another request: 400, or 417
-// for an unknown Expect.
-std::optional<Refusal> fault_of(const httplib::Request& request);
-
+// Its fault is that the head can be read in two ways, so that a proxy may understand another
+// request: 400, or 417 for an unknown Expect.
 RequestHead head_of(const httplib::Request& request);
 
 }  // namespace web

@@ -41,17 +41,16 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
                const WaitLimits& limits)
     : spooler_(spooler),
       address_(address),
-      rules_(std::move(rules)),
-      rate_(rules_.rate),
+      guard_(std::move(rules)),
       server_(std::make_unique<Listener>(limits)) {
-  if (!is_loopback(address_.host) && rules_.key.empty()) {
+  if (!is_loopback(address_.host) && !guard_.has_key()) {
     throw std::runtime_error("other machines reach " + written(address_) +
                              ": a key is needed (--key FILE)");
   }
   set_limits(*server_);
   server_->set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
-        const auto refusal = refusal_for(request);
+        const auto refusal = guard_.refusal_of(head_of(request), request.remote_addr);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
         if (refusal->status == 429) response.set_header("Retry-After", "1");
         answer_error(response, refusal->status, refusal->why);
@@ -72,17 +71,6 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
   server_->queue_connections();
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   server_->wait_until_ready();
-}
-
-std::optional<Refusal> Server::refusal_for(const httplib::Request& request) {
-  if (auto fault = fault_of(request)) return fault;
-  const RequestHead head = head_of(request);
-  if (!may_always_come(head) && !rate_.take(request.remote_addr)) {
-    return Refusal{.status = 429, .why = "too many requests: wait a second"};
-  }
-  auto refusal = refusal_of(head, rules_);
-  if (refusal && refusal->has_wrong_key) rate_.note_wrong_key(request.remote_addr);
-  return refusal;
 }
 
 Server::~Server() {

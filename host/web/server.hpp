@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -12,10 +11,6 @@
 #include "host/web/address.hpp"
 #include "host/web/connections.hpp"
 #include "host/web/guard.hpp"
-
-namespace httplib {
-struct Request;
-}
 
 namespace web {
 
@@ -35,12 +30,9 @@ class Server {
   const Address& address() const { return address_; }
 
  private:
-  std::optional<Refusal> refusal_for(const httplib::Request& request);
-
   spooler::Spooler& spooler_;
   Address address_;
-  Rules rules_;
-  RateLimit rate_;
+  Guard guard_;
   std::unique_ptr<Listener> server_;
   std::atomic<bool> ends_ = false;
   std::atomic<int> streams_ = 0;

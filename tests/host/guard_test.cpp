@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "host/web/address.hpp"
 #include "tests/temporary_folder.hpp"
@@ -47,23 +51,36 @@ TEST(own_name, is_an_address_or_a_name_that_was_given) {
   }
 }
 
+constexpr std::string_view here = "192.0.2.1";
+
 RequestHead request(const std::string& method, const std::string& path = "/api/job") {
   return {.method = method,
           .path = path,
           .host = "localhost:5080",
           .origin = {},
           .fetch_site = {},
-          .key = {}};
+          .key = {},
+          .fault = {}};
+}
+
+// Of a server that has answered nothing yet.
+std::optional<Refusal> refusal_of(const RequestHead& head, const Rules& rules = {}) {
+  return Guard(rules).refusal_of(head, here);
+}
+
+int status_of(Guard& guard, const RequestHead& head, std::string_view client = here) {
+  const auto refusal = guard.refusal_of(head, client);
+  return refusal ? refusal->status : 200;
 }
 
 TEST(guard, lets_programs_of_this_machine_and_its_own_page_do_everything) {
   RequestHead post = request("POST");
-  EXPECT_FALSE(refusal_of(post, {}));
+  EXPECT_FALSE(refusal_of(post));
   post.origin = "http://localhost:5080";
   post.fetch_site = "same-origin";
-  EXPECT_FALSE(refusal_of(post, {}));
+  EXPECT_FALSE(refusal_of(post));
   post.origin = "https://localhost:5080";
-  EXPECT_FALSE(refusal_of(post, {})) << "through a proxy with TLS";
+  EXPECT_FALSE(refusal_of(post)) << "through a proxy with TLS";
 }
 
 TEST(guard, lets_pages_of_other_sites_change_nothing) {
@@ -72,11 +89,11 @@ TEST(guard, lets_pages_of_other_sites_change_nothing) {
                                "http://localhost:5081", "http://localhost:5080.evil.example"}) {
       RequestHead forged = request(method);
       forged.origin = origin;
-      EXPECT_EQ(refusal_of(forged, {}).value().status, 403) << method << " " << origin;
+      EXPECT_EQ(refusal_of(forged).value().status, 403) << method << " " << origin;
     }
     RequestHead forged = request(method);
     forged.fetch_site = "cross-site";
-    EXPECT_TRUE(refusal_of(forged, {})) << method;
+    EXPECT_TRUE(refusal_of(forged)) << method;
   }
 }
 
@@ -85,7 +102,7 @@ TEST(guard, refuses_names_that_are_not_its_own_for_every_method) {
     RequestHead rebound = request(method, "/");
     rebound.host = "evil.example:5080";
     rebound.origin = "http://evil.example:5080";
-    EXPECT_TRUE(refusal_of(rebound, {})) << method;
+    EXPECT_TRUE(refusal_of(rebound)) << method;
   }
 }
 
@@ -105,6 +122,66 @@ TEST(guard, wants_the_key_for_all_but_the_page) {
   for (const char* path : {"/", "/page.js", "/page.css"}) {
     EXPECT_FALSE(refusal_of(request("GET", path), rules)) << path;
   }
+}
+
+const std::string stop = "/api/v1/printers/left/stop";
+
+TEST(guard, counts_refused_requests_and_faulty_heads_too) {
+  RequestHead faulty = request("GET"), foreign = request("GET"), forged = request("POST");
+  faulty.fault = Refusal{.status = 400, .why = "two hosts"};
+  foreign.host = "evil.example";
+  forged.origin = "http://evil.example";
+  for (const auto& [head, status] : {std::pair(faulty, 400), {foreign, 403}, {forged, 403}}) {
+    Guard guard({.key = {}, .names = {}, .rate = {.burst = 5, .per_second = 0}});
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(status_of(guard, head), status);
+    EXPECT_EQ(status_of(guard, head), 429);
+    EXPECT_EQ(status_of(guard, request("GET")), 429);
+    EXPECT_EQ(status_of(guard, request("GET"), "192.0.2.2"), 200) << "another client";
+  }
+}
+
+TEST(guard, gives_emergency_stops_a_limit_of_their_own) {
+  Guard guard({.key = {},
+               .names = {},
+               .rate = {.burst = 0, .per_second = 0},
+               .stop_rate = {.burst = 2, .per_second = 0}});
+  EXPECT_EQ(status_of(guard, request("GET")), 429);
+  EXPECT_EQ(status_of(guard, request("POST", stop)), 200) << "although all others are used up";
+  EXPECT_EQ(status_of(guard, request("POST", stop)), 200);
+  EXPECT_EQ(status_of(guard, request("POST", stop)), 429);
+  EXPECT_EQ(status_of(guard, request("POST", stop), "192.0.2.2"), 200) << "another client";
+}
+
+TEST(guard, usually_takes_some_emergency_stops_at_once) {
+  Guard guard({});
+  int taken = 0;
+  while (taken < 400 && status_of(guard, request("POST", stop)) == 200) ++taken;
+  EXPECT_GE(taken, 20);
+  EXPECT_LT(taken, 400) << "fewer than other requests";
+}
+
+TEST(guard, lets_no_client_try_keys_with_emergency_stops) {
+  Guard guard(
+      {.key = "0123456789abcdef", .names = {}, .stop_rate = {.burst = 20, .per_second = 0}});
+  RequestHead guess = request("POST", stop);
+  guess.key = "0123456789abcdee";
+  EXPECT_EQ(status_of(guard, guess), 403);
+  guess.key = "0123456789abcdef";
+  EXPECT_EQ(status_of(guard, guess), 429) << "also the right one, so that nothing is learnt";
+}
+
+TEST(guard, takes_for_an_emergency_stop_the_route_of_one_printer_alone) {
+  for (const char* other : {"/api/v1/printers//stop", "/api/v1/printers/stop",
+                            "/api/v1/printers/left/x/stop", "/api/v1/printers/left/stop/",
+                            "/api/v1/printers/left/pause", "/x/api/v1/printers/left/stop",
+                            "/api/v1/printers/../state?/stop", "/api/v1/printers/left//stop"}) {
+    Guard guard({.key = {}, .names = {}, .rate = {.burst = 1, .per_second = 0}});
+    EXPECT_EQ(status_of(guard, request("POST", other)), 200) << other;
+    EXPECT_EQ(status_of(guard, request("POST", other)), 429) << other;
+  }
+  Guard guard({.key = {}, .names = {}, .rate = {.burst = 1, .per_second = 0}});
+  EXPECT_EQ(status_of(guard, request("GET", stop)), 200);
+  EXPECT_EQ(status_of(guard, request("GET", stop)), 429) << "it stops nothing";
 }
 
 TEST(key, is_the_first_line_of_a_file_that_others_cannot_read) {
