@@ -54,19 +54,31 @@ void sync_folder(const fs::path& folder) {
 }
 
 void make_folder(const fs::path& folder) {
-  const fs::path path = fs::absolute(folder).lexically_normal();
+  fs::path path = fs::absolute(folder).lexically_normal();
+  if (!path.has_filename()) {
+    path = path.parent_path();  // a slash at its end
+  }
   const fs::path above = path.parent_path();
   if (above == path) return;
   const bool was_there = fs::is_directory(path);
   if (!was_there) {
     make_folder(above);
-    if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) fail("cannot make " + path.string());
+    // Another process may have made it meanwhile.
+    if (mkdir(path.c_str(), 0700) != 0) {
+      const int error = errno;
+      if (error != EEXIST || !fs::is_directory(path)) {
+        throw std::system_error(error, std::generic_category(), "cannot make " + path.string());
+      }
+    }
   }
   // Also where it was there: who made it may have been killed before this.
   try {
     sync_folder(above);
-  } catch (const std::system_error&) {  // not for this user to read: it is older than this program
-    if (!was_there) throw;
+  } catch (const std::system_error& error) {
+    // Not for this user to read: it is older than this program.
+    const bool is_refused = error.code() == std::errc::permission_denied ||
+                            error.code() == std::errc::operation_not_permitted;
+    if (!was_there || !is_refused) throw;
   }
 }
 

@@ -15,7 +15,7 @@ namespace queue {
 // Throws std::system_error.
 void sync_folder(const std::filesystem::path& folder);
 // The folder and those above it are there, and their names are on the disk. Readable for this user
-// alone where it was missing. Throws std::system_error.
+// alone where it was missing. Throws std::system_error, also where a file has its name.
 void make_folder(const std::filesystem::path& folder);
 
 // A file name for people, from what a client sends: its last component, without control characters,

@@ -50,7 +50,6 @@ FeederLink::FeederLink(const Settings& settings, const PrinterSpec& printer)
       feeder_(folder_ / "feeder.process", folder_ / "feeder.log",
               feeder_call(settings, printer, folder_)) {
   // With a lost folder its journal would be lost, and a job could be started again.
-  queue::make_folder(folder_.parent_path());
   queue::make_folder(folder_);
   if (is_simulated()) {
     chip_.emplace(folder_ / "chip.process", folder_ / "chip.log", chip_call(settings, folder_));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Works with a queue and a feeder's journal without end, and says on standard output what was
-// acknowledged: to be killed. Usage: queue_worker FOLDER SEED
+// acknowledged: to be killed. Usage: queue_worker FOLDER SEED.
+// With FOLDER alone it makes the folder and ends, with status 1 where it cannot.
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <system_error>
 
 #include "host/feeder/journal.hpp"
 #include "host/queue/queue.hpp"
@@ -36,9 +39,20 @@ void recover(queue::Queue& jobs, feeder::Journal& journal) {
   if (journal.record() || !journal.damage().empty()) journal.clear();
 }
 
+int make(const char* folder) {
+  try {
+    queue::make_folder(folder);
+    return 0;
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+  if (count == 2) return make(arguments[1]);
   if (count != 3) return 2;
   const std::string folder = arguments[1];
   std::mt19937 random(static_cast<unsigned>(std::atoi(arguments[2])));

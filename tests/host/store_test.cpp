@@ -54,6 +54,16 @@ TEST(store, removes_what_no_job_uses) {
   EXPECT_EQ(files_in(folder.path() / "files"), 2u) << "the file and its commands";
 }
 
+TEST(store, leaves_a_file_alone_that_has_the_name_of_its_folder) {
+  const TemporaryFolder folder;
+  folder.write("files", "mine");
+  const auto mode = fs::perms::owner_read | fs::perms::group_read;
+  fs::permissions(folder.path() / "files", mode);
+  EXPECT_THROW(Store(folder.path() / "files"), std::system_error);
+  EXPECT_EQ(fs::status(folder.path() / "files").permissions(), mode);
+  EXPECT_THROW(queue::make_folder(folder.path() / "files" / "below"), std::system_error);
+}
+
 TEST(cleaned_name, names_no_other_folder) {
   EXPECT_EQ(cleaned_name("../../etc/passwd"), "passwd");
   EXPECT_EQ(cleaned_name("..\\..\\boot.ini"), "boot.ini");

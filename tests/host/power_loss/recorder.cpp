@@ -4,7 +4,8 @@
 //   RECORDER_FOLDER  files below it are recorded
 //   RECORDER_LOG     outside of it: one record after the other, of all processes
 //   RECORDER_FAULT   what the program is made to do wrong: no_file_sync, no_folder_sync,
-//                    no_database_sync, rename_first (before the file is synchronised)
+//                    no_database_sync, rename_first (before the file is synchronised),
+//                    folder_sync_error (the disk refuses it)
 // What is done by stdio is recorded when its file is synchronised by a descriptor for reading.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -144,6 +145,10 @@ int synchronise(int descriptor) {
   struct stat status{};
   if (fstat(descriptor, &status) != 0) return -1;
   if (S_ISDIR(status.st_mode)) {
+    if (fault() == "folder_sync_error") {
+      errno = EIO;
+      return -1;
+    }
     if (fault() != "no_folder_sync") record({.kind = Kind::sync_folder}, path);
     return 0;
   }
