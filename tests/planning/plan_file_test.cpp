@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -51,6 +52,53 @@ TEST(plan_file, is_written_as_json_and_as_text) {
   EXPECT_EQ(json["refused"][0]["line"], 7);
   EXPECT_EQ(json["refused"][0]["text"], "M9999");
   EXPECT_THAT(to_text(plan), testing::HasSubstr("line 7 refused: M9999"));
+}
+
+TEST(plan_file, lists_no_more_refused_lines_than_asked_for_and_counts_all) {
+  PrintPlanner planner(4'000'000);
+  for (std::size_t line = 1; line <= 5; ++line) planner.take(line, "M9999");
+  const Plan plan = planner.finish();
+  for (const std::size_t most : {0u, 3u, 5u, 6u}) {
+    const std::size_t listed = std::min<std::size_t>(most, 5);
+    const auto json = nlohmann::json::parse(to_json(plan, {.refused = most}));
+    EXPECT_EQ(json["refused"].size(), listed) << most;
+    EXPECT_EQ(json["refused_lines"], 5) << most;
+    const std::string text = to_text(plan, {.refused = most}),
+                      last = "line " + std::to_string(listed);
+    EXPECT_EQ(text.contains(last + " refused"), listed > 0) << most;
+    EXPECT_FALSE(text.contains("line " + std::to_string(listed + 1) + " refused")) << most;
+    const std::string more = std::to_string(5 - listed) + " more lines refused";
+    EXPECT_EQ(text.contains(more), listed < 5) << most;
+  }
+}
+
+TEST(plan_file, lists_no_more_layers_than_asked_for_and_counts_all) {
+  PrintPlanner planner(4'000'000);
+  for (std::size_t layer = 0; layer < 5; ++layer) {
+    planner.take(3 * layer + 1, "G1 Z" + std::to_string(layer + 1) + " F300");
+    planner.take(3 * layer + 2, "G1 X" + std::to_string(layer % 2 + 1) + " E" +
+                                    std::to_string(layer + 1) + " F600");
+  }
+  const Plan plan = planner.finish();
+  ASSERT_EQ(plan.layers.size(), 5u);
+  for (const std::size_t most : {0u, 3u, 5u, 6u}) {
+    const std::size_t listed = std::min<std::size_t>(most, 5);
+    const auto json = nlohmann::json::parse(to_json(plan, {.layers = most}));
+    EXPECT_EQ(json["layers"].size(), listed) << most;
+    EXPECT_EQ(json["layer_count"], 5) << most;
+    const std::string text = to_text(plan, {.layers = most});
+    EXPECT_EQ(text.contains("layer at Z 4.000"), listed > 3) << most;
+    EXPECT_EQ(text.contains(std::to_string(5 - listed) + " more layers"), listed < 5) << most;
+  }
+}
+
+TEST(plan_file, shows_the_begin_of_a_long_refused_line) {
+  PrintPlanner planner(4'000'000);
+  planner.take(1, "G1 X" + std::string(100'000, '1'));
+  const Plan plan = planner.finish();
+  EXPECT_LT(to_text(plan).size(), 2'000u);
+  EXPECT_LT(to_json(plan).size(), 4'000u);
+  EXPECT_THAT(to_text(plan), testing::HasSubstr("line 1 refused: G1 X111"));
 }
 
 // Of processor time, so that other programs do not count. On a core of 3 GHz there are some times

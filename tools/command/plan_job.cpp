@@ -72,8 +72,10 @@ int plan(const PlanOptions& options) {
     refuse_long_ones(*commands, plan);
     write_commands(options.commands, *commands);
   }
-  if (!options.json.empty()) files::write_file(options.json, planning::to_json(plan));
-  say("{}", planning::to_text(plan));
+  if (!options.json.empty()) {
+    files::write_file(options.json, planning::to_json(plan, options.limits));
+  }
+  say("{}", planning::to_text(plan, options.limits));
   return plan.fault.empty() && plan.refused.empty() ? success : failure;
 }
 

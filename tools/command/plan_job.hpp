@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "tools/planning/plan_texts.hpp"
+
 namespace CLI {
 class App;
 }
@@ -16,6 +18,7 @@ struct PlanOptions {
   std::filesystem::path machine;  // empty: the machine of the build
   std::filesystem::path json;  // empty: none
   std::filesystem::path commands;  // empty: not written
+  planning::ListLimits limits{};
   std::uint32_t clock_hz = 4'000'000;  // as `print` has it
 };
 

@@ -16,6 +16,12 @@ void add_options(CLI::App& app, PlanOptions& options) {
   job.add_option("--commands", options.commands,
                  "write what a host sends, one command a line, without comments and M110")
       ->type_name("FILE");
+  job.add_option("--most-refused", options.limits.refused,
+                 "list at most so many refused lines; default: all")
+      ->type_name("N");
+  job.add_option("--most-layers", options.limits.layers,
+                 "list at most so many layers; default: all")
+      ->type_name("N");
   job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();

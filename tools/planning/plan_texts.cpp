@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace planning {
 
@@ -14,6 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view axis_names = "xyze";
+// Bytes of a refused line. The firmware takes none that is longer.
+constexpr std::size_t longest_line = 256;
 
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
@@ -31,9 +37,21 @@ std::string duration(double seconds) {
                      seconds);
 }
 
+template <typename T>
+std::span<const T> first_of(const std::vector<T>& all, std::size_t most) {
+  return std::span(all).first(std::min(most, all.size()));
+}
+
+// How many of them are not listed; nothing where all are.
+std::string more(std::size_t all, std::size_t most, std::string_view what) {
+  return all > most ? fmt::format("{} more {}\n", all - most, what) : std::string();
+}
+
+std::string shown(const RefusedLine& line) { return line.text.substr(0, longest_line); }
+
 }  // namespace
 
-std::string to_text(const Plan& plan) {
+std::string to_text(const Plan& plan, const ListLimits& limits) {
   std::string text = fmt::format("{}: {} lines, {} moves\n", plan.machine, plan.lines, plan.moves);
   text += fmt::format("time      {} without heating, {:.3f} s in motion\n", duration(plan.seconds),
                       plan.moving_seconds);
@@ -46,18 +64,20 @@ std::string to_text(const Plan& plan) {
         axis_names[i], axis.steps_forward, axis.steps_backward, axis.max_speed_mm_per_s,
         axis.max_acceleration_mm_per_s2, axis.max_step_rate_hz);
   }
-  for (const Layer& layer : plan.layers) {
+  for (const Layer& layer : first_of(plan.layers, limits.layers)) {
     text += fmt::format("layer at Z {:.3f} mm  {:.3f} s\n", layer.z_mm, layer.seconds);
   }
+  text += more(plan.layers.size(), limits.layers, "layers");
   if (plan.underruns != 0) text += fmt::format("{} underruns\n", plan.underruns);
-  for (const RefusedLine& line : plan.refused) {
-    text += fmt::format("line {} refused: {}  ({})\n", line.file_line, line.text, line.reason);
+  for (const RefusedLine& line : first_of(plan.refused, limits.refused)) {
+    text += fmt::format("line {} refused: {}  ({})\n", line.file_line, shown(line), line.reason);
   }
+  text += more(plan.refused.size(), limits.refused, "lines refused");
   if (!plan.fault.empty()) text += fmt::format("ends early: {}\n", plan.fault);
   return text;
 }
 
-std::string to_json(const Plan& plan) {
+std::string to_json(const Plan& plan, const ListLimits& limits) {
   Json json{{"machine", plan.machine},
             {"seconds", rounded(plan.seconds)},
             {"moving_seconds", rounded(plan.moving_seconds)},
@@ -68,19 +88,21 @@ std::string to_json(const Plan& plan) {
             {"filament_mm", rounded(plan.filament_mm)},
             {"fault", plan.fault},
             {"axes", Json::object()},
+            {"layer_count", plan.layers.size()},
             {"layers", Json::array()},
+            {"refused_lines", plan.refused.size()},
             {"refused", Json::array()}};
   for (std::size_t i = 0; i < axis_count; ++i) {
     json["axes"][std::string(1, axis_names[i])] = axis_json(plan.axes[i]);
   }
-  for (const Layer& layer : plan.layers) {
+  for (const Layer& layer : first_of(plan.layers, limits.layers)) {
     json["layers"].push_back({{"z_mm", rounded(layer.z_mm)},
                               {"begin_seconds", rounded(layer.begin_seconds)},
                               {"seconds", rounded(layer.seconds)}});
   }
-  for (const RefusedLine& line : plan.refused) {
+  for (const RefusedLine& line : first_of(plan.refused, limits.refused)) {
     json["refused"].push_back(
-        {{"line", line.file_line}, {"text", line.text}, {"reason", line.reason}});
+        {{"line", line.file_line}, {"text", shown(line)}, {"reason", line.reason}});
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
