@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "host/queue/store.hpp"
+#include "tools/command/exit_status.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/process/process.hpp"
 
@@ -26,9 +27,9 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr std::chrono::seconds processor_limit{900};
-constexpr std::size_t most_refused_lines = 200;  // in the report
+// In the report, and in what the program says.
+constexpr std::size_t most_refused_lines = 200, most_layers = 5000;
 constexpr std::size_t longest_reason = 500;
-constexpr int interrupted_status = 130;  // of the program, by a signal to end
 
 std::int64_t lines_of(const fs::path& file) {
   std::ifstream stream(file);
@@ -62,7 +63,8 @@ std::string reason_of(const Json& plan) {
   std::string reason = "line " + first.at("line").dump() + ": " +
                        first.at("text").get<std::string>() + " (" +
                        first.at("reason").get<std::string>() + ")";
-  if (refused.size() > 1) reason += ", and " + std::to_string(refused.size() - 1) + " more";
+  const std::size_t lines = plan.at("refused_lines");
+  if (lines > 1) reason += ", and " + std::to_string(lines - 1) + " more";
   return reason;
 }
 
@@ -90,14 +92,16 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   const Temporary report(commands_file.string() + ".plan"), fresh(commands_file.string() + ".new");
   const auto ended = process::capture(
       {.arguments = {"nice", "-n", "10", program.string(), "plan", file.string(), "--json",
-                     report.path.string(), "--commands", fresh.path.string()},
+                     report.path.string(), "--commands", fresh.path.string(), "--most-refused",
+                     std::to_string(most_refused_lines), "--most-layers",
+                     std::to_string(most_layers)},
        .has_input = false,
        .cpu_limit = processor_limit});
-  Json plan = Json::parse(files::text_of(report.path), nullptr, false);
+  const Json plan = Json::parse(files::text_of(report.path), nullptr, false);
   if (ended.exit_status > 1 || plan.is_discarded()) {
     std::string said = ended.output;
     while (!said.empty() && said.back() == '\n') said.pop_back();
-    const bool was_ended = ended.exit_status == interrupted_status;
+    const bool was_ended = ended.exit_status == command::interrupted;
     if (was_ended || ended.exit_status <= 1 || says_that_the_disk_is_full(said)) {
       return not_done(said);
     }
@@ -106,9 +110,6 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
   }
   const bool accepted = ended.exit_status == 0;
   const std::string reason = accepted ? "" : reason_of(plan);
-  plan["refused_lines"] = plan.at("refused").size();
-  Json& lines = plan.at("refused");
-  while (lines.size() > most_refused_lines) lines.erase(lines.size() - 1);
   const std::string text = plan.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (!accepted) return refused(reason, text);
   fs::permissions(fresh.path, fs::perms::owner_read | fs::perms::owner_write);
@@ -135,8 +136,10 @@ void Checker::begin(std::int64_t job, const fs::path& file, const fs::path& comm
   thread_ = std::thread([this, file, commands_file] {
     try {
       result_ = check(program_, file, commands_file);
-    } catch (const std::exception& error) {
+    } catch (const std::system_error& error) {
       result_ = not_done(error.what());
+    } catch (const std::exception& error) {  // the same at each attempt
+      result_ = refused(std::string("the check failed: ") + error.what());
     }
     done_ = true;
   });

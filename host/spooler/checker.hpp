@@ -17,7 +17,8 @@ struct CheckResult {
   // Nothing is known of the file: the check could not be done, as on a full disk.
   bool must_be_repeated = false;
   std::string reason;  // for people, where it was not accepted
-  std::string report;  // JSON: refused lines with number, text and reason, layers, axes; or empty
+  // JSON: up to 200 refused lines with number, text and reason, up to 5000 layers, axes; or empty.
+  std::string report;
   double seconds{};  // planned, without heating
   double filament_mm{};
   std::int64_t commands{};  // in `commands_file`

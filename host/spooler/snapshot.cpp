@@ -66,9 +66,9 @@ std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
   const std::scoped_lock lock(mutex_);
   if (snapshot_) return snapshot_;
   Json json{{"version", version_},
-            {"fault", !fault_.empty()         ? fault_
-                      : !check_fault_.empty() ? check_fault_
-                                              : notice_},
+            {"fault", !fault_.empty()           ? fault_
+                      : !failed_checks_.empty() ? failed_checks_.begin()->second.fault
+                                                : notice_},
             {"printers", Json::array()},
             {"jobs", Json::array()}};
   for (const auto& printer : printers_) json["printers"].push_back(to_json(*printer));

@@ -18,6 +18,7 @@ namespace {
 constexpr std::chrono::milliseconds pass_interval{20}, pass_interval_after_fault{1000};
 // Where a feeder refuses a job, it is not asked again at once.
 constexpr std::chrono::seconds block_time{10};
+constexpr int most_check_attempts = 10;  // that could not be done, in a row
 
 std::filesystem::path made(const std::filesystem::path& folder) {
   queue::make_folder(folder);
@@ -54,7 +55,6 @@ Spooler::Spooler(Settings settings)
       store_(settings_.data / "files"),
       queue_(settings_.data / "queue.db"),
       checker_(settings_.tool_program) {
-  queue::sync_folder(settings_.data);
   for (const PrinterSpec& printer : settings_.printers) {
     printers_.push_back(std::make_unique<FeederLink>(settings_, printer));
   }
@@ -123,33 +123,54 @@ std::filesystem::path Spooler::commands_of(const Job& job) const {
       .replace_extension("." + std::to_string(job.id) + ".commands");
 }
 
-bool Spooler::check_files() {
-  bool is_changed = false;
-  if (const auto result = checker_.take_result()) {
-    const auto job = queue_.find(checker_.job());
-    // It may have been cancelled, and removed.
-    check_fault_.clear();
-    if (job && job->state == JobState::checking && result->must_be_repeated) {
-      check_fault_ = job->name + ": " + result->reason + "; it is tried again";
-      checks_again_at_ = std::chrono::steady_clock::now() + settings_.check_interval;
-      queue_.change(job->id, JobState::uploaded, result->reason);
-    } else if (job && job->state == JobState::checking) {
-      queue_.set_check(job->id, result->report, result->seconds, result->filament_mm,
-                       result->commands);
-      queue_.change(job->id, result->accepted ? JobState::queued : JobState::refused,
-                    result->reason);
-    } else {
-      std::filesystem::remove(checker_.commands_file());
+void Spooler::note_check(const CheckResult& result) {
+  const auto job = queue_.find(checker_.job());
+  // It may have been cancelled, and removed.
+  if (!job || job->state != JobState::checking) {
+    std::filesystem::remove(checker_.commands_file());
+    return;
+  }
+  if (result.must_be_repeated) {
+    FailedCheck& failed = failed_checks_[job->id];
+    if (++failed.attempts < most_check_attempts) {
+      failed.fault = job->name + ": " + result.reason + "; it is tried again";
+      failed.again_at = std::chrono::steady_clock::now() + settings_.check_interval;
+      queue_.change(job->id, JobState::uploaded, result.reason);
+      return;
     }
+  }
+  queue_.set_check(job->id, result.report, result.seconds, result.filament_mm, result.commands);
+  queue_.change(job->id, result.accepted ? JobState::queued : JobState::refused, result.reason);
+  failed_checks_.erase(job->id);
+}
+
+// Of jobs that are not to be checked any more. True where there was one.
+bool Spooler::forget_failed_checks() {
+  return std::erase_if(failed_checks_, [this](const auto& each) {
+           const auto job = queue_.find(each.first);
+           return !job || (job->state != JobState::uploaded && job->state != JobState::checking);
+         }) > 0;
+}
+
+bool Spooler::check_files() {
+  bool is_changed = forget_failed_checks();
+  if (const auto result = checker_.take_result()) {
+    note_check(*result);
     is_changed = true;
   }
-  if (!checker_.is_idle() || std::chrono::steady_clock::now() < checks_again_at_) return is_changed;
+  if (!checker_.is_idle()) return is_changed;
   for (const Job& job : queue_.jobs(0)) {
     if (job.state == JobState::checking) {  // its result could not be written
       queue_.change(job.id, JobState::uploaded, "the check did not end");
       return true;
     }
     if (job.state != JobState::uploaded) continue;
+    const auto failed = failed_checks_.find(job.id);
+    const bool waits = failed != failed_checks_.end() &&
+                       std::chrono::steady_clock::now() < failed->second.again_at;
+    if (waits) {
+      continue;  // the others do not
+    }
     queue_.change(job.id, JobState::checking, "");
     checker_.begin(job.id, store_.path_of(job.file), commands_of(job));
     return true;

@@ -90,10 +90,18 @@ class Spooler {
     int file_;
   };
 
+  struct FailedCheck {
+    int attempts = 0;  // in a row
+    std::chrono::steady_clock::time_point again_at;
+    std::string fault;
+  };
+
   void recover();
   void keep_files_of_a_lost_queue();
   bool pass();
   bool check_files();
+  void note_check(const CheckResult& result);
+  bool forget_failed_checks();
   bool follow(FeederLink& printer);
   void start_next(FeederLink& printer);
   void send_start(FeederLink& printer, const queue::Job& job);
@@ -115,8 +123,7 @@ class Spooler {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::string fault_;  // of the last pass; empty: none
-  std::string check_fault_;  // of the last check, where it could not be done
-  std::chrono::steady_clock::time_point checks_again_at_{};
+  std::map<queue::JobId, FailedCheck> failed_checks_;  // of jobs that wait for another attempt
   std::string notice_;  // of the start; shown where there is no fault
   std::int64_t version_ = 1;
   std::shared_ptr<const Snapshot> snapshot_;

@@ -11,6 +11,7 @@
 #include "host/spooler/feeder_link.hpp"
 #include "host/spooler/spooler.hpp"
 #include "tests/host/spooler_fixture.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -128,25 +129,82 @@ TEST_F(SpoolerTest, hears_all_of_a_feeder_although_one_answer_cannot_be_written_
   EXPECT_FALSE(link.is_asked());
 }
 
+class CheckFaultTest : public SpoolerTest {
+ protected:
+  // By this script: $1 is `plan`, $2 the file, $4 the plan, $6 the commands, $real the program.
+  void check_with(const std::string& script, std::chrono::milliseconds interval) {
+    folder_.write("plan.sh", "#!/bin/sh\nreal=" BUILD_DIRECTORY "/bin/stepfabric\ncd " + here() +
+                                 "\n" + script);
+    std::filesystem::permissions(folder_.path() / "plan.sh", std::filesystem::perms::owner_all);
+    end_spooler();
+    check_program = folder_.path() / "plan.sh";
+    check_interval = interval;
+    begin_spooler();
+  }
+  std::string here() const { return folder_.path().string(); }
+  std::string fault() { return spool().snapshot()->json.at("fault"); }
+};
+
+// As on a disk that is full for all files with this word.
+const std::string full_for_some =
+    "if grep -q FULL \"$2\"; then\n  echo attempt >> attempts\n  echo No space left on device\n"
+    "  exit 2\nfi\nexec $real \"$@\"\n";
+
 // The program's first call finds the disk full, as /dev/full is; the next one does not.
-TEST_F(SpoolerTest, a_check_that_finds_the_disk_full_is_done_again) {
-  const std::string call = BUILD_DIRECTORY "/bin/stepfabric plan";
-  const auto noted = folder_.path() / "first";
-  folder_.write("plan.sh", "#!/bin/sh\nif [ ! -e " + noted.string() + " ]; then\n  touch " +
-                               noted.string() + "\n  exec " + call +
-                               " \"$2\" --json \"$4\" --commands /dev/full\nfi\nshift\nexec " +
-                               call + " \"$@\"\n");
-  std::filesystem::permissions(folder_.path() / "plan.sh", std::filesystem::perms::owner_all);
-  end_spooler();
-  check_program = folder_.path() / "plan.sh";
-  check_interval = std::chrono::seconds(1);
-  begin_spooler();
+TEST_F(CheckFaultTest, a_check_that_finds_the_disk_full_is_done_again) {
+  check_with(
+      "if [ ! -e first ]; then\n  touch first\n"
+      "  exec $real plan \"$2\" --json \"$4\" --commands /dev/full\nfi\nexec $real \"$@\"\n",
+      std::chrono::seconds(1));
   const auto id = upload("G28 X\n", "a.gcode", true);
-  expect_soon([&] { return spool().snapshot()->json.at("fault") != ""; }, "no fault");
-  EXPECT_THAT(spool().snapshot()->json.at("fault").get<std::string>(),
-              testing::AllOf(HasSubstr("a.gcode"), HasSubstr("No space left on device")));
+  expect_soon([&] { return fault() != ""; }, "no fault");
+  EXPECT_THAT(fault(), testing::AllOf(HasSubstr("a.gcode"), HasSubstr("No space left on device")));
   expect_state(id, JobState::queued);
-  EXPECT_EQ(spool().snapshot()->json.at("fault"), "");
+  EXPECT_EQ(fault(), "");
+}
+
+TEST_F(CheckFaultTest, a_check_that_cannot_be_done_holds_up_no_other_job) {
+  check_with(full_for_some, std::chrono::hours(1));
+  const auto first = upload("G28 X ; FULL\n", "a.gcode", true);
+  expect_soon([&] { return fault() != ""; }, "no fault");
+  expect_state(upload("G28 X\n", "b.gcode", true), JobState::queued);
+  EXPECT_EQ(spool().find(first)->state, JobState::uploaded);
+  EXPECT_THAT(fault(), HasSubstr("a.gcode")) << "of the job that still waits";
+  spool().cancel(first);
+  expect_soon([&] { return fault() == ""; }, "the fault of a job that is cancelled");
+}
+
+TEST_F(CheckFaultTest, a_job_is_refused_after_ten_checks_that_could_not_be_done) {
+  check_with(full_for_some, std::chrono::milliseconds(10));
+  const auto id = upload("G28 X ; FULL\n", "a.gcode", true);
+  expect_state(id, JobState::refused);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("No space left on device"));
+  EXPECT_EQ(files::text_of(folder_.path() / "attempts").size(),
+            10 * std::string("attempt\n").size());
+  EXPECT_EQ(fault(), "");
+}
+
+// As by a program of another version: it would be the same at each attempt.
+TEST_F(CheckFaultTest, a_job_whose_plan_cannot_be_understood_is_refused) {
+  check_with("echo '{}' > \"$4\"\n: > \"$6\"\n", std::chrono::hours(1));
+  const auto id = upload("G28 X\n", "a.gcode", true);
+  expect_state(id, JobState::refused);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("the check failed: "));
+}
+
+TEST_F(CheckFaultTest, a_file_of_nonsense_makes_no_long_report) {
+  check_with("$real \"$@\" > said\nstatus=$?\ncp \"$4\" written\nexit $status\n",
+             std::chrono::hours(1));
+  std::string nonsense;
+  for (int i = 0; i < 5'000; ++i) nonsense += "M9999 X" + std::to_string(i) + "\n";
+  const auto id = upload(nonsense, "a.gcode", true);
+  expect_state(id, JobState::refused);
+  EXPECT_THAT(spool().find(id)->reason, HasSubstr("4999 more"));
+  const auto check = nlohmann::json::parse(spool().find(id)->check);
+  EXPECT_EQ(check.at("refused_lines"), 5'000);
+  EXPECT_EQ(check.at("refused").size(), 200u);
+  EXPECT_LT(std::filesystem::file_size(folder_.path() / "written"), 100'000u);
+  EXPECT_LT(std::filesystem::file_size(folder_.path() / "said"), 100'000u);
 }
 
 }  // namespace

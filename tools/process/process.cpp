@@ -11,11 +11,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -26,6 +28,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds look_interval{10};
 constexpr std::chrono::seconds grace{10};
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
 
 // A file descriptor that is closed at the end of its scope, and in every program that is started.
 class Descriptor {
@@ -48,7 +54,7 @@ class Descriptor {
 
 Descriptor opened(const std::filesystem::path& file, int mode) {
   Descriptor descriptor(open(file.c_str(), mode | O_CLOEXEC, 0644));
-  if (descriptor.number() < 0) throw std::runtime_error("cannot open " + file.string());
+  if (descriptor.number() < 0) fail("cannot open " + file.string());
   return descriptor;
 }
 
@@ -70,7 +76,7 @@ struct Streams {
     if (!start.has_input) input = opened("/dev/null", O_RDONLY);
     if (start.to_pipe) {
       std::array<int, 2> ends{};
-      if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
+      if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe");
       reading_end = Descriptor(ends[0]);
       output = Descriptor(ends[1]);
     } else if (!start.output.empty()) {
@@ -134,7 +140,7 @@ Process::Process(const Start& start) : has_cpu_limit_(start.cpu_limit.count() !=
   Streams streams(start);
   std::fflush(nullptr);
   id_ = fork();
-  if (id_ < 0) throw std::runtime_error("cannot start " + start.arguments.front());
+  if (id_ < 0) fail("cannot start " + start.arguments.front());
   if (id_ == 0) {
     execute(arguments.data(), folder.c_str(), streams, cpu_seconds, Tie::to_this_thread);
   }
@@ -214,7 +220,7 @@ Identity start_detached(const Start& start) {
   const Streams streams(start);
   std::fflush(nullptr);
   const pid_t id = fork();
-  if (id < 0) throw std::runtime_error("cannot start " + start.arguments.front());
+  if (id < 0) fail("cannot start " + start.arguments.front());
   if (id == 0) execute(arguments.data(), folder.c_str(), streams, cpu_seconds, Tie::none);
   // Until it has a session of its own, for signals go to its group. One that ended keeps it.
   for (int i = 0; i < 1'000 && getsid(id) != id && getsid(id) >= 0; ++i) {

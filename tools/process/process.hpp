@@ -34,7 +34,7 @@ struct Ending {
 // with it. It also ends (SIGTERM) when the thread that started it ends.
 class Process {
  public:
-  // Throws std::runtime_error where no process can be made or a file cannot be written.
+  // Throws std::system_error where no process can be made or a file cannot be written.
   explicit Process(const Start& start);
   // Ends the group where the program still runs: SIGTERM, ten seconds later SIGKILL.
   ~Process();
@@ -77,7 +77,7 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 // Starts a program in a session of its own: it gets no signal of this terminal and goes on when
-// this process ends. Not with `to_pipe`. Throws std::runtime_error.
+// this process ends. Not with `to_pipe`. Throws std::system_error.
 Identity start_detached(const Start& start);
 // False also where the number belongs to another process by now.
 bool is_running(const Identity& process);
