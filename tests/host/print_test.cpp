@@ -3,6 +3,7 @@
 // by curl as PrusaSlicer does, with both processes killed on the way, to the step.
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <fstream>
@@ -23,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using nlohmann::json;
+using testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
 const std::string stepfabric = BUILD_DIRECTORY "/bin/stepfabric";
 constexpr auto patience = 300s;  // on a machine under load
@@ -190,16 +192,26 @@ TEST_F(SpooledPrint, prints_on_a_simulated_printer_that_it_starts_itself) {
       "feeder or chip go on");
 }
 
+// What a spooler says that cannot start.
+process::Captured refused(const fs::path& data, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {stepfabric, "spool", "--data", data.string()});
+  return process::capture({.arguments = arguments, .has_input = false});
+}
+
 TEST_F(SpooledPrint, refuses_to_start_where_it_may_not) {
-  const auto refused = [this](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {stepfabric, "spool", "--data", folder / "data"});
-    return process::capture({.arguments = arguments, .has_input = false});
-  };
-  const auto open = refused({"--listen", "0.0.0.0:0", "--allow-root"});
+  const auto open = refused(folder / "data", {"--listen", "0.0.0.0:0", "--allow-root"});
   EXPECT_EQ(open.exit_status, 2);
-  EXPECT_THAT(open.output, testing::HasSubstr("--key"));
-  EXPECT_EQ(refused({"--printer", "left"}).exit_status, 2);
-  EXPECT_EQ(refused({"--listen", "here:there"}).exit_status, 2);
+  EXPECT_THAT(open.output, HasSubstr("--key"));
+  EXPECT_EQ(refused(folder / "data", {"--printer", "left"}).exit_status, 2);
+  EXPECT_EQ(refused(folder / "data", {"--listen", "here:there"}).exit_status, 2);
+}
+
+TEST_F(SpooledPrint, does_not_serve_others_as_root_and_names_the_remedy) {
+  if (geteuid() != 0) GTEST_SKIP() << "this user is not root";
+  const auto as_root = refused(folder / "data", {"--listen", "0.0.0.0:0"});
+  EXPECT_EQ(as_root.exit_status, 2);
+  EXPECT_THAT(as_root.output,
+              testing::AllOf(HasSubstr("sudo -u"), HasSubstr("User="), HasSubstr("--allow-root")));
 }
 
 }  // namespace

@@ -2,16 +2,18 @@
 // Builds what the spooler starts, and runs it with its web server.
 #include "tools/command/spool_job.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 
 #include "host/spooler/spooler.hpp"
 #include "host/web/server.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
-#include "tools/command/privileges.hpp"
 #include "tools/command/signals.hpp"
 
 namespace command {
@@ -40,14 +42,16 @@ spooler::Settings settings_of(const SpoolOptions& options) {
           .simulation_speed = options.simulation_speed};
 }
 
+const std::string as_another_user =
+    "Start it as another user: sudo -u NAME, or User= in a systemd unit";
+
 void refuse_to_serve_as_root(const web::Address& address, const SpoolOptions& options) {
-  if (!is_root() || options.allows_root) return;
+  if (geteuid() != 0 || options.allows_root) return;
   if (!web::is_loopback(address.host)) {
-    throw std::runtime_error("other machines reach " + web::written(address) +
-                             ": not as root; --user NAME runs as that user, --allow-root as root "
-                             "all the same");
+    throw std::runtime_error("other machines reach " + web::written(address) + ": not as root. " +
+                             as_another_user + "; --allow-root runs as root all the same");
   }
-  say_to(stderr, "stepfabric: the spooler runs as root; --user NAME runs as that user\n");
+  say_to(stderr, "stepfabric: the spooler runs as root. {}\n", as_another_user);
 }
 
 void greet(const web::Server& server, const spooler::Settings& settings) {
@@ -64,7 +68,6 @@ void greet(const web::Server& server, const spooler::Settings& settings) {
 
 int spool(const SpoolOptions& options) {
   let_writes_fail();
-  if (!options.user.empty()) become_user(options.user);
   const spooler::Settings settings = settings_of(options);
   const web::Address address = web::address_of(options.listen);
   web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),

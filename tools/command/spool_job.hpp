@@ -19,7 +19,6 @@ struct SpoolOptions {
   std::vector<std::string> printers{"simulated"};
   std::filesystem::path key;  // file; empty: no key is needed
   std::vector<std::string> host_names;
-  std::string user;  // that the spooler becomes; empty: as it was started
   bool allows_root = false;  // also where other machines reach it
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";

@@ -27,11 +27,10 @@ void add_options(CLI::App& app, SpoolOptions& options) {
   job.add_option("--host-name", options.host_names,
                  "a name by which browsers may call this server, apart from its addresses")
       ->type_name("NAME");
-  job.add_option("--user", options.user,
-                 "started as root: run as this user, who may open the serial ports")
-      ->type_name("NAME");
-  job.add_flag("--allow-root", options.allows_root,
-               "run as root although other machines reach it, as in a container");
+  job.add_flag(
+      "--allow-root", options.allows_root,
+      "run as root although other machines reach it, as in a container; elsewhere start it "
+      "as another user");
   job.add_option("--baud", options.baud, "speed of the serial ports")
       ->check(CLI::Range(300, 10'000'000))
       ->capture_default_str();
