@@ -228,18 +228,17 @@ bool Stillness::is_still(const Limits& limits) const {
   return is_still(limits, course, answer);
 }
 
-// A reading whose noise alone exceeds what the rest may be is within it by chance only: it is to be
-// looked at over a longer time. Of ten conversions the mean without the outermost two has a
-// variance of 1/76 of their spread's square, a third of it if smoothed; half of that is enough.
-bool Stillness::is_too_noisy(const Limits& limits, std::int64_t expected) const {
+// Of ten conversions the mean without the outermost two has a variance of 1/76 of their spread's
+// square; smoothed, a third of it.
+std::int64_t Stillness::noise(std::size_t length) const {
   std::int64_t squares = 0;
   CourseBound<10> bound;
-  for (std::size_t i = 0; i < limits.length; ++i) {
+  for (std::size_t i = 0; i < length; ++i) {
     bound.next();
-    const std::int64_t spread = window(limits.length, i).spread;
+    const std::int64_t spread = window(length, i).spread;
     squares += spread * spread;
   }
-  return !is_within(squares / (is_slow_ ? 500 : 200), expected, limits.rest);
+  return squares / (is_slow_ ? 228 : 76);
 }
 
 bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues answer) const {
@@ -256,10 +255,16 @@ bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues a
         {expected, energy_less(answer, taken, percent), energy_less(given, taken, percent)});
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
-  if (is_too_noisy(limits, expected)) return false;
+  const std::int64_t noisy = noise(length);
+  // A reading whose noise alone exceeds what the rest may be is within it by chance only: it is to be
+  // looked at over a longer time.
+  if (!is_within(noisy * 9 / 20, expected, limits.rest)) return false;
+  // Two of `length` dimensions of the noise go with the rhythm. Of the others two thirds are certain.
   const std::int64_t common = energy_in_common(course, answer, given);
-  return is_within(common, expected, limits.with_rhythm) &&
-         is_within(energy(course) - common, expected, limits.rest);
+  const std::int64_t with_rhythm = common - 2 * noisy / static_cast<std::int64_t>(length);
+  const std::int64_t rest = energy(course) - common - noisy * 2 / 3;
+  return is_within(with_rhythm, expected, limits.with_rhythm) &&
+         is_within(rest, expected, limits.rest);
 }
 
 }  // namespace thermal

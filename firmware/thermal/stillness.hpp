@@ -64,7 +64,7 @@ class Stillness {
   }
   const LimitTable& limits() const { return is_slow_ ? slow : quick; }
   bool is_still(const Limits& limits) const;
-  bool is_too_noisy(const Limits& limits, std::int64_t expected) const;
+  std::int64_t noise(std::size_t length) const;  // estimated energy in the last windows
   bool is_still(const Limits& limits, ConstValues course, ConstValues answer) const;
   bool is_still_for_now() const;
 
