@@ -132,6 +132,17 @@ TEST(findings, last_and_do_not_hold_half_a_line) {
   EXPECT_FALSE(findings.find("half").has_value());
 }
 
+TEST(findings, keeps_no_verdict_of_a_judge_that_had_too_little_time) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "findings.txt";
+  {
+    proof::Findings findings(file);
+    findings.add("k", {proof::Finding::passes, "not decided in time", true});
+    EXPECT_TRUE(findings.find("k").has_value());
+  }
+  EXPECT_FALSE(proof::Findings(file).find("k").has_value());
+}
+
 TEST(source_tree, knows_what_a_unit_needs) {
   const TemporaryFolder folder;
   folder.write("rtl/a.vhd", "use work.b_pkg.all; -- work.d\n");

@@ -47,7 +47,8 @@ void Findings::add(const std::string& key, const Judged& judged) {
   const std::scoped_lock lock(mutex_);
   std::string detail = judged.detail;
   std::ranges::replace(detail, '\n', ' ');
-  known_[key] = {judged.finding, detail};
+  known_[key] = {judged.finding, detail, judged.timed_out};
+  if (judged.timed_out) return;
   const auto* name = std::ranges::find_if(
       names, [&judged](const Name& entry) { return entry.finding == judged.finding; });
   file_ << key << ' ' << name->text << ' ' << detail << std::endl;

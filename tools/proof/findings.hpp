@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Verdicts of judges, cached in a file by a digest of everything that they depend on, so that
-// nothing is tried twice.
+// nothing is tried twice. A verdict that a time limit cut short holds for this run only.
 #pragma once
 
 #include <filesystem>

@@ -16,6 +16,7 @@ enum class Finding {
 struct Judged {
   Finding finding{};
   std::string detail;
+  bool timed_out = false;  // another run may see more
 };
 
 // A unit with another text. The text may differ in what was woven into it.

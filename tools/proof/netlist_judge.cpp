@@ -155,7 +155,7 @@ Judged NetlistJudge::compare_in(const std::string& entity, const Variant& varian
     const fs::path log = folder / fmt::format("{}.log", name);
     const ProcessResult result =
         run_process({"yosys", "-p", script}, folder, log, wall_limit, solver_limit);
-    timed_out = result.timed_out;
+    timed_out = timed_out || result.timed_out;
     return result.exit_status == 0;
   };
   // Outputs and the registers that both have must be equal in every clock, where all that is proved
@@ -168,7 +168,7 @@ Judged NetlistJudge::compare_in(const std::string& entity, const Variant& varian
   if (proves("-dff", "-tempinduct -maxsteps 3", "induction")) {
     return {Finding::equivalent, "by induction"};
   }
-  return {Finding::passes, timed_out ? "not decided in time" : "not proved equal"};
+  return {Finding::passes, timed_out ? "not decided in time" : "not proved equal", timed_out};
 }
 
 }  // namespace proof

@@ -87,7 +87,8 @@ Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::pat
   }
   return {Finding::passes, result.timed_out          ? "not decided in time"
                            : result.exit_status != 0 ? "the solver broke down"
-                                                     : proof.name};
+                                                     : proof.name,
+          result.timed_out};
 }
 
 }  // namespace proof
