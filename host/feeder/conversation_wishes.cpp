@@ -114,6 +114,7 @@ std::string Conversation::send(std::string_view text) {
 
 void Conversation::stop_everything() {
   output_ = "M112\n";
+  homed_.forget();
   typed_.clear();
   say("> M112");
   if (has_work()) set_phase(Phase::failed, "stopped by a person (emergency stop)");

@@ -130,6 +130,7 @@ void RequestStream::answer_and_end(const char* status, const char* why) {
 
 ssize_t RequestStream::write(const char* bytes, std::size_t size) {
   if (ended_) return -1;
+  if (drops_output_) return static_cast<ssize_t>(size);
   while (wait_for(awaited_.socket, POLLOUT, write_limit_)) {
     const ssize_t count = send(awaited_.socket, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count >= 0 || (errno != EAGAIN && errno != EINTR)) return count;

@@ -24,6 +24,8 @@ class RequestStream final : public httplib::Stream {
   ssize_t read(char* bytes, std::size_t size) override;
   ssize_t write(const char* bytes, std::size_t size) override;
   using Stream::write;
+  // What is written from then on goes nowhere: another one answers.
+  void drop_output() { drops_output_ = true; }
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;
   socket_t socket() const override { return awaited_.socket; }
@@ -42,7 +44,7 @@ class RequestStream final : public httplib::Stream {
   std::size_t used_ = 0, filled_ = 0;  // of the buffer
   std::size_t total_ = 0, head_bytes_ = 0;  // that have come
   std::array<char, 3> last_{};  // of the head
-  bool head_ended_ = false, ended_ = false;
+  bool head_ended_ = false, ended_ = false, drops_output_ = false;
 };
 
 }  // namespace web
