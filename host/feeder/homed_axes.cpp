@@ -12,7 +12,8 @@ void HomedAxes::sent(std::string_view line) {
     if (c != ' ') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
   const auto is_code = [&text](std::string_view code) {
-    const bool goes_on = text.size() > code.size() && text[code.size()] >= '0' && text[code.size()] <= '9';
+    const bool goes_on =
+        text.size() > code.size() && text[code.size()] >= '0' && text[code.size()] <= '9';
     return text.starts_with(code) && !goes_on && text.substr(code.size(), 1) != ".";
   };
   if (is_code("M84") || is_code("M18") || is_code("M112")) return forget();

@@ -48,7 +48,8 @@ std::string Access::add(Tokens& tokens, Clock::duration life) {
   const auto now = now_();
   std::erase_if(tokens, [&](const auto& each) { return each.second <= now; });
   if (tokens.size() >= most_tokens) {
-    tokens.erase(std::ranges::min_element(tokens, {}, [](const auto& each) { return each.second; }));
+    tokens.erase(
+        std::ranges::min_element(tokens, {}, [](const auto& each) { return each.second; }));
   }
   std::string token = random_token();
   tokens[token] = now + life;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each pass compares what is with what was told.
+// Each pass compares what is with what was reported last.
 #include "host/moonraker/broadcaster.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void Broadcaster::run() {
     lock.unlock();
     try {
       pass();
-    } catch (const std::exception&) {  // the queue cannot be read now: the next pass tells it
+    } catch (const std::exception&) {  // the queue cannot be read now: the next pass reports it
     }
     lock.lock();
   }
@@ -51,8 +51,8 @@ void Broadcaster::pass() {
   version_ = version;
   core_.hub.update(objects, event_time());
   const double now = event_time();
-  if (now - second_told_ >= 1) {
-    second_told_ = now;
+  if (now - sampled_at_ >= 1) {
+    sampled_at_ = now;
     core_.temperatures.sample(objects);
     tell("notify_proc_stat_update", Json::array({process_stats(used_, core_.hub.size())}));
   }
@@ -95,8 +95,8 @@ void Broadcaster::tell_files() {
   }
   const auto say = [&](const char* action, const std::string& name, const File& file) {
     tell("notify_filelist_changed",
-         Json::array({{{"action", action},
-                       {"item", changed_item(name, file.bytes, file.uploaded_ms)}}}));
+         Json::array(
+             {{{"action", action}, {"item", changed_item(name, file.bytes, file.uploaded_ms)}}}));
   };
   for (const auto& [name, file] : files_) {
     if (!files.contains(name)) say("delete_file", name, file);
@@ -115,16 +115,15 @@ void Broadcaster::tell_files() {
 void Broadcaster::tell_queue() {
   const JobList list = job_list(core_);
   std::vector<std::string> numbers;
-  for (const Json& job : list.jobs) numbers.push_back(job.at("job_id"));
+  for (const Json& job : list.jobs) numbers.push_back(job.at("job_id").get<std::string>());
   const bool is_same = numbers == queued_;
   if (is_same && list.state == queue_state_) return;
   const bool has_new = std::ranges::any_of(
       numbers, [&](const std::string& id) { return !std::ranges::contains(queued_, id); });
   const char* action = is_same ? "state_changed" : has_new ? "jobs_added" : "jobs_removed";
-  tell("notify_job_queue_changed",
-       Json::array({{{"action", action},
-                     {"updated_queue", is_same ? Json() : list.jobs},
-                     {"queue_state", list.state}}}));
+  tell("notify_job_queue_changed", Json::array({{{"action", action},
+                                                 {"updated_queue", is_same ? Json() : list.jobs},
+                                                 {"queue_state", list.state}}}));
   queued_ = std::move(numbers);
   queue_state_ = list.state;
 }
@@ -137,9 +136,8 @@ void Broadcaster::tell_history() {
     const auto old = begun_.find(job.id);
     begun[job.id] = is_over;
     if (is_first_ || (old != begun_.end() && old->second == is_over)) continue;
-    tell("notify_history_changed",
-         Json::array(
-             {{{"action", is_over ? "finished" : "added"}, {"job", history_item(core_, job)}}}));
+    tell("notify_history_changed", Json::array({{{"action", is_over ? "finished" : "added"},
+                                                 {"job", history_item(core_, job)}}}));
   }
   begun_ = std::move(begun);
 }

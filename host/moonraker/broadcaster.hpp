@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows the spooler and tells all connections what has changed.
+// Follows the spooler and notifies all connections of what has changed.
 #pragma once
 
 #include <condition_variable>
@@ -36,7 +36,7 @@ class Broadcaster {
   bool is_first_ = true;  // nothing is news yet
   std::int64_t version_ = 0;
   std::string klippy_state_;
-  std::int64_t said_ = 0;  // console lines that were told
+  std::int64_t said_ = 0;  // console lines that were sent
   struct File {
     std::string stored;  // its name in the store
     std::int64_t bytes{}, uploaded_ms{};
@@ -45,7 +45,7 @@ class Broadcaster {
   std::vector<std::string> queued_;
   std::string queue_state_;
   std::map<queue::JobId, bool> begun_;  // whether it is over
-  double second_told_ = 0;
+  double sampled_at_ = 0;
   ProcessorTime used_;
 
   std::mutex mutex_;

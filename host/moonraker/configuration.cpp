@@ -16,12 +16,11 @@ constexpr std::array table{
     Macro{"PAUSE", "Pauses the print"}, Macro{"RESUME", "Goes on after a pause"},
     Macro{"CANCEL_PRINT", "Ends the print and switches everything off"}};
 
-constexpr std::array others{
-    Macro{"SET_HEATER_TEMPERATURE", "HEATER=extruder|heater_bed TARGET=C"},
-    Macro{"TURN_OFF_HEATERS", "Switches both heaters off"},
-    Macro{"SDCARD_PRINT_FILE", "FILENAME=NAME: queues the file"},
-    Macro{"FIRMWARE_RESTART", "Switches a simulated printer off and on"},
-    Macro{"RESTART", "The same"}};
+constexpr std::array others{Macro{"SET_HEATER_TEMPERATURE", "HEATER=extruder|heater_bed TARGET=C"},
+                            Macro{"TURN_OFF_HEATERS", "Switches both heaters off"},
+                            Macro{"SDCARD_PRINT_FILE", "FILENAME=NAME: queues the file"},
+                            Macro{"FIRMWARE_RESTART", "Switches a simulated printer off and on"},
+                            Macro{"RESTART", "The same"}};
 
 Json made() {
   Json settings{{"printer", {{"kinematics", "cartesian"}}},

@@ -16,9 +16,9 @@ const std::string one_file = "/server/files/gcodes/(.+)";
 
 void upload(Core& core, const httplib::Request& request, httplib::Response& response,
             const httplib::ContentReader& read) {
-  queue::Store::Upload upload(core.spooler.store());
+  queue::Store::Upload file(core.spooler.store());
   const web::UploadForm form =
-      web::read_form(request, response, read, upload, core.spooler.free_bytes(), {}, false);
+      web::read_form(request, response, read, file, core.spooler.free_bytes(), {}, false);
   const auto field = [&](const char* name) {
     const auto found = form.fields.find(name);
     return found == form.fields.end() ? std::string() : found->second;
@@ -27,14 +27,14 @@ void upload(Core& core, const httplib::Request& request, httplib::Response& resp
     throw Error(400, "the only root is `gcodes`");
   }
   if (!field("checksum").empty()) throw Error(400, "checksums of uploads are not checked here");
-  const queue::JobId id = core.spooler.add(upload, form.file_name, !form.prints, core.printer);
+  const queue::JobId id = core.spooler.add(file, form.file_name, !form.prints, core.printer);
   const std::string name = queue::cleaned_name(form.file_name);
   const auto job = core.spooler.find(id);
   response.set_header("Location", "http://" + request.get_header_value("Host") +
                                       "/server/files/gcodes/" +
                                       httplib::detail::encode_query_param(name));
   web::answer(response,
-              {{"item", changed_item(name, upload.bytes(), job ? job->uploaded_ms : 0)},
+              {{"item", changed_item(name, file.bytes(), job ? job->uploaded_ms : 0)},
                {"print_started", false},
                {"print_queued", form.prints},
                {"action", "create_file"}},
@@ -51,11 +51,11 @@ std::string text_of(const std::filesystem::path& file) {
 }  // namespace
 
 void add_file_routes(httplib::Server& server, Core& core) {
-  server.Post("/server/files/upload", [&core](const httplib::Request& request,
-                                              httplib::Response& response,
-                                              const httplib::ContentReader& read) {
-    answer_errors_of(response, [&] { upload(core, request, response, read); });
-  });
+  server.Post("/server/files/upload",
+              [&core](const httplib::Request& request, httplib::Response& response,
+                      const httplib::ContentReader& read) {
+                answer_errors_of(response, [&] { upload(core, request, response, read); });
+              });
   server.Get(one_file, [&core](const httplib::Request& request, httplib::Response& response) {
     answer_errors_of(response, [&] {
       const queue::Job job = file_named(core, request.matches[1]);
@@ -75,7 +75,7 @@ void add_frontend(httplib::Server& server, const std::filesystem::path& folder) 
   std::string index;
   if (!folder.empty()) {
     if (!std::filesystem::is_regular_file(folder / "index.html") ||
-        !server.set_mount_point("/", folder)) {
+        !server.set_mount_point("/", folder.string())) {
       throw std::runtime_error(folder.string() + " has no index.html: no front end");
     }
     index = text_of(folder / "index.html");
@@ -96,7 +96,8 @@ void add_frontend(httplib::Server& server, const std::filesystem::path& folder) 
   server.Patch(".*", not_found);
   server.Delete(".*", not_found);
   server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
-    if (response.body.empty()) answer_error(response, {response.status, "the request cannot be answered"});
+    if (response.body.empty())
+      answer_error(response, {response.status, "the request cannot be answered"});
   });
 }
 

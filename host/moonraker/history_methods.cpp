@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // server.history: the jobs that this printer has begun.
 #include <algorithm>
+#include <functional>
 
 #include "host/moonraker/files.hpp"
 #include "host/moonraker/history.hpp"
@@ -20,8 +21,8 @@ queue::Job job_in(Core& core, const Json& params) {
 }
 
 // The latest first.
-Json all_of(Core& core) {
-  Json list = Json::array();
+std::vector<Json> all_of(Core& core) {
+  std::vector<Json> list;
   for (const queue::Job& job : core.spooler.jobs()) {
     if (was_begun_on(job, core.printer)) list.push_back(history_item(core, job));
   }
@@ -32,8 +33,9 @@ Json all_of(Core& core) {
 
 Json list(Core& core, const Json& params, Connection*) {
   const auto start = std::max<std::int64_t>(integer_in(params, "start", 0), 0);
-  const auto limit = std::clamp<std::int64_t>(integer_in(params, "limit", usual_limit), 0, largest_limit);
-  Json all = all_of(core);
+  const auto limit =
+      std::clamp<std::int64_t>(integer_in(params, "limit", usual_limit), 0, largest_limit);
+  std::vector<Json> all = all_of(core);
   if (text_in(params, "order", "desc") == "asc") std::ranges::reverse(all);
   const auto begins_in = [&](const Json& job) {
     const auto time = job.at("start_time").get<double>();
@@ -53,7 +55,7 @@ Json list(Core& core, const Json& params, Connection*) {
 
 Json totals(Core& core, const Json&, Connection*) {
   double time = 0, printing = 0, filament = 0, longest = 0, longest_print = 0;
-  const Json all = all_of(core);
+  const std::vector<Json> all = all_of(core);
   for (const Json& job : all) {
     time += job.at("total_duration").get<double>();
     printing += job.at("print_duration").get<double>();
@@ -98,8 +100,8 @@ bool was_begun_on(const queue::Job& job, const std::string& printer) {
 }
 
 Json history_item(Core& core, const queue::Job& job) {
-  const JobTimes times = times_of(core.spooler.history(job.id),
-                                  static_cast<std::int64_t>(unix_time() * 1000));
+  const JobTimes times =
+      times_of(core.spooler.history(job.id), static_cast<std::int64_t>(unix_time() * 1000));
   const auto status = [&] {
     if (queue::is_active(job.state)) return "in_progress";
     if (job.state == queue::JobState::finished) return "completed";

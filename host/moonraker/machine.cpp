@@ -64,16 +64,17 @@ Json process_stats(ProcessorTime& last, std::size_t connections) {
   last = now;
   const std::int64_t total = memory("/proc/meminfo", "MemTotal");
   const std::int64_t available = memory("/proc/meminfo", "MemAvailable");
-  return {{"moonraker_stats",
-           {{"time", unix_time()},
-            {"cpu_usage", usage},
-            {"memory", memory("/proc/self/status", "VmRSS")},
-            {"mem_units", "kB"}}},
-          {"cpu_temp", nullptr},
-          {"network", Json::object()},
-          {"system_cpu_usage", {{"cpu", load}}},
-          {"system_memory", {{"total", total}, {"available", available}, {"used", total - available}}},
-          {"websocket_connections", connections}};
+  return {
+      {"moonraker_stats",
+       {{"time", unix_time()},
+        {"cpu_usage", usage},
+        {"memory", memory("/proc/self/status", "VmRSS")},
+        {"mem_units", "kB"}}},
+      {"cpu_temp", nullptr},
+      {"network", Json::object()},
+      {"system_cpu_usage", {{"cpu", load}}},
+      {"system_memory", {{"total", total}, {"available", available}, {"used", total - available}}},
+      {"websocket_connections", connections}};
 }
 
 Json system_info() {

@@ -14,8 +14,9 @@ Json wanted_in(const Json& params) {
 }
 
 Json list(Core& core, const Json&, Connection*) {
+  const Json objects = core.view().objects();
   Json names = Json::array();
-  for (const auto& [name, object] : core.view().objects().items()) names.push_back(name);
+  for (const auto& [name, object] : objects.items()) names.push_back(name);
   return {{"objects", names}};
 }
 

@@ -121,10 +121,12 @@ std::string PrinterView::message() const {
     return printer_.at("waits_for_user") ? "The printer waits for a person: RESUME" : "";
   }
   std::string text;
-  if (state == "error") text = "Job " + job_.at("id").dump() + ": " + job_.at("reason").get<std::string>();
+  if (state == "error")
+    text = "Job " + job_.at("id").dump() + ": " + job_.at("reason").get<std::string>();
   if (waiting_.is_null()) return text;
   if (!text.empty()) text += ". ";
-  const std::string job = "Job " + waiting_.at("id").dump() + " (" + waiting_.at("name").get<std::string>() + ")";
+  const std::string job =
+      "Job " + waiting_.at("id").dump() + " (" + waiting_.at("name").get<std::string>() + ")";
   if (!bed_is_clear()) return text + job + " waits until the bed is clear: confirm it by BED_CLEAR";
   if (waiting_.at("state") != "queued") return text + job + " is being checked";
   return text + job + " starts when the printer is ready";
@@ -139,8 +141,12 @@ double PrinterView::progress() const {
 }
 
 Json PrinterView::print_stats() const {
-  Json stats{{"state", print_state()}, {"message", message()},     {"filename", ""},
-             {"total_duration", 0.0},  {"print_duration", 0.0},    {"filament_used", 0.0},
+  Json stats{{"state", print_state()},
+             {"message", message()},
+             {"filename", ""},
+             {"total_duration", 0.0},
+             {"print_duration", 0.0},
+             {"filament_used", 0.0},
              {"info", {{"total_layer", nullptr}, {"current_layer", nullptr}}}};
   if (job_.is_null() || print_state() == "standby") return stats;
   stats["filename"] = job_.at("name");
@@ -151,8 +157,10 @@ Json PrinterView::print_stats() const {
 }
 
 Json PrinterView::virtual_sdcard() const {
-  Json card{{"progress", 0.0},     {"is_active", print_state() == "printing"},
-            {"file_position", 0},  {"file_size", 0},
+  Json card{{"progress", 0.0},
+            {"is_active", print_state() == "printing"},
+            {"file_position", 0},
+            {"file_size", 0},
             {"file_path", nullptr}};
   if (job_.is_null() || print_state() == "standby") return card;
   const auto bytes = job_.at("bytes").get<std::int64_t>();
@@ -169,18 +177,21 @@ Json PrinterView::objects() const {
   Json all{
       {"webhooks",
        // Klipper itself is never disconnected.
-       {{"state", state == "disconnected" ? "startup" : state}, {"state_message", klippy_message()}}},
+       {{"state", state == "disconnected" ? "startup" : state},
+        {"state_message", klippy_message()}}},
       {"configfile", configfile()},
       {"print_stats", print_stats()},
       {"virtual_sdcard", virtual_sdcard()},
       {"pause_resume", {{"is_paused", print_state() == "paused"}}},
       {"idle_timeout",
-       {{"state", is_printing ? "Printing" : "Ready"}, {"printing_time", is_printing ? times_.total : 0}}},
+       {{"state", is_printing ? "Printing" : "Ready"},
+        {"printing_time", is_printing ? times_.total : 0}}},
       {"display_status", {{"progress", is_active_ ? progress() : 0.0}, {"message", message()}}},
       {"heaters",
        {{"available_heaters", {"extruder", "heater_bed"}},
         {"available_sensors", {"extruder", "heater_bed"}}}}};
-  for (const auto& [name, ours] : {std::pair{"extruder", "hotend"}, std::pair{"heater_bed", "bed"}}) {
+  for (const auto& [name, ours] :
+       {std::pair{"extruder", "hotend"}, std::pair{"heater_bed", "bed"}}) {
     Json heater = Json::object();
     const Json& pair = printer_.at(ours);
     if (!pair.at(0).is_null()) heater["temperature"] = pair.at(0);
@@ -188,7 +199,8 @@ Json PrinterView::objects() const {
     if (pair.size() > 2 && !pair.at(2).is_null()) heater["power"] = pair.at(2);
     all[name] = heater;
   }
-  for (const Macro& macro : macros()) all["gcode_macro " + std::string(macro.name)] = Json::object();
+  for (const Macro& macro : macros())
+    all["gcode_macro " + std::string(macro.name)] = Json::object();
   all.update(motion());
   return all;
 }

@@ -102,7 +102,8 @@ bool is_api_path(std::string_view path) {
 
 void answer_error(httplib::Response& response, const Error& error) {
   const int status = status_of(error);
-  web::answer(response, {{"error", {{"code", status}, {"message", error.what()}, {"traceback", ""}}}},
+  web::answer(response,
+              {{"error", {{"code", status}, {"message", error.what()}, {"traceback", ""}}}},
               status);
 }
 
@@ -118,19 +119,20 @@ void add_routes(httplib::Server& server, Core& core, const Methods& methods) {
   for (const Method& method : methods.all()) {
     if (!method.path.empty()) add(server, core, methods, method);
   }
-  server.Post("/server/jsonrpc", [&core, &methods](const httplib::Request& request,
-                                                   httplib::Response& response,
-                                                   const httplib::ContentReader& read) {
-    answer_errors_of(response, [&] {
-      const auto answer = methods.answer_to(core, web::body_of(request, read), nullptr);
-      web::answer(response, answer.value_or(Json::object()));
-    });
-  });
+  server.Post("/server/jsonrpc",
+              [&core, &methods](const httplib::Request& request, httplib::Response& response,
+                                const httplib::ContentReader& read) {
+                answer_errors_of(response, [&] {
+                  const auto answer = methods.answer_to(core, web::body_of(request, read), nullptr);
+                  web::answer(response, answer.value_or(Json::object()));
+                });
+              });
   // Slicers of host type OctoPrint ask this first.
   server.Get("/api/version", [](const httplib::Request&, httplib::Response& response) {
-    web::answer(response, {{"api", "0.1"},
-                           {"server", api_version_text},
-                           {"text", std::string("OctoPrint (StepFabric ") + stepfabric_version + ")"}});
+    web::answer(response,
+                {{"api", "0.1"},
+                 {"server", api_version_text},
+                 {"text", std::string("OctoPrint (StepFabric ") + stepfabric_version + ")"}});
   });
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "host/moonraker/core.hpp"
+#include "host/moonraker/rpc.hpp"
 #include "host/web/http.hpp"
 
 namespace moonraker {

@@ -54,9 +54,9 @@ Error current_error() {
 }
 
 Methods::Methods() {
-  for (const auto& table : {access_methods(), database_methods(), file_methods(), history_methods(),
-                            machine_methods(), object_methods(), printer_methods(), queue_methods(),
-                            server_methods()}) {
+  for (const auto& table :
+       {access_methods(), database_methods(), file_methods(), history_methods(), machine_methods(),
+        object_methods(), printer_methods(), queue_methods(), server_methods()}) {
     methods_.insert(methods_.end(), table.begin(), table.end());
   }
 }
@@ -117,8 +117,8 @@ std::optional<Json> Methods::answer_to_one(Core& core, const Json& message,
     const Method* found = find(method->get_ref<const std::string&>());
     if (found == nullptr) throw Error(unknown_method, "Method not found");
     const auto params = message.find("params");
-    const bool has_none = params == message.end() || params->is_null() ||
-                          (params->is_array() && params->empty());
+    const bool has_none =
+        params == message.end() || params->is_null() || (params->is_array() && params->empty());
     const Json result = call(core, *found, has_none ? Json::object() : *params, connection);
     if (!is_answered) return std::nullopt;
     return Json{{"jsonrpc", "2.0"}, {"result", result}, {"id", id}};
@@ -140,9 +140,8 @@ std::string dumped(const Json& json) {
 }
 
 Json error_answer(const Json& id, const Error& error) {
-  return {{"jsonrpc", "2.0"},
-          {"error", {{"code", error.code}, {"message", error.what()}}},
-          {"id", id}};
+  return {
+      {"jsonrpc", "2.0"}, {"error", {{"code", error.code}, {"message", error.what()}}}, {"id", id}};
 }
 
 std::string notification(std::string_view method, const Json& params) {

@@ -31,7 +31,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-std::string_view first_word(std::string_view line) { return line.substr(0, line.find_first_of(" \t")); }
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, line.find_first_of(" \t"));
+}
 
 // A letter and a number: nothing else where the word is no G-code.
 std::optional<std::pair<char, int>> code_of(std::string_view word) {
@@ -39,8 +41,8 @@ std::optional<std::pair<char, int>> code_of(std::string_view word) {
   int number = 0;
   const auto [end, error] = std::from_chars(word.data() + 1, word.data() + word.size(), number);
   const char letter = upper(word.substr(0, 1)).front();
-  const bool is_code = error == std::errc{} && number >= 0 &&
-                       (letter == 'G' || letter == 'M' || letter == 'T');
+  const bool is_code =
+      error == std::errc{} && number >= 0 && (letter == 'G' || letter == 'M' || letter == 'T');
   return is_code ? std::optional(std::pair(letter, number)) : std::nullopt;
 }
 
@@ -60,7 +62,8 @@ std::map<std::string, std::string> parameters_of(std::string_view line) {
       if (end == std::string_view::npos) throw Error(400, "a quotation mark is open");
     }
     found[name] = line.substr(0, end);
-    line.remove_prefix(std::min(end == std::string_view::npos ? line.size() : end + 1, line.size()));
+    line.remove_prefix(
+        std::min(end == std::string_view::npos ? line.size() : end + 1, line.size()));
   }
   return found;
 }
@@ -111,7 +114,8 @@ void add_steps(std::string_view line, Work work, std::vector<Step>& steps) {
   if (word == "PAUSE") return steps.push_back(wish("pause"));
   if (word == "RESUME") return steps.push_back(wish("resume"));
   if (word == "CANCEL_PRINT") return steps.push_back(wish("cancel"));
-  if (word == "BED_CLEAR") return steps.push_back({.kind = Kind::bed_clear, .wish = {}, .file = {}});
+  if (word == "BED_CLEAR")
+    return steps.push_back({.kind = Kind::bed_clear, .wish = {}, .file = {}});
   if (word == "FIRMWARE_RESTART" || word == "RESTART") {
     return steps.push_back({.kind = Kind::restart, .wish = {}, .file = {}});
   }

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "host/moonraker/core.hpp"
@@ -17,10 +19,10 @@ namespace moonraker {
 inline constexpr std::uint16_t usual_port = 7125;
 
 struct Options {
-  std::string printer;
-  web::Address address;
-  web::Rules rules;
-  std::filesystem::path frontend;  // folder with Mainsail or Fluidd; empty: none
+  std::string printer{};
+  web::Address address{};
+  web::Rules rules{};
+  std::filesystem::path frontend{};  // folder with Mainsail or Fluidd; empty: none
   web::WaitLimits wait{};
   SocketLimits sockets{};
   HubLimits hub{};

@@ -29,12 +29,11 @@ Json info(Core& core, const Json&, Connection*) {
 }
 
 Json config(Core& core, const Json&, Connection*) {
-  const Json sections{
-      {"server", Json::object()},
-      {"data_store", {{"temperature_store_size", TemperatureStore::longest}}},
-      {"file_manager", {{"queue_gcode_uploads", true}}},
-      {"job_queue", {{"load_on_startup", true}, {"automatic_transition", true}}},
-      {"authorization", {{"force_logins", core.access.needs_key()}}}};
+  const Json sections{{"server", Json::object()},
+                      {"data_store", {{"temperature_store_size", TemperatureStore::longest}}},
+                      {"file_manager", {{"queue_gcode_uploads", true}}},
+                      {"job_queue", {{"load_on_startup", true}, {"automatic_transition", true}}},
+                      {"authorization", {{"force_logins", core.access.needs_key()}}}};
   return {{"config", sections}, {"orig", Json::object()}, {"files", Json::array()}};
 }
 

@@ -44,8 +44,11 @@ void Session::begin(const Handshake& handshake) {
   request->set(http::field::host, handshake.host);
   request->set(http::field::upgrade, "websocket");
   request->set(http::field::connection, handshake.connection);
-  request->set(http::field::sec_websocket_key, handshake.key);
-  request->set(http::field::sec_websocket_version, handshake.version);
+  const auto set_what_came = [&](http::field field, const std::string& value) {
+    if (!value.empty()) request->set(field, value);
+  };
+  set_what_came(http::field::sec_websocket_key, handshake.key);
+  set_what_came(http::field::sec_websocket_version, handshake.version);
   stream_.set_option(websocket::stream_base::timeout{.handshake_timeout = std::chrono::seconds(10),
                                                      .idle_timeout = context_.limits.idle,
                                                      .keep_alive_pings = true});

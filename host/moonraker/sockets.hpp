@@ -2,11 +2,13 @@
 // The WebSockets of one printer's Moonraker, on Boost.Beast.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
 
 #include "host/moonraker/core.hpp"
+#include "host/moonraker/rpc.hpp"
 
 namespace moonraker {
 

@@ -36,8 +36,7 @@ Json difference(const Json& now, const Json& before) {
   for (const auto& [name, object] : now.items()) {
     const auto old = before.find(name);
     for (const auto& [field, value] : object.items()) {
-      const bool is_same =
-          old != before.end() && old->contains(field) && old->at(field) == value;
+      const bool is_same = old != before.end() && old->contains(field) && old->at(field) == value;
       if (!is_same) changes[name][field] = value;
     }
   }

@@ -42,7 +42,8 @@ Json Spooler::to_json(const FeederLink& printer) {
   const std::size_t begin =
       lines.size() > most_console_lines ? lines.size() - most_console_lines : 0;
   for (std::size_t i = begin; i < lines.size(); ++i) {
-    console.push_back({{"number", lines[i].number}, {"text", lines[i].text}, {"time_ms", lines[i].time_ms}});
+    console.push_back(
+        {{"number", lines[i].number}, {"text", lines[i].text}, {"time_ms", lines[i].time_ms}});
   }
   return {{"name", printer.name()},
           {"simulated", printer.is_simulated()},

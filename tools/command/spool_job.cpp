@@ -70,12 +70,12 @@ Moonrakers moonrakers_of(const SpoolOptions& options, const web::Rules& rules,
   web::Address address = web::address_of(options.moonraker, moonraker::usual_port);
   all.settings = std::make_unique<moonraker::SettingsStore>(settings.data / "front_ends.db");
   for (const spooler::PrinterSpec& printer : settings.printers) {
-    all.servers.push_back(std::make_unique<moonraker::Server>(
-        spooler, *all.settings,
-        moonraker::Options{.printer = printer.name,
-                           .address = address,
-                           .rules = rules,
-                           .frontend = options.frontend}));
+    all.servers.push_back(
+        std::make_unique<moonraker::Server>(spooler, *all.settings,
+                                            moonraker::Options{.printer = printer.name,
+                                                               .address = address,
+                                                               .rules = rules,
+                                                               .frontend = options.frontend}));
     if (address.port != 0) ++address.port;
   }
   return all;
@@ -102,7 +102,7 @@ int spool(const SpoolOptions& options) {
   const spooler::Settings settings = settings_of(options);
   const web::Address address = web::address_of(options.listen);
   const web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
-                   .names = options.host_names};
+                         .names = options.host_names};
   refuse_to_serve_as_root(address, options);
   build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);

@@ -32,9 +32,10 @@ void add_options(CLI::App& app, SpoolOptions& options) {
       "run as root although other machines reach it, as in a container; elsewhere start it "
       "as another user");
   CLI::Option* const moonraker =
-      job.add_option("--moonraker", options.moonraker,
-                     "serve Moonraker's API too, for Mainsail, Fluidd and slicers; one port for each "
-                     "printer, counting up from this one")
+      job.add_option(
+             "--moonraker", options.moonraker,
+             "serve Moonraker's API too, for Mainsail, Fluidd and slicers; one port for each "
+             "printer, counting up from this one")
           ->type_name("HOST[:7125]");
   job.add_option("--frontend", options.frontend,
                  "folder with Mainsail or Fluidd, which is served with Moonraker's API")
