@@ -53,6 +53,7 @@ Server::Server(spooler::Spooler& spooler, SettingsStore& settings, const Options
         if (is_socket(request)) return httplib::Server::HandlerResponse::Handled;  // by its taker
         const auto refusal = core_.guard.refusal_of(web::head_of(request), request.remote_addr);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+        if (refusal->status == 429) response.set_header("Retry-After", "1");
         answer_error(response, {refusal->status, refusal->why});
         return httplib::Server::HandlerResponse::Handled;
       });

@@ -108,6 +108,17 @@ TEST_F(KeyTest, who_does_not_give_the_key_is_dropped_and_keeps_no_one_out) {
   EXPECT_TRUE(friendly.call("server.info").contains("result"));
 }
 
+TEST_F(MoonrakerTest, who_asks_too_much_must_wait_but_may_stop_the_printer) {
+  serve({.rules = {.key = {}, .names = {}, .rate = {.burst = 3, .per_second = 0}}});
+  expect_ready();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(http().Get("/server/info")->status, 200);
+  const auto refused = http().Get("/server/info");
+  EXPECT_EQ(refused->status, 429);
+  EXPECT_EQ(refused->get_header_value("Retry-After"), "1");
+  EXPECT_EQ(SocketClient(port()).status(), 429);
+  EXPECT_EQ(http().Post("/printer/emergency_stop", "{}", "application/json")->status, 200);
+}
+
 TEST_F(MoonrakerTest, other_sites_and_names_open_no_websocket_and_change_nothing) {
   const std::string own = "127.0.0.1:" + std::to_string(port());
   EXPECT_EQ(SocketClient(port()).status(), 101);

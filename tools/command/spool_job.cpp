@@ -104,6 +104,9 @@ int spool(const SpoolOptions& options) {
   const web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
                          .names = options.host_names};
   refuse_to_serve_as_root(address, options);
+  if (!options.moonraker.empty()) {
+    refuse_to_serve_as_root(web::address_of(options.moonraker, moonraker::usual_port), options);
+  }
   build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);
   const web::Server server(spooler, address, rules);
