@@ -18,7 +18,11 @@ constexpr auto shortest_interval = 250ms;  // as Moonraker's
 
 }  // namespace
 
-Broadcaster::Broadcaster(Core& core) : core_(core), thread_([this] { run(); }) {}
+// What is there now is no news; what comes after the constructor is.
+Broadcaster::Broadcaster(Core& core) : core_(core) {
+  try_pass();
+  thread_ = std::thread([this] { run(); });
+}
 
 Broadcaster::~Broadcaster() {
   {
@@ -33,11 +37,15 @@ void Broadcaster::run() {
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, shortest_interval, [this] { return ends_; })) {
     lock.unlock();
-    try {
-      pass();
-    } catch (const std::exception&) {  // the queue cannot be read now: the next pass reports it
-    }
+    try_pass();
     lock.lock();
+  }
+}
+
+void Broadcaster::try_pass() {
+  try {
+    pass();
+  } catch (const std::exception&) {  // the queue cannot be read now: the next pass reports it
   }
 }
 

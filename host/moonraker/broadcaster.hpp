@@ -23,6 +23,7 @@ class Broadcaster {
 
  private:
   void run();
+  void try_pass();
   void pass();
   void tell_klippy_state(const PrinterView& view);
   void tell_console(const PrinterView& view);

@@ -36,9 +36,9 @@ TEST_F(JobTest, an_upload_is_answered_when_its_file_and_its_job_are_there) {
   const auto answer = http().Post(
       "/server/files/upload",
       httplib::MultipartFormDataItems{
-       field("root", "gcodes"),
-       field("path", ""),
-       {.name = "file", .content = "G28 X\n", .filename = "a b.gcode", .content_type = ""}});
+          field("root", "gcodes"),
+          field("path", ""),
+          {.name = "file", .content = "G28 X\n", .filename = "a b.gcode", .content_type = ""}});
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->status, 201);
   EXPECT_THAT(answer->get_header_value("Location"), HasSubstr("/server/files/gcodes/a%20b.gcode"));
