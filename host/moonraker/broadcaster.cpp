@@ -8,6 +8,7 @@
 #include "host/moonraker/files.hpp"
 #include "host/moonraker/history.hpp"
 #include "host/moonraker/job_list.hpp"
+#include "host/moonraker/rpc.hpp"
 
 namespace moonraker {
 

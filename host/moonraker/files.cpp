@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 
+#include "host/moonraker/rpc.hpp"
 #include "host/moonraker/script.hpp"
 
 namespace moonraker {

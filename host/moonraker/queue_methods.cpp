@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // server.job_queue: the spooler's queue. It runs by itself; what holds it back is a bed that is not
 // clear, which only a person can know.
+#include <algorithm>
 #include <charconv>
 
 #include "host/moonraker/files.hpp"

@@ -2,6 +2,8 @@
 // What front ends ask when they connect, JSON-RPC's rules, and subscriptions.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/moonraker/fixture.hpp"
 
 namespace {

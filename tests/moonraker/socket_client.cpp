@@ -2,6 +2,7 @@
 // One read is always under way; it is waited for as long as the caller wants.
 #include "tests/moonraker/socket_client.hpp"
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
