@@ -233,13 +233,6 @@ void Conversation::go_on_from(std::int64_t number, Time now) {
               std::to_string(number) + ", none of this job");
 }
 
-void Conversation::handle_action(std::string_view action) {
-  if (action == "pause") pause();
-  if (action == "resume") resume();
-  if (action == "cancel" && has_work()) cancel();
-  if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
-}
-
 void Conversation::update(Time now) {
   if (now - retried_at_ >= retry_interval) {
     retried_at_ = now;

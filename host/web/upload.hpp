@@ -21,8 +21,8 @@ struct UploadForm {
 };
 
 // Reads the fields of slicers in any order (`print`, `select`, `path`, `file`) and writes the file
-// into `upload`. `response` has what httplib says of a broken body. `prints`: where no field says so. Throws HttpError: 400 no file
-// or a broken form, 413 too long, 415 no G-code, 507 no space.
+// into `upload`. `response` has what httplib says of a broken body; `prints`: where no field says
+// so. Throws HttpError: 400 no file or a broken form, 413 too long, 415 no G-code, 507 no space.
 UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
                      const httplib::ContentReader& read, queue::Store::Upload& upload,
                      std::uintmax_t free_bytes, const UploadLimits& limits = {},

@@ -229,7 +229,8 @@ TEST_F(JobTest, the_same_methods_answer_over_http) {
       posted("/server/jsonrpc", {{"jsonrpc", "2.0"}, {"method", "server.info"}, {"id", 7}});
   EXPECT_EQ(rpc.second.at("id"), 7);
   EXPECT_EQ(rpc.second.at("result").at("klippy_state"), "ready");
-  EXPECT_EQ(http().Post("/server/jsonrpc", std::string(1000, '['), "application/json")->status, 400);
+  EXPECT_EQ(http().Post("/server/jsonrpc", std::string(1000, '['), "application/json")->status,
+            400);
   SocketClient client = front_end();
   const auto id =
       client.call("server.websocket.id").at("result").at("websocket_id").get<std::int64_t>();

@@ -26,8 +26,7 @@ class SocketClient {
   void send(const std::string& text, bool is_text = true);
   // The next message; nothing where none comes in this time, or the connection has ended.
   std::optional<Json> receive(std::chrono::milliseconds time = std::chrono::seconds(30));
-  // The answer with its id, after which notifications are kept for notified(). An error's answer
-  // too.
+  // The answer with its id, also an error's. Notifications before it are kept for notified().
   Json call(const std::string& method, const Json& params = Json::object());
   // The next notification of this name.
   std::optional<Json> notified(const std::string& method,

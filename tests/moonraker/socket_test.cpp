@@ -136,8 +136,11 @@ TEST_F(SocketTest, one_too_many_is_refused_until_one_goes) {
 TEST_F(SocketTest, a_client_that_does_not_read_is_dropped_and_delays_no_one) {
   serve({.sockets = {.output = 64 * 1024, .in_flight = 1'000'000}});
   SocketClient lazy = front_end(), other = front_end();
-  const std::string request =
-      R"({"jsonrpc":"2.0","method":"printer.objects.query","params":{"objects":{"configfile":null}},"id":1})";
+  const std::string request = Json{{"jsonrpc", "2.0"},
+                                   {"method", "printer.objects.query"},
+                                   {"params", {{"objects", {{"configfile", nullptr}}}}},
+                                   {"id", 1}}
+                                  .dump();
   bool dropped = false;
   for (int i = 0; i < 200'000 && !dropped; ++i) {
     lazy.send(request);
