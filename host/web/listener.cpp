@@ -15,7 +15,6 @@ namespace web {
 
 namespace {
 
-constexpr std::chrono::seconds write_limit{10};
 constexpr int most_queued = 512;  // by the system
 constexpr std::size_t most_left_unread = 1024 * 1024;
 constexpr std::size_t most_waiting_connections = 256;
@@ -67,7 +66,7 @@ Address Listener::bind(Address address) {
 bool Listener::process_and_close_socket(socket_t socket) {
   bool answered = false;
   try {
-    RequestStream stream(socket, connections_, write_limit);
+    RequestStream stream(socket, connections_);
     std::string remote, local;
     int remote_port = 0, local_port = 0;
     stream.get_remote_ip_and_port(remote, remote_port);

@@ -14,8 +14,7 @@ namespace web {
 // httplib finds the connection ended, and what it writes is dropped.
 class RequestStream final : public httplib::Stream {
  public:
-  // `write_limit`: until a part of the answer must be taken.
-  RequestStream(int socket, Connections& connections, std::chrono::milliseconds write_limit);
+  RequestStream(int socket, Connections& connections);
   RequestStream(const RequestStream&) = delete;
   RequestStream& operator=(const RequestStream&) = delete;
 
@@ -34,11 +33,11 @@ class RequestStream final : public httplib::Stream {
   Clock::time_point due() const;
   bool fill();
   void follow_head();
+  bool wait_to_write() const;
   void answer_and_end(const char* status, const char* why);
 
   Connections& connections_;
-  Awaited awaited_;
-  std::chrono::milliseconds write_limit_;
+  mutable Awaited awaited_;  // is_writable() waits too
   Clock::time_point began_ = Clock::now(), read_at_ = began_;
   std::array<char, 16 * 1024> buffer_;
   std::size_t used_ = 0, filled_ = 0;  // of the buffer
