@@ -53,8 +53,12 @@ Json remove(Core& core, const Json& params, Connection*) {
   return remove_file(core, text_in(params, "path"));
 }
 
+Json move(Core& core, const Json& params, Connection*) {
+  return move_file(core, text_in(params, "source"), text_in(params, "dest"));
+}
+
 Json no_folders(Core&, const Json&, Connection*) {
-  throw Error(400, "files are those of jobs: they have no folders and keep their names");
+  throw Error(400, "files are those of jobs: they have no folders and no copies");
 }
 
 }  // namespace
@@ -65,7 +69,7 @@ std::vector<Method> file_methods() {
           {"server.files.get_directory", "GET", "/server/files/directory", folder},
           {"server.files.post_directory", "POST", "/server/files/directory", no_folders},
           {"server.files.delete_directory", "DELETE", "/server/files/directory", no_folders},
-          {"server.files.move", "POST", "/server/files/move", no_folders},
+          {"server.files.move", "POST", "/server/files/move", move},
           {"server.files.copy", "POST", "/server/files/copy", no_folders},
           {"server.files.zip", "POST", "/server/files/zip", no_folders},
           {"server.files.metadata", "GET", "/server/files/metadata", metadata_of},

@@ -96,8 +96,9 @@ void add_frontend(httplib::Server& server, const std::filesystem::path& folder) 
   server.Patch(".*", not_found);
   server.Delete(".*", not_found);
   server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
-    if (response.body.empty())
+    if (response.body.empty()) {
       answer_error(response, {response.status, "the request cannot be answered"});
+    }
   });
 }
 

@@ -27,6 +27,9 @@ Json file_item(const queue::Job& job);
 Json changed_item(const std::string& name, std::int64_t bytes, std::int64_t uploaded_ms);
 // What the check has found, and what the slicer says in the file's head.
 Json metadata(Core& core, const queue::Job& job);
+// Gives all its jobs another name. Throws Error: 400 where no file here may have it, 403 where one
+// has it.
+Json move_file(Core& core, const std::string& source, const std::string& wanted);
 // Ends and removes all its jobs. Throws Error 403 while one is printed.
 Json remove_file(Core& core, const std::string& name);
 

@@ -85,7 +85,8 @@ void add(httplib::Server& server, Core& core, const Methods& methods, const Meth
   };
   if (method.verb == "POST") server.Post(path, with_body);
   if (method.verb == "DELETE") server.Delete(path, with_body);
-  if (method.verb == "GET" || takes_objects(method)) {
+  // A subscription changes what a connection gets: a page of another site may send GET only.
+  if (method.verb == "GET" || method.name == "printer.objects.query") {
     server.Get(path, [run](const httplib::Request& request, httplib::Response& response) {
       answer_errors_of(response, [&] { run(request, response, Json::object()); });
     });

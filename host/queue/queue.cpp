@@ -254,6 +254,11 @@ void Queue::move(JobId id, std::optional<JobId> next) {
   transaction.commit();
 }
 
+void Queue::rename(JobId id, const std::string& name) {
+  Statement(database_, "UPDATE jobs SET name = ? WHERE id = ?").bind(name).bind(id).run();
+  if (database_.changes() == 0) throw NoSuchJob(id);
+}
+
 void Queue::set_wanted_printer(JobId id, const std::string& printer) {
   Transaction transaction(database_);
   check_waits(id);

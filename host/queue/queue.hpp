@@ -62,6 +62,8 @@ class Queue {
   void set_held(JobId id, bool held);
   // Before `next`, or to the end. Throws NotPermitted once it has been started.
   void move(JobId id, std::optional<JobId> next);
+  // A name for people, as queue::cleaned_name() makes it.
+  void rename(JobId id, const std::string& name);
   // Which printer may start it; empty: any. Throws NotPermitted once it has been started.
   void set_wanted_printer(JobId id, const std::string& printer);
   // A job that is over and was not refused, as a new one at the end, for the same printer or this.

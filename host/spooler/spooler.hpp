@@ -54,6 +54,7 @@ class Spooler {
   void set_held(queue::JobId id, bool held);
   // An interrupted one is queued again, with its number. `printer`: where another one is wanted.
   queue::JobId print_again(queue::JobId id, const std::optional<std::string>& printer = {});
+  void rename(queue::JobId id, const std::string& name);
   // Which printer may start it; empty: any.
   void set_wanted_printer(queue::JobId id, const std::string& printer);
   void remove(queue::JobId id);

@@ -75,6 +75,12 @@ void Spooler::set_held(JobId id, bool held) {
   changed();
 }
 
+void Spooler::rename(JobId id, const std::string& name) {
+  const std::scoped_lock lock(mutex_);
+  queue_.rename(id, queue::cleaned_name(name));
+  changed();
+}
+
 void Spooler::set_wanted_printer(JobId id, const std::string& printer) {
   const std::scoped_lock lock(mutex_);
   if (!printer.empty()) link(printer);

@@ -18,12 +18,6 @@ constexpr std::size_t longest_field = 4096;
 constexpr std::size_t most_fields = 20;
 constexpr std::uintmax_t space_to_leave = 64 * 1024 * 1024;
 
-bool is_gcode(const std::string& file_name) {
-  const std::string name = lower(file_name);
-  constexpr std::array<std::string_view, 4> endings{".gcode", ".gco", ".g", ".nc"};
-  return std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
-}
-
 bool is_true(const std::string& value) { return value == "true" || value == "1" || value == "yes"; }
 
 class FormReader {
@@ -78,6 +72,12 @@ std::uintmax_t announced_length(const httplib::Request& request) {
 }
 
 }  // namespace
+
+bool is_gcode(const std::string& file_name) {
+  const std::string name = lower(file_name);
+  constexpr std::array<std::string_view, 4> endings{".gcode", ".gco", ".g", ".nc"};
+  return std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
+}
 
 UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
                      const httplib::ContentReader& read, queue::Store::Upload& upload,

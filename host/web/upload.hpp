@@ -14,6 +14,9 @@ struct UploadLimits {
   std::size_t bytes = std::size_t{1} << 30u;
 };
 
+// By the ending of its name.
+bool is_gcode(const std::string& file_name);
+
 struct UploadForm {
   std::string file_name;
   bool prints = true;  // field `print`; unchanged without one
