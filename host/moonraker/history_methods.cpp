@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::int64_t usual_limit = 50, largest_limit = 1000;
 
+JobTimes times_until_now(Core& core, const queue::Job& job) {
+  return times_of(core.spooler.history(job.id), static_cast<std::int64_t>(unix_time() * 1000));
+}
+
 queue::Job job_in(Core& core, const Json& params) {
   const std::int64_t id = integer_in(params, "uid", 0);
   const auto job = core.spooler.find(id);
@@ -20,14 +24,21 @@ queue::Job job_in(Core& core, const Json& params) {
   return *job;
 }
 
+struct Begun {
+  queue::Job job;
+  JobTimes times;
+};
+
 // The latest first.
-std::vector<Json> all_of(Core& core) {
-  std::vector<Json> list;
-  for (const queue::Job& job : core.spooler.jobs()) {
-    if (was_begun_on(job, core.printer)) list.push_back(history_item(core, job));
+std::vector<Begun> all_of(Core& core) {
+  std::vector<Begun> list;
+  for (queue::Job& job : core.spooler.jobs()) {
+    if (!was_begun_on(job, core.printer)) continue;
+    const JobTimes times = times_until_now(core, job);
+    list.push_back({.job = std::move(job), .times = times});
   }
   std::ranges::stable_sort(list, std::greater{},
-                           [](const Json& job) { return job.at("start_time").get<double>(); });
+                           [](const Begun& begun) { return begun.times.started; });
   return list;
 }
 
@@ -35,33 +46,35 @@ Json list(Core& core, const Json& params, Connection*) {
   const auto start = std::max<std::int64_t>(integer_in(params, "start", 0), 0);
   const auto limit =
       std::clamp<std::int64_t>(integer_in(params, "limit", usual_limit), 0, largest_limit);
-  std::vector<Json> all = all_of(core);
+  const auto before = static_cast<double>(integer_in(params, "before", 0));
+  const auto since = static_cast<double>(integer_in(params, "since", 0));
+  std::vector<Begun> all = all_of(core);
   if (text_in(params, "order", "desc") == "asc") std::ranges::reverse(all);
-  const auto begins_in = [&](const Json& job) {
-    const auto time = job.at("start_time").get<double>();
-    const auto before = static_cast<double>(integer_in(params, "before", 0));
-    return (before == 0 || time < before) &&
-           time > static_cast<double>(integer_in(params, "since", 0));
-  };
+  std::erase_if(all, [&](const Begun& begun) {
+    const double time = begun.times.started;
+    return (before != 0 && time >= before) || time <= since;
+  });
+  const auto count = static_cast<std::int64_t>(all.size());
   Json found = Json::array();
-  std::int64_t count = 0;
-  for (const Json& job : all) {
-    if (!begins_in(job)) continue;
-    if (count >= start && count < start + limit) found.push_back(job);
-    ++count;
+  for (std::int64_t i = start; i < count && i - start < limit; ++i) {
+    found.push_back(history_item(core, all[static_cast<std::size_t>(i)].job));
   }
   return {{"count", count}, {"jobs", found}};
 }
 
+double filament_of(const queue::Job& job) {
+  return job.state == queue::JobState::finished ? job.filament_mm : 0.0;
+}
+
 Json totals(Core& core, const Json&, Connection*) {
   double time = 0, printing = 0, filament = 0, longest = 0, longest_print = 0;
-  const std::vector<Json> all = all_of(core);
-  for (const Json& job : all) {
-    time += job.at("total_duration").get<double>();
-    printing += job.at("print_duration").get<double>();
-    filament += job.at("filament_used").get<double>();
-    longest = std::max(longest, job.at("total_duration").get<double>());
-    longest_print = std::max(longest_print, job.at("print_duration").get<double>());
+  const std::vector<Begun> all = all_of(core);
+  for (const auto& [job, times] : all) {
+    time += times.total;
+    printing += times.printing;
+    filament += filament_of(job);
+    longest = std::max(longest, times.total);
+    longest_print = std::max(longest_print, times.printing);
   }
   return {{"job_totals",
            {{"total_jobs", all.size()},
@@ -100,15 +113,13 @@ bool was_begun_on(const queue::Job& job, const std::string& printer) {
 }
 
 Json history_item(Core& core, const queue::Job& job) {
-  const JobTimes times =
-      times_of(core.spooler.history(job.id), static_cast<std::int64_t>(unix_time() * 1000));
+  const JobTimes times = times_until_now(core, job);
   const auto status = [&] {
     if (queue::is_active(job.state)) return "in_progress";
     if (job.state == queue::JobState::finished) return "completed";
     if (job.state == queue::JobState::cancelled) return "cancelled";
     return job.state == queue::JobState::failed ? "error" : "interrupted";
   };
-  const bool is_complete = job.state == queue::JobState::finished;
   return {{"job_id", std::to_string(job.id)},
           {"exists", true},
           {"filename", job.name},
@@ -117,7 +128,7 @@ Json history_item(Core& core, const queue::Job& job) {
           {"end_time", times.ended > 0 ? Json(times.ended) : Json()},
           {"print_duration", times.printing},
           {"total_duration", times.total},
-          {"filament_used", is_complete ? job.filament_mm : 0.0},
+          {"filament_used", filament_of(job)},
           {"metadata", metadata(core, job)},
           {"auxiliary_data", Json::array()}};
 }

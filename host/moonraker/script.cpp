@@ -80,9 +80,12 @@ Step heater_step(std::string_view line) {
     throw Error(400, "there is no heater '" + heater + "'");
   }
   double value = 0;
-  const auto [end, error] = std::from_chars(target.data(), target.data() + target.size(), value);
+  // Without exponents, which are another parameter in G-code.
+  const auto [end, error] = std::from_chars(target.data(), target.data() + target.size(), value,
+                                            std::chars_format::fixed);
   const bool is_number = error == std::errc{} && end == target.data() + target.size();
-  if (!target.empty() && (!is_number || value < 0 || value > 1000)) {
+  const bool is_good = is_number && value >= 0 && value <= 1000;  // not NaN
+  if (!target.empty() && !is_good) {
     throw Error(400, "the temperature '" + target + "' is no number of degrees");
   }
   return sent((heater == "extruder" ? "M104 S" : "M140 S") + (target.empty() ? "0" : target));
@@ -114,8 +117,9 @@ void add_steps(std::string_view line, Work work, std::vector<Step>& steps) {
   if (word == "PAUSE") return steps.push_back(wish("pause"));
   if (word == "RESUME") return steps.push_back(wish("resume"));
   if (word == "CANCEL_PRINT") return steps.push_back(wish("cancel"));
-  if (word == "BED_CLEAR")
+  if (word == "BED_CLEAR") {
     return steps.push_back({.kind = Kind::bed_clear, .wish = {}, .file = {}});
+  }
   if (word == "FIRMWARE_RESTART" || word == "RESTART") {
     return steps.push_back({.kind = Kind::restart, .wish = {}, .file = {}});
   }

@@ -146,6 +146,9 @@ TEST(Script, is_refused_whole_where_a_line_is_wrong) {
   for (const char* script :
        {"G28\nBED_MESH_CALIBRATE", "SET_HEATER_TEMPERATURE HEATER=laser TARGET=5",
         "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=hot", "SDCARD_RESET_FILE",
+        "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=nan",
+        "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=1e2",
+        "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=-1",
         "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=200\rM112"}) {
     EXPECT_THROW(steps_of(script, Work::none), Error) << script;
   }

@@ -70,13 +70,15 @@ Moonrakers moonrakers_of(const SpoolOptions& options, const web::Rules& rules,
   web::Address address = web::address_of(options.moonraker, moonraker::usual_port);
   all.settings = std::make_unique<moonraker::SettingsStore>(settings.data / "front_ends.db");
   for (const spooler::PrinterSpec& printer : settings.printers) {
+    if (!all.servers.empty() && address.port != 0 && ++address.port == 0) {
+      throw std::runtime_error("no port is left for the Moonraker of " + printer.name);
+    }
     all.servers.push_back(
         std::make_unique<moonraker::Server>(spooler, *all.settings,
                                             moonraker::Options{.printer = printer.name,
                                                                .address = address,
                                                                .rules = rules,
                                                                .frontend = options.frontend}));
-    if (address.port != 0) ++address.port;
   }
   return all;
 }
