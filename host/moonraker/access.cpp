@@ -23,9 +23,7 @@ std::string random_token() {
   }
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZ234567";
   std::string token;
-  for (const unsigned char byte : bytes) {
-    token += digits[byte & 31u];
-  }
+  for (const unsigned char byte : bytes) token += digits[byte & 31u];
   return token;
 }
 

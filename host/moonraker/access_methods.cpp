@@ -25,7 +25,13 @@ Json info(Core& core, const Json&, Connection* connection) {
 
 Json log_in(Core& core, const Json& params, Connection* connection) {
   const std::string name = text_in(params, "username");
-  const std::string token = core.access.log_in(text_in(params, "password"));
+  std::string token;
+  try {
+    token = core.access.log_in(text_in(params, "password"));
+  } catch (const Error& error) {
+    if (error.code == 401) refuse_key(core, connection, error.what());
+    throw;
+  }
   if (connection != nullptr) connection->authorise();
   return {{"username", name},
           {"token", token},
@@ -34,9 +40,9 @@ Json log_in(Core& core, const Json& params, Connection* connection) {
           {"source", source}};
 }
 
-Json refresh(Core& core, const Json& params, Connection*) {
+Json refresh(Core& core, const Json& params, Connection* connection) {
   const std::string token = text_in(params, "refresh_token");
-  if (!core.access.is_good(token)) throw Error(401, "Unauthorized: log in again");
+  if (!core.access.is_good(token)) refuse_key(core, connection, "Unauthorized: log in again");
   return {{"username", usual_name},
           {"token", token},
           {"source", source},
@@ -53,6 +59,11 @@ Json users(Core&, const Json&, Connection*) { return {{"users", Json::array({use
 Json oneshot(Core& core, const Json&, Connection*) { return core.access.new_oneshot(); }
 
 }  // namespace
+
+void refuse_key(Core& core, const Connection* connection, const std::string& why) {
+  if (connection != nullptr) core.guard.note_wrong_key(connection->client());
+  throw Error(401, why);
+}
 
 std::vector<Method> access_methods() {
   return {{"access.info", "GET", "/access/info", info, true},

@@ -2,8 +2,6 @@
 // Subscriptions of a connection.
 #include "host/moonraker/connection.hpp"
 
-#include <utility>
-
 #include "host/moonraker/rpc.hpp"
 
 namespace moonraker {
@@ -21,7 +19,9 @@ void Connection::begin_updates() {
 
 void Connection::update(const Json& objects, double event_time) {
   const std::scoped_lock lock(mutex_);
-  if (is_asked_ || !is_authorised()) return;  // the answer must come first
+  if (is_asked_ || !is_authorised()) {
+    return;  // the answer must come first
+  }
   const Json changes = active_.changes_to(objects);
   if (changes.empty()) return;
   send(std::make_shared<const std::string>(

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "host/moonraker/subscription.hpp"
 
@@ -17,15 +18,20 @@ class Connection {
  public:
   using Text = std::shared_ptr<const std::string>;
 
-  Connection(std::int64_t number, bool authorised) : id_(number), authorised_(authorised) {}
+  // `client`: its address.
+  Connection(std::int64_t number, std::string client, bool authorised)
+      : id_(number), client_(std::move(client)), authorised_(authorised) {}
   virtual ~Connection() = default;
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
   // Never waits: a client that does not take what is sent is dropped.
   virtual void send(Text text) = 0;
+  // Its place is needed: it is closed.
+  virtual void push_out() = 0;
 
   std::int64_t id() const { return id_; }
+  const std::string& client() const { return client_; }
   // Has given the key.
   bool is_authorised() const { return authorised_; }
   void authorise() { authorised_ = true; }
@@ -38,6 +44,7 @@ class Connection {
 
  private:
   const std::int64_t id_;
+  const std::string client_;
   std::atomic<bool> authorised_;
   std::mutex mutex_;
   Subscription asked_, active_;

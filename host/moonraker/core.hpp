@@ -28,6 +28,9 @@ struct Core {
   PrinterView view() const { return view_of(spooler, printer); }
 };
 
+// Throws Error 401. Counts for the client of a connection; over HTTP the server does that.
+[[noreturn]] void refuse_key(Core& core, const Connection* connection, const std::string& why);
+
 // In seconds since the machine was started.
 double event_time();
 // In seconds since 1970.

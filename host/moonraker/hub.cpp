@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host/web/rate.hpp"
+
 namespace moonraker {
 
 std::int64_t Hub::next_number() {
@@ -12,13 +14,31 @@ std::int64_t Hub::next_number() {
 }
 
 bool Hub::enter(const std::shared_ptr<Connection>& connection) {
-  const std::scoped_lock lock(mutex_);
-  const auto strangers = static_cast<std::size_t>(std::ranges::count_if(
-      connections_, [](const auto& each) { return !each.second->is_authorised(); }));
-  if (connections_.size() >= limits_.connections) return false;
-  if (!connection->is_authorised() && strangers >= limits_.strangers) return false;
-  connections_[connection->id()] = connection;
+  std::shared_ptr<Connection> pushed_out;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!connection->is_authorised()) pushed_out = one_too_many(*connection);
+    if (pushed_out) connections_.erase(pushed_out->id());
+    if (connections_.size() >= limits_.connections) return false;
+    connections_[connection->id()] = connection;
+  }
+  if (pushed_out) pushed_out->push_out();
   return true;
+}
+
+// Who goes where this one comes; nothing where there is room.
+std::shared_ptr<Connection> Hub::one_too_many(const Connection& stranger) const {
+  std::map<std::string, std::size_t> of_client{{web::client_of(stranger.client()), 1}};
+  std::vector<std::shared_ptr<Connection>> strangers;  // the oldest first
+  for (const auto& [number, each] : connections_) {
+    if (each->is_authorised()) continue;
+    strangers.push_back(each);
+    ++of_client[web::client_of(each->client())];
+  }
+  if (strangers.empty() || strangers.size() < limits_.strangers) return nullptr;
+  return *std::ranges::max_element(strangers, {}, [&](const auto& each) {
+    return of_client.at(web::client_of(each->client()));
+  });
 }
 
 void Hub::leave(std::int64_t number) {

@@ -14,7 +14,7 @@ namespace moonraker {
 
 struct HubLimits {
   std::size_t connections = 128;
-  // That have not given the key yet.
+  // That have not given the key yet. One more pushes out the oldest of the client that has most.
   std::size_t strangers = 16;
 };
 
@@ -38,6 +38,7 @@ class Hub {
 
  private:
   std::vector<std::shared_ptr<Connection>> all() const;
+  std::shared_ptr<Connection> one_too_many(const Connection& stranger) const;
 
   const HubLimits limits_;
   mutable std::mutex mutex_;

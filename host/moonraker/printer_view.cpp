@@ -109,7 +109,9 @@ std::string_view PrinterView::print_state() const {
   if (job_.is_null()) return "standby";
   const std::string state = job_.at("state");
   if (is_active_) return state == "paused" ? "paused" : "printing";
-  if (bed_is_clear()) return "standby";  // the last print has been taken off
+  if (bed_is_clear()) {
+    return "standby";  // the last print has been taken off
+  }
   if (state == "finished") return "complete";
   return state == "cancelled" ? "cancelled" : "error";
 }
@@ -121,8 +123,9 @@ std::string PrinterView::message() const {
     return printer_.at("waits_for_user") ? "The printer waits for a person: RESUME" : "";
   }
   std::string text;
-  if (state == "error")
+  if (state == "error") {
     text = "Job " + job_.at("id").dump() + ": " + job_.at("reason").get<std::string>();
+  }
   if (waiting_.is_null()) return text;
   if (!text.empty()) text += ". ";
   const std::string job =
@@ -199,8 +202,9 @@ Json PrinterView::objects() const {
     if (pair.size() > 2 && !pair.at(2).is_null()) heater["power"] = pair.at(2);
     all[name] = heater;
   }
-  for (const Macro& macro : macros())
+  for (const Macro& macro : macros()) {
     all["gcode_macro " + std::string(macro.name)] = Json::object();
+  }
   all.update(motion());
   return all;
 }

@@ -41,7 +41,9 @@ std::vector<std::string> names_in(const Json& params, const char* name) {
 
 Json add(Core& core, const Json& params, Connection* connection) {
   const auto names = names_in(params, "filenames");
-  for (const std::string& name : names) file_named(core, name);  // all of them, or none
+  for (const std::string& name : names) {
+    file_named(core, name);  // all of them, or none
+  }
   for (const std::string& name : names) print_file(core, name);
   return status(core, params, connection);
 }

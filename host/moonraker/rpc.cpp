@@ -88,6 +88,9 @@ Json Methods::call(Core& core, const Method& method, const Json& params,
 std::optional<Json> Methods::answer_to(Core& core, const Json& message,
                                        Connection* connection) const {
   if (!message.is_array()) return answer_to_one(core, message, connection);
+  if (connection != nullptr && !connection->is_authorised()) {  // no list of keys
+    return error_answer(nullptr, {401, "Unauthorized: a batch needs the key before"});
+  }
   if (message.empty() || message.size() > longest_batch) {
     return error_answer(nullptr, {invalid_request, "a batch has 1 to 20 requests"});
   }

@@ -50,12 +50,21 @@ Server::Server(spooler::Spooler& spooler, SettingsStore& settings, const Options
   set_headers(listener_);
   listener_.set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
-        if (is_socket(request)) return httplib::Server::HandlerResponse::Handled;  // by its taker
+        if (is_socket(request)) {
+          return httplib::Server::HandlerResponse::Handled;  // by its taker
+        }
         const auto refusal = core_.guard.refusal_of(web::head_of(request), request.remote_addr);
         if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
         if (refusal->status == 429) response.set_header("Retry-After", "1");
         answer_error(response, {refusal->status, refusal->why});
         return httplib::Server::HandlerResponse::Handled;
+      });
+  // Of a method that is for those without the key: a wrong password, or a wrong token.
+  listener_.set_post_routing_handler(
+      [this](const httplib::Request& request, const httplib::Response& response) {
+        if (response.status == 401 && methods_.is_open(request.path)) {
+          core_.guard.note_wrong_key(request.remote_addr);
+        }
       });
   listener_.on_upgrade = [this](const httplib::Request& request) { return taker_for(request); };
   add_routes(listener_, core_, methods_);
@@ -104,9 +113,13 @@ web::Listener::Taker Server::taker_for(const httplib::Request& request) {
                             .host = request.get_header_value("Host"),
                             .connection = request.get_header_value("Connection"),
                             .key = request.get_header_value("Sec-WebSocket-Key"),
-                            .version = request.get_header_value("Sec-WebSocket-Version")};
-  return [this, handshake, authorised = has_key(head)](int socket) {
-    sockets_.take(socket, handshake, authorised);
+                            .version = request.get_header_value("Sec-WebSocket-Version"),
+                            .client = request.remote_addr};
+  const bool is_authorised = has_key(head);
+  const bool gives_any = !head.key.empty() || !head.token.empty();
+  if (!is_authorised && gives_any) core_.guard.note_wrong_key(request.remote_addr);
+  return [this, handshake, is_authorised](int socket) {
+    sockets_.take(socket, handshake, is_authorised);
   };
 }
 

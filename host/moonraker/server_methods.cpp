@@ -43,7 +43,7 @@ Json identify(Core& core, const Json& params, Connection* connection) {
   for (const char* name : {"api_key", "access_token"}) {
     const std::string given = text_in(params, name, "");
     if (given.empty()) continue;
-    if (!core.access.is_good(given)) throw Error(401, "Unauthorized: the key is wrong");
+    if (!core.access.is_good(given)) refuse_key(core, connection, "Unauthorized: the key is wrong");
     connection->authorise();
   }
   if (!connection->is_authorised()) throw Error(401, "Unauthorized: the key is missing");

@@ -31,8 +31,9 @@ bool is_urgent(const Json& message) {
 
 }  // namespace
 
-Session::Session(asio::ip::tcp::socket socket, const SessionContext& context, bool authorised)
-    : Connection(context.core.hub.next_number(), authorised),
+Session::Session(asio::ip::tcp::socket socket, const SessionContext& context, std::string client,
+                 bool authorised)
+    : Connection(context.core.hub.next_number(), std::move(client), authorised),
       context_(context),
       stream_(std::move(socket)),
       in_order_(asio::make_strand(context.workers.get_executor())),
@@ -52,7 +53,6 @@ void Session::begin(const Handshake& handshake) {
   stream_.set_option(websocket::stream_base::timeout{.handshake_timeout = std::chrono::seconds(10),
                                                      .idle_timeout = context_.limits.idle,
                                                      .keep_alive_pings = true});
-  stream_.read_message_max(context_.limits.message);
   stream_.async_accept(*request, [self = shared_from_this(), request](Error error) {
     if (error) return self->end();
     self->is_open_ = true;
@@ -77,6 +77,8 @@ void Session::refuse() {
 }
 
 void Session::read_next() {
+  const SocketLimits& limits = context_.limits;
+  stream_.read_message_max(is_authorised() ? limits.message : limits.stranger_message);
   stream_.async_read(input_, [self = shared_from_this()](Error error, std::size_t) {
     if (error || self->ended_) return self->end();
     if (!self->stream_.got_text()) {  // JSON is text
@@ -86,41 +88,78 @@ void Session::read_next() {
     }
     const std::string text = beast::buffers_to_string(self->input_.data());
     self->input_.consume(self->input_.size());
-    self->handle(text);
-    self->read_next();
+    if (self->handle(text)) self->read_next();
   });
 }
 
-void Session::handle(const std::string& text) {
+// False where nothing is read until the request is done, or any more.
+bool Session::handle(const std::string& text) {
+  const bool is_stranger = !is_authorised();
+  if (is_stranger && !context_.core.guard.may_ask(client())) {
+    drop();
+    return false;
+  }
   std::optional<Json> message = parsed(text);
   if (!message) {
-    const Json answer = error_answer(nullptr, {parse_error, "Parse error"});
-    return put(std::make_shared<const std::string>(dumped(answer)));
+    put_error(nullptr, parse_error, "Parse error");
+    return true;
   }
-  if (!is_urgent(*message) && in_flight_ >= context_.limits.in_flight) {
-    const Json answer = error_answer(id_in(*message), {too_busy, "too many requests at once"});
-    return put(std::make_shared<const std::string>(dumped(answer)));
+  if (!is_stranger && is_urgent(*message)) {
+    stop(*std::move(message));
+    return true;
   }
-  work_on(*std::move(message));
+  const SocketLimits& limits = context_.limits;
+  if (in_flight_ >= limits.in_flight || bytes_in_flight_ + text.size() > limits.bytes_in_flight) {
+    put_error(*message, too_busy, "too many requests at once");
+    return true;
+  }
+  work_on(*std::move(message), text.size());
+  return !is_stranger;
 }
 
-void Session::work_on(Json message) {
+void Session::work_on(Json message, std::size_t bytes) {
   ++in_flight_;
-  const bool urgent = is_urgent(message);
-  auto work = [self = shared_from_this(), message = std::move(message)] {
+  bytes_in_flight_ += bytes;
+  const bool is_stranger = !is_authorised();  // nothing else is read meanwhile
+  asio::post(
+      in_order_, [self = shared_from_this(), message = std::move(message), bytes, is_stranger] {
+        const SessionContext& context = self->context_;
+        if (context.ends) return;
+        if (const auto answer = context.methods.answer_to(context.core, message, self.get())) {
+          self->send(std::make_shared<const std::string>(dumped(*answer)));
+        }
+        self->begin_updates();
+        asio::post(self->stream_.get_executor(), [self, bytes, is_stranger] {
+          --self->in_flight_;
+          self->bytes_in_flight_ -= bytes;
+          if (is_stranger && !self->ended_) self->read_next();
+        });
+      });
+}
+
+// It waits for no other request. Of many, some are on their way already.
+void Session::stop(Json message) {
+  if (stops_in_flight_ >= context_.limits.stops_in_flight ||
+      !context_.core.guard.may_stop(client())) {
+    return put_error(message, too_busy, "too many emergency stops at once");
+  }
+  ++stops_in_flight_;
+  asio::post(context_.urgent, [self = shared_from_this(), message = std::move(message)] {
     const SessionContext& context = self->context_;
     if (context.ends) return;
     if (const auto answer = context.methods.answer_to(context.core, message, self.get())) {
       self->send(std::make_shared<const std::string>(dumped(*answer)));
     }
-    self->begin_updates();
-    asio::post(self->stream_.get_executor(), [self] { --self->in_flight_; });
-  };
-  if (urgent) {
-    asio::post(context_.urgent, std::move(work));
-  } else {
-    asio::post(in_order_, std::move(work));
-  }
+    asio::post(self->stream_.get_executor(), [self] { --self->stops_in_flight_; });
+  });
+}
+
+void Session::put_error(const Json& message, int code, const char* why) {
+  put(std::make_shared<const std::string>(dumped(error_answer(id_in(message), {code, why}))));
+}
+
+void Session::push_out() {
+  asio::post(stream_.get_executor(), [self = shared_from_this()] { self->drop(); });
 }
 
 void Session::send(Text text) {

@@ -31,20 +31,24 @@ struct SessionContext {
 // All but send() happens in the thread of its io_context. It lives as long as something is awaited.
 class Session final : public Connection, public std::enable_shared_from_this<Session> {
  public:
-  Session(boost::asio::ip::tcp::socket socket, const SessionContext& context, bool authorised);
+  Session(boost::asio::ip::tcp::socket socket, const SessionContext& context, std::string client,
+          bool authorised);
 
   void begin(const Handshake& handshake);
   // There are too many: answered so, and closed. Instead of begin(), from any thread.
   void refuse();
   void send(Text text) override;
+  void push_out() override;
   // Closed without a farewell: its client does not listen.
   void drop();
 
  private:
   using Error = boost::beast::error_code;
   void read_next();
-  void handle(const std::string& text);
-  void work_on(Json message);
+  bool handle(const std::string& text);
+  void work_on(Json message, std::size_t bytes);
+  void stop(Json message);
+  void put_error(const Json& message, int code, const char* why);
   void put(Text text);
   void write_next();
   void end();
@@ -56,7 +60,8 @@ class Session final : public Connection, public std::enable_shared_from_this<Ses
   boost::beast::flat_buffer input_;
   std::deque<Text> output_;
   std::size_t output_bytes_ = 0;
-  int in_flight_ = 0;
+  int in_flight_ = 0, stops_in_flight_ = 0;
+  std::size_t bytes_in_flight_ = 0;
   bool is_open_ = false, ended_ = false;
 };
 

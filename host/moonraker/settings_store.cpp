@@ -21,8 +21,9 @@ std::vector<std::string> levels_of(const std::string& key) {
     begin = end + 1;
   }
   const bool is_wrong = std::ranges::any_of(levels, &std::string::empty);
-  if (is_wrong || levels.size() > SettingsStore::most_levels)
+  if (is_wrong || levels.size() > SettingsStore::most_levels) {
     throw Error(400, "no such form of key");
+  }
   return levels;
 }
 

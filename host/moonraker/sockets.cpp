@@ -80,8 +80,8 @@ void Sockets::take(int socket, const Handshake& handshake, bool authorised) {
     ::close(socket);
     return;
   }
-  const auto session =
-      std::make_shared<Session>(std::move(connection), machinery_->context, authorised);
+  const auto session = std::make_shared<Session>(std::move(connection), machinery_->context,
+                                                 handshake.client, authorised);
   if (!machinery_->context.core.hub.enter(session)) return session->refuse();
   asio::post(machinery_->io, [session, handshake] { session->begin(handshake); });
 }

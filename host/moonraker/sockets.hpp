@@ -14,8 +14,11 @@ namespace moonraker {
 
 struct SocketLimits {
   std::size_t message = 256 * 1024;  // bytes that a client may send at once
+  std::size_t stranger_message = 8 * 1024;  // the same without the key
   std::size_t output = 2 * 1024 * 1024;  // bytes that may wait for a client
   int in_flight = 32;  // requests of a client that are not answered yet
+  std::size_t bytes_in_flight = 1024 * 1024;  // of these
+  int stops_in_flight = 4;  // emergency stops besides
   std::chrono::milliseconds stranger_life{60'000};  // until the key must have come
   std::chrono::milliseconds idle{60'000};  // without a sign of life; pings ask for one
 };
@@ -24,6 +27,7 @@ struct SocketLimits {
 struct Handshake {
   bool is_http_1_1 = false;
   std::string target, host, connection, key, version;
+  std::string client;  // its address
 };
 
 class Sockets {

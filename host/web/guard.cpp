@@ -82,12 +82,11 @@ void check_reach(const Address& address, const Rules& rules) {
 }
 
 Guard::Guard(const Rules& rules)
-    : Guard(rules,
-            {.is_emergency_stop = is_emergency_stop,
-             .needs_key = needs_key,
-             .has_key = [key = rules.key](const RequestHead& request) {
-               return key.empty() || equal_in_constant_time(request.key, key);
-             }}) {}
+    : Guard(rules, {.is_emergency_stop = is_emergency_stop,
+                    .needs_key = needs_key,
+                    .has_key = [key = rules.key](const RequestHead& request) {
+                      return key.empty() || equal_in_constant_time(request.key, key);
+                    }}) {}
 
 Guard::Guard(const Rules& rules, Policy policy)
     : rules_(rules), policy_(std::move(policy)), rate_(rules.rate), stop_rate_(rules.stop_rate) {}

@@ -68,6 +68,12 @@ class Guard {
   // `address`: the client's.
   std::optional<Refusal> refusal_of(const RequestHead& request, std::string_view address);
 
+  // For what comes over a connection that stays: whether one more is within the rate.
+  bool may_ask(std::string_view address) { return rate_.take(address); }
+  bool may_stop(std::string_view address) { return stop_rate_.take(address); }
+  // Where a key is given in another way than by a head.
+  void note_wrong_key(std::string_view address) { rate_.note_wrong_key(address); }
+
  private:
   const Rules rules_;
   const Policy policy_;

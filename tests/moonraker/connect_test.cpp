@@ -99,7 +99,9 @@ TEST_F(ConnectTest, a_batch_has_one_answer_and_a_request_without_id_none) {
                   {"jsonrpc":"2.0","method":"server.explode","id":"b"}])");
   Json answer;
   while (const auto message = client.receive()) {
-    if (message->is_object() && message->contains("method")) continue;  // a notification
+    if (message->is_object() && message->contains("method")) {
+      continue;  // a notification
+    }
     answer = *message;
     break;
   }

@@ -144,9 +144,7 @@ TEST_F(SocketTest, a_client_that_does_not_read_is_dropped_and_delays_no_one) {
   bool dropped = false;
   for (int i = 0; i < 200'000 && !dropped; ++i) {
     lazy.send(request);
-    if (i % 500 == 0) {
-      dropped = other.call("server.info").at("result").at("websocket_count") == 1;
-    }
+    if (i % 500 == 0) dropped = other.call("server.info").at("result").at("websocket_count") == 1;
   }
   EXPECT_TRUE(dropped) << "its answers have gone on piling up";
   EXPECT_TRUE(other.notified("notify_proc_stat_update"));
