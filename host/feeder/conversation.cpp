@@ -94,6 +94,7 @@ std::string Conversation::text_of(std::int64_t index) {
 
 void Conversation::opened(Time now) {
   output_.clear();
+  homed_.forget();
   unanswered_ = 0;
   last_answered_ = last_sent_ = now;
   ask_now();
@@ -160,7 +161,10 @@ void Conversation::heard(std::string_view line, Time now) {
   const bool was_asked_for = link_ == Link::asking && line.ends_with(", asked for again");
   if (!was_asked_for) say(line);
   if (is_fatal(line)) return answer_fatal(line, now);
-  if (line == "start") return ask_now();
+  if (line == "start") {
+    homed_.forget();
+    return ask_now();
+  }
   if (line.starts_with("//")) {
     line.remove_prefix(2);
     line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
@@ -229,13 +233,6 @@ void Conversation::go_on_from(std::int64_t number, Time now) {
               std::to_string(number) + ", none of this job");
 }
 
-void Conversation::handle_action(std::string_view action) {
-  if (action == "pause") pause();
-  if (action == "resume") resume();
-  if (action == "cancel" && has_work()) cancel();
-  if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
-}
-
 void Conversation::update(Time now) {
   if (now - retried_at_ >= retry_interval) {
     retried_at_ = now;
@@ -265,6 +262,7 @@ void Conversation::send_next(Time now) {
     return put("M155 S2\n", now);
   }
   if (!typed_.empty()) {
+    homed_.sent(typed_.front());
     put(typed_.front() + "\n", now);
     typed_.pop_front();
     return;
@@ -281,7 +279,9 @@ void Conversation::send_next(Time now) {
 
 void Conversation::send_line(Time now) {
   try {
-    put(framed(base_ + next_, text_of(next_)), now);
+    const std::string text = text_of(next_);
+    homed_.sent(text);
+    put(framed(base_ + next_, text), now);
     ++next_;
   } catch (const std::exception& error) {  // the file of the commands is damaged
     end_job(Phase::failed, error.what());

@@ -14,6 +14,7 @@
 
 #include "host/feeder/command_file.hpp"
 #include "host/feeder/framing.hpp"
+#include "host/feeder/homed_axes.hpp"
 #include "host/feeder/journal.hpp"
 
 namespace feeder {
@@ -72,6 +73,8 @@ class Conversation {
   // Commands of the job that were acknowledged.
   std::int64_t done() const;
   const Temperatures& temperatures() const { return temperatures_; }
+  // As far as this process has sent lines.
+  const std::string& homed_axes() const { return homed_.axes(); }
   bool waits_for_user() const { return waits_for_user_; }
   // What is wrong with the journal, for people; or empty.
   const std::string& fault() const {
@@ -126,6 +129,7 @@ class Conversation {
   std::optional<std::int64_t> strange_;  // number that was wanted and is none of the job's
   bool waits_for_user_ = false;
   Temperatures temperatures_;
+  HomedAxes homed_;
   std::uint64_t resends_ = 0;
   // A report that comes by itself answers nothing.
   Time last_answered_{}, last_sent_{}, settled_at_{}, retried_at_{};

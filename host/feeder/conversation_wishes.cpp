@@ -112,8 +112,17 @@ std::string Conversation::send(std::string_view text) {
   return {};
 }
 
+// What the printer asks, at its buttons or in a line of the job.
+void Conversation::handle_action(std::string_view action) {
+  if (action == "pause") pause();
+  if (action == "resume") resume();
+  if (action == "cancel" && has_work()) cancel();
+  if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
+}
+
 void Conversation::stop_everything() {
   output_ = "M112\n";
+  homed_.forget();
   typed_.clear();
   say("> M112");
   if (has_work()) set_phase(Phase::failed, "stopped by a person (emergency stop)");

@@ -192,6 +192,7 @@ std::string Feeder::state() const {
             {"resends", conversation_.resends()},
             {"hotend", {number(heat.hotend), number(heat.hotend_target)}},
             {"bed", {number(heat.bed), number(heat.bed_target)}},
+            {"homed", conversation_.homed_axes()},
             {"fault", port_.fault().empty() ? conversation_.fault() : port_.fault()},
             {"process", getpid()}};
   if (const auto& record = conversation_.record()) {

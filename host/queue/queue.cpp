@@ -217,12 +217,16 @@ void Queue::set_check(JobId id, std::string_view check, double seconds, double f
   if (database_.changes() == 0) throw NoSuchJob(id);
 }
 
-void Queue::set_held(JobId id, bool held) {
-  Transaction transaction(database_);
+void Queue::check_waits(JobId id) {
   const Job job = found(id);
   if (is_final(job.state) || is_active(job.state)) {
     throw NotPermitted(sentence(job, " and no longer waits"));
   }
+}
+
+void Queue::set_held(JobId id, bool held) {
+  Transaction transaction(database_);
+  check_waits(id);
   Statement(database_, "UPDATE jobs SET held = ? WHERE id = ?")
       .bind(std::int64_t{held})
       .bind(id)
@@ -232,10 +236,7 @@ void Queue::set_held(JobId id, bool held) {
 
 void Queue::move(JobId id, std::optional<JobId> next) {
   Transaction transaction(database_);
-  const Job job = found(id);
-  if (is_final(job.state) || is_active(job.state)) {
-    throw NotPermitted(sentence(job, " and has no place in the order"));
-  }
+  check_waits(id);
   std::int64_t place = 0;
   if (next) {
     found(*next);
@@ -253,7 +254,22 @@ void Queue::move(JobId id, std::optional<JobId> next) {
   transaction.commit();
 }
 
-JobId Queue::print_again(JobId id) {
+void Queue::rename(JobId id, const std::string& name) {
+  Statement(database_, "UPDATE jobs SET name = ? WHERE id = ?").bind(name).bind(id).run();
+  if (database_.changes() == 0) throw NoSuchJob(id);
+}
+
+void Queue::set_wanted_printer(JobId id, const std::string& printer) {
+  Transaction transaction(database_);
+  check_waits(id);
+  Statement(database_, "UPDATE jobs SET wanted_printer = ? WHERE id = ?")
+      .bind(printer)
+      .bind(id)
+      .run();
+  transaction.commit();
+}
+
+JobId Queue::print_again(JobId id, const std::optional<std::string>& printer) {
   const Job job = found(id);
   if (job.state == JobState::refused || !is_final(job.state)) {
     throw NotPermitted(sentence(job, " and cannot be printed again"));
@@ -262,7 +278,7 @@ JobId Queue::print_again(JobId id) {
               .file = job.file,
               .bytes = job.bytes,
               .held = false,
-              .wanted_printer = job.wanted_printer});
+              .wanted_printer = printer.value_or(job.wanted_printer)});
 }
 
 void Queue::remove(JobId id) {
@@ -270,25 +286,6 @@ void Queue::remove(JobId id) {
   const Job job = found(id);
   if (!is_final(job.state)) throw NotPermitted(sentence(job, " and not over"));
   Statement(database_, "DELETE FROM jobs WHERE id = ?").bind(id).run();
-  transaction.commit();
-}
-
-std::vector<std::string> Queue::files_in_use() {
-  Statement rows(database_, "SELECT file FROM jobs UNION SELECT file FROM kept_files");
-  std::vector<std::string> files;
-  while (rows.step()) files.push_back(rows.text(0));
-  return files;
-}
-
-bool Queue::has_had_jobs() {
-  return Statement(database_, "SELECT 1 FROM sqlite_sequence WHERE name = 'jobs'").step();
-}
-
-void Queue::keep_files(const std::vector<std::string>& files) {
-  Transaction transaction(database_);
-  for (const std::string& file : files) {
-    Statement(database_, "INSERT OR IGNORE INTO kept_files(file) VALUES(?)").bind(file).run();
-  }
   transaction.commit();
 }
 

@@ -62,8 +62,12 @@ class Queue {
   void set_held(JobId id, bool held);
   // Before `next`, or to the end. Throws NotPermitted once it has been started.
   void move(JobId id, std::optional<JobId> next);
-  // A job that is over and was not refused, as a new one at the end.
-  JobId print_again(JobId id);
+  // A name for people, as queue::cleaned_name() makes it.
+  void rename(JobId id, const std::string& name);
+  // Which printer may start it; empty: any. Throws NotPermitted once it has been started.
+  void set_wanted_printer(JobId id, const std::string& printer);
+  // A job that is over and was not refused, as a new one at the end, for the same printer or this.
+  JobId print_again(JobId id, const std::optional<std::string>& printer = {});
   // Forgets a job that is over. Its file may go where files_in_use() no longer has it.
   void remove(JobId id);
   // Of the jobs, and those of keep_files().
@@ -80,6 +84,7 @@ class Queue {
 
  private:
   Job found(JobId id);
+  void check_waits(JobId id);  // throws NotPermitted
   std::int64_t read_bed(const std::string& printer);
   void write_bed(const std::string& printer, std::int64_t bed);
   void write_change(const Job& job, JobState to, std::string_view why);

@@ -19,6 +19,12 @@ constexpr std::chrono::milliseconds attach_interval{200};
 constexpr std::chrono::seconds longest_silence{4};  // it speaks every second
 constexpr std::size_t most_console_lines = 200;
 
+std::int64_t now_ms() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
 std::vector<std::string> feeder_call(const Settings& settings, const PrinterSpec& printer,
                                      const std::filesystem::path& folder) {
   const std::filesystem::path port = printer.port.empty() ? folder / "port" : printer.port;
@@ -127,7 +133,7 @@ void FeederLink::hear(const std::string& line) {
       state_ = std::move(state);
       heard_at_ = Clock::now();
     } else if (event == "said") {
-      console_.push_back({.number = ++said_, .text = message.at("line")});
+      console_.push_back({.number = ++said_, .text = message.at("line"), .time_ms = now_ms()});
       if (console_.size() > most_console_lines) console_.pop_front();
       changed_ = true;
     } else if (event == "answer" && !answers_.empty()) {

@@ -20,6 +20,7 @@ namespace spooler {
 struct ConsoleLine {
   std::int64_t number{};  // counted from 1
   std::string text;
+  std::int64_t time_ms{};  // since 1970, when it was heard
 };
 
 // For one thread at a time.

@@ -23,6 +23,7 @@ FeederState feeder_state_of(const nlohmann::json& message) {
                     .commands = message.value("commands", std::int64_t{}),
                     .waits_for_user = message.at("waits_for_user"),
                     .resends = message.at("resends"),
+                    .homed = message.value("homed", ""),
                     .hotend = number(message.at("hotend").at(0)),
                     .hotend_target = number(message.at("hotend").at(1)),
                     .bed = number(message.at("bed").at(0)),

@@ -19,6 +19,7 @@ struct FeederState {
   std::int64_t commands{};
   bool waits_for_user{};
   std::uint64_t resends{};
+  std::string homed;  // some of `xyz`
   std::optional<double> hotend, hotend_target, bed, bed_target;
   bool operator==(const FeederState&) const = default;
 };

@@ -42,7 +42,8 @@ Json Spooler::to_json(const FeederLink& printer) {
   const std::size_t begin =
       lines.size() > most_console_lines ? lines.size() - most_console_lines : 0;
   for (std::size_t i = begin; i < lines.size(); ++i) {
-    console.push_back({{"number", lines[i].number}, {"text", lines[i].text}});
+    console.push_back(
+        {{"number", lines[i].number}, {"text", lines[i].text}, {"time_ms", lines[i].time_ms}});
   }
   return {{"name", printer.name()},
           {"simulated", printer.is_simulated()},
@@ -56,6 +57,7 @@ Json Spooler::to_json(const FeederLink& printer) {
           {"commands", state.commands},
           {"resends", state.resends},
           {"waits_for_user", state.waits_for_user},
+          {"homed", state.homed},
           {"hotend", {number(state.hotend), number(state.hotend_target)}},
           {"bed", {number(state.bed), number(state.bed_target)}},
           {"bed_clear", queue_.bed_is_clear(printer.name())},

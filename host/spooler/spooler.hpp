@@ -52,7 +52,11 @@ class Spooler {
   void cancel(queue::JobId id);
   void move(queue::JobId id, std::optional<queue::JobId> next);
   void set_held(queue::JobId id, bool held);
-  queue::JobId print_again(queue::JobId id);  // an interrupted one is queued again, with its number
+  // An interrupted one is queued again, with its number. `printer`: where another one is wanted.
+  queue::JobId print_again(queue::JobId id, const std::optional<std::string>& printer = {});
+  void rename(queue::JobId id, const std::string& name);
+  // Which printer may start it; empty: any.
+  void set_wanted_printer(queue::JobId id, const std::string& printer);
   void remove(queue::JobId id);
   std::optional<queue::Job> find(queue::JobId id);
   std::vector<queue::Job> jobs();
@@ -66,8 +70,9 @@ class Spooler {
   // Switches a simulated printer off and on.
   void restart(const std::string& printer);
   std::vector<std::string> printer_names() const;
-  // Free space of the data's disk, in bytes.
-  std::uintmax_t free_bytes() const;
+  // Of the data's disk, in bytes.
+  std::filesystem::space_info disk_space() const;
+  std::uintmax_t free_bytes() const { return disk_space().available; }
 
   // Everything for people, as JSON, with its version.
   struct Snapshot {

@@ -75,15 +75,30 @@ void Spooler::set_held(JobId id, bool held) {
   changed();
 }
 
-JobId Spooler::print_again(JobId id) {
+void Spooler::rename(JobId id, const std::string& name) {
   const std::scoped_lock lock(mutex_);
+  queue_.rename(id, queue::cleaned_name(name));
+  changed();
+}
+
+void Spooler::set_wanted_printer(JobId id, const std::string& printer) {
+  const std::scoped_lock lock(mutex_);
+  if (!printer.empty()) link(printer);
+  queue_.set_wanted_printer(id, printer);
+  changed();
+}
+
+JobId Spooler::print_again(JobId id, const std::optional<std::string>& printer) {
+  const std::scoped_lock lock(mutex_);
+  if (printer && !printer->empty()) link(*printer);
   const auto job = queue_.find(id);
   if (!job) throw queue::NoSuchJob(id);
   JobId again = id;
   if (job->state == JobState::interrupted) {
+    if (printer) queue_.set_wanted_printer(id, *printer);
     queue_.change(id, JobState::queued, "a person wants it printed again");
   } else {
-    again = queue_.print_again(id);
+    again = queue_.print_again(id, printer);
   }
   changed();
   return again;
@@ -131,8 +146,8 @@ std::vector<std::string> Spooler::printer_names() const {
   return names;
 }
 
-std::uintmax_t Spooler::free_bytes() const {
-  return std::filesystem::space(settings_.data).available;
+std::filesystem::space_info Spooler::disk_space() const {
+  return std::filesystem::space(settings_.data);
 }
 
 void Spooler::set_bed_clear(const std::string& printer, bool clear) {

@@ -58,8 +58,8 @@ bool read_port(std::string_view text, std::uint16_t& port) {
 
 }  // namespace
 
-Address address_of(std::string_view text) {
-  Address address{.host = std::string(text), .port = usual_port};
+Address address_of(std::string_view text, std::uint16_t port) {
+  Address address{.host = std::string(text), .port = port};
   if (is_ipv6(address.host)) return address;
   Parts parts;
   if (!split(text, parts) || (!parts.port.empty() && !read_port(parts.port, address.port))) {

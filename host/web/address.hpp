@@ -17,9 +17,9 @@ struct Address {
 
 inline constexpr std::uint16_t usual_port = 5080;
 
-// HOST, HOST:PORT or :PORT, an IPv6 address in brackets where a port follows. Port 0: any free
-// one. Throws std::runtime_error.
-Address address_of(std::string_view text);
+// HOST, HOST:PORT or :PORT, an IPv6 address in brackets where a port follows; without one it is
+// `port`. Port 0: any free one. Throws std::runtime_error.
+Address address_of(std::string_view text, std::uint16_t port = usual_port);
 // Only programs of this machine reach it.
 bool is_loopback(std::string_view host);
 // Of a URL: with brackets where they are needed.

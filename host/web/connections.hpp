@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long the server waits for requests, and for how many at a time.
+// How long the server waits for clients that send or read nothing, and for how many at a time.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ namespace web {
 
 struct WaitLimits {
   // For the head of a request. A body may take the same time, and more at `bytes_per_second`; but
-  // never may nothing come for so long.
+  // no pause in what comes, or in what is taken of the answer, may be so long.
   std::chrono::milliseconds patience{10'000};
   double bytes_per_second = 2000;
   std::size_t longest_head = 32 * 1024;  // bytes
@@ -24,7 +24,7 @@ struct WaitLimits {
 
 using Clock = std::chrono::steady_clock;
 
-// A connection whose request is still on its way.
+// A connection whose request, or whose answer, is still on its way.
 struct Awaited {
   int socket{};
   std::string client;  // its address

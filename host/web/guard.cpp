@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
-
-#include "host/web/address.hpp"
+#include <utility>
 
 namespace web {
 
@@ -31,8 +30,8 @@ bool comes_from_another_site(const RequestHead& request) {
 }
 
 // Only the page that asks for the key is shown without it.
-bool needs_key(std::string_view path) {
-  return path != "/" && path != "/page.css" && path != "/page.js";
+bool needs_key(const RequestHead& request) {
+  return request.path != "/" && request.path != "/page.css" && request.path != "/page.js";
 }
 
 // Of one printer: its route and no other.
@@ -76,8 +75,24 @@ std::string read_key(const std::filesystem::path& file) {
   return key;
 }
 
+void check_reach(const Address& address, const Rules& rules) {
+  if (is_loopback(address.host) || !rules.key.empty()) return;
+  throw std::runtime_error("other machines reach " + written(address) +
+                           ": a key is needed (--key FILE)");
+}
+
+Guard::Guard(const Rules& rules)
+    : Guard(rules, {.is_emergency_stop = is_emergency_stop,
+                    .needs_key = needs_key,
+                    .has_key = [key = rules.key](const RequestHead& request) {
+                      return key.empty() || equal_in_constant_time(request.key, key);
+                    }}) {}
+
+Guard::Guard(const Rules& rules, Policy policy)
+    : rules_(rules), policy_(std::move(policy)), rate_(rules.rate), stop_rate_(rules.stop_rate) {}
+
 std::optional<Refusal> Guard::refusal_of(const RequestHead& request, std::string_view address) {
-  RateLimit& rate = is_emergency_stop(request) ? stop_rate_ : rate_;
+  RateLimit& rate = policy_.is_emergency_stop(request) ? stop_rate_ : rate_;
   if (!rate.take(address)) return Refusal{.status = 429, .why = "too many requests: wait a second"};
   if (request.fault) return request.fault;
   if (!is_own_name(request.host, rules_.names)) {
@@ -87,10 +102,10 @@ std::optional<Refusal> Guard::refusal_of(const RequestHead& request, std::string
   if (!changes_nothing(request.method) && comes_from_another_site(request)) {
     return Refusal{.status = 403, .why = "a page of another site may change nothing"};
   }
-  if (!rules_.key.empty() && needs_key(request.path) &&
-      !equal_in_constant_time(request.key, rules_.key)) {
-    if (!request.key.empty()) rate.note_wrong_key(address);
-    return Refusal{.status = 403, .why = "the key is missing or wrong (header X-Api-Key)"};
+  if (policy_.needs_key(request) && !policy_.has_key(request)) {
+    if (!request.key.empty() || !request.token.empty()) rate.note_wrong_key(address);
+    return Refusal{.status = policy_.status_without_key,
+                   .why = "the key is missing or wrong (header X-Api-Key)"};
   }
   return std::nullopt;
 }

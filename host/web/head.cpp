@@ -66,6 +66,7 @@ RequestHead head_of(const httplib::Request& request) {
           .origin = header("Origin"),
           .fetch_site = header("Sec-Fetch-Site"),
           .key = std::move(key),
+          .token = request.get_param_value("token"),
           .fault = fault_of(request)};
 }
 

@@ -42,6 +42,24 @@ std::optional<std::string> form_type_of(const httplib::Request& request) {
   return request.get_header_value(form_type);
 }
 
+bool is_too_deep(std::string_view json) {
+  int depth = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_text && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_text = !in_text;
+    } else if (!in_text && (c == '[' || c == '{')) {
+      if (++depth > deepest_json) return true;
+    } else if (!in_text && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 void answer(httplib::Response& response, const Json& json, int status) {
   response.status = status;
   response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n",
@@ -91,6 +109,7 @@ Json body_of(const httplib::Request& request, const httplib::ContentReader& read
   });
   if (!whole) throw HttpError(413, "more than 64 KiB, or the body ended early");
   if (text.find_first_not_of(" \r\n\t") == std::string::npos) return Json::object();
+  if (is_too_deep(text)) throw HttpError(400, "the body is nested too deep");
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw HttpError(400, "the body is no JSON");
   if (!json.is_object()) throw HttpError(400, "a JSON object is expected");

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "host/queue/job.hpp"
 
@@ -29,6 +30,10 @@ std::optional<std::string> form_type_of(const httplib::Request& request);
 
 // No larger body is read but of an upload.
 inline constexpr std::size_t largest_body = 64 * 1024;
+
+// JSON that is nested deeper is not taken: the library visits values by recursion.
+inline constexpr int deepest_json = 64;
+bool is_too_deep(std::string_view json);
 
 void answer(httplib::Response& response, const Json& json, int status = 200);
 void answer_error(httplib::Response& response, int status, const std::string& why);

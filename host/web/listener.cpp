@@ -6,16 +6,19 @@
 #include <unistd.h>
 
 #include <array>
+#include <stdexcept>
 
+#include "host/web/ascii.hpp"
 #include "host/web/request_stream.hpp"
 
 namespace web {
 
 namespace {
 
-constexpr std::chrono::seconds write_limit{10};
 constexpr int most_queued = 512;  // by the system
 constexpr std::size_t most_left_unread = 1024 * 1024;
+constexpr std::size_t most_waiting_connections = 256;
+constexpr std::size_t longest_body = (std::size_t{1} << 30u) + 64 * 1024;
 
 // What has come and was not read would make close() reset the connection, and the client might lose
 // its answer.
@@ -30,19 +33,57 @@ void drop_unread(int socket) {
 
 }  // namespace
 
-void Listener::queue_connections() { ::listen(svr_sock_, most_queued); }
+bool wants_websocket(const httplib::Request& request) {
+  return request.method == "GET" && equal_names(request.get_header_value("Upgrade"), "websocket");
+}
+
+Listener::Listener(WaitLimits limits, std::size_t workers) : connections_(limits) {
+  new_task_queue = [workers] {
+    return new httplib::ThreadPool(workers, most_waiting_connections);  // httplib deletes it
+  };
+  set_payload_max_length(longest_body);
+  set_tcp_nodelay(true);
+  // httplib's own ones let two servers share a port.
+  set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+}
+
+Address Listener::bind(Address address) {
+  if (address.port == 0) {
+    const int port = bind_to_any_port(address.host);
+    if (port < 0) throw std::runtime_error("cannot listen on " + address.host);
+    address.port = static_cast<std::uint16_t>(port);
+  } else if (!bind_to_port(address.host, address.port)) {
+    throw std::runtime_error("cannot listen on " + written(address) + "; is it in use?");
+  }
+  // httplib lets the system queue 5 connections only: in a burst the others wait for seconds.
+  ::listen(svr_sock_, most_queued);
+  return address;
+}
 
 bool Listener::process_and_close_socket(socket_t socket) {
   bool answered = false;
   try {
-    RequestStream stream(socket, connections_, write_limit);
+    RequestStream stream(socket, connections_);
     std::string remote, local;
     int remote_port = 0, local_port = 0;
     stream.get_remote_ip_and_port(remote, remote_port);
     stream.get_local_ip_and_port(local, local_port);
     bool is_closed = false;
+    Taker take;
     answered = process_request(stream, remote, remote_port, local, local_port, true, is_closed,
-                               set_form_type);
+                               [&](httplib::Request& request) {
+                                 set_form_type(request);
+                                 if (!on_upgrade || !wants_websocket(request)) return;
+                                 take = on_upgrade(request);
+                                 if (take) stream.drop_output();
+                               });
+    if (take && !stream.is_readable()) {  // nothing may follow before the answer
+      take(socket);
+      return true;
+    }
   } catch (const std::exception&) {  // the fault of one request ends no other
   }
   shutdown(socket, SHUT_WR);

@@ -2,19 +2,31 @@
 // httplib's server with a limit of time for each request.
 #pragma once
 
+#include <functional>
+
+#include "host/web/address.hpp"
 #include "host/web/connections.hpp"
 #include "host/web/http.hpp"
 
 namespace web {
 
+// A handshake to go on in another protocol.
+bool wants_websocket(const httplib::Request& request);
+
 class Listener final : public httplib::Server {
  public:
-  explicit Listener(WaitLimits limits) : connections_(limits) {}
-  // httplib lets the system queue 5 connections only: in a burst the others wait for seconds. To be
-  // called once it is bound.
-  void queue_connections();
+  // Of `workers` there should be more than are waited for.
+  explicit Listener(WaitLimits limits, std::size_t workers = 64);
+  // Returns the address with the port that was chosen. Throws std::runtime_error.
+  Address bind(Address address);
   // Those that are waited for are given up. To be called before stop().
   void end() { connections_.end(); }
+
+  // Has the connection from then on.
+  using Taker = std::function<void(int socket)>;
+  // Asked for each request to go on in another protocol (`Upgrade: websocket`), from any thread.
+  // Without a taker the request is answered as any other.
+  std::function<Taker(const httplib::Request&)> on_upgrade;
 
  private:
   // One request for each connection: what a refused one leaves unread is never taken for another.

@@ -57,7 +57,8 @@ bool RateLimit::take(std::string_view address, Clock::time_point now) {
 void RateLimit::note_wrong_key(std::string_view address, Clock::time_point now) {
   const std::scoped_lock lock(mutex_);
   Bucket& bucket = filled(address, now);
-  bucket.left = std::max(0.0, bucket.left - limits_.wrong_key);
+  // Below nothing, so that the next one waits for all of it.
+  bucket.left = std::max(-limits_.wrong_key, bucket.left - limits_.wrong_key);
 }
 
 }  // namespace web

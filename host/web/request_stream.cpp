@@ -17,6 +17,7 @@ namespace web {
 namespace {
 
 using std::chrono::milliseconds;
+constexpr milliseconds look_interval{100};  // nothing wakes who waits to write and is given up
 
 // False after this time.
 bool wait_for(int socket, short events, milliseconds time) {
@@ -48,8 +49,7 @@ void read_address(const sockaddr_storage& address, std::string& ip, int& port) {
 
 }  // namespace
 
-RequestStream::RequestStream(int socket, Connections& connections, milliseconds write_limit)
-    : connections_(connections), write_limit_(write_limit) {
+RequestStream::RequestStream(int socket, Connections& connections) : connections_(connections) {
   awaited_.socket = socket;
   int port = 0;
   std::string address;
@@ -58,9 +58,7 @@ RequestStream::RequestStream(int socket, Connections& connections, milliseconds 
 }
 
 bool RequestStream::is_readable() const { return !ended_ && used_ < filled_; }
-bool RequestStream::is_writable() const {
-  return !ended_ && wait_for(awaited_.socket, POLLOUT, write_limit_);
-}
+bool RequestStream::is_writable() const { return !ended_ && wait_to_write(); }
 
 Clock::time_point RequestStream::due() const {
   const WaitLimits& limits = connections_.limits();
@@ -128,9 +126,23 @@ void RequestStream::answer_and_end(const char* status, const char* why) {
   ended_ = true;
 }
 
+// A client that does not read counts among those that are waited for.
+bool RequestStream::wait_to_write() const {
+  bool is_ready = wait_for(awaited_.socket, POLLOUT, milliseconds(0));
+  if (is_ready || awaited_.given_up) return is_ready;
+  awaited_.due = Clock::now() + connections_.limits().patience;
+  connections_.enter(awaited_);
+  while (!is_ready && !awaited_.given_up && Clock::now() < awaited_.due) {
+    is_ready = wait_for(awaited_.socket, POLLOUT, look_interval);
+  }
+  connections_.leave(awaited_);
+  return is_ready && !awaited_.given_up;
+}
+
 ssize_t RequestStream::write(const char* bytes, std::size_t size) {
   if (ended_) return -1;
-  while (wait_for(awaited_.socket, POLLOUT, write_limit_)) {
+  if (drops_output_) return static_cast<ssize_t>(size);
+  while (wait_to_write()) {
     const ssize_t count = send(awaited_.socket, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count >= 0 || (errno != EAGAIN && errno != EINTR)) return count;
   }

@@ -14,8 +14,7 @@ namespace web {
 // httplib finds the connection ended, and what it writes is dropped.
 class RequestStream final : public httplib::Stream {
  public:
-  // `write_limit`: until a part of the answer must be taken.
-  RequestStream(int socket, Connections& connections, std::chrono::milliseconds write_limit);
+  RequestStream(int socket, Connections& connections);
   RequestStream(const RequestStream&) = delete;
   RequestStream& operator=(const RequestStream&) = delete;
 
@@ -24,6 +23,8 @@ class RequestStream final : public httplib::Stream {
   ssize_t read(char* bytes, std::size_t size) override;
   ssize_t write(const char* bytes, std::size_t size) override;
   using Stream::write;
+  // What is written from then on goes nowhere: another one answers.
+  void drop_output() { drops_output_ = true; }
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;
   socket_t socket() const override { return awaited_.socket; }
@@ -32,17 +33,17 @@ class RequestStream final : public httplib::Stream {
   Clock::time_point due() const;
   bool fill();
   void follow_head();
+  bool wait_to_write() const;
   void answer_and_end(const char* status, const char* why);
 
   Connections& connections_;
-  Awaited awaited_;
-  std::chrono::milliseconds write_limit_;
+  mutable Awaited awaited_;  // is_writable() waits too
   Clock::time_point began_ = Clock::now(), read_at_ = began_;
   std::array<char, 16 * 1024> buffer_;
   std::size_t used_ = 0, filled_ = 0;  // of the buffer
   std::size_t total_ = 0, head_bytes_ = 0;  // that have come
   std::array<char, 3> last_{};  // of the head
-  bool head_ended_ = false, ended_ = false;
+  bool head_ended_ = false, ended_ = false, drops_output_ = false;
 };
 
 }  // namespace web

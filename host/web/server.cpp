@@ -10,21 +10,7 @@ namespace web {
 
 namespace {
 
-// More than are waited for and listen to events together.
-constexpr std::size_t workers = 64;
-constexpr std::size_t most_waiting_connections = 256;
-
-void set_limits(httplib::Server& server) {
-  server.new_task_queue = [] {
-    return new httplib::ThreadPool(workers, most_waiting_connections);  // httplib deletes it
-  };
-  server.set_payload_max_length(UploadLimits{}.bytes + 64 * 1024);
-  server.set_tcp_nodelay(true);
-  // httplib's own ones let two servers share a port.
-  server.set_socket_options([](socket_t socket) {
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  });
+void set_headers(httplib::Server& server) {
   server.set_default_headers(
       {{"X-Content-Type-Options", "nosniff"},
        {"X-Frame-Options", "DENY"},
@@ -37,17 +23,14 @@ void set_limits(httplib::Server& server) {
 
 }  // namespace
 
-Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
+Server::Server(spooler::Spooler& spooler, const Address& address, const Rules& rules,
                const WaitLimits& limits)
     : spooler_(spooler),
       address_(address),
-      guard_(std::move(rules)),
+      guard_(rules),
       server_(std::make_unique<Listener>(limits)) {
-  if (!is_loopback(address_.host) && !guard_.has_key()) {
-    throw std::runtime_error("other machines reach " + written(address_) +
-                             ": a key is needed (--key FILE)");
-  }
-  set_limits(*server_);
+  check_reach(address_, rules);
+  set_headers(*server_);
   server_->set_pre_routing_handler(
       [this](const httplib::Request& request, httplib::Response& response) {
         const auto refusal = guard_.refusal_of(head_of(request), request.remote_addr);
@@ -61,14 +44,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, Rules rules,
   add_event_route(*server_, spooler_, {.ends = ends_, .streams = streams_});
   add_octoprint_routes(*server_, spooler_);
   add_last_routes(*server_);
-  if (address_.port == 0) {
-    const int port = server_->bind_to_any_port(address_.host);
-    if (port < 0) throw std::runtime_error("cannot listen on " + address_.host);
-    address_.port = static_cast<std::uint16_t>(port);
-  } else if (!server_->bind_to_port(address_.host, address_.port)) {
-    throw std::runtime_error("cannot listen on " + written(address_) + "; is it in use?");
-  }
-  server_->queue_connections();
+  address_ = server_->bind(address_);
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   server_->wait_until_ready();
 }

@@ -20,7 +20,7 @@ class Server {
  public:
   // Listens when it returns. Throws std::runtime_error where the address is in use, or other
   // machines reach it and the rules have no key.
-  Server(spooler::Spooler& spooler, const Address& address, Rules rules,
+  Server(spooler::Spooler& spooler, const Address& address, const Rules& rules,
          const WaitLimits& limits = {});
   ~Server();
   Server(const Server&) = delete;

@@ -18,12 +18,6 @@ constexpr std::size_t longest_field = 4096;
 constexpr std::size_t most_fields = 20;
 constexpr std::uintmax_t space_to_leave = 64 * 1024 * 1024;
 
-bool is_gcode(const std::string& file_name) {
-  const std::string name = lower(file_name);
-  constexpr std::array<std::string_view, 4> endings{".gcode", ".gco", ".g", ".nc"};
-  return std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
-}
-
 bool is_true(const std::string& value) { return value == "true" || value == "1" || value == "yes"; }
 
 class FormReader {
@@ -53,6 +47,7 @@ class FormReader {
   }
   void finish_part() {
     if (!is_file_ && name_ == "print") form.prints = is_true(field_);
+    if (!is_file_ && !name_.empty() && name_ != "print") form.fields[name_] = field_;
     field_.clear();
     name_.clear();
   }
@@ -78,9 +73,15 @@ std::uintmax_t announced_length(const httplib::Request& request) {
 
 }  // namespace
 
+bool is_gcode(const std::string& file_name) {
+  const std::string name = lower(file_name);
+  constexpr std::array<std::string_view, 4> endings{".gcode", ".gco", ".g", ".nc"};
+  return std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
+}
+
 UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
                      const httplib::ContentReader& read, queue::Store::Upload& upload,
-                     std::uintmax_t free_bytes, const UploadLimits& limits) {
+                     std::uintmax_t free_bytes, const UploadLimits& limits, bool prints) {
   const auto type = form_type_of(request);
   if (!type) throw HttpError(400, "a form with a file is expected");
   const auto boundary = boundary_of(*type);
@@ -89,6 +90,7 @@ UploadForm read_form(const httplib::Request& request, const httplib::Response& r
   if (length > limits.bytes + 64 * 1024) throw HttpError(413, "the file is too long");
   if (free_bytes < length + space_to_leave) throw HttpError(507, "the disk has no room for it");
   FormReader form(upload, limits);
+  form.form.prints = prints;
   MultipartReader parts(
       *boundary, [&form](const MultipartReader::Part& part) { form.begin_part(part); },
       [&form](std::string_view data) { form.take(data); });

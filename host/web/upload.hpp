@@ -2,6 +2,7 @@
 // A form with a file, written to the disk as it comes.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "host/queue/store.hpp"
@@ -13,16 +14,21 @@ struct UploadLimits {
   std::size_t bytes = std::size_t{1} << 30u;
 };
 
+// By the ending of its name.
+bool is_gcode(const std::string& file_name);
+
 struct UploadForm {
   std::string file_name;
-  bool prints = true;  // field `print`; without one the job joins the queue
+  bool prints = true;  // field `print`; unchanged without one
+  std::map<std::string, std::string> fields;  // all others, the last of a name
 };
 
 // Reads the fields of slicers in any order (`print`, `select`, `path`, `file`) and writes the file
-// into `upload`. `response` has what httplib says of a broken body. Throws HttpError: 400 no file
-// or a broken form, 413 too long, 415 no G-code, 507 no space.
+// into `upload`. `response` has what httplib says of a broken body; `prints`: where no field says
+// so. Throws HttpError: 400 no file or a broken form, 413 too long, 415 no G-code, 507 no space.
 UploadForm read_form(const httplib::Request& request, const httplib::Response& response,
                      const httplib::ContentReader& read, queue::Store::Upload& upload,
-                     std::uintmax_t free_bytes, const UploadLimits& limits = {});
+                     std::uintmax_t free_bytes, const UploadLimits& limits = {},
+                     bool prints = true);
 
 }  // namespace web

@@ -60,6 +60,7 @@ RequestHead request(const std::string& method, const std::string& path = "/api/j
           .origin = {},
           .fetch_site = {},
           .key = {},
+          .token = {},
           .fault = {}};
 }
 

@@ -40,6 +40,20 @@ TEST(rate_limit, counts_a_wrong_key_as_many_requests) {
   EXPECT_FALSE(limit.take("192.0.2.1", begin));
 }
 
+TEST(rate_limit, makes_the_next_wrong_key_wait_for_all_of_its_price) {
+  RateLimit limit({.burst = 3, .per_second = 1, .wrong_key = 5});
+  const RateLimit::Clock::time_point begin{};
+  while (limit.take("192.0.2.1", begin)) {
+  }
+  int tried = 0;
+  for (int second = 1; second <= 60; ++second) {
+    if (!limit.take("192.0.2.1", begin + std::chrono::seconds(second))) continue;
+    limit.note_wrong_key("192.0.2.1", begin + std::chrono::seconds(second));
+    ++tried;
+  }
+  EXPECT_EQ(tried, 10) << "one, and then one every 6 s: of a request and its wrong key";
+}
+
 TEST(rate_limit, takes_the_addresses_of_a_network_for_one_client) {
   EXPECT_EQ(web::client_of("2001:db8::1:2:3:4"), web::client_of("2001:db8::"));
   EXPECT_NE(web::client_of("2001:db8:0:1::1"), web::client_of("2001:db8::1"));

@@ -6,9 +6,12 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "host/moonraker/server.hpp"
 #include "host/spooler/spooler.hpp"
 #include "host/web/server.hpp"
 #include "tools/command/build.hpp"
@@ -54,11 +57,41 @@ void refuse_to_serve_as_root(const web::Address& address, const SpoolOptions& op
   say_to(stderr, "stepfabric: the spooler runs as root. {}\n", as_another_user);
 }
 
-void greet(const web::Server& server, const spooler::Settings& settings) {
+// One for each printer, and what their front ends keep.
+struct Moonrakers {
+  std::unique_ptr<moonraker::SettingsStore> settings;
+  std::vector<std::unique_ptr<moonraker::Server>> servers;
+};
+
+Moonrakers moonrakers_of(const SpoolOptions& options, const web::Rules& rules,
+                         const spooler::Settings& settings, spooler::Spooler& spooler) {
+  Moonrakers all;
+  if (options.moonraker.empty()) return all;
+  web::Address address = web::address_of(options.moonraker, moonraker::usual_port);
+  all.settings = std::make_unique<moonraker::SettingsStore>(settings.data / "front_ends.db");
+  for (const spooler::PrinterSpec& printer : settings.printers) {
+    if (!all.servers.empty() && address.port != 0 && ++address.port == 0) {
+      throw std::runtime_error("no port is left for the Moonraker of " + printer.name);
+    }
+    all.servers.push_back(
+        std::make_unique<moonraker::Server>(spooler, *all.settings,
+                                            moonraker::Options{.printer = printer.name,
+                                                               .address = address,
+                                                               .rules = rules,
+                                                               .frontend = options.frontend}));
+  }
+  return all;
+}
+
+void greet(const web::Server& server, const spooler::Settings& settings,
+           const Moonrakers& moonrakers) {
   say("spooling on http://{}/, data in {}\n", web::written(server.address()),
       settings.data.string());
   for (const spooler::PrinterSpec& printer : settings.printers) {
     say("  {}: {}\n", printer.name, printer.port.empty() ? "simulated" : printer.port.string());
+  }
+  for (const auto& each : moonrakers.servers) {
+    say("  Moonraker of {}: http://{}/\n", each->printer(), web::written(each->address()));
   }
   say("Ctrl-C ends it; a print goes on, and the next spool attaches to it.\n");
   std::fflush(stdout);
@@ -70,13 +103,17 @@ int spool(const SpoolOptions& options) {
   let_writes_fail();
   const spooler::Settings settings = settings_of(options);
   const web::Address address = web::address_of(options.listen);
-  web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
-                   .names = options.host_names};
+  const web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
+                         .names = options.host_names};
   refuse_to_serve_as_root(address, options);
+  if (!options.moonraker.empty()) {
+    refuse_to_serve_as_root(web::address_of(options.moonraker, moonraker::usual_port), options);
+  }
   build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);
-  const web::Server server(spooler, address, std::move(rules));
-  greet(server, settings);
+  const web::Server server(spooler, address, rules);
+  const Moonrakers moonrakers = moonrakers_of(options, rules, settings, spooler);
+  greet(server, settings, moonrakers);
   spooler.run(interrupt_requested);
   return success;
 }

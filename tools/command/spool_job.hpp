@@ -20,6 +20,8 @@ struct SpoolOptions {
   std::filesystem::path key;  // file; empty: no key is needed
   std::vector<std::string> host_names;
   bool allows_root = false;  // also where other machines reach it
+  std::string moonraker;  // address of the first printer's; empty: none
+  std::filesystem::path frontend;
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";
 };

@@ -31,6 +31,16 @@ void add_options(CLI::App& app, SpoolOptions& options) {
       "--allow-root", options.allows_root,
       "run as root although other machines reach it, as in a container; elsewhere start it "
       "as another user");
+  CLI::Option* const moonraker =
+      job.add_option(
+             "--moonraker", options.moonraker,
+             "serve Moonraker's API too, for Mainsail, Fluidd and slicers; one port for each "
+             "printer, counting up from this one")
+          ->type_name("HOST[:7125]");
+  job.add_option("--frontend", options.frontend,
+                 "folder with Mainsail or Fluidd, which is served with Moonraker's API")
+      ->type_name("DIR")
+      ->needs(moonraker);
   job.add_option("--baud", options.baud, "speed of the serial ports")
       ->check(CLI::Range(300, 10'000'000))
       ->capture_default_str();
@@ -46,6 +56,9 @@ An upload is checked whole by the firmware's planner before it is printed; a fil
 is never printed. A job starts when its turn has come and a person has confirmed that the bed is
 clear. One process for each printer feeds it and goes on printing if this one ends: after Ctrl-C
 too, and the next `spool` with the same --data attaches to it again.
+
+With --moonraker 127.0.0.1 the first printer's Moonraker is at http://127.0.0.1:7125/; the command
+BED_CLEAR, a macro in front ends, confirms that the bed is clear.
 
 Exit status: 0 after Ctrl-C, 2 bad usage, or it could not start.)");
 }

@@ -14,6 +14,7 @@ native_tools_suffice() {
   at_least ghdl 5.0 && at_least verilator 5.032 && at_least cmake 3.25 && at_least ninja 1.10 &&
     at_least g++ 14.0 && at_least riscv64-unknown-elf-g++ 14.0 && at_least yosys 0.52 &&
     at_least gnuplot 5.4 && command -v ccache >/dev/null && command -v z3 >/dev/null && command -v curl >/dev/null &&
+    python3 -c 'import websockets.sync.client' 2>/dev/null &&
     at_least clang-format 19.0 && native_fuzzer_links && native_libraries_compile
 }
 
@@ -25,6 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, std::size_t) { retur
 native_libraries_compile() {
   g++ -std=c++20 -fsyntax-only -x c++ - 2>/dev/null <<'CPP' || return 1
 #include <CLI/CLI.hpp>
+#include <boost/beast/version.hpp>
 #include <elfutils/libdw.h>
 #include <fmt/format.h>
 #include <gelf.h>
