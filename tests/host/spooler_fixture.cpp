@@ -113,7 +113,8 @@ void SpoolerTest::expect_printed(queue::JobId id) {
 }
 
 nlohmann::json SpoolerTest::printer_state(const std::string& name) {
-  for (const auto& printer : spool().snapshot()->json.at("printers")) {
+  const auto snapshot = spool().snapshot();  // which another one may replace meanwhile
+  for (const auto& printer : snapshot->json.at("printers")) {
     if (printer.at("name") == name) return printer;
   }
   return {};
