@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Notes each change of what the page draws as printed: points since the begin of the first layer. Layers have the
+// same number of points.
+window.seen = [];
+setInterval(() => {
+  const part = cards.get('simulated').view.part;
+  if (!part) return;
+  const points = 31 * part.layer + part.point;
+  if (seen[seen.length - 1] !== points) seen.push(points);
+}, 20);
