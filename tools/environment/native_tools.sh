@@ -36,6 +36,7 @@ native_libraries_compile() {
 #include <httplib.h>
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
+#include <png.h>
 #include <sqlite3.h>
 #include <toml++/toml.hpp>
 #include <zlib.h>

@@ -49,7 +49,12 @@ Json bounds_of(const Path& path) {
   return bounds ? Json(*bounds) : Json();
 }
 
+// So many more; memory is taken only for what is there.
 std::string read_bytes(std::ifstream& stream, std::size_t count) {
+  const std::streamoff here = stream.tellg();
+  const std::streamoff end = stream.seekg(0, std::ios::end).tellg();
+  if (!stream.seekg(here) || end - here < static_cast<std::streamoff>(count))
+    throw std::runtime_error("the file of the path is damaged");
   std::string bytes(count, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(count));
   if (!stream) throw std::runtime_error("the file of the path is damaged");
@@ -103,14 +108,18 @@ std::string read_path_head(const std::filesystem::path& file) {
 
 std::optional<std::string> read_path_layer(const std::filesystem::path& file, std::size_t layer) {
   std::ifstream stream(file, std::ios::binary);
-  const Json head = Json::parse(read_head(stream), nullptr, false);
-  if (head.is_discarded()) throw std::runtime_error("the file of the path is damaged");
-  const Json& layers = head.at("layers");
-  if (layer >= layers.size()) return std::nullopt;
-  std::size_t before = 0;
-  for (std::size_t i = 0; i < layer; ++i) before += layers[i].at(1).get<std::size_t>();
+  const std::string head = read_head(stream);
+  std::size_t before = 0, count = 0;
+  try {
+    const Json layers = Json::parse(head).at("layers");
+    if (layer >= layers.size()) return std::nullopt;
+    for (std::size_t i = 0; i < layer; ++i) before += layers[i].at(1).get<std::uint32_t>();
+    count = layers[layer].at(1).get<std::uint32_t>();
+  } catch (const Json::exception&) {
+    throw std::runtime_error("the file of the path is damaged");
+  }
   stream.seekg(static_cast<std::streamoff>(before * path_point_bytes), std::ios::cur);
-  return read_bytes(stream, layers[layer].at(1).get<std::size_t>() * path_point_bytes);
+  return read_bytes(stream, count * path_point_bytes);
 }
 
 }  // namespace planning

@@ -2,12 +2,14 @@
 // Layers from below to above, each over those before.
 #include "tools/planning/picture.hpp"
 
+#include <png.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "tools/planning/png.hpp"
+#include <stdexcept>
+#include <vector>
 
 namespace planning {
 
@@ -16,6 +18,11 @@ namespace {
 constexpr double margin_pixels = 6;
 // The view is turned by 45 degrees about Z and looks down by 30.
 constexpr double diagonal = std::numbers::sqrt2 / 2, sine_of_tilt = 0.5, cosine_of_tilt = 0.866;
+
+// As libpng's PNG_FORMAT_RGBA has it.
+struct Pixel {
+  png_byte red{}, green{}, blue{}, alpha{};
+};
 
 struct Place {
   double right{}, up{};
@@ -57,10 +64,23 @@ std::vector<Segment> segments_of(const Path& path) {
 
 Pixel colour_of(double shade) {
   const auto mixed = [shade](int dark, int light) {
-    return static_cast<std::uint8_t>(
+    return static_cast<png_byte>(
         std::lround(dark + (light - dark) * std::clamp(shade, 0.0, 1.0)));
   };
   return {.red = mixed(16, 120), .green = mixed(64, 190), .blue = mixed(128, 255), .alpha = 255};
+}
+
+std::string png_of(const std::vector<Pixel>& pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = image.height = picture_pixels;
+  image.format = PNG_FORMAT_RGBA;
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("the picture cannot be written: ") + image.message);
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace
@@ -98,7 +118,7 @@ std::string picture_of(const Path& path) {
       pixels[at(y + dy * part) * picture_pixels + at(x + dx * part)] = colour_of(segment.shade);
     }
   }
-  return png_of(pixels, picture_pixels, picture_pixels);
+  return png_of(pixels);
 }
 
 }  // namespace planning

@@ -63,7 +63,7 @@ Browser::Browser() {
   std::smatch found;
   for (const auto end = std::chrono::steady_clock::now() + start_limit; port_ == 0;) {
     const std::string said = files::text_of(log);
-    if (std::regex_search(said, found, std::regex("on port ([0-9]+)"))) port_ = std::stoi(found[1]);
+    if (std::regex_search(said, found, std::regex("successfully on port ([0-9]+)"))) port_ = std::stoi(found[1]);
     if (std::chrono::steady_clock::now() > end || driver_->ending()) {
       throw BrowserError("chromedriver does not start: " + said);
     }
