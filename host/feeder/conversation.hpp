@@ -61,7 +61,8 @@ class Conversation {
   std::string cancel(std::optional<std::int64_t> job = std::nullopt);
   // The job's outcome has been noted elsewhere.
   std::string forget(std::int64_t job);
-  // A person's line, sent between the lines of the job; what would disturb a running one is refused.
+  // A person's line, sent between the lines of the job; what would disturb a running one is
+  // refused, and why is returned.
   std::string send(std::string_view text);
   // M112, at once. The printer needs a reset then.
   void stop_everything();

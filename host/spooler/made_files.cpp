@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a job's check makes of its file, beside the commands.
+// What a job's check makes of its file, next to the commands.
 #include "host/spooler/spooler.hpp"
 
 namespace spooler {

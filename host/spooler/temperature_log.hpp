@@ -24,8 +24,8 @@ class TemperatureLog {
 
   // When the printer last answered; 0 before.
   std::int64_t heard_ms() const { return heard_ms_; }
-  // {"interval_ms": …, "samples": [[time in ms, hotend, its target, its power, bed, its target, its
-  // power], …]}: °C, powers from 0 to 1, null where it is not known.
+  // {"interval_ms": …, "samples": [[time in ms, hotend, its target, its power, bed, its target,
+  // its power], …]}: °C, powers from 0 to 1, null where it is not known.
   nlohmann::json to_json() const;
 
  private:

@@ -22,8 +22,8 @@ struct PathPoint {
   bool extrudes{};  // on the way here
 };
 
-// From its first extruding line to that of the next one; the first has what is before too. Its first
-// point is where it begins.
+// From its first extruding line to that of the next one; the first has what is before too. Its
+// first point is where it begins.
 struct PathLayer {
   double z_mm{};
   std::size_t first{};  // its first point

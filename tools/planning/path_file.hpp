@@ -3,7 +3,7 @@
 //
 //   8 bytes   "SFPATH1\n"
 //   4 bytes   length of the head, little-endian as all numbers
-//   head      {"unit_mm": …, "steps_per_mm": [X, Y, Z], "bounds_mm": [X, Y, X, Y] of what is extruded,
+//   head      {"unit_mm": …, "steps_per_mm": [X, Y, Z], "bounds_mm": [X, Y, X, Y] of what extrudes,
 //             "layers": [[Z in mm, number of points, command of its first line], …]}
 //   points    of 8 bytes, layer after layer: X and Y in units (16 bits each, signed), then 32 bits:
 //             twice the command that leads there, and 1 where it extrudes on the way

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements, words, and what is told to people.
+// Elements, words, and messages to people.
 'use strict';
 const byId = id => document.getElementById(id);
 
@@ -25,6 +25,26 @@ byId('dismiss').addEventListener('click', () => show(''));
 
 // For screen readers, without a place on the page.
 function announce(text) { byId('announcer').textContent = text; }
+
+// Nothing outside of a dialog can be reached while it is open, so emergency stops and messages go into it.
+// A promise of the value of the button that closes it; empty for Escape.
+function openDialog(dialog) {
+  dialog.prepend(byId('bar'));
+  dialog.returnValue = '';
+  dialog.showModal();
+  return new Promise(done => dialog.addEventListener('close', () => {
+    document.querySelector('header').after(byId('bar'));
+    done(dialog.returnValue);
+  }, {once: true}));
+}
+
+// Whether a person says yes. Unlike confirm() it stops neither the events nor the age of what is shown.
+async function ask(question, yes, no) {
+  setText(byId('question-text'), question);
+  setText(byId('yes'), yes);
+  setText(byId('no'), no);
+  return await openDialog(byId('question')) === 'yes';
+}
 
 const clockTime = ms => new Date(ms).toLocaleTimeString();
 

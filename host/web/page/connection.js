@@ -52,8 +52,8 @@ async function fetched(path, kind) {
 
 // State that is older than this is shown as old.
 const oldAfterMs = 6000;
-let heardAt = 0, refusedWhy = '';
-function isOld() { return Date.now() - heardAt > oldAfterMs; }
+let heardAt = 0, refusedWhy = '', isConnected = false, progressWords = '';
+function isOld() { return !isConnected || Date.now() - heardAt > oldAfterMs; }
 function markAge() {
   const old = isOld();
   document.body.classList.toggle('old', old);
@@ -61,6 +61,8 @@ function markAge() {
     ? `No connection since ${clockTime(heardAt)}: what you see is from then. It is tried again by itself.`
     : `connecting … ${refusedWhy}`;
   setText(byId('connection'), words);
+  const title = `${old ? 'not connected – ' : progressWords}StepFabric printers`;
+  if (document.title !== title) document.title = title;
 }
 setInterval(markAge, 500);
 
@@ -73,7 +75,10 @@ function hear(block, onState) {
   if (event !== 'state' && event !== 'alive') return;
   heardAt = Date.now();
   refusedWhy = '';
-  if (event === 'state') onState(JSON.parse(data));
+  if (event === 'state') {
+    onState(JSON.parse(data));
+    isConnected = true;
+  }
   markAge();
 }
 
@@ -81,7 +86,7 @@ const sleep = ms => new Promise(done => setTimeout(done, ms));
 let listening = new AbortController();
 
 // Reads the events, again after each end; a stream that is silent for long is given up. The first
-// state of each stream is said to be so.
+// state of each stream is said to be so; between streams the page is old.
 async function listen(onState) {
   for (;;) {
     listening = new AbortController();
@@ -110,8 +115,10 @@ async function listen(onState) {
       }
     } catch { /* again */ }
     clearInterval(watch);
+    const wasConnected = isConnected;
+    isConnected = false;
     markAge();
-    await sleep(1000);
+    await sleep(wasConnected ? 200 : 1000);
   }
 }
 

@@ -9,7 +9,7 @@ listen((state, isFirst) => {
   showWanted(state.printers);
   showJobs(state.jobs);
   const printing = state.printers.find(printer => printer.job && printer.commands);
-  document.title = (printing ? `${(100 * printing.done / printing.commands).toFixed(0)} % – ` : '') + 'StepFabric printers';
+  progressWords = printing ? `${(100 * printing.done / printing.commands).toFixed(0)} % – ` : '';
   if (!isFirst) return;
   for (const part of cards.values()) part.view.retry();
   loadTemperatures();

@@ -51,9 +51,10 @@ function makeCard(name) {
       button('clear', 'The bed is clear', () => post(path + 'bed_clear', {clear: part.clear.dataset.to === 'true'}), 'main'),
       button('pause', 'Pause', () => post(path + 'pause')),
       button('resume', 'Resume', () => post(path + 'resume')),
-      button('cancel', 'Cancel', () => confirm(`Cancel the print on ${name}?`) && post(path + 'cancel')),
+      button('cancel', 'Cancel', async () => await mayCancel(`the print on ${name}`) && post(path + 'cancel')),
       button('restart', 'Switch off and on',
-        () => (part.cancel.disabled || confirm(`Its print ends. Switch ${name} off and on?`)) && post(path + 'restart'))),
+        async () => (part.cancel.disabled || await ask(`Switch ${name} off and on? Its print ends.`, 'Switch off and on', 'Keep printing')) &&
+          post(path + 'restart'))),
     heaterRow(part, 'hotend', 'Hotend', name), heaterRow(part, 'bed', 'Bed', name),
     part.view.box, part.console.box);
   part.stop = element('button', {type: 'button', className: 'stop', 'aria-label': `Emergency stop: ${name}`,

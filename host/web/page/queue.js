@@ -51,10 +51,12 @@ async function showPath(job) {
   view.followLabel.hidden = true;
   setText(byId('path-title'), job.name);
   byId('path-place').replaceChildren(view.box);
-  byId('path-dialog').showModal();
+  openDialog(byId('path-dialog'));
   await view.load(job);
   if (!view.path) show(`The path of ${job.name} cannot be read now; try again.`);
 }
+
+const mayCancel = what => ask(`Cancel ${what}? It cannot go on later.`, 'Cancel the print', 'Keep printing');
 
 function buttonsOf(job) {
   const path = `/api/v1/jobs/${job.id}`, waits = !isOver(job) && !isActive(job);
@@ -71,7 +73,7 @@ function buttonsOf(job) {
   }
   if (!isOver(job)) {
     buttons.append(jobButton(job, job.state === 'interrupted' ? 'Give up' : 'Cancel',
-      () => (!isActive(job) || confirm(`Cancel the print of ${job.name}?`)) && post(path + '/cancel')));
+      async () => (!isActive(job) || await mayCancel(`the print of ${job.name}`)) && post(path + '/cancel')));
   }
   if (isOver(job) && job.state !== 'refused') buttons.append(jobButton(job, 'Print again', () => post(path + '/again')));
   if (isOver(job)) buttons.append(jobButton(job, 'Remove', () => request('DELETE', path)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files into the queue, by the field or dropped anywhere on the page.
 
-// XMLHttpRequest, because fetch tells no progress of an upload.
+// XMLHttpRequest, because fetch reports no progress of an upload.
 function upload(file) {
   return new Promise(done => {
     const form = new FormData();

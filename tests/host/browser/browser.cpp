@@ -63,7 +63,9 @@ Browser::Browser() {
   std::smatch found;
   for (const auto end = std::chrono::steady_clock::now() + start_limit; port_ == 0;) {
     const std::string said = files::text_of(log);
-    if (std::regex_search(said, found, std::regex("successfully on port ([0-9]+)"))) port_ = std::stoi(found[1]);
+    if (std::regex_search(said, found, std::regex("successfully on port ([0-9]+)"))) {
+      port_ = std::stoi(found[1]);
+    }
     if (std::chrono::steady_clock::now() > end || driver_->ending()) {
       throw BrowserError("chromedriver does not start: " + said);
     }
@@ -73,7 +75,6 @@ Browser::Browser() {
                             {{"capabilities",
                               {{"alwaysMatch",
                                 {{"browserName", "chrome"},
-                                 {"unhandledPromptBehavior", "ignore"},
                                  {"timeouts", {{"script", 30'000}}},
                                  {"goog:loggingPrefs", {{"browser", "ALL"}}},
                                  {"goog:chromeOptions", {{"args", chromium_options}}}}}}}});
@@ -167,12 +168,6 @@ void Browser::drag(const std::string& from, const std::string& to, int below,
                                move(end, below + 1, 50), lift})}};
   call("POST", "/actions", {{"actions", Json::array({device})}});
   call("DELETE", "/actions");
-}
-
-std::string Browser::answer_question(bool accept) {
-  const std::string text = call("GET", "/alert/text");
-  call("POST", accept ? "/alert/accept" : "/alert/dismiss");
-  return text;
 }
 
 Json Browser::run(const std::string& script, const Json& arguments) {

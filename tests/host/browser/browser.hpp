@@ -39,10 +39,9 @@ class Browser {
   // Keys of the keyboard, one after the other, wherever the focus is.
   void press(const std::string& keys);
   void clear(const std::string& selector);
-  // From the middle of one to the middle of the other and so many pixels below, by a mouse or a finger.
+  // From the middle of one to so many pixels below the middle of the other; the pointer is
+  // "mouse", "pen" or "touch".
   void drag(const std::string& from, const std::string& to, int below, const std::string& pointer);
-  // The text of an alert, which is accepted or dismissed.
-  std::string answer_question(bool accept);
   // Of JavaScript: `return …;`.
   Json run(const std::string& script, const Json& arguments = Json::array());
   Json run_async(const std::string& script);
@@ -69,6 +68,7 @@ class Browser {
 namespace keys {
 inline constexpr const char* tab = "\uE004";
 inline constexpr const char* enter = "\uE007";
+inline constexpr const char* escape = "\uE00C";
 inline constexpr const char* space = " ";
 inline constexpr const char* up = "\uE013";
 inline constexpr const char* right = "\uE014";

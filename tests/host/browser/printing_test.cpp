@@ -37,10 +37,12 @@ TEST_F(PageTest, a_dropped_file_is_printed_paused_resumed_cancelled_and_printed_
   browser().click(button("Resume"));
   expect_job("part.gcode", "printing");
   browser().click(button("Cancel"));
-  EXPECT_THAT(browser().answer_question(false), HasSubstr("Cancel the print"));
+  EXPECT_THAT(browser().text("#question"), HasSubstr("Cancel the print on simulated?"));
+  browser().click("#no");
+  EXPECT_FALSE(browser().has("dialog[open]"));
   EXPECT_EQ(job("part.gcode").at("state"), "printing");
   browser().click(button("Cancel"));
-  browser().answer_question(true);
+  browser().click("#yes");
   expect_job("part.gcode", "cancelled");
   expect_text("#over .what", "cancelled");
   browser().click(row_button("Print again", "part.gcode"));
@@ -135,7 +137,7 @@ TEST_F(PageTest, temperatures_come_with_their_course_and_duty) {
   browser().open("about:blank");
   open_page();
   expect_soon([&] { return browser().run(count) >= 3 && first() <= before + 2500; },
-              "the course begins anew");
+              "the course begins again");
   expect_no_complaint();
 }
 
@@ -191,6 +193,26 @@ TEST_F(PageTest, the_emergency_stop_is_in_reach_anywhere_and_stops_at_once) {
   expect_text(".card .advice", "press “Switch off and on”");
   browser().click(button("Switch off and on"));
   expect_text(".card .state", "is the bed clear?");
+}
+
+TEST_F(PageTest, a_question_stops_neither_the_page_nor_the_emergency_stop) {
+  begin_spooler();
+  open_page();
+  choose_file("part.gcode", squares(4, 8));
+  expect_job("part.gcode", "queued");
+  clear_bed();
+  expect_text(".card .job", "part.gcode: line");
+  browser().click(button("Cancel"));
+  expect_text("#question", "Cancel the print");
+  const std::string then = browser().text(".card .job");
+  expect_soon([&] { return browser().text(".card .job") != then; }, "the page stands still");
+  browser().click("#question .stop");
+  expect_job("part.gcode", "failed");
+  expect_text("#over", "stopped by a person");
+  browser().press(keys::escape);
+  EXPECT_FALSE(browser().has("dialog[open]"));
+  EXPECT_TRUE(browser().has("header + #bar .stop"));
+  expect_no_complaint();
 }
 
 }  // namespace

@@ -130,7 +130,10 @@ TEST_F(PageTest, everything_is_reached_and_used_by_keyboard) {
   tab_to("For which printer");
   tab_to("Cancel: part.gcode");
   browser().press(keys::enter);
-  browser().answer_question(true);
+  expect_text("#question", "Cancel the print of part.gcode?");
+  EXPECT_EQ(focused(), "no");  // what a hasty Enter does
+  tab_to("yes");
+  browser().press(keys::enter);
   expect_job("part.gcode", "cancelled");
   expect_no_complaint();
 }

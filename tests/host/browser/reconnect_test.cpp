@@ -20,7 +20,7 @@ constexpr const char* watch = R"(
     if (!last || last[0] !== now[0] || last[1] !== now[1]) seen.push(now);
   }, 10);)";
 
-TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_told_the_present) {
+TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent_the_present) {
   begin_spooler();
   open_page();
   choose_file("part.gcode", squares(4, 8));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Notes each change of what the page draws as printed: points since the begin of the first layer. Layers have the
+// Notes each change of what the page draws as printed: points since the first layer began. Layers have the
 // same number of points.
 window.seen = [];
 setInterval(() => {
