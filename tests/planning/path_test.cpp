@@ -108,7 +108,12 @@ TEST(path_file, gives_each_layer_as_it_was_written) {
   EXPECT_NEAR(static_cast<std::int16_t>(number(10, 2)) * unit, 7.25, unit);
   EXPECT_EQ(number(12, 4), 5u << 1u | 1u);
   EXPECT_FALSE(read_path_layer(folder.path() / "path", 2));
-  const std::string file = path_file_of(path);
+}
+
+TEST(path_file, is_refused_where_it_is_cut_damaged_or_no_path) {
+  const TemporaryFolder folder;
+  const std::string file =
+      path_file_of(path_of({"M83", "G1 Z0.2 F600", "G1 X10 E1", "G1 Z0.4", "G1 Y7.25 E1"}));
   folder.write("short", file.substr(0, file.size() - 1));
   EXPECT_EQ(read_path_layer(folder.path() / "short", 0)->size(), 2 * path_point_bytes);
   EXPECT_THROW(read_path_layer(folder.path() / "short", 1), std::runtime_error);

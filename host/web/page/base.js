@@ -33,7 +33,7 @@ function openDialog(dialog) {
   dialog.returnValue = '';
   dialog.showModal();
   return new Promise(done => dialog.addEventListener('close', () => {
-    document.querySelector('header').after(byId('bar'));
+    document.querySelector('.skip').after(byId('bar'));
     done(dialog.returnValue);
   }, {once: true}));
 }

@@ -75,7 +75,7 @@ class PathView {
     const share = this.points ? Math.round(100 * this.printed() / Math.max(1, this.points.x.length - 1)) : 0;
     const words = `layer ${this.shown + 1} of ${this.path.layers.length}, Z ${layer.z.toFixed(2)} mm` +
       (this.followLabel.hidden ? '' : `, ${Math.min(100, share)} % of it printed`) +
-      (this.head ? `; head at X ${this.head[0].toFixed(1)} Y ${this.head[1].toFixed(1)} Z ${this.head[2].toFixed(2)} mm` : '');
+      (this.head ? `. Head at X ${this.head[0].toFixed(1)} Y ${this.head[1].toFixed(1)} Z ${this.head[2].toFixed(2)} mm` : '');
     setText(this.words, words);
     this.slider.setAttribute('aria-valuetext', `${this.shown + 1} of ${this.path.layers.length}`);
     this.canvas.setAttribute('aria-label', `Path of ${this.name}: ${words}`);

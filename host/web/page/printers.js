@@ -28,8 +28,10 @@ function wordsOf(printer, job, jobs) {
 function heaterRow(part, id, label, name) {
   const chart = new TemperatureChart(`${label} of ${name}`);
   part.charts[id] = chart;
-  part[id] = element('span', {className: 'value'});
-  const title = element('div', {className: 'top'}, element('span', {}, label), part[id]);
+  const values = part[id] = {};
+  for (const value of ['now', 'target', 'duty']) values[value] = element('span', {className: value});
+  const title = element('div', {className: 'top'}, element('span', {className: 'label'}, label),
+    element('span', {className: 'value'}, values.now, ' ', values.target, ' ', values.duty));
   return element('div', {className: 'heater'}, title, chart.canvas);
 }
 
@@ -45,18 +47,20 @@ function makeCard(name) {
       part.state = element('span', {className: 'state', role: 'status'})),
     part.stale = element('p', {className: 'age', hidden: true}),
     part.advice = element('p', {className: 'advice'}),
-    part.job = element('p', {className: 'job'}),
+    element('p', {className: 'job'}, part.jobName = element('span', {className: 'name'}), ' ',
+      part.job = element('span', {className: 'what'})),
     part.progress = element('progress', {max: 1, value: 0, 'aria-label': `Progress on ${name}`}),
     element('div', {className: 'buttons'},
       button('clear', 'The bed is clear', () => post(path + 'bed_clear', {clear: part.clear.dataset.to === 'true'}), 'main'),
-      button('pause', 'Pause', () => post(path + 'pause')),
-      button('resume', 'Resume', () => post(path + 'resume')),
+      button('pause', 'Pause', () => post(path + part.pause.dataset.does)),
       button('cancel', 'Cancel', async () => await mayCancel(`the print on ${name}`) && post(path + 'cancel')),
       button('restart', 'Switch off and on',
         async () => (part.cancel.disabled || await ask(`Switch ${name} off and on? Its print ends.`, 'Switch off and on', 'Keep printing')) &&
           post(path + 'restart'))),
-    heaterRow(part, 'hotend', 'Hotend', name), heaterRow(part, 'bed', 'Bed', name),
-    part.view.box, part.console.box);
+    element('div', {className: 'views'},
+      element('div', {className: 'heaters'}, heaterRow(part, 'hotend', 'Hotend', name), heaterRow(part, 'bed', 'Bed', name)),
+      part.view.box),
+    part.console.box);
   part.stop = element('button', {type: 'button', className: 'stop', 'aria-label': `Emergency stop: ${name}`,
     onclick: () => stopNow(name)});
   byId('printers').append(part.card);
@@ -71,29 +75,42 @@ async function stopNow(name) {
   if (!why) announce(`${name} is stopped`);
 }
 
-function showHeater(part, id, triple, printer, time, answers) {
-  const [now, target, duty] = triple;
-  setText(part[id], now === null ? 'not known' : `${now.toFixed(1)} °C, ${
-    target ? `target ${target.toFixed(0)} °C` : 'off'}${duty === null ? '' : `, duty ${(100 * duty).toFixed(0)} %`}`);
+function showHeater(part, id, triple, time, answers) {
+  const [now, target, duty] = triple, values = part[id];
+  setText(values.now, now === null ? 'not known' : `${now.toFixed(1)} °C`);
+  setText(values.target, now === null ? '' : target ? `target ${target.toFixed(0)} °C` : 'off');
+  setText(values.duty, duty === null ? '' : `duty ${(100 * duty).toFixed(0)} %`);
+  values.target.hidden = now === null;
+  values.duty.hidden = duty === null;
   part.charts[id].take(triple, time, answers);
 }
 
-function jobWords(printer, job, share) {
-  if (!job) return printer.feeder_job ? `job ${printer.feeder_job}` : 'no job';
-  const left = duration(job.seconds * (1 - share));
-  return `${job.name}: line ${printer.done} of ${job.commands}, ${(100 * share).toFixed(1)} %, about ${left} left`;
+function showJob(part, printer, job) {
+  const share = job && job.commands ? printer.done / job.commands : 0;
+  setText(part.jobName, job ? job.name : '');
+  setText(part.job, job ? `${(100 * share).toFixed(1)} %, about ${duration(job.seconds * (1 - share))} left, line ${printer.done} of ${
+    job.commands}` : printer.feeder_job ? `job ${printer.feeder_job}` : 'no job');
+  part.progress.value = share;
+  part.progress.hidden = !job;
+}
+
+// A button that changes its words keeps its place and the focus.
+function rename(button, words, part) {
+  setText(button, words);
+  button.setAttribute('aria-label', `${words}: ${part.name}`);
 }
 
 function showButtons(part, printer, job) {
   const busy = Boolean(job) || ['running', 'paused', 'opening', 'cancelling'].includes(printer.phase);
   part.clear.hidden = busy;
   part.clear.dataset.to = String(!printer.bed_clear);
-  const clearWords = printer.bed_clear ? 'The bed is not clear' : 'The bed is clear';
-  setText(part.clear, clearWords);
-  part.clear.setAttribute('aria-label', `${clearWords}: ${part.name}`);
+  rename(part.clear, printer.bed_clear ? 'The bed is not clear' : 'The bed is clear', part);
   part.clear.classList.toggle('main', !printer.bed_clear);
-  part.pause.disabled = printer.phase !== 'running';
-  part.resume.disabled = printer.phase !== 'paused' && !printer.waits_for_user;
+  const stands = printer.phase === 'paused' || printer.waits_for_user;
+  part.pause.dataset.does = stands ? 'resume' : 'pause';
+  part.pause.disabled = !stands && printer.phase !== 'running';
+  part.pause.classList.toggle('main', stands);
+  rename(part.pause, stands ? 'Resume' : 'Pause', part);
   part.cancel.disabled = !busy;
   part.restart.hidden = !printer.simulated;
 }
@@ -113,12 +130,9 @@ function showPrinter(printer, state) {
   setText(part.stale, answers ? '' : printer.answered_ms
     ? `No answer since ${clockTime(printer.answered_ms - state.now_ms + Date.now())}: the values are from then.`
     : 'It has not answered yet.');
-  const share = job && job.commands ? printer.done / job.commands : 0;
-  setText(part.job, jobWords(printer, job, share));
-  part.progress.value = share;
-  part.progress.hidden = !job;
-  showHeater(part, 'hotend', printer.hotend, printer, state.now_ms, answers);
-  showHeater(part, 'bed', printer.bed, printer, state.now_ms, answers);
+  showJob(part, printer, job);
+  showHeater(part, 'hotend', printer.hotend, state.now_ms, answers);
+  showHeater(part, 'bed', printer.bed, state.now_ms, answers);
   showButtons(part, printer, job);
   part.console.show(printer.console);
   part.view.load(job).then(() => part.view.progress(printer.done, answers ? printer.position : null));

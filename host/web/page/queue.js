@@ -115,6 +115,13 @@ function tellChanges(old) {
   }
 }
 
+// On the same control of a row that has been made again; else on the row's first one, or near it.
+function keepFocus(key) {
+  const again = document.querySelector(`[data-key="${CSS.escape(key)}"]`) ||
+    document.querySelector(`[data-job="${CSS.escape(key.split(' ')[0])}"] button`) || byId('queue-title');
+  if (again !== document.activeElement) again.focus();
+}
+
 function showJobs(fresh = jobs) {
   if (fresh !== jobs) tellChanges(jobs);
   jobs = fresh;
@@ -129,6 +136,5 @@ function showJobs(fresh = jobs) {
   }
   byId('empty').hidden = open.length > 0;
   byId('none-over').hidden = over.length > 0;
-  const again = focused && document.querySelector(`[data-key="${CSS.escape(focused)}"]`);
-  if (again && again !== document.activeElement) again.focus();
+  if (focused) keepFocus(focused);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The last minutes of a heater: temperature, target, and duty. Times are the server's.
-const chartMinutes = 10;
+const chartSpans = [2, 5, 10, 30];  // minutes; the shortest that shows all samples
 const gapMs = 7000;  // samples that are farther apart are not joined
 
 class TemperatureChart {
@@ -15,6 +15,12 @@ class TemperatureChart {
     this.canvas.addEventListener('pointerleave', () => { this.pointer = null; this.redraw(); });
   }
 
+  // Minutes shown at this time.
+  span(time) {
+    const known = this.samples.length ? (time - this.samples[0][0]) / 60000 : 0;
+    return chartSpans.find(minutes => known <= minutes) || chartSpans[chartSpans.length - 1];
+  }
+
   // All that the server has.
   load(samples) {
     this.samples = samples;
@@ -26,22 +32,22 @@ class TemperatureChart {
     this.offset = time - Date.now();
     const last = this.samples[this.samples.length - 1];
     if (answers && now !== null && (!last || time - last[0] >= 1000)) this.samples.push([time, now, target, duty]);
-    while (this.samples.length && this.samples[0][0] < time - chartMinutes * 60000 - gapMs) this.samples.shift();
-    this.describe();
+    while (this.samples.length && this.samples[0][0] < time - chartSpans[chartSpans.length - 1] * 60000) this.samples.shift();
+    this.describe(time);
     this.redraw();
   }
 
-  describe() {
+  describe(time) {
     const temperatures = this.samples.map(sample => sample[1]);
     const last = this.samples[this.samples.length - 1];
     const words = !last ? 'nothing known yet' : `from ${Math.min(...temperatures).toFixed(0)} to ${
       Math.max(...temperatures).toFixed(0)} °C, at last ${last[1].toFixed(1)} °C at ${clockTime(last[0] - this.offset)}`;
-    const label = `${this.label}, last ${chartMinutes} minutes: ${words}`;
+    const label = `${this.label}, last ${this.span(time)} minutes: ${words}`;
     if (this.canvas.getAttribute('aria-label') !== label) this.canvas.setAttribute('aria-label', label);
   }
 
   draw(context, width, height) {
-    const end = Date.now() + this.offset, begin = end - chartMinutes * 60000;
+    const end = Date.now() + this.offset, span = this.span(end), begin = end - span * 60000;
     const shown = this.samples.filter(sample => sample[0] >= begin - gapMs);
     const values = shown.flatMap(sample => [sample[1], sample[2] || 0]);
     const high = Math.ceil((Math.max(50, ...values) + 10) / 50) * 50, low = 0;
@@ -66,7 +72,7 @@ class TemperatureChart {
     }
     context.textAlign = 'center';
     context.textBaseline = 'bottom';
-    for (let minutes = 0; minutes <= chartMinutes; minutes += 5) {
+    for (const minutes of [0, span / 2, span]) {
       context.fillText(minutes ? `−${minutes} min` : 'now', x(end - minutes * 60000), height);
     }
     context.save();

@@ -92,7 +92,8 @@ TEST_F(Appearance, every_control_has_a_name_of_its_own_in_the_accessibility_tree
                                        "slider", "image",   "progressbar", "log"};
   const std::set<std::string> places{"link", "article", "list", "region", "heading"};
   std::set<std::string> roles, names;
-  for (const Json& node : browser().devtools("Accessibility.getFullAXTree").at("nodes")) {
+  const Json tree = browser().devtools("Accessibility.getFullAXTree");
+  for (const Json& node : tree.at("nodes")) {
     const std::string role = node.at("role").value("value", "");
     if (node.value("ignored", false) || !(controls.contains(role) || places.contains(role)))
       continue;

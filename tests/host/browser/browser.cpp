@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto start_limit = 60s, answer_limit = 60s;
+constexpr auto start_limit = 60s, answer_limit = 60s, element_limit = 10s;
 constexpr const char* element_key = "element-6066-11e4-a52e-4f735466cecf";  // of the standard
 
 std::string decoded(const std::string& base64) {
@@ -40,6 +40,7 @@ std::string decoded(const std::string& base64) {
 
 // Chromium's own sandbox cannot be made by root, nor in a container that permits no namespaces.
 const std::vector<std::string> chromium_options{"--headless=new",
+                                                "--remote-debugging-pipe",  // it ends with the driver
                                                 "--no-sandbox",
                                                 "--disable-gpu",
                                                 "--disable-dev-shm-usage",
@@ -75,7 +76,7 @@ Browser::Browser() {
                             {{"capabilities",
                               {{"alwaysMatch",
                                 {{"browserName", "chrome"},
-                                 {"timeouts", {{"script", 30'000}}},
+                                 {"timeouts", {{"script", 30'000}, {"implicit", 10'000}}},
                                  {"goog:loggingPrefs", {{"browser", "ALL"}}},
                                  {"goog:chromeOptions", {{"args", chromium_options}}}}}}}});
   session_ = session.at("sessionId");
@@ -120,13 +121,18 @@ void Browser::set_size(int width, int height) {
 }
 
 void Browser::click(const std::string& selector) {
-  try {
-    call("POST", element_path(selector, "/click"));
-  } catch (const BrowserError& error) {
-    if (!std::string_view(error.what()).contains("click intercepted")) throw;
-    run("document.querySelector(arguments[0]).scrollIntoView({block: 'center'});",
+  for (const auto end = std::chrono::steady_clock::now() + element_limit;;) {
+    try {
+      call("POST", element_path(selector, "/click"));
+      return;
+    } catch (const BrowserError& error) {
+      const std::string_view why = error.what();
+      const bool may_change = why.contains("stale element") || why.contains("intercepted") ||
+                              why.contains("not interactable");
+      if (!may_change || std::chrono::steady_clock::now() > end) throw;
+    }
+    run("document.querySelector(arguments[0])?.scrollIntoView({block: 'center'});",
         Json::array({selector}));
-    call("POST", element_path(selector, "/click"));
   }
 }
 

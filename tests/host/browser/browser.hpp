@@ -21,7 +21,8 @@ struct BrowserError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Elements are named by CSS selectors; the first one counts. Every call throws BrowserError.
+// Elements are named by CSS selectors; the first one counts. What is done to one waits up to 10 s
+// until it is there. Every call throws BrowserError.
 class Browser {
  public:
   Browser();
@@ -32,7 +33,7 @@ class Browser {
   void open(const std::string& address);
   // Of the page's area, in CSS pixels.
   void set_size(int width, int height);
-  // As a person does: it is scrolled to, from under the bar too, and must be visible then.
+  // As a person does, when it is visible; it is scrolled to, from under the bar too.
   void click(const std::string& selector);
   // Into this element. For a file field: a path.
   void type(const std::string& selector, const std::string& text);

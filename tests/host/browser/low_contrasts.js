@@ -19,7 +19,7 @@ const behind = node => {
 const bad = [];
 for (const node of document.querySelectorAll('body *')) {
   const own = [...node.childNodes].some(child => child.nodeType === 3 && child.textContent.trim());
-  const isField = node.matches('input:not([type=checkbox], [type=range]), select');
+  const isField = node.matches('input:not([type=checkbox], [type=range], [type=file]), select');
   if (!(own || isField) || !node.checkVisibility() || node.disabled || node.closest('.unseen, option')) continue;
   const style = getComputedStyle(node), back = behind(node);
   const [light, dark] = [luminance(over(parse(style.color), back)), luminance(back)].sort((x, y) => y - x);

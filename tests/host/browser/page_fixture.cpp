@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto patience = 120s;  // on a machine under load
+constexpr auto patience = 60s;  // on a machine under load
 const std::string stepfabric = BUILD_DIRECTORY "/bin/stepfabric";
 constexpr const char* printer = "simulated";
 
@@ -108,7 +108,7 @@ void PageTest::signal_feeder(int signal) {
 void PageTest::open_page() {
   browser().open(address_ + "/");
   expect_text("#connection", "live");
-  expect_text(".card .state", "");
+  expect_soon([&] { return browser().has(".card:not(.stale)"); }, "the printer does not answer");
 }
 
 std::filesystem::path PageTest::written(const std::string& name, const std::string& text) {
@@ -123,7 +123,8 @@ void PageTest::choose_file(const std::string& name, const std::string& text) {
 
 void PageTest::clear_bed() {
   browser().click(button("The bed is clear"));
-  expect_soon([&] { return !browser().has(button("The bed is clear")); }, "the bed is not clear");
+  expect_soon([&] { return !browser().has(button("The bed is clear") + ":not([hidden])"); },
+              "the bed is not clear");
 }
 
 Json PageTest::state() const {
@@ -133,7 +134,8 @@ Json PageTest::state() const {
 }
 
 Json PageTest::job(const std::string& name) const {
-  for (const Json& each : state().at("jobs")) {
+  const Json now = state();
+  for (const Json& each : now.at("jobs")) {
     if (each.at("name") == name) return each;
   }
   return {};
@@ -141,10 +143,10 @@ Json PageTest::job(const std::string& name) const {
 
 std::vector<std::string> PageTest::waiting() const {
   std::vector<std::string> names;
-  for (const Json& each : state().at("jobs")) {
-    const std::string state = each.at("state");
-    if (state == "queued" || state == "uploaded" || state == "checking")
-      names.push_back(each.at("name"));
+  const Json now = state();
+  for (const Json& each : now.at("jobs")) {
+    const std::string is = each.at("state");
+    if (is == "queued" || is == "uploaded" || is == "checking") names.push_back(each.at("name"));
   }
   return names;
 }
@@ -165,7 +167,11 @@ void PageTest::expect_text(const std::string& selector, const std::string& part)
 }
 
 void PageTest::expect_job(const std::string& name, const std::string& wanted) const {
-  expect_soon([&] { return job(name).value("state", "") == wanted; }, name + " is not " + wanted);
+  const auto fits = [&] {
+    const Json found = job(name);
+    return !found.is_null() && found.at("state") == wanted;
+  };
+  expect_soon(fits, name + " is not " + wanted);
 }
 
 void PageTest::expect_queue(const std::vector<std::string>& names) const {

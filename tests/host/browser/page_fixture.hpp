@@ -30,7 +30,7 @@ class PageTest : public testing::Test {
   // kill -9: feeder and printer go on.
   void kill_spooler();
   void signal_feeder(int signal);
-  // In a page that has heard its first state.
+  // It has received its first state then, and the printer answers.
   void open_page();
   const std::string& address() const { return address_; }
   // By the file field, as a person chooses it.

@@ -29,7 +29,7 @@ TEST_F(PageTest, makes_the_pictures) {
     browser().save_screenshot(picture_folder / name);
   };
   take(1100, 1280, "light", "page.png");
-  take(360, 1500, "dark", "page_phone.png");
+  take(390, 844, "dark", "page_phone.png");
   expect_no_complaint();
 }
 
