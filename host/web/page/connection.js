@@ -58,7 +58,7 @@ function markAge() {
   const old = isOld();
   document.body.classList.toggle('old', old);
   const words = !old ? 'live' : heardAt
-    ? `No connection since ${clockTime(heardAt)}: what you see is from then. It is tried again by itself.`
+    ? `No connection since ${clockTime(heardAt)}: what you see is from then. The page connects again by itself.`
     : `connecting … ${refusedWhy}`;
   setText(byId('connection'), words);
   const title = `${old ? 'not connected – ' : progressWords}StepFabric printers`;

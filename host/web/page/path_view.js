@@ -70,12 +70,17 @@ class PathView {
     return this.shown < this.part.layer ? this.points.x.length : this.part.point;
   }
 
+  headWords() {
+    const [x, y, z] = this.head;
+    return `X\u00a0${x.toFixed(1)} Y\u00a0${y.toFixed(1)} Z\u00a0${z.toFixed(2)}\u00a0mm`;
+  }
+
   tell() {
     const layer = this.path.layers[this.shown];
     const share = this.points ? Math.round(100 * this.printed() / Math.max(1, this.points.x.length - 1)) : 0;
     const words = `layer ${this.shown + 1} of ${this.path.layers.length}, Z ${layer.z.toFixed(2)} mm` +
       (this.followLabel.hidden ? '' : `, ${Math.min(100, share)} % of it printed`) +
-      (this.head ? `. Head at X ${this.head[0].toFixed(1)} Y ${this.head[1].toFixed(1)} Z ${this.head[2].toFixed(2)} mm` : '');
+      (this.head ? `. Head at ${this.headWords()}` : '');
     setText(this.words, words);
     this.slider.setAttribute('aria-valuetext', `${this.shown + 1} of ${this.path.layers.length}`);
     this.canvas.setAttribute('aria-label', `Path of ${this.name}: ${words}`);

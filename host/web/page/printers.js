@@ -30,10 +30,13 @@ function heaterRow(part, id, label, name) {
   part.charts[id] = chart;
   const values = part[id] = {};
   for (const value of ['now', 'target', 'duty']) values[value] = element('span', {className: value});
-  const title = element('div', {className: 'top'}, element('span', {className: 'label'}, label),
-    element('span', {className: 'value'}, values.now, ' ', values.target, ' ', values.duty));
+  const title = element('div', {className: 'top value'},
+    element('span', {}, element('span', {className: 'label'}, label), ' ', values.now),
+    element('span', {}, values.target, ' ', values.duty));
   return element('div', {className: 'heater'}, title, chart.canvas);
 }
+
+const mayRestart = name => ask(`Switch ${name} off and on? Its print ends.`, 'Switch off and on', 'Keep printing');
 
 function makeCard(name) {
   const path = `/api/v1/printers/${name}/`;
@@ -55,8 +58,7 @@ function makeCard(name) {
       button('pause', 'Pause', () => post(path + part.pause.dataset.does)),
       button('cancel', 'Cancel', async () => await mayCancel(`the print on ${name}`) && post(path + 'cancel')),
       button('restart', 'Switch off and on',
-        async () => (part.cancel.disabled || await ask(`Switch ${name} off and on? Its print ends.`, 'Switch off and on', 'Keep printing')) &&
-          post(path + 'restart'))),
+        async () => (part.cancel.disabled || await mayRestart(name)) && post(path + 'restart'))),
     element('div', {className: 'views'},
       element('div', {className: 'heaters'}, heaterRow(part, 'hotend', 'Hotend', name), heaterRow(part, 'bed', 'Bed', name)),
       part.view.box),
@@ -71,7 +73,7 @@ function makeCard(name) {
 // At once, without a question.
 async function stopNow(name) {
   const why = await refusal('POST', `/api/v1/printers/${name}/stop`);
-  show(why ? `${name} was NOT stopped: ${why} Switch it off at its mains switch.` : '');
+  show(why ? `${name} was NOT stopped. Switch it off at its mains switch. The reason: ${why}` : '');
   if (!why) announce(`${name} is stopped`);
 }
 
@@ -81,6 +83,7 @@ function showHeater(part, id, triple, time, answers) {
   setText(values.target, now === null ? '' : target ? `target ${target.toFixed(0)} °C` : 'off');
   setText(values.duty, duty === null ? '' : `duty ${(100 * duty).toFixed(0)} %`);
   values.target.hidden = now === null;
+  values.target.classList.toggle('off', !target);
   values.duty.hidden = duty === null;
   part.charts[id].take(triple, time, answers);
 }
@@ -88,8 +91,9 @@ function showHeater(part, id, triple, time, answers) {
 function showJob(part, printer, job) {
   const share = job && job.commands ? printer.done / job.commands : 0;
   setText(part.jobName, job ? job.name : '');
-  setText(part.job, job ? `${(100 * share).toFixed(1)} %, about ${duration(job.seconds * (1 - share))} left, line ${printer.done} of ${
-    job.commands}` : printer.feeder_job ? `job ${printer.feeder_job}` : 'no job');
+  const left = job && `about ${duration(job.seconds * (1 - share))} left`;
+  setText(part.job, job ? `${(100 * share).toFixed(1)} %, ${left}, line ${printer.done} of ${job.commands}`
+    : printer.feeder_job ? `job ${printer.feeder_job}` : 'no job');
   part.progress.value = share;
   part.progress.hidden = !job;
 }

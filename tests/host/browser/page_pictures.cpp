@@ -20,17 +20,38 @@ TEST_F(PageTest, makes_the_pictures) {
   expect_job("not_for_this_printer.gcode", "refused");
   clear_bed();
   browser().click("summary");
-  expect_soon([&] { return browser().text(".path-box .what").contains("layer 3"); },
-              "no third layer");
+  for (const char* layer : {"layer 2", "layer 3"}) expect_text(".path-box .what", layer);
+  for (const char* line : {"M105", "M114"}) {
+    browser().type(".typed input", line + std::string(keys::enter));
+    expect_text(".lines", std::string("> ") + line);
+  }
   const auto take = [](int width, int height, const char* theme, const char* name) {
     browser().set_size(width, height);
-    browser().click("#theme option[value=" + std::string(theme) + "]");
-    browser().run("document.activeElement.blur(); scrollTo(0, 0);");
+    browser().run(
+        "document.documentElement.dataset.theme = arguments[0];"
+        "document.dispatchEvent(new Event('themechange'));"
+        "document.activeElement.blur(); scrollTo(0, 0);",
+        Json::array({theme}));
     browser().save_screenshot(picture_folder / name);
   };
   take(1100, 1280, "light", "page.png");
-  take(390, 844, "dark", "page_phone.png");
+  take(390, 1240, "dark", "page_phone.png");
   expect_no_complaint();
+  // For a look at what the pages do not show.
+  take(1100, 1280, "dark", "wide_dark.png");
+  take(390, 3000, "light", "phone_whole.png");
+  browser().click(button("Cancel"));
+  take(390, 844, "light", "question.png");
+  browser().click("#no");
+  browser().click(row_button("Show the path", "hook.gcode"));
+  expect_text("dialog .what", "layer 1");
+  take(390, 844, "dark", "path.png");
+  browser().click("#path-close");
+  kill_spooler();
+  expect_text("#connection", "No connection");
+  browser().click(".stop");
+  expect_text("#message", "NOT stopped");
+  take(390, 844, "light", "not_connected.png");
 }
 
 }  // namespace

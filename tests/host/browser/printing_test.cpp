@@ -68,7 +68,7 @@ TEST_F(PageTest, a_dropped_file_is_printed_paused_resumed_cancelled_and_printed_
 TEST_F(PageTest, the_path_is_drawn_where_the_printer_reports_its_head) {
   begin_spooler();
   open_page();
-  choose_file("part.gcode", squares(2, 5));
+  choose_file("part.gcode", squares(2, 4));
   expect_job("part.gcode", "queued");
   clear_bed();
   browser().run(script("watch_path.js"));

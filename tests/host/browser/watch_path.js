@@ -5,6 +5,6 @@ window.seen = [];
 setInterval(() => {
   const part = cards.get('simulated').view.part;
   if (!part) return;
-  const points = 26 * part.layer + part.point;
+  const points = 21 * part.layer + part.point;
   if (seen[seen.length - 1] !== points) seen.push(points);
 }, 20);
