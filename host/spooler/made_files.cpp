@@ -13,8 +13,9 @@ fs::path Spooler::commands_of(const queue::Job& job) const {
 
 void remove_made_with(fs::path file) {
   fs::remove(file);
-  for (const char* ending : {path_ending, picture_ending})
+  for (const char* ending : {path_ending, picture_ending}) {
     fs::remove(file.replace_extension(ending));
+  }
 }
 
 std::optional<fs::path> Spooler::made_of(queue::JobId id, const char* ending) {

@@ -25,8 +25,9 @@ queue::JobId id_of(const httplib::Request& request) {
 
 std::filesystem::path path_of(const httplib::Request& request, spooler::Spooler& spooler) {
   const auto file = spooler.path_of(id_of(request));
-  if (!file)
+  if (!file) {
     throw HttpError(404, "the job has no path: it is not checked yet, or extrudes nothing");
+  }
   return *file;
 }
 
@@ -44,8 +45,9 @@ void add_picture_routes(httplib::Server& server, spooler::Spooler& spooler) {
   });
   get(server, one_job + "/picture", [&spooler](const auto& request, auto& response) {
     const auto file = spooler.picture_of(id_of(request));
-    if (!file)
+    if (!file) {
       throw HttpError(404, "the job has no picture: it is not checked yet, or extrudes nothing");
+    }
     response.set_content(files::text_of(*file), "image/png");
   });
   get(server, "/api/v1/printers/([A-Za-z0-9_-]{1,32})/temperatures",

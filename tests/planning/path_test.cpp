@@ -100,8 +100,9 @@ TEST(path_file, gives_each_layer_as_it_was_written) {
   ASSERT_TRUE(layer && layer->size() == 2 * path_point_bytes);
   const auto number = [&](std::size_t at, std::size_t bytes) {
     std::uint32_t value = 0;
-    for (std::size_t i = bytes; i-- > 0;)
+    for (std::size_t i = bytes; i-- > 0;) {
       value = value << 8u | static_cast<unsigned char>((*layer)[at + i]);
+    }
     return value;
   };
   EXPECT_NEAR(static_cast<std::int16_t>(number(8, 2)) * unit, -400, unit);

@@ -68,8 +68,9 @@ void PathRecorder::add(const Walk& walk) {
 // The last point, and those left out before it, lie on the way from the one before to this one.
 bool PathRecorder::is_straight_to(const PathPoint& point) const {
   const auto& points = path_.points;
-  if (points.size() < path_.layers.back().first + 2 || left_out_.size() >= most_left_out)
+  if (points.size() < path_.layers.back().first + 2 || left_out_.size() >= most_left_out) {
     return false;
+  }
   const PathPoint &last = points.back(), &before = points[points.size() - 2];
   if (last.extrudes != point.extrudes) return false;
   const auto is_near = [&](const PathPoint& each) {

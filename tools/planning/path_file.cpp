@@ -53,8 +53,9 @@ Json bounds_of(const Path& path) {
 std::string read_bytes(std::ifstream& stream, std::size_t count) {
   const std::streamoff here = stream.tellg();
   const std::streamoff end = stream.seekg(0, std::ios::end).tellg();
-  if (!stream.seekg(here) || end - here < static_cast<std::streamoff>(count))
+  if (!stream.seekg(here) || end - here < static_cast<std::streamoff>(count)) {
     throw std::runtime_error("the file of the path is damaged");
+  }
   std::string bytes(count, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(count));
   if (!stream) throw std::runtime_error("the file of the path is damaged");

@@ -64,8 +64,7 @@ std::vector<Segment> segments_of(const Path& path) {
 
 Pixel colour_of(double shade) {
   const auto mixed = [shade](int dark, int light) {
-    return static_cast<png_byte>(
-        std::lround(dark + (light - dark) * std::clamp(shade, 0.0, 1.0)));
+    return static_cast<png_byte>(std::lround(dark + (light - dark) * std::clamp(shade, 0.0, 1.0)));
   };
   return {.red = mixed(16, 120), .green = mixed(64, 190), .blue = mixed(128, 255), .alpha = 255};
 }
@@ -77,8 +76,9 @@ std::string png_of(const std::vector<Pixel>& pixels) {
   image.format = PNG_FORMAT_RGBA;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
     throw std::runtime_error(std::string("the picture cannot be written: ") + image.message);
+  }
   bytes.resize(size);
   return bytes;
 }

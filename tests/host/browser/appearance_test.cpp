@@ -95,8 +95,9 @@ TEST_F(Appearance, every_control_has_a_name_of_its_own_in_the_accessibility_tree
   const Json tree = browser().devtools("Accessibility.getFullAXTree");
   for (const Json& node : tree.at("nodes")) {
     const std::string role = node.at("role").value("value", "");
-    if (node.value("ignored", false) || !(controls.contains(role) || places.contains(role)))
+    if (node.value("ignored", false) || !(controls.contains(role) || places.contains(role))) {
       continue;
+    }
     const std::string name = node.contains("name") ? node.at("name").value("value", "") : "";
     EXPECT_NE(name, "") << node.dump();
     roles.insert(role);

@@ -39,17 +39,18 @@ std::string decoded(const std::string& base64) {
 }
 
 // Chromium's own sandbox cannot be made by root, nor in a container that permits no namespaces.
-const std::vector<std::string> chromium_options{"--headless=new",
-                                                "--remote-debugging-pipe",  // it ends with the driver
-                                                "--no-sandbox",
-                                                "--disable-gpu",
-                                                "--disable-dev-shm-usage",
-                                                "--hide-scrollbars",
-                                                "--force-color-profile=srgb",
-                                                "--force-device-scale-factor=1",
-                                                "--window-size=1240,1000",
-                                                "--disable-background-networking",
-                                                "--no-first-run"};
+const std::vector<std::string> chromium_options{
+    "--headless=new",
+    "--remote-debugging-pipe",  // it ends with the driver
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-dev-shm-usage",
+    "--hide-scrollbars",
+    "--force-color-profile=srgb",
+    "--force-device-scale-factor=1",
+    "--window-size=1240,1000",
+    "--disable-background-networking",
+    "--no-first-run"};
 
 }  // namespace
 
@@ -143,8 +144,9 @@ void Browser::type(const std::string& selector, const std::string& text) {
 void Browser::press(const std::string& text) {
   Json actions = Json::array();
   for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
-    do ++end;  // bytes of one character
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
+    do {
+      ++end;  // bytes of one character
+    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
     for (const char* type : {"keyDown", "keyUp"}) {
       actions.push_back({{"type", type}, {"value", text.substr(begin, end - begin)}});
     }

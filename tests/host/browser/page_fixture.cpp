@@ -59,6 +59,11 @@ std::string row_button(const std::string& words, const std::string& name) {
   return "li [aria-label^='" + words + ": " + name + "']";
 }
 
+Controls& controls() {
+  static Controls all;
+  return all;
+}
+
 void PageTest::SetUpTestSuite() { browser_ = std::make_unique<Browser>(); }
 void PageTest::TearDownTestSuite() { browser_.reset(); }
 
@@ -68,6 +73,7 @@ PageTest::PageTest() {
 }
 
 PageTest::~PageTest() {
+  note_controls();
   browser().open("about:blank");
   browser().complaints();
   if (spooler_) kill_spooler();
@@ -105,8 +111,23 @@ void PageTest::signal_feeder(int signal) {
   process::signal(noted(folder_.path() / "data", "feeder.process"), signal);
 }
 
-void PageTest::open_page() {
+void PageTest::open_page_only() {
+  note_controls();
   browser().open(address_ + "/");
+  browser().run(script("record_controls.js"));
+}
+
+// Of the page that is left.
+void PageTest::note_controls() {
+  const Json noted = browser().run(
+      "return window.controls ? {seen: [...controls.seen], used: [...controls.used]} : null;");
+  if (noted.is_null()) return;
+  controls().seen.merge(noted.at("seen").get<std::set<std::string>>());
+  controls().used.merge(noted.at("used").get<std::set<std::string>>());
+}
+
+void PageTest::open_page() {
+  open_page_only();
   expect_text("#connection", "live");
   expect_soon([&] { return browser().has(".card:not(.stale)"); }, "the printer does not answer");
 }

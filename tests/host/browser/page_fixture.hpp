@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ namespace browser_test {
 
 // G-code that needs neither heat nor homing: so many layers of so many squares within each other.
 std::string squares(int layers, int squares_of_each);
+
+// Kinds of controls (record_controls.js) of all tests so far.
+struct Controls {
+  std::set<std::string> seen, used;
+};
+Controls& controls();
 
 class PageTest : public testing::Test {
  protected:
@@ -32,6 +39,8 @@ class PageTest : public testing::Test {
   void signal_feeder(int signal);
   // It has received its first state then, and the printer answers.
   void open_page();
+  // As it is, such as one that asks for a key.
+  void open_page_only();
   const std::string& address() const { return address_; }
   // By the file field, as a person chooses it.
   void choose_file(const std::string& name, const std::string& text);
@@ -49,6 +58,7 @@ class PageTest : public testing::Test {
   void expect_no_complaint() const;
 
  private:
+  void note_controls();
   static inline std::unique_ptr<Browser> browser_;
   TemporaryFolder folder_;
   std::optional<process::Process> spooler_;

@@ -86,7 +86,7 @@ TEST_F(PageTest, the_path_is_drawn_where_the_printer_reports_its_head) {
   browser().press(keys::home);
   expect_text(".path-box .what", "layer 1 of 2");
   expect_text(".path-box .what", "100 % of it printed");
-  EXPECT_GT(browser().run(script("printed_pixels.js")), 100);
+  EXPECT_GT(browser().run(script("pixels_of_colour.js"), {".card .path", "accent"}), 100);
   browser().click(".path-box label");
   expect_soon([&] { return !browser().text(".path-box .what").contains("layer 1 of 2"); },
               "it does not follow");
@@ -131,6 +131,17 @@ TEST_F(PageTest, temperatures_come_with_their_course_and_duty) {
   };
   expect_soon([&] { return label().contains("Hotend of simulated, last 2 minutes: from"); },
               "no course");
+  // Values at the pointer, with a dot on the line.
+  for (const char* chart : {"[aria-label^='Hotend of']", "[aria-label^='Bed of']"}) {
+    const auto ink = [&] {
+      return browser().run(script("pixels_of_colour.js"), {chart, "ink"}).get<int>();
+    };
+    const int before = ink();
+    browser().drag(chart, chart, 1, "mouse");
+    EXPECT_GT(ink(), before + 10);
+    browser().drag("h1", "h1", 1, "mouse");
+    EXPECT_LT(ink(), before + 10);
+  }
   const std::string count = "return cards.get('simulated').charts.hotend.samples.length;";
   expect_soon([&] { return browser().run(count) >= 3; }, "no samples");
   // What was before is there again when the page is opened again.
@@ -140,7 +151,6 @@ TEST_F(PageTest, temperatures_come_with_their_course_and_duty) {
         .get<double>();
   };
   const double before = first();
-  browser().open("about:blank");
   open_page();
   expect_soon([&] { return browser().run(count) >= 3 && first() <= before + 2500; },
               "the course begins again");
@@ -179,6 +189,31 @@ TEST_F(PageTest, the_console_shows_replies_and_refuses_what_would_spoil_a_print)
   expect_text(".lines", "> M220 S90");
   EXPECT_EQ(browser().text(".refused"), "");
   EXPECT_THAT(browser().text(".lines"), testing::Not(HasSubstr("> G1 X100")));
+}
+
+TEST_F(PageTest, a_person_decides_about_a_print_that_was_interrupted) {
+  begin_spooler();
+  open_page();
+  choose_file("part.gcode", squares(4, 8));
+  const auto interrupt = [&] {
+    expect_job("part.gcode", "queued");
+    clear_bed();
+    expect_job("part.gcode", "printing");
+    expect_text(".card .state", "printing");
+    browser().click(button("Switch off and on"));
+    expect_text("#question", "Its print ends");
+    browser().click("#yes");
+    expect_job("part.gcode", "interrupted");
+    expect_text(".card .state", "interrupted");
+    expect_text("#queue .advice", "print it again from its beginning, or give it up");
+  };
+  interrupt();
+  browser().click(row_button("Print again", "part.gcode"));
+  interrupt();
+  browser().click(row_button("Give up", "part.gcode"));
+  expect_job("part.gcode", "cancelled");
+  expect_text(".card .state", "is the bed clear?");
+  expect_no_complaint();
 }
 
 TEST_F(PageTest, the_emergency_stop_is_in_reach_anywhere_and_stops_at_once) {

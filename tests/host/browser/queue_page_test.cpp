@@ -12,8 +12,9 @@ std::string handle(const std::string& name) { return "li [aria-label^='Move " + 
 TEST_F(PageTest, the_order_is_changed_by_mouse_finger_buttons_and_arrow_keys) {
   begin_spooler();
   open_page();
-  for (const char* name : {"a.gcode", "b.gcode", "c.gcode", "d.gcode"})
+  for (const char* name : {"a.gcode", "b.gcode", "c.gcode", "d.gcode"}) {
     choose_file(name, squares(1, 1));
+  }
   for (const char* name : {"a.gcode", "d.gcode"}) expect_job(name, "queued");
   expect_queue({"a.gcode", "b.gcode", "c.gcode", "d.gcode"});
   browser().drag(handle("a.gcode"), handle("c.gcode"), 15, "mouse");
@@ -57,6 +58,10 @@ TEST_F(PageTest, a_held_job_waits_and_a_refused_one_says_what_to_do) {
   expect_soon([&] { return job("held.gcode").at("held") == false; }, "not released");
   browser().click(row_button("Hold", "held.gcode"));
   expect_soon([&] { return job("held.gcode").at("held") == true; }, "not held");
+  // Nothing starts, so that the bed can be taken for not clear again.
+  clear_bed();
+  browser().click(button("The bed is not clear"));
+  expect_soon([&] { return state().at("printers")[0].at("bed_clear") == false; }, "still clear");
   browser().click("#held");
   browser().click("#wanted option[value=simulated]");
   choose_file("bad.gcode", "G1 X10\nM9999\n");
@@ -72,7 +77,7 @@ TEST_F(PageTest, a_held_job_waits_and_a_refused_one_says_what_to_do) {
                browser().run("return document.querySelector('#queue img').naturalWidth;") == 160;
       },
       "no picture");
-  browser().click(button("The bed is clear"));
+  clear_bed();
   expect_job("picture.gcode", "printing");
   EXPECT_EQ(job("held.gcode").at("state"), "queued");
   expect_no_complaint();
@@ -103,6 +108,12 @@ TEST_F(PageTest, everything_is_reached_and_used_by_keyboard) {
   open_page();  // with the focus at its begin
   expect_text("#queue .name", "part.gcode");
   tab_to("Skip to the queue");
+  browser().press(keys::enter);
+  expect_soon([&] { return focused() == "queue-title"; }, "not skipped");
+  browser().press(keys::tab);
+  EXPECT_EQ(focused(), "files");
+  open_page();
+  expect_text("#queue .name", "part.gcode");
   tab_to("Emergency stop: simulated");
   tab_to("The bed is clear: simulated");
   browser().press(keys::enter);
@@ -143,7 +154,7 @@ TEST_F(PageTest, a_key_is_asked_for_and_a_wrong_one_again) {
   const auto file = written("key", "0123456789abcdef\n");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);
   begin_spooler({"--key", file.string()});
-  browser().open(address() + "/");
+  open_page_only();
   expect_soon(
       [&] { return browser().run("return !document.querySelector('#key-form').hidden;") == true; },
       "not asked");
@@ -154,7 +165,8 @@ TEST_F(PageTest, a_key_is_asked_for_and_a_wrong_one_again) {
       [&] { return browser().run("return !document.querySelector('#key-form').hidden;") == true; },
       "not asked again");
   browser().clear("#key");
-  browser().type("#key", "0123456789abcdef" + std::string(keys::enter));
+  browser().type("#key", "0123456789abcdef");
+  browser().click("#key-form button");
   expect_soon([&] { return browser().text("#connection") == "live"; }, "not accepted");
   expect_text(".card h2", "simulated");
 }

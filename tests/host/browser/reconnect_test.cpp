@@ -67,13 +67,15 @@ TEST_F(PageTest, a_printer_whose_feeder_hangs_is_shown_as_of_then) {
   expect_text(".card .age", "No answer since");
   EXPECT_EQ(browser().run("return getComputedStyle(document.querySelector('.heater')).filter;"),
             "grayscale(1)");
-  EXPECT_EQ(browser().run("return getComputedStyle(document.querySelector('.value .now')).fontStyle;"),
-            "italic");
+  EXPECT_EQ(
+      browser().run("return getComputedStyle(document.querySelector('.value .now')).fontStyle;"),
+      "italic");
   EXPECT_EQ(browser().text("#connection"), "live");
   signal_feeder(SIGCONT);
   expect_soon([&] { return browser().text(".card .age").empty(); }, "it stays old");
-  EXPECT_EQ(browser().run("return getComputedStyle(document.querySelector('.value .now')).fontStyle;"),
-            "normal");
+  EXPECT_EQ(
+      browser().run("return getComputedStyle(document.querySelector('.value .now')).fontStyle;"),
+      "normal");
 }
 
 TEST_F(PageTest, a_printer_that_is_gone_from_the_server_is_gone_from_the_page) {
