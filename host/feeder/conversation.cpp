@@ -75,15 +75,6 @@ std::int64_t Conversation::length() const {
                                               : record()->commands;
 }
 
-// That the printer says it proves that every line before it was executed.
-std::string Conversation::last_word() const {
-  return "job " + std::to_string(record()->job) + " ends, " + std::to_string(base_);
-}
-
-bool Conversation::is_last_word(std::string_view line) const {
-  return has_work() && next_ > length() + 2 && line.ends_with(last_word());
-}
-
 std::string Conversation::text_of(std::int64_t index) {
   if (index > length()) return (index - length()) % 2 == 1 ? "M400" : "M118 " + last_word();
   if (record()->phase == Phase::cancelling) {
@@ -100,7 +91,10 @@ void Conversation::opened(Time now) {
   ask_now();
 }
 
-void Conversation::closed() { link_ = Link::closed; }
+void Conversation::closed() {
+  link_ = Link::closed;
+  position_.reset();
+}
 
 void Conversation::ask_now() {
   link_ = Link::asking;
@@ -140,6 +134,7 @@ void Conversation::heard(std::string_view line, Time now) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
   if (line.empty() || line == "wait") return;
   const bool reports = read_temperatures(line, temperatures_);
+  if (reports) say_if_asked(105, line);
   if (line.starts_with("ok")) return answer_ok(now);
   const bool heats = reports && line.find(" W:") != std::string_view::npos;  // a wait for heat
   if (heats || line.find("busy:") != std::string_view::npos) {
@@ -147,6 +142,10 @@ void Conversation::heard(std::string_view line, Time now) {
     asks_ = 0;
   }
   if (reports) return;
+  if (const auto position = position_in(line)) {
+    position_ = position;
+    return say_if_asked(114, line);
+  }
   if (const auto number = resend_in(line)) return answer_resend(*number, now);
   if (line.find("busy:") != std::string_view::npos) {
     waits_for_user_ = line.find("paused for") != std::string_view::npos;
@@ -259,6 +258,7 @@ void Conversation::update(Time now) {
 void Conversation::send_next(Time now) {
   if (report_at_ && now >= *report_at_) {
     report_at_.reset();
+    typed_.emplace_front("M154 S1");
     return put("M155 S2\n", now);
   }
   if (!typed_.empty()) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -60,7 +61,8 @@ class Conversation {
   std::string cancel(std::optional<std::int64_t> job = std::nullopt);
   // The job's outcome has been noted elsewhere.
   std::string forget(std::int64_t job);
-  // A person's line, sent between the lines of the job.
+  // A person's line, sent between the lines of the job; what would disturb a running one is
+  // refused, and why is returned.
   std::string send(std::string_view text);
   // M112, at once. The printer needs a reset then.
   void stop_everything();
@@ -75,6 +77,8 @@ class Conversation {
   const Temperatures& temperatures() const { return temperatures_; }
   // As far as this process has sent lines.
   const std::string& homed_axes() const { return homed_.axes(); }
+  // The last report; nothing before the first, and after a loss of the printer.
+  const std::optional<Position>& position() const { return position_; }
   bool waits_for_user() const { return waits_for_user_; }
   // What is wrong with the journal, for people; or empty.
   const std::string& fault() const {
@@ -107,6 +111,8 @@ class Conversation {
   void send_next(Time now);
   void send_line(Time now);
   void put(std::string_view text, Time now);
+  // Reports come by themselves too: they are shown where a person has asked with this M code.
+  void say_if_asked(std::int64_t code, std::string_view line);
   void say(std::string_view line) const {
     if (on_said) on_said(line);
   }
@@ -117,6 +123,7 @@ class Conversation {
   Link link_ = Link::closed;
   std::string output_;
   std::deque<std::string> typed_;  // lines of people that wait
+  std::set<std::int64_t> asked_codes_;  // M105, M114 of people whose reports are due
   std::int64_t base_ = 0;  // of the lines that are being sent: the job's, or those that end it
   std::int64_t next_ = 1;  // index of the next one
   std::int64_t done_ = 0;
@@ -130,6 +137,7 @@ class Conversation {
   bool waits_for_user_ = false;
   Temperatures temperatures_;
   HomedAxes homed_;
+  std::optional<Position> position_;
   std::uint64_t resends_ = 0;
   // A report that comes by itself answers nothing.
   Time last_answered_{}, last_sent_{}, settled_at_{}, retried_at_{};

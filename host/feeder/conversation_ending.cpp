@@ -13,6 +13,15 @@ constexpr std::string_view unknown_heat =
 
 }  // namespace
 
+// That the printer says it proves that every line before it was executed.
+std::string Conversation::last_word() const {
+  return "job " + std::to_string(record()->job) + " ends, " + std::to_string(base_);
+}
+
+bool Conversation::is_last_word(std::string_view line) const {
+  return has_work() && next_ > length() + 2 && line.ends_with(last_word());
+}
+
 void Conversation::end_job(Phase outcome, std::string why) {
   if (record()->phase == Phase::cancelling) {
     return;  // the first reason counts

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "host/feeder/conversation.hpp"
+#include "host/feeder/typed_line.hpp"
 
 namespace feeder {
 
@@ -11,21 +12,6 @@ namespace {
 
 constexpr std::size_t longest_typed_line = 96;
 constexpr std::size_t most_typed_lines = 50;
-
-std::string_view without_blanks(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-// As the firmware reads it: M112, m112;x, M 0112; 0 where it is no M command.
-std::int64_t m_code_of(std::string_view text) {
-  if (!text.starts_with('M') && !text.starts_with('m')) return 0;
-  text = without_blanks(text.substr(1));
-  std::int64_t code = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code);
-  return error == std::errc{} ? code : 0;
-}
 
 }  // namespace
 
@@ -100,6 +86,10 @@ std::string Conversation::send(std::string_view text) {
     return {};
   }
   if (link_ != Link::ready) return "the printer does not answer";
+  if (record() && record()->phase != Phase::paused && has_work() && !is_harmless(text)) {
+    return "it could spoil the print: pause it first, or wait for its end";
+  }
+  if (code == 105 || code == 114) asked_codes_.insert(code);
   if (code == 108 || code == 410) {  // they act at once
     output_ += "M" + std::to_string(code) + "\n";
     ++unanswered_;
@@ -118,6 +108,10 @@ void Conversation::handle_action(std::string_view action) {
   if (action == "resume") resume();
   if (action == "cancel" && has_work()) cancel();
   if (action == "prompt_end" || action == "resumed") waits_for_user_ = false;
+}
+
+void Conversation::say_if_asked(std::int64_t code, std::string_view line) {
+  if (asked_codes_.erase(code) != 0) say(line);
 }
 
 void Conversation::stop_everything() {

@@ -186,15 +186,18 @@ void Feeder::send_all(const std::string& line) {
 
 std::string Feeder::state() const {
   const Temperatures& heat = conversation_.temperatures();
-  Json json{{"event", "state"},
-            {"link", name_of(conversation_.link())},
-            {"waits_for_user", conversation_.waits_for_user()},
-            {"resends", conversation_.resends()},
-            {"hotend", {number(heat.hotend), number(heat.hotend_target)}},
-            {"bed", {number(heat.bed), number(heat.bed_target)}},
-            {"homed", conversation_.homed_axes()},
-            {"fault", port_.fault().empty() ? conversation_.fault() : port_.fault()},
-            {"process", getpid()}};
+  Json json{
+      {"event", "state"},
+      {"link", name_of(conversation_.link())},
+      {"waits_for_user", conversation_.waits_for_user()},
+      {"resends", conversation_.resends()},
+      {"hotend", {number(heat.hotend), number(heat.hotend_target), number(heat.hotend_power)}},
+      {"bed", {number(heat.bed), number(heat.bed_target), number(heat.bed_power)}},
+      {"fault", port_.fault().empty() ? conversation_.fault() : port_.fault()},
+      {"process", getpid()}};
+  if (const auto& position = conversation_.position()) {
+    json["position"] = {{"mm", position->mm}, {"steps", position->steps}};
+  }
   if (const auto& record = conversation_.record()) {
     json["job"] = record->job;
     json["phase"] = name_of(record->phase);

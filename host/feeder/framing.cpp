@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace feeder {
 
 namespace {
+
+constexpr double full_power = 127;
+constexpr double most_steps = 4e9;
 
 std::optional<double> number_after(std::string_view text, std::string_view mark) {
   const std::size_t at = text.find(mark);
@@ -58,18 +62,43 @@ std::optional<std::int64_t> resend_in(std::string_view reply) {
 }
 
 bool read_temperatures(std::string_view reply, Temperatures& temperatures) {
+  const auto power = [reply](std::string_view mark) -> std::optional<double> {
+    const auto value = number_after(part_of(reply, mark), "");
+    if (!value) return std::nullopt;
+    return std::clamp(*value / full_power, 0.0, 1.0);
+  };
   const std::string_view hotend = part_of(reply, "T:"), bed = part_of(reply, "B:");
   const auto hotend_now = number_after(hotend, ""), bed_now = number_after(bed, "");
   if (!hotend_now && !bed_now) return false;
   if (hotend_now) {
     temperatures.hotend = hotend_now;
     temperatures.hotend_target = number_after(hotend, "/");
+    temperatures.hotend_power = power("@:");
   }
   if (bed_now) {
     temperatures.bed = bed_now;
     temperatures.bed_target = number_after(bed, "/");
+    temperatures.bed_power = power("B@:");
   }
   return true;
+}
+
+std::optional<Position> position_in(std::string_view reply) {
+  constexpr std::array<std::string_view, 4> axes{"X:", "Y:", "Z:", "E:"};
+  const std::size_t count = reply.find(" Count ");
+  if (!reply.starts_with(axes[0]) || count == std::string_view::npos) return std::nullopt;
+  const std::string_view asked = reply.substr(0, count), counted = reply.substr(count);
+  Position position;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const auto mm = number_after(asked, axes[axis]);
+    if (!mm) return std::nullopt;
+    position.mm[axis] = *mm;
+    if (axis >= position.steps.size()) continue;
+    const auto steps = number_after(counted, axes[axis]);
+    if (!steps || std::abs(*steps) > most_steps) return std::nullopt;
+    position.steps[axis] = std::llround(*steps);
+  }
+  return position;
 }
 
 bool is_fatal(std::string_view reply) {

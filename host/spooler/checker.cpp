@@ -94,7 +94,9 @@ CheckResult check(const fs::path& program, const fs::path& file, const fs::path&
       {.arguments = {"nice", "-n", "10", program.string(), "plan", file.string(), "--json",
                      report.path.string(), "--commands", fresh.path.string(), "--most-refused",
                      std::to_string(most_refused_lines), "--most-layers",
-                     std::to_string(most_layers)},
+                     std::to_string(most_layers), "--path",
+                     fs::path(commands_file).replace_extension(path_ending).string(), "--picture",
+                     fs::path(commands_file).replace_extension(picture_ending).string()},
        .has_input = false,
        .cpu_limit = processor_limit});
   const Json plan = Json::parse(files::text_of(report.path), nullptr, false);

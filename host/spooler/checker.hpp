@@ -24,9 +24,14 @@ struct CheckResult {
   std::int64_t commands{};  // in `commands_file`
 };
 
+// Next to the file of the commands, with these endings instead of its own.
+inline constexpr const char* path_ending = ".path";
+inline constexpr const char* picture_ending = ".png";
+void remove_made_with(std::filesystem::path commands_file);
+
 // Runs `program plan`, with a lower priority than the feeders have. Where the file
 // is accepted, `commands_file` is on the disk, whole and for this user alone; elsewhere what stood
-// there is there still.
+// there is there still. Path and picture are next to it, also of a file with refused lines.
 CheckResult check(const std::filesystem::path& program, const std::filesystem::path& file,
                   const std::filesystem::path& commands_file);
 

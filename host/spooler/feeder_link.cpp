@@ -129,6 +129,7 @@ void FeederLink::hear(const std::string& line) {
     if (event == "state") {
       FeederState state = feeder_state_of(message);
       changed_ |= state_ != state;
+      temperatures_.take(state, now_ms());
       last_state_ = state;
       state_ = std::move(state);
       heard_at_ = Clock::now();

@@ -14,6 +14,7 @@
 #include "host/spooler/feeder_state.hpp"
 #include "host/spooler/kept_process.hpp"
 #include "host/spooler/settings.hpp"
+#include "host/spooler/temperature_log.hpp"
 
 namespace spooler {
 
@@ -48,6 +49,7 @@ class FeederLink {
   bool is_asked() const { return !answers_.empty(); }
 
   const std::deque<ConsoleLine>& console() const { return console_; }
+  const TemperatureLog& temperatures() const { return temperatures_; }
 
   // Ends feeder and simulated printer, if nothing is being printed.
   void end_if_idle();
@@ -70,6 +72,7 @@ class FeederLink {
   FeederState last_state_;
   std::chrono::steady_clock::time_point heard_at_{}, tried_at_{};
   std::deque<ConsoleLine> console_;
+  TemperatureLog temperatures_;
   std::int64_t said_ = 0;
   bool changed_ = false;
 };

@@ -11,6 +11,11 @@ std::optional<double> number(const nlohmann::json& value) {
   return value.get<double>();
 }
 
+// A feeder of an earlier version that goes on printing says none.
+std::optional<double> power(const nlohmann::json& heater) {
+  return heater.size() > 2 ? number(heater.at(2)) : std::nullopt;
+}
+
 }  // namespace
 
 FeederState feeder_state_of(const nlohmann::json& message) {
@@ -26,8 +31,11 @@ FeederState feeder_state_of(const nlohmann::json& message) {
                     .homed = message.value("homed", ""),
                     .hotend = number(message.at("hotend").at(0)),
                     .hotend_target = number(message.at("hotend").at(1)),
+                    .hotend_power = power(message.at("hotend")),
                     .bed = number(message.at("bed").at(0)),
-                    .bed_target = number(message.at("bed").at(1))};
+                    .bed_target = number(message.at("bed").at(1)),
+                    .bed_power = power(message.at("bed")),
+                    .position = message.value("position", nlohmann::json())};
   if (message.contains("job")) state.job = message.at("job").get<std::int64_t>();
   return state;
 }

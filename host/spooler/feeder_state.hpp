@@ -20,7 +20,10 @@ struct FeederState {
   bool waits_for_user{};
   std::uint64_t resends{};
   std::string homed;  // some of `xyz`
-  std::optional<double> hotend, hotend_target, bed, bed_target;
+  // In degrees Celsius; powers from 0 to 1.
+  std::optional<double> hotend, hotend_target, hotend_power, bed, bed_target, bed_power;
+  // As the printer reports it: {"mm": [X, Y, Z, E], "steps": [X, Y, Z]}; null before.
+  nlohmann::json position;
   bool operator==(const FeederState&) const = default;
 };
 

@@ -45,29 +45,32 @@ Json Spooler::to_json(const FeederLink& printer) {
     console.push_back(
         {{"number", lines[i].number}, {"text", lines[i].text}, {"time_ms", lines[i].time_ms}});
   }
-  return {{"name", printer.name()},
-          {"simulated", printer.is_simulated()},
-          {"feeder", printer.is_heard()},
-          {"link", printer.is_heard() ? state.link : "unknown"},
-          {"fault", printer.is_heard() ? state.fault : ""},
-          {"phase", state.phase},
-          {"job", job ? Json(job->id) : Json()},
-          {"feeder_job", state.job ? Json(*state.job) : Json()},
-          {"done", state.done},
-          {"commands", state.commands},
-          {"resends", state.resends},
-          {"waits_for_user", state.waits_for_user},
-          {"homed", state.homed},
-          {"hotend", {number(state.hotend), number(state.hotend_target)}},
-          {"bed", {number(state.bed), number(state.bed_target)}},
-          {"bed_clear", queue_.bed_is_clear(printer.name())},
-          {"console", console}};
+  return {
+      {"name", printer.name()},
+      {"simulated", printer.is_simulated()},
+      {"feeder", printer.is_heard()},
+      {"link", printer.is_heard() ? state.link : "unknown"},
+      {"fault", printer.is_heard() ? state.fault : ""},
+      {"phase", state.phase},
+      {"job", job ? Json(job->id) : Json()},
+      {"feeder_job", state.job ? Json(*state.job) : Json()},
+      {"done", state.done},
+      {"commands", state.commands},
+      {"resends", state.resends},
+      {"waits_for_user", state.waits_for_user},
+      {"hotend", {number(state.hotend), number(state.hotend_target), number(state.hotend_power)}},
+      {"bed", {number(state.bed), number(state.bed_target), number(state.bed_power)}},
+      {"position", state.position},
+      {"answered_ms", printer.temperatures().heard_ms()},
+      {"bed_clear", queue_.bed_is_clear(printer.name())},
+      {"console", console}};
 }
 
 std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
   const std::scoped_lock lock(mutex_);
   if (snapshot_) return snapshot_;
   Json json{{"version", version_},
+            {"now_ms", now_ms()},
             {"fault", !fault_.empty()           ? fault_
                       : !failed_checks_.empty() ? failed_checks_.begin()->second.fault
                                                 : notice_},
@@ -75,7 +78,11 @@ std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
             {"jobs", Json::array()}};
   for (const auto& printer : printers_) json["printers"].push_back(to_json(*printer));
   for (const queue::Job& job : queue_.jobs(most_jobs_over)) {
-    json["jobs"].push_back(spooler::to_json(job));
+    Json each = spooler::to_json(job);
+    std::filesystem::path file = commands_of(job);
+    each["has_path"] = std::filesystem::exists(file.replace_extension(path_ending));
+    each["has_picture"] = std::filesystem::exists(file.replace_extension(picture_ending));
+    json["jobs"].push_back(std::move(each));
   }
   const auto snapshot = std::make_shared<Snapshot>();
   snapshot->version = version_;

@@ -118,16 +118,11 @@ bool Spooler::pass() {
   return fault.empty();
 }
 
-std::filesystem::path Spooler::commands_of(const Job& job) const {
-  return std::filesystem::absolute(store_.path_of(job.file))
-      .replace_extension("." + std::to_string(job.id) + ".commands");
-}
-
 void Spooler::note_check(const CheckResult& result) {
   const auto job = queue_.find(checker_.job());
   // It may have been cancelled, and removed.
   if (!job || job->state != JobState::checking) {
-    std::filesystem::remove(checker_.commands_file());
+    remove_made_with(checker_.commands_file());
     return;
   }
   if (result.must_be_repeated) {

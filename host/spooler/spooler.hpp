@@ -73,6 +73,13 @@ class Spooler {
   // Of the data's disk, in bytes.
   std::filesystem::space_info disk_space() const;
   std::uintmax_t free_bytes() const { return disk_space().available; }
+  // The last minutes of its heaters: TemperatureLog::to_json().
+  nlohmann::json temperatures(const std::string& printer);
+  // What the job's check has drawn: the path of its file (tools/planning/path_file.hpp), and a
+  // picture of it (PNG). Nothing where there is none, as before the check's end or where
+  // nothing is extruded.
+  std::optional<std::filesystem::path> path_of(queue::JobId id);
+  std::optional<std::filesystem::path> picture_of(queue::JobId id);
 
   // Everything for people, as JSON, with its version.
   struct Snapshot {
@@ -114,6 +121,7 @@ class Spooler {
   FeederLink& link(const std::string& printer);
   // Of each job its own: a check of the same file for another job leaves it alone.
   std::filesystem::path commands_of(const queue::Job& job) const;
+  std::optional<std::filesystem::path> made_of(queue::JobId id, const char* ending);
   void changed();
   nlohmann::json to_json(const FeederLink& printer);
 

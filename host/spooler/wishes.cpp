@@ -111,7 +111,7 @@ void Spooler::remove(JobId id) {
   queue_.remove(id);
   bool used = false;
   for (const std::string& file : queue_.files_in_use()) used |= file == job->file;
-  std::filesystem::remove(commands_of(*job));
+  remove_made_with(commands_of(*job));
   // What the check still reads is removed at the next start.
   if (!used && checker_.is_idle()) store_.remove(job->file);
   changed();

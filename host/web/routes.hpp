@@ -17,6 +17,10 @@ void add_page(httplib::Server& server);
 // /api/v1: jobs and printers.
 void add_rest_routes(httplib::Server& server, spooler::Spooler& spooler);
 
+// What the page draws. Of /api/v1/jobs/ID: /path, /path/LAYER and /picture; of
+// /api/v1/printers/NAME: /temperatures.
+void add_picture_routes(httplib::Server& server, spooler::Spooler& spooler);
+
 // /api/v1/events: the state of everything, again at each change (server-sent events).
 struct Streams {
   std::atomic<bool>& ends;  // the server stops

@@ -41,6 +41,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, const Rules& r
       });
   add_page(*server_);
   add_rest_routes(*server_, spooler_);
+  add_picture_routes(*server_, spooler_);
   add_event_route(*server_, spooler_, {.ends = ends_, .streams = streams_});
   add_octoprint_routes(*server_, spooler_);
   add_last_routes(*server_);

@@ -33,12 +33,27 @@ TEST(framing, reads_what_printers_say) {
   EXPECT_EQ(heat.hotend_target, 205);
   EXPECT_EQ(heat.bed, 60.5);
   EXPECT_EQ(heat.bed_target, 60);
+  EXPECT_EQ(heat.hotend_power, 12 / 127.0);
+  EXPECT_EQ(heat.bed_power, 3 / 127.0);
   EXPECT_FALSE(read_temperatures("echo:busy: processing", heat));
   EXPECT_FALSE(read_temperatures("FIRMWARE_NAME:Marlin EXTRUDER_COUNT:1", heat));
   EXPECT_TRUE(is_fatal("Error:Thermal Runaway"));
   EXPECT_TRUE(is_fatal("!! halted"));
   EXPECT_FALSE(is_fatal("Error:checksum mismatch, Last Line: 5"));
   EXPECT_FALSE(is_fatal("echo:Unknown command"));
+}
+
+TEST(framing, reads_positions_and_nothing_else_as_such) {
+  const auto position = position_in("X:10.50 Y:-2.25 Z:0.20 E:3.00 Count X:840 Y:-180 Z:512");
+  ASSERT_TRUE(position);
+  EXPECT_EQ(position->mm, (std::array{10.5, -2.25, 0.2, 3.0}));
+  EXPECT_EQ(position->steps, (std::array<std::int64_t, 3>{840, -180, 512}));
+  for (const char* other :
+       {"echo:X:1 Y:1 Z:1 E:1 Count X:1 Y:1 Z:1", "X:1.00 Y:1.00 Z:1.00 E:1.00",
+        "X:1 Y:1 Z:1 E:1 Count X:1 Y:1", "X:1 Y:1 Z:1 Count X:1 Y:1 Z:1",
+        "X:1 Y:1 Z:1 E:1 Count X:1e30 Y:1 Z:1", "X:a Y:1 Z:1 E:1 Count X:1 Y:1 Z:1"}) {
+    EXPECT_FALSE(position_in(other)) << other;
+  }
 }
 
 TEST(command_file, is_read_forwards_and_backwards) {

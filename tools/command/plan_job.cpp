@@ -2,6 +2,7 @@
 // Reads the file as `print` does, and shows the plan.
 #include "tools/command/plan_job.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,8 @@
 #include "tools/command/output.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/files/write_file.hpp"
+#include "tools/planning/path_file.hpp"
+#include "tools/planning/picture.hpp"
 #include "tools/planning/plan_texts.hpp"
 #include "tools/planning/print_planner.hpp"
 
@@ -51,23 +54,40 @@ void write_commands(const std::filesystem::path& file,
   files::write_file(file, text);
 }
 
+void write_path(const PlanOptions& options, const planning::Path& path) {
+  if (std::ranges::none_of(path.points, &planning::PathPoint::extrudes)) return;
+  if (!options.path.empty()) files::write_file(options.path, planning::path_file_of(path));
+  if (!options.picture.empty()) files::write_file(options.picture, planning::picture_of(path));
+}
+
 }  // namespace
 
 int plan(const PlanOptions& options) {
   let_writes_fail();
   check_that_files_differ(
       std::array<NamedFile, 2>{{{"the G-code file", options.file}, {"--machine", options.machine}}},
-      std::array<NamedFile, 2>{{{"--json", options.json}, {"--commands", options.commands}}});
+      std::array<NamedFile, 4>{{{"--json", options.json},
+                                {"--commands", options.commands},
+                                {"--path", options.path},
+                                {"--picture", options.picture}}});
   machine_generator::Machine machine = machine_of(options);
   machine.description.name = machine.name;
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) throw std::runtime_error(commands.error());
   planning::PrintPlanner planner(machine.description, options.clock_hz);
+  planning::PathRecorder path;
+  if (!options.path.empty() || !options.picture.empty()) {
+    planner.on_line([&path](const planning::Walk& walk) { path.add(walk); });
+  }
+  std::uint32_t number = 0;
   for (const devices::FileCommand& command : *commands) {
     end_if_interrupted();
+    if (!host_link::sets_numbering(command.text)) path.begin_command(++number);
     if (!planner.take(command.file_line, command.text)) break;
+    path.end_command(planner.planned_lines());
   }
   planning::Plan plan = planner.finish();
+  write_path(options, path.finish(planner.steps_per_mm()));
   if (!options.commands.empty()) {
     refuse_long_ones(*commands, plan);
     write_commands(options.commands, *commands);

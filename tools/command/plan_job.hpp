@@ -19,6 +19,8 @@ struct PlanOptions {
   std::filesystem::path json;  // empty: none
   std::filesystem::path commands;  // empty: not written
   planning::ListLimits limits{};
+  std::filesystem::path path;  // empty: not written
+  std::filesystem::path picture;  // empty: not written
   std::uint32_t clock_hz = 4'000'000;  // as `print` has it
 };
 

@@ -22,6 +22,13 @@ void add_options(CLI::App& app, PlanOptions& options) {
   job.add_option("--most-layers", options.limits.layers,
                  "list at most so many layers; default: all")
       ->type_name("N");
+  job.add_option(
+         "--path", options.path,
+         "write the path by layers (tools/planning/path_file.hpp), if something is extruded")
+      ->type_name("FILE");
+  job.add_option("--picture", options.picture,
+                 "write a small picture of the path, if something is extruded")
+      ->type_name("FILE.png");
   job.add_option("--clock-hz", options.clock_hz, "clock of the chip")
       ->check(CLI::Range(lowest_clock_hz, highest_clock_hz))
       ->capture_default_str();

@@ -15,6 +15,7 @@ native_tools_suffice() {
     at_least g++ 14.0 && at_least riscv64-unknown-elf-g++ 14.0 && at_least yosys 0.52 &&
     at_least gnuplot 5.4 && command -v ccache >/dev/null && command -v z3 >/dev/null && command -v curl >/dev/null &&
     python3 -c 'import websockets.sync.client' 2>/dev/null &&
+    command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
     at_least clang-format 19.0 && native_fuzzer_links && native_libraries_compile
 }
 
@@ -35,6 +36,7 @@ native_libraries_compile() {
 #include <httplib.h>
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
+#include <png.h>
 #include <sqlite3.h>
 #include <toml++/toml.hpp>
 #include <zlib.h>

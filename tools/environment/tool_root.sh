@@ -52,7 +52,7 @@ make_tool_root() {
   [ -f "$keyring" ] || need_host_packages debian-archive-keyring || return 1
   mirror=${STEPFABRIC_DEBIAN_MIRROR:-$(debian_mirror)} || return 1
 
-  say "making the Debian 13 tool root, once: about 3 to 6 minutes, 2.9 GB in $root"
+  say "making the Debian 13 tool root, once: about 3 to 6 minutes, 3.5 GB in $root"
   partial="$root.partial"
   rm -rf --one-file-system "$partial" || return 1
   host_apt_options > "$root.aptoptions"

@@ -220,6 +220,7 @@ double MotionModel::tick_of_stop(const Line& line) const {
 // All of them, or those until the end stop.
 void MotionModel::count_steps() {
   const double part = line_.last_tick / line_.ticks;
+  const double filament_before = filament_mm_;
   for (std::size_t i = 0; i < axis_count; ++i) {
     const std::int64_t made =
         part < 1 ? std::llround(static_cast<double>(line_.steps[i]) * part) : line_.steps[i];
@@ -229,6 +230,10 @@ void MotionModel::count_steps() {
         static_cast<std::uint64_t>(std::abs(made));
     if (i == e) filament_mm_ += static_cast<double>(made) / steps_per_mm_[i];
   }
+  if (!on_line) return;
+  Walk walk{.filament_mm = filament_mm_ - filament_before};
+  for (const std::size_t i : {x, y, z}) walk.end_mm[i] = position_[i] / steps_per_mm_[i];
+  on_line(walk);
 }
 
 // A line that extrudes in the plane, at another height than those before.

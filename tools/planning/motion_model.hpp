@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 
 #include "motion/limits.hpp"
+#include "tools/planning/path.hpp"
 #include "tools/planning/plan.hpp"
 
 namespace planning {
@@ -29,6 +31,10 @@ class MotionModel {
 
   // M92 holds for the records from now on.
   void set_steps_per_mm(const motion::Limits& limits);
+
+  // Called after each line that the step generator executes.
+  std::function<void(const Walk&)> on_line;
+  const std::array<double, axis_count>& steps_per_mm() const { return steps_per_mm_; }
 
   void advance(double clocks) { now_ += clocks; }
   double now() const { return now_; }

@@ -123,6 +123,11 @@ bool PrintPlanner::take(std::size_t file_line, std::string_view text) {
   return true;
 }
 
+std::array<double, 3> PrintPlanner::steps_per_mm() const {
+  const auto& all = model_.steps_per_mm();
+  return {all[0], all[1], all[2]};
+}
+
 Plan PrintPlanner::finish() {
   while (!motion_.at_rest() && plan_.fault.empty()) {
     motion_.flush();

@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "application/command_executor.hpp"
 #include "application/statistics.hpp"
@@ -23,6 +25,14 @@ class PrintPlanner {
 
   // Executes a line of the file; false where it ends the print.
   bool take(std::size_t file_line, std::string_view text);
+  // Each line of the step generator, in its order, as soon as it is made.
+  void on_line(std::function<void(const Walk&)> take) { model_.on_line = std::move(take); }
+  // How many of them are made or planned.
+  std::uint64_t planned_lines() const {
+    return model_.lines() + motion::Planner::capacity - motion_.room();
+  }
+  std::array<double, 3> steps_per_mm() const;
+
   // What is planned is executed. To be called once, at the end.
   Plan finish();
 
