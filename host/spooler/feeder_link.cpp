@@ -19,12 +19,6 @@ constexpr std::chrono::milliseconds attach_interval{200};
 constexpr std::chrono::seconds longest_silence{4};  // it speaks every second
 constexpr std::size_t most_console_lines = 200;
 
-std::int64_t now_ms() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 std::vector<std::string> feeder_call(const Settings& settings, const PrinterSpec& printer,
                                      const std::filesystem::path& folder) {
   const std::filesystem::path port = printer.port.empty() ? folder / "port" : printer.port;
