@@ -9,6 +9,7 @@ library std;
 use std.env.finish;
 
 use work.heater_control_registers_pkg.all;
+use work.random_source_pkg.all;
 use work.thermal_pkg.all;
 
 entity heater_timeouts_tb is
@@ -35,6 +36,11 @@ begin
       sensor_timeout => sensor_timeout);
 
   test : process
+
+    constant longest : positive := 3 * ticks_per_s;
+
+    variable random : random_source_t;
+    variable patience, sensor_patience : natural;
 
     procedure expect(watchdog, sensor : natural; what : string) is
     begin
@@ -80,6 +86,38 @@ begin
     expect(2999, 2999, "almost longest for sensors");
     write(0, -1);
     expect(0, 2999, "none");
+
+    -- A word that is too long is so by any of its bits, and as often as it is written.
+    for bit_number in 0 to tick_count_bits - 1 loop
+      for times in 1 to 2 loop
+        write(2 ** bit_number, -1);
+        write(-1, 2 ** bit_number);
+        expect(minimum(2 ** bit_number, longest), minimum(2 ** bit_number, longest), "a bit of each");
+      end loop;
+    end loop;
+
+    -- In any order, mostly near the maximum.
+    patience := to_integer(watchdog_timeout);
+    sensor_patience := to_integer(sensor_timeout);
+    for i in 1 to 2000 loop
+      case random.between(0, 3) is
+        when 0 =>
+          patience := random.between(longest - 2, longest + 2);
+          write(patience, -1);
+        when 1 =>
+          sensor_patience := random.between(longest - 2, longest + 2);
+          write(-1, sensor_patience);
+        when 2 =>
+          patience := random.between(0, 2 ** tick_count_bits - 1);
+          write(patience, -1);
+        when others =>
+          sensor_patience := random.between(0, 2 ** tick_count_bits - 1);
+          write(-1, sensor_patience);
+      end case;
+      patience := minimum(patience, longest);
+      sensor_patience := minimum(sensor_patience, longest);
+      expect(patience, sensor_patience, "any order");
+    end loop;
     reset <= '1';
     expect(1000, 1000, "reset again");
     finish;
