@@ -140,6 +140,25 @@ begin
     wait_clocks(50);
     comes_to_rest_with_its_inputs : assert at_rest report "never at rest" severity error;
 
+    -- Each input has a polarity of its own, and is enabled by itself.
+    switches <= x"00";
+    for input in 0 to 7 loop
+      write(master, enable, 16#FF#);
+      write(master, polarity, 2 ** input);
+      wait_clocks(50);
+      has_its_own_polarity : assert unsigned(triggered) = 2 ** input
+        report "input " & to_string(input) & ": " & to_hstring(triggered) severity error;
+      write(master, polarity, 16#FF#);
+      write(master, enable, 2 ** input);
+      wait_clocks(50);
+      is_enabled_by_itself : assert unsigned(triggered) = 2 ** input
+        report "input " & to_string(input) & ": " & to_hstring(triggered) severity error;
+    end loop;
+    write(master, polarity, 16#0C#);
+    write(master, enable, 16#F7#);
+    switches <= x"0C";
+    wait_clocks(50);
+
     -- What comes from a pin is synchronized first.
     switches <= x"00";
     check_status(x"0C", x"0C", x"00");

@@ -87,6 +87,20 @@ begin
     assert seen.level = 1 or seen.moving = '1' report "nothing is accepted after a flush" severity failure;
     wait_until_idle(clk, seen);
 
+    -- In motion it leaves what is executed, to its end, and nothing behind it.
+    segments_before := seen.segments;
+    expected_positions := seen.positions;
+    for i in 1 to depth loop
+      put_line(clk, drive, seen, 50);
+    end loop;
+    assert seen.moving = '1' and seen.level = depth - 1 severity failure;
+    pulse(clk, drive.flush);
+    wait_clocks(clk, 1);
+    assert seen.level = 0 and seen.moving = '1' report "a flush in motion" severity failure;
+    wait_until_idle(clk, seen);
+    assert seen.segments = segments_before + 1 and seen.positions(0) = expected_positions(0) + 50
+      report "not what was being executed alone" severity failure;
+
     -- What is written from the clock after a flush or a reset on counts, after any number of flushes before.
     for flushes in 1 to 2 loop
       pulse(clk, drive.flush);
