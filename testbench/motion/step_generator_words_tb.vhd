@@ -214,6 +214,11 @@ begin
       wait_clocks(clk, 30);
     end loop;
     append_segment(master, 2, 2, 8, ends_motion + waits);
+    wait_clocks(clk, 20);
+    -- What waits needs its drivers as what moves does.
+    write(master, step_generator_motor_enable_address, 1);
+    expect_error(master, step_generator_errors_settings_bit);
+    assert outputs.enable = "11" report "a driver is off under a segment that waits" severity failure;
     write(master, step_generator_command_address, flush_command);
     expect(master, step_generator_status_address, depth * one_free + idle_status);
 
