@@ -102,8 +102,8 @@ begin
       commit <= '1';
       wait until rising_edge(clk);
       commit <= '0';
-      is_taken_or_refused : assert refused.disabled = is_refused and (refused = refusal_none) = (is_refused = '0')
-        severity failure;
+      is_taken_or_refused : assert refused.disabled = is_refused
+        and (refused = refusal_none) = (is_refused = '0') severity failure;
       wait until rising_edge(clk);
       wait until rising_edge(clk) and idle = '1' for 100 us;
       comes_to_its_end : assert idle = '1' severity failure;

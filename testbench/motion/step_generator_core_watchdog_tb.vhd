@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The watchdog counts all motion, also what is held or brakes, and nothing but its feeding feeds it. Time of a hit
--- is that of the hit, whatever follows, and counts in 64 bits.
+-- The watchdog counts all motion, also what is held or brakes, and nothing but its feeding feeds it. The
+-- time of a hit is that of the hit, whatever follows, and counts in 64 bits.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -106,7 +106,8 @@ begin
       pulse(clk, drive.software_stop);
       wait_clocks(clk, 5);
       expect_hit;
-      expect_stop(clk, drive, seen, (end_stops => x"00", software => '1', software_brake => '1', others => '0'));
+      expect_stop(clk, drive, seen,
+        (end_stops => x"00", software => '1', software_brake => '1', others => '0'));
     end loop;
 
     -- Software that does anything else is not alive: its watchdog's feeding may be in a part that hangs.
@@ -144,7 +145,8 @@ begin
     wait_clocks(clk, 20);
     pulse(clk, drive.snapshot);
     wait_clocks(clk, 2);
-    counts_in_64_bits : assert seen.snapshot_time > before_carry + 15 and seen.snapshot_time < before_carry + 30
+    counts_in_64_bits : assert
+      seen.snapshot_time > before_carry + 15 and seen.snapshot_time < before_carry + 30
       report to_hstring(seen.snapshot_time) severity failure;
     finish;
   end process;

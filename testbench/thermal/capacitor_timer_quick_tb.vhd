@@ -200,17 +200,14 @@ begin
     expect_counts(0, 0, 0, "stuck");
     stuck <= '0';
     convert(temperature_converter_status_state_ok, "no longer stuck");
-    -- From any discharge of a conversion on: what is not empty makes no count.
     for discharges in 1 to resistors * charges - 1 loop
       for i in 1 to discharges loop
-        wait until rising_edge(clk) and discharging = '0';
-        wait until rising_edge(clk) and discharging = '1';
+        wait until discharging'event and discharging = '1';
       end loop;
       stuck <= '1';
       convert(temperature_converter_status_state_stuck, "stuck after " & to_string(discharges));
       stuck <= '0';
-      convert(temperature_converter_status_state_ok, "no longer stuck after " & to_string(discharges));
-      expect_counts(of_thermistor, of_low, of_high, "no longer stuck");
+      convert(temperature_converter_status_state_ok, "well after " & to_string(discharges));
     end loop;
 
     -- Other times.

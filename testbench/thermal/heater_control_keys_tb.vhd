@@ -47,7 +47,8 @@ begin
     begin
       for channel in 0 to 1 loop
         read(master, heater_control_status_address + 4 * channel, word);
-        is_a_wrong_feed : assert word(heater_control_status_watchdog_trip_bit) = '1' report what & " feeds" severity error;
+        is_a_wrong_feed : assert word(heater_control_status_watchdog_trip_bit) = '1'
+          report what & " feeds" severity error;
       end loop;
       clear_trips(master);
     end procedure;

@@ -235,37 +235,6 @@ begin
     end loop;
     expect_only(expected, "faulty sensor");
 
-    -- Heat is requested by any duty, also in the slots in which the gate is closed: at the least duty in all but one
-    -- of 65535.
-    for cause in 0 to 5 loop
-      duty <= to_unsigned(1, 16);
-      wait_clocks(4);
-      is_closed_for_now : assert gate = '0' and permitted = '1' report "no slot without heat" severity error;
-      expected := heater_trips_none;
-      case cause is
-        when 0 =>
-          expected.watchdog := '1';
-          watchdog_alive <= '0';
-        when 1 =>
-          expected.limits_missing := '1';
-          limits_set <= '0';
-        when 2 =>
-          expected.too_hot := '1';
-          convert(999);
-        when 3 =>
-          expected.too_cold := '1';
-          convert(50_001);
-        when 4 =>
-          expected.sensor_stale := '1';
-          pass_ticks(20);
-        when others =>
-          expected.sensor_invalid := '1';
-          convert(10_000, valid => '0');
-          pass_ticks(20);
-      end case;
-      expect_only(expected, "cause " & to_string(cause) & " in a slot without heat");
-    end loop;
-
     -- The emergency stop is remembered at duty 0 too, and lasts as long as the input.
     clear_trips;
     emergency_stop <= '1';
