@@ -256,10 +256,11 @@ bool Stillness::is_still(const Limits& limits, ConstValues course, ConstValues a
   }
   if (expected < static_cast<std::int64_t>(length) * least_expected * least_expected) return false;
   const std::int64_t noisy = noise(length);
-  // A reading whose noise alone exceeds what the rest may be is within it by chance only: it is to be
-  // looked at over a longer time.
+  // A reading whose noise alone exceeds what the rest may be is within it by chance only: it is
+  // judged over a longer time.
   if (!is_within(noisy * 9 / 20, expected, limits.rest)) return false;
-  // Two of `length` dimensions of the noise go with the rhythm. Of the others two thirds are certain.
+  // Two of `length` dimensions of the noise go with the rhythm. Of the others, which are estimated
+  // from few conversions, two thirds are taken off.
   const std::int64_t common = energy_in_common(course, answer, given);
   const std::int64_t with_rhythm = common - 2 * noisy / static_cast<std::int64_t>(length);
   const std::int64_t rest = energy(course) - common - noisy * 2 / 3;

@@ -155,8 +155,8 @@ TEST(bed_faults, finds_a_bead_that_drifts_upwards_while_it_heats_up) {
   }
 }
 
-// Freezes at any moment of the probe. At 4 MHz the conversions are the noisiest: one of some hundred
-// freezes may take longer than 20 s.
+// Freezes at any moment of the probe. At 4 MHz the conversions are the noisiest: one of a hundred
+// may take longer than 20 s.
 void expect_frozen_found(const plants::HeatedBlockProperties& block,
                          const thermal::HeaterSettings& settings, double target, double below) {
   for (const double clock_hz : {4e6, 8e6, 50e6}) {
