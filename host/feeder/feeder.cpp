@@ -193,6 +193,7 @@ std::string Feeder::state() const {
       {"resends", conversation_.resends()},
       {"hotend", {number(heat.hotend), number(heat.hotend_target), number(heat.hotend_power)}},
       {"bed", {number(heat.bed), number(heat.bed_target), number(heat.bed_power)}},
+      {"homed", conversation_.homed_axes()},
       {"fault", port_.fault().empty() ? conversation_.fault() : port_.fault()},
       {"process", getpid()}};
   if (const auto& position = conversation_.position()) {

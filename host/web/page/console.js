@@ -27,7 +27,7 @@ class Console {
     if (why) return;
     this.history.push(line);
     this.at = this.history.length;
-    this.input.value = '';
+    if (this.input.value.trim() === line) this.input.value = '';  // it may be the next one already
   }
 
   // Lines sent before, with the arrow keys.

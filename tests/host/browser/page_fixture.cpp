@@ -196,8 +196,8 @@ void PageTest::expect_job(const std::string& name, const std::string& wanted) co
 }
 
 void PageTest::expect_queue(const std::vector<std::string>& names) const {
-  EXPECT_EQ(waiting(), names);
   const Json wanted = names;
+  expect_soon([&] { return waiting() == names; }, "another order than " + wanted.dump());
   expect_soon(
       [&] {
         return browser().run(

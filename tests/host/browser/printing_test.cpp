@@ -187,7 +187,7 @@ TEST_F(PageTest, the_console_shows_replies_and_refuses_what_would_spoil_a_print)
   expect_text(".refused", "could spoil the print: pause it first");
   say("M220 S90");
   expect_text(".lines", "> M220 S90");
-  EXPECT_EQ(browser().text(".refused"), "");
+  expect_soon([&] { return browser().text(".refused").empty(); }, "it is still refused");
   EXPECT_THAT(browser().text(".lines"), testing::Not(HasSubstr("> G1 X100")));
 }
 
@@ -252,7 +252,7 @@ TEST_F(PageTest, a_question_stops_neither_the_page_nor_the_emergency_stop) {
   expect_text("#over", "stopped by a person");
   browser().press(keys::escape);
   EXPECT_FALSE(browser().has("dialog[open]"));
-  EXPECT_TRUE(browser().has(".skip + #bar .stop"));
+  expect_soon([&] { return browser().has(".skip + #bar .stop"); }, "the bar is not back");
   expect_no_complaint();
 }
 

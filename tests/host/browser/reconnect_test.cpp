@@ -10,15 +10,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Notes what the page shows every 10 ms: whether it says that it is old, and the job's words.
+// Notes after each change whether the page says that it is old, and the words about the job, which are
+// words of before from now on.
 constexpr const char* watch = R"(
+  const words = document.querySelector('.card .job .what');
+  words.textContent = 'words of before';
   window.seen = [];
-  setInterval(() => {
-    const words = document.querySelector('.card .job').textContent;
-    const now = [document.body.classList.contains('old'), words];
-    const last = seen[seen.length - 1];
-    if (!last || last[0] !== now[0] || last[1] !== now[1]) seen.push(now);
-  }, 10);)";
+  new MutationObserver(() => seen.push([document.body.classList.contains('old'), words.textContent]))
+    .observe(document.body, {subtree: true, childList: true, attributes: true, characterData: true});)";
 
 TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent_the_present) {
   begin_spooler();
@@ -27,7 +26,6 @@ TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent
   expect_job("part.gcode", "queued");
   clear_bed();
   expect_text(".card .job", "line");
-  browser().run(watch);
   kill_spooler();
   expect_soon([&] { return browser().text("#connection").contains("No connection since"); },
               "it does not say so");
@@ -36,7 +34,7 @@ TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent
   EXPECT_EQ(browser().run("return getComputedStyle(document.querySelector('main')).filter;"),
             "grayscale(1)");
   EXPECT_THAT(browser().text("#connection"), HasSubstr("what you see is from then"));
-  const std::string stale = browser().text(".card .job");
+  browser().run(watch);
   // A stop that cannot be sent says so, and what to do.
   browser().click(".stop");
   expect_text("#message", "was NOT stopped");
@@ -50,11 +48,8 @@ TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent
   const Json seen = browser().run("return seen;");
   bool was_old = false, is_back = false;
   for (const Json& each : seen) {
-    if (each[0] == true) was_old = true;
-    if (was_old && each[0] == false) {
-      is_back = true;
-      EXPECT_NE(each[1], stale) << seen.dump();
-    }
+    (each[0] == true ? was_old : is_back) = true;
+    EXPECT_FALSE(each[0] == false && each[1] == "words of before") << seen.dump();
   }
   EXPECT_TRUE(was_old && is_back) << seen.dump();
 }
