@@ -30,12 +30,12 @@ std::string_view name_of(Kind kind);
 
 struct Event {
   Kind kind{};
-  std::string printer;  // empty where the job has none yet
-  std::optional<std::int64_t> job;
-  std::string file;  // the job's name, for people
-  std::string reason;  // for people, or empty
+  std::string printer{};  // empty where the job has none yet
+  std::optional<std::int64_t> job{};
+  std::string file{};  // the job's name, for people
+  std::string reason{};  // for people, or empty
   std::int64_t time_ms{};  // since 1970
-  std::string id;  // of this one alone: who gets it twice knows it by that
+  std::string id{};  // of this one alone: who gets it twice knows it by that
 };
 
 // {"id", "event", "printer", "job", "file", "reason", "time"}: `time` as RFC 3339 has it, in UTC;

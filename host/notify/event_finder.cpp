@@ -119,8 +119,8 @@ void EventFinder::look_at_bed(const Json& snapshot, const Json& printer, Printer
   const bool may_wait = !printer.at("bed_clear").get<bool>() && printer.at("job").is_null();
   const auto waits_here = [&](const Json& job) {
     if (job.at("state") != "queued" || job.at("held")) return false;
-    const std::string& wanted = job.at("wanted_printer").get_ref<const std::string&>();
-    return wanted == printer.at("name") || (wanted.empty() && !another_is_free);
+    const Json& wanted = job.at("wanted_printer");
+    return wanted == printer.at("name") || (wanted == "" && !another_is_free);
   };
   const auto job = may_wait ? std::ranges::find_if(*jobs_, waits_here) : jobs_->end();
   const bool awaits = job != jobs_->end();

@@ -107,18 +107,23 @@ void Webhook::run() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
     const auto event = backlog_.next();
-    if (!event) {
+    const std::size_t dropped = backlog_.take_dropped();
+    if (!event && dropped == 0) {
       wake_.wait(lock, [this] { return ends_ || backlog_.size() > 0; });
       continue;
     }
     lock.unlock();
+    if (dropped > 0) {
+      log_(name() + std::to_string(dropped) + " old notifications were dropped");
+      lock.lock();
+      continue;
+    }
     const Answer answer = post(text_of(to_json(*event)));
     lock.lock();
     if (ends_) return;
     if (answer.outcome != Outcome::failed) backlog_.remove(event->id);
-    const std::size_t dropped = backlog_.take_dropped();
     lock.unlock();
-    note(answer, dropped);
+    note(answer);
     lock.lock();
     if (failures_ > 0) {
       wake_.wait_for(lock, limits_.pauses.after(failures_), [this] { return ends_.load(); });
@@ -152,22 +157,24 @@ Webhook::Answer Webhook::post(const std::string& body) {
   };
   const Deadline deadline(client, limits_.request, ends_);
   const httplib::Result result = client.send(request);
+  if (result) status = result->status;  // the handler is not asked about one without content
   if (status == 0) return {.outcome = Outcome::failed, .why = httplib::to_string(result.error())};
   if (status >= 200 && status < 300) return {.outcome = Outcome::delivered, .why = ""};
   return {.outcome = is_worth_a_repetition(status) ? Outcome::failed : Outcome::refused,
           .why = "status " + std::to_string(status)};
 }
 
-// The first failure of a row, and its end. The path may be a secret: it is not written.
-void Webhook::note(const Answer& answer, std::size_t dropped) {
-  const std::string begin = "webhook " + address_.server + ": ";
-  if (dropped > 0) log_(begin + std::to_string(dropped) + " old notifications were dropped");
-  if (answer.outcome == Outcome::refused) log_(begin + "refused for good: " + answer.why);
+// The path may be a secret: it is not written.
+std::string Webhook::name() const { return "webhook " + address_.server + ": "; }
+
+// The first failure of a row, and its end.
+void Webhook::note(const Answer& answer) {
+  if (answer.outcome == Outcome::refused) log_(name() + "refused for good: " + answer.why);
   if (answer.outcome == Outcome::failed) {
-    if (++failures_ == 1) log_(begin + answer.why + "; it is tried again");
+    if (++failures_ == 1) log_(name() + answer.why + "; it is tried again");
     return;
   }
-  if (std::exchange(failures_, 0) > 0) log_(begin + "it answers again");
+  if (std::exchange(failures_, 0) > 0) log_(name() + "it answers again");
 }
 
 }  // namespace notify

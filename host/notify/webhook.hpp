@@ -52,7 +52,8 @@ class Webhook final : public Sink {
   };
   void run();
   Answer post(const std::string& body);
-  void note(const Answer& answer, std::size_t dropped);
+  void note(const Answer& answer);
+  std::string name() const;  // for the log
 
   const WebhookAddress address_;
   const Log log_;
