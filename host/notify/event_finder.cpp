@@ -15,16 +15,14 @@ struct Row {
   Kind kind;
 };
 // Of a job that was in another state before.
-constexpr std::array kinds{Row{"paused", Kind::job_paused},
-                           Row{"finished", Kind::job_finished},
-                           Row{"cancelled", Kind::job_cancelled},
-                           Row{"failed", Kind::job_failed},
-                           Row{"refused", Kind::job_refused},
-                           Row{"interrupted", Kind::job_interrupted}};
+constexpr std::array kinds{
+    Row{"paused", Kind::job_paused},       Row{"finished", Kind::job_finished},
+    Row{"cancelled", Kind::job_cancelled}, Row{"failed", Kind::job_failed},
+    Row{"refused", Kind::job_refused},     Row{"interrupted", Kind::job_interrupted}};
 
 std::optional<Kind> kind_of(std::string_view state, std::string_view before) {
   if (state == before) return std::nullopt;
-  if (state == "printing") {  // a resumed one was told of when it paused
+  if (state == "printing") {  // that of a resumed one was its pause
     return before == "paused" ? std::nullopt : std::optional(Kind::job_started);
   }
   const auto* const row = std::ranges::find(kinds, state, &Row::state);
@@ -41,7 +39,7 @@ bool is_free(const Json& printer) {
 std::string why_lost(const Json& printer) {
   const std::string& link = printer.at("link").get_ref<const std::string&>();
   const std::string& fault = printer.at("fault").get_ref<const std::string&>();
-  std::string why = link == "closed" ? "its port cannot be opened: cable or power"
+  std::string why = link == "closed"    ? "its port cannot be opened: cable or power"
                     : link == "unknown" ? "its feeder is not heard"
                                         : "it does not answer";
   return fault.empty() ? why : why + "; " + fault;
@@ -105,7 +103,9 @@ void EventFinder::look_at_link(const Json& printer, Printer& known, Time now) {
 }
 
 void EventFinder::look_at_user(const Json& printer, Printer& known) {
-  if (!is_ready(printer)) return;  // what it says is old
+  if (!is_ready(printer)) {
+    return;  // what it says is old
+  }
   const bool awaits = printer.at("waits_for_user");
   if (awaits && !known.awaits_user) {
     tell(Kind::user_awaited, printer.at("name"), job_of(printer),
@@ -137,8 +137,7 @@ const Json* EventFinder::job_of(const Json& printer) const {
   return job == jobs_->end() ? nullptr : &*job;
 }
 
-void EventFinder::tell(Kind kind, const std::string& printer, const Json* job,
-                       std::string reason) {
+void EventFinder::tell(Kind kind, const std::string& printer, const Json* job, std::string reason) {
   Event event{.kind = kind, .printer = printer, .reason = std::move(reason)};
   if (job != nullptr) {
     event.job = job->at("id").get<std::int64_t>();

@@ -48,8 +48,8 @@ void Mqtt::set_up() {
     if (error != MOSQ_ERR_SUCCESS) throw std::runtime_error(mosquitto_strerror(error));
   };
   if (!options_.user.empty()) {
-    check(mosquitto_username_pw_set(client_.get(), options_.user.c_str(),
-                                    options_.password.c_str()));
+    check(
+        mosquitto_username_pw_set(client_.get(), options_.user.c_str(), options_.password.c_str()));
   }
   const std::string will = "offline";
   check(mosquitto_will_set(client_.get(), (options_.topic + "/status").c_str(),
@@ -92,9 +92,8 @@ void Mqtt::run() {
 
 bool Mqtt::connect() {
   is_refused_ = false;
-  const int error =
-      mosquitto_connect_async(client_.get(), options_.host.c_str(), options_.port,
-                              static_cast<int>(options_.keep_alive.count()));
+  const int error = mosquitto_connect_async(client_.get(), options_.host.c_str(), options_.port,
+                                            static_cast<int>(options_.keep_alive.count()));
   if (error != MOSQ_ERR_SUCCESS) lost(error);
   return error == MOSQ_ERR_SUCCESS;
 }
@@ -111,7 +110,7 @@ void Mqtt::work() {
 void Mqtt::lost(int error) {
   is_connected_ = false;
   ++failures_;
-  if (std::exchange(is_told_, true) || is_refused_) return;
+  if (std::exchange(is_logged_, true) || is_refused_) return;
   const std::string why = error == MOSQ_ERR_ERRNO ? "no connection" : mosquitto_strerror(error);
   log_("MQTT " + options_.host + ": " + why + "; it is tried again");
 }
@@ -119,12 +118,12 @@ void Mqtt::lost(int error) {
 void Mqtt::answered(int code) {
   if (code != 0) {
     is_refused_ = true;
-    if (!std::exchange(is_told_, true)) {
+    if (!std::exchange(is_logged_, true)) {
       log_("MQTT " + options_.host + ": " + mosquitto_connack_string(code) + "; it is tried again");
     }
     return;
   }
-  if (std::exchange(is_told_, false)) log_("MQTT " + options_.host + ": connected");
+  if (std::exchange(is_logged_, false)) log_("MQTT " + options_.host + ": connected");
   is_connected_ = true;
   failures_ = 0;
   // The broker may be another one, or may have forgotten everything.
@@ -198,8 +197,9 @@ void Mqtt::say_goodbye() {
     const std::scoped_lock lock(mutex_);
     return backlog_.size() > 0;
   };
-  do publish_what_is_due();
-  while (has_waiting() && go_on());
+  do {
+    publish_what_is_due();
+  } while (has_waiting() && go_on());
   int number = 0;
   publish(options_.topic + "/status", "offline", at_least_once, true, &number);
   goodbye_ = number;

@@ -40,9 +40,9 @@ MqttOptions mqtt_options(const std::string& address, const std::filesystem::path
 Json printer_state(const Json& snapshot, const Json& printer);
 
 // MQTT 3.1.1 by libmosquitto, without TLS:
-//   TOPIC/status         online; offline after an end and, as the last will, after a crash; retained
+//   TOPIC/status         online, or offline: after an end and, by the last will, a crash; retained
 //   TOPIC/PRINTER/state  JSON, retained
-//   TOPIC/PRINTER/event  events, not retained, at least once; TOPIC/event: of jobs without a printer
+//   TOPIC/PRINTER/event  events, at least once, not retained; TOPIC/event: without a printer
 class Mqtt final : public Sink {
  public:
   Mqtt(MqttOptions options, Log log);
@@ -77,7 +77,7 @@ class Mqtt final : public Sink {
   // Of the thread alone.
   bool is_connected_ = false;
   bool is_refused_ = false;  // by the broker, which says why
-  bool is_told_ = false;  // that there is no connection
+  bool is_logged_ = false;  // that there is no connection
   int failures_ = 0;  // to connect, in a row
   std::map<std::string, std::string> sent_states_;  // on this connection, by topic
   struct Sent {

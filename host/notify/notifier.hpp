@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows the spooler and tells the sinks what happens.
+// Follows the spooler and reports to the sinks what happens.
 #pragma once
 
 #include <condition_variable>

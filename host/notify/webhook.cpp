@@ -20,8 +20,8 @@ using namespace std::chrono_literals;
 constexpr std::size_t longest_answer = 64 * 1024;  // more of it is not read
 constexpr std::size_t longest_url = 2000;
 
-// httplib limits single reads only: an answer that comes byte by byte would hold the request for
-// ever. This ends it at its time, and when the sink ends.
+// httplib limits single reads only: an answer that comes byte by byte would hold the request
+// without end. This ends it at its time, and when the sink ends.
 class Deadline {
  public:
   Deadline(httplib::Client& client, std::chrono::milliseconds limit, const std::atomic<bool>& ends)
@@ -67,12 +67,11 @@ WebhookAddress webhook_of(std::string_view text) {
       R"((https?://(?:\[[0-9A-Fa-f:.]+\]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?)([/?][!-~]*)?)");
   std::match_results<std::string_view::const_iterator> parts;
   const bool fits = text.size() <= longest_url &&
-                    std::regex_match(text.begin(), text.end(), parts, form) &&
-                    !text.contains('#');
+                    std::regex_match(text.begin(), text.end(), parts, form) && !text.contains('#');
   const int port = fits && parts[2].matched ? std::stoi(parts[2].str()) : 1;
   if (!fits || port < 1 || port > 65535) {
     throw std::runtime_error(
-        "--webhook: neither http[s]://HOST[:PORT][/PATH], without user, nor @FILE with such a line");
+        "--webhook: not http[s]://HOST[:PORT][/PATH], without user, nor @FILE with such a line");
   }
   std::string target = parts[3].str();
   if (!target.starts_with('/')) target.insert(0, "/");
@@ -157,7 +156,9 @@ Webhook::Answer Webhook::post(const std::string& body) {
   };
   const Deadline deadline(client, limits_.request, ends_);
   const httplib::Result result = client.send(request);
-  if (result) status = result->status;  // the handler is not asked about one without content
+  if (result) {
+    status = result->status;  // the handler is not asked about one without content
+  }
   if (status == 0) return {.outcome = Outcome::failed, .why = httplib::to_string(result.error())};
   if (status >= 200 && status < 300) return {.outcome = Outcome::delivered, .why = ""};
   return {.outcome = is_worth_a_repetition(status) ? Outcome::failed : Outcome::refused,

@@ -33,7 +33,7 @@ struct WebhookLimits {
 };
 
 // One request at a time, in order, each until the receiver answers with 2xx. It is sent again after
-// a failure of the connection or an answer of 408, 425, 429 or 5xx, so a receiver may get one twice,
+// a failure of the connection or an answer of 408, 425, 429 or 5xx, so a receiver may get it twice
 // with the same `id`; any other answer drops it. What waits is lost with the process. Redirects are
 // not followed, and certificates are checked. SIGPIPE must be ignored.
 class Webhook final : public Sink {

@@ -68,8 +68,8 @@ class Broker {
   }
   // So many of them: topic and message.
   std::string remembered(const std::string& topic, int count) const {
-    return subscriber({"-i", "memory", "-c", "-q", "1", "-t", topic, "-R", "-C", std::to_string(count),
-                       "-W", "60", "-F", "%t %p"});
+    return subscriber({"-i", "memory", "-c", "-q", "1", "-t", topic, "-R", "-C",
+                       std::to_string(count), "-W", "60", "-F", "%t %p"});
   }
   int port() const { return port_; }
   std::string address() const { return "127.0.0.1:" + std::to_string(port_); }

@@ -16,12 +16,12 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Json job(int id, const char* state, const char* wanted = "") {
-  return {{"id", id},       {"name", "part.gcode"},     {"state", state}, {"held", false},
-          {"printer", ""},  {"wanted_printer", wanted}, {"reason", "why"}};
+  return {{"id", id},      {"name", "part.gcode"},     {"state", state}, {"held", false},
+          {"printer", ""}, {"wanted_printer", wanted}, {"reason", "why"}};
 }
 
 Json printer(const char* name, const char* link = "ready", bool bed_clear = false) {
-  return {{"name", name}, {"link", link},           {"fault", ""},
+  return {{"name", name},   {"link", link},           {"fault", ""},
           {"job", nullptr}, {"bed_clear", bed_clear}, {"waits_for_user", false}};
 }
 
@@ -57,18 +57,23 @@ TEST_F(Finding, what_was_there_before_is_no_news) {
   EXPECT_THAT(look(), IsEmpty());
 }
 
-TEST_F(Finding, a_job_is_told_of_from_its_start_to_its_end) {
-  state["jobs"] = Json::array({job(7, "starting")});
+TEST_F(Finding, a_job_is_reported_from_its_start_to_its_end) {
+  state["jobs"] = Json::array({job(7, "starting", "left")});
   first_job()["printer"] = "left";
   left()["job"] = 7;
   look();
   const std::vector<std::pair<const char*, std::vector<std::string>>> course{
-      {"printing", {"job_started left 7"}}, {"paused", {"job_paused left 7"}},
-      {"printing", {}},                     {"interrupted", {"job_interrupted left 7"}},
-      {"queued", {}},                       {"starting", {}},
-      {"printing", {"job_started left 7"}}, {"finished", {"job_finished left 7"}}};
+      {"printing", {"job_started left 7"}},
+      {"paused", {"job_paused left 7"}},
+      {"printing", {}},
+      {"interrupted", {"job_interrupted left 7"}},
+      {"queued", {"bed_to_be_cleared left 7"}},
+      {"starting", {}},
+      {"printing", {"job_started left 7"}},
+      {"finished", {"job_finished left 7"}}};
   for (const auto& [name, wanted] : course) {
     first_job()["state"] = name;
+    left()["job"] = first_job()["state"] == "queued" ? Json() : Json(7);
     EXPECT_EQ(look(), wanted) << name;
     EXPECT_THAT(look(), IsEmpty()) << "twice: " << name;
   }
@@ -82,7 +87,7 @@ TEST_F(Finding, a_job_is_told_of_from_its_start_to_its_end) {
                   {"time", "2017-07-14T02:40:00.007Z"}}));
 }
 
-TEST_F(Finding, a_failed_and_a_refused_job_are_told_of_with_the_reason) {
+TEST_F(Finding, a_failed_and_a_refused_job_are_reported_with_the_reason) {
   state["jobs"] = Json::array({job(1, "printing")});
   look();
   first_job()["state"] = "failed";
@@ -159,7 +164,7 @@ TEST_F(Finding, a_printer_that_was_never_there_is_lost_only_with_its_job) {
   EXPECT_THAT(all, ElementsAre("job_started  1", "printer_lost left 1"));
 }
 
-TEST_F(Finding, a_printer_that_waits_for_a_person_is_told_of_once) {
+TEST_F(Finding, a_printer_that_waits_for_a_person_is_reported_once) {
   look();
   left()["waits_for_user"] = true;
   left()["link"] = "unknown";

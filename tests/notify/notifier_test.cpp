@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people are told of real prints, and that no receiver holds one up.
+// What people hear of real prints, and that no receiver holds one up.
 #include "host/notify/notifier.hpp"
 
 #include <gmock/gmock.h>
@@ -25,27 +25,27 @@ class Notified : public host_test::SpoolerTest {
     std::vector<std::unique_ptr<notify::Sink>> sinks;
     sinks.push_back(std::make_unique<notify::Webhook>(notify::webhook_of(receiver.url()),
                                                       [](const std::string&) {}));
-    notifier = std::make_unique<notify::Notifier>(spool(), std::move(sinks),
-                                                  notify::EventFinder(500ms));
+    notifier =
+        std::make_unique<notify::Notifier>(spool(), std::move(sinks), notify::EventFinder(500ms));
   }
-  void expect_told(const std::string& event) {
+  void expect_heard(const std::string& event) {
     expect_soon([&] { return std::ranges::contains(receiver.values("event"), event); },
-                "not told of " + event);
+                "no event " + event);
   }
   Receiver receiver;
   std::unique_ptr<notify::Notifier> notifier;
 };
 
-TEST_F(Notified, a_print_is_told_of_from_the_bed_to_its_end) {
+TEST_F(Notified, a_print_is_reported_from_the_bed_to_its_end) {
   expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
   begin();
   const auto id = upload(std::string("G28 X\nM0\nG1 X5 F6000\n"), "part.gcode", false, "left");
-  expect_told("bed_to_be_cleared");
+  expect_heard("bed_to_be_cleared");
   spool().set_bed_clear("left", true);
-  expect_told("user_awaited");
+  expect_heard("user_awaited");
   spool().ask("left", {{"do", "resume"}});
   expect_state(id, JobState::finished);
-  expect_told("job_finished");
+  expect_heard("job_finished");
   EXPECT_THAT(receiver.values("event"),
               ElementsAre("bed_to_be_cleared", "job_started", "user_awaited", "job_finished"));
   for (const auto& body : receiver.bodies()) {
@@ -58,15 +58,15 @@ TEST_F(Notified, a_print_is_told_of_from_the_bed_to_its_end) {
   EXPECT_EQ(ids.size(), 4u) << "each has an id of its own";
 }
 
-TEST_F(Notified, a_refused_file_and_a_lost_printer_are_told_of) {
+TEST_F(Notified, a_refused_file_and_a_lost_printer_are_reported) {
   expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
   begin();
   upload("M9999\n");
-  expect_told("job_refused");
+  expect_heard("job_refused");
   left.unplug();
-  expect_told("printer_lost");
+  expect_heard("printer_lost");
   left.plug_in();
-  expect_told("printer_back");
+  expect_heard("printer_back");
 }
 
 TEST_F(Notified, a_receiver_that_does_not_answer_holds_up_neither_print_nor_people) {
@@ -80,7 +80,7 @@ TEST_F(Notified, a_receiver_that_does_not_answer_holds_up_neither_print_nor_peop
   expect_printed(id);
   EXPECT_THAT(receiver.values("event"), testing::IsEmpty());
   receiver.release();
-  expect_told("job_finished");
+  expect_heard("job_finished");
 }
 
 }  // namespace

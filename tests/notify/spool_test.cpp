@@ -18,20 +18,20 @@ class NotifiedSpool : public host_test::SpooledPrint {
   NotifiedSpool() : SpooledPrint("notified_spool") {}
 };
 
-TEST_F(NotifiedSpool, tells_of_a_print_and_the_broker_of_its_death) {
+TEST_F(NotifiedSpool, reports_a_print_and_by_the_broker_its_own_death) {
   Receiver receiver;
   const Broker broker;
-  const std::vector<std::string> options{"--webhook", receiver.url(), "--mqtt", broker.address(),
-                                         "--mqtt-topic", "shop/fabric"};
+  const std::vector<std::string> options{"--webhook",      receiver.url(), "--mqtt",
+                                         broker.address(), "--mqtt-topic", "shop/fabric"};
   begin_spooler("simulated", options);
   ASSERT_TRUE(broker.retains("shop/fabric/status", "online"));
   EXPECT_EQ(upload("G28 X\nG1 X20 F6000\nG1 X5\n"), "201");
-  const auto told = [&](const std::string& event) {
+  const auto heard = [&](const std::string& event) {
     return std::ranges::contains(receiver.values("event"), event);
   };
-  expect_soon([&] { return told("bed_to_be_cleared"); }, "no event of the bed");
+  expect_soon([&] { return heard("bed_to_be_cleared"); }, "no event of the bed");
   clear_bed("simulated");
-  expect_soon([&] { return told("job_finished"); }, "no event of the end");
+  expect_soon([&] { return heard("job_finished"); }, "no event of the end");
   EXPECT_TRUE(broker.retains("shop/fabric/simulated/state", R"("state":"idle")"));
   kill_spooler();
   EXPECT_TRUE(broker.retains("shop/fabric/status", "offline")) << "the last will";

@@ -37,7 +37,9 @@ class StrangeServer {
   StrangeServer& operator=(const StrangeServer&) = delete;
   std::string url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/"; }
   bool has_had(int connections) const {
-    for (int i = 0; i < 6000 && connections_ < connections; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    for (int i = 0; i < 6000 && connections_ < connections; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     return connections_ >= connections;
   }
 

@@ -14,9 +14,9 @@ using namespace std::chrono_literals;
 using notify::Event;
 using notify::Kind;
 using notify::Webhook;
+using notify::webhook_of;
 using notify::WebhookAddress;
 using notify::WebhookLimits;
-using notify::webhook_of;
 using notify_test::Receiver;
 using notify_test::StrangeServer;
 using testing::ElementsAre;
@@ -130,7 +130,7 @@ TEST_F(Hooked, old_news_are_dropped) {
   EXPECT_THAT(log(), testing::Contains(HasSubstr("1 old notifications were dropped")));
 }
 
-// Without the limit for the whole request the first connection would last for ever.
+// Without the limit for the whole request the first connection would never end.
 TEST_F(Hooked, a_receiver_that_sends_byte_by_byte_or_nothing_ends_with_the_limit) {
   for (const char* words : {"x", "HTTP/1.1 200 OK\r\n", ""}) {
     StrangeServer server(words);
@@ -166,11 +166,11 @@ TEST(WebhookAddresses, are_read_and_refused) {
   EXPECT_EQ(webhook_of("http://host/a?b"), (Address{.server = "http://host", .target = "/a?b"}));
   EXPECT_EQ(webhook_of("https://host:8443"),
             (Address{.server = "https://host:8443", .target = "/"}));
-  EXPECT_EQ(webhook_of("http://[::1]:80?q"), (Address{.server = "http://[::1]:80", .target = "/?q"}));
-  for (const char* wrong :
-       {"", "host", "ftp://host/", "http://", "http://user:secret@host/", "http://host:0/",
-        "http://host:65536/", "http://host/a b", "http://host/\r\nX: y", "http://host/#a", "@",
-        "@/missing"}) {
+  EXPECT_EQ(webhook_of("http://[::1]:80?q"),
+            (Address{.server = "http://[::1]:80", .target = "/?q"}));
+  for (const char* wrong : {"", "host", "ftp://host/", "http://", "http://user:secret@host/",
+                            "http://host:0/", "http://host:65536/", "http://host/a b",
+                            "http://host/\r\nX: y", "http://host/#a", "@", "@/missing"}) {
     EXPECT_THROW(webhook_of(wrong), std::runtime_error) << wrong;
   }
 }

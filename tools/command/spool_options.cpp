@@ -41,9 +41,10 @@ void add_options(CLI::App& app, SpoolOptions& options) {
                  "folder with Mainsail or Fluidd, which is served with Moonraker's API")
       ->type_name("DIR")
       ->needs(moonraker);
-  job.add_option("--webhook", options.webhooks,
-                 "POST notifications as JSON to this http or https URL, or to the one in a file that "
-                 "only you can read; may be repeated")
+  job.add_option(
+         "--webhook", options.webhooks,
+         "POST notifications as JSON to this http or https URL, or to the one in a file that "
+         "only you can read; may be repeated")
       ->type_name("URL|@FILE");
   CLI::Option* const mqtt =
       job.add_option("--mqtt", options.mqtt,
