@@ -136,7 +136,8 @@ void greet(const web::Server& server, const spooler::Settings& settings,
 int spool(const SpoolOptions& options) {
   let_writes_fail();
   const spooler::Settings settings = settings_of(options);
-  const web::Address address = web::address_of(options.listen);
+  const std::optional<web::InheritedSocket> socket = web::inherited_socket();
+  const web::Address address = socket ? socket->address : web::address_of(options.listen);
   const web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
                          .names = options.host_names};
   refuse_to_serve_as_root(address, options);
@@ -144,9 +145,9 @@ int spool(const SpoolOptions& options) {
     refuse_to_serve_as_root(web::address_of(options.moonraker, moonraker::usual_port), options);
   }
   const Receivers receivers = receivers_of(options);
-  build({"stepfabric_feeder", "firmware"});
+  if (options.builds) build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);
-  const web::Server server(spooler, address, rules);
+  const web::Server server(spooler, address, rules, {}, socket);
   const Moonrakers moonrakers = moonrakers_of(options, rules, settings, spooler);
   const std::unique_ptr<notify::Notifier> notifier = notifier_of(receivers, spooler);
   greet(server, settings, moonrakers);

@@ -19,6 +19,7 @@ struct SpoolOptions {
   std::vector<std::string> printers{"simulated"};
   std::filesystem::path key;  // file; empty: no key is needed
   std::vector<std::string> host_names;
+  bool builds = true;  // what the spooler starts
   bool allows_root = false;  // also where other machines reach it
   std::string moonraker;  // address of the first printer's; empty: none
   std::filesystem::path frontend;

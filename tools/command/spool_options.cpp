@@ -27,6 +27,8 @@ void add_options(CLI::App& app, SpoolOptions& options) {
   job.add_option("--host-name", options.host_names,
                  "a name by which browsers may call this server, apart from its addresses")
       ->type_name("NAME");
+  job.add_flag("!--no-build", options.builds,
+               "start the programs as they are, as an installed service does");
   job.add_flag(
       "--allow-root", options.allows_root,
       "run as root although other machines reach it, as in a container; elsewhere start it "
@@ -80,6 +82,8 @@ BED_CLEAR, a macro in front ends, confirms that the bed is clear.
 Notifications (--webhook, --mqtt): a bed to be cleared, a job started, paused, finished, cancelled,
 failed, refused or interrupted, a printer that waits for a person, one that is lost or back. A
 receiver that is slow or away holds up nothing; host/notify/README.md has the forms.
+
+A socket that systemd hands over (LISTEN_FDS) takes the place of --listen; host/systemd has units.
 
 Exit status: 0 after Ctrl-C, 2 bad usage, or it could not start.)");
 }
