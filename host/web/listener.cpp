@@ -2,10 +2,12 @@
 // A connection from its begin to its end, in one of the workers.
 #include "host/web/listener.hpp"
 
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <stdexcept>
 
 #include "host/web/ascii.hpp"
@@ -15,6 +17,7 @@ namespace web {
 
 namespace {
 
+constexpr std::chrono::milliseconds look_interval{50};  // whether an adopted socket is to be left
 constexpr int most_queued = 512;  // by the system
 constexpr std::size_t most_left_unread = 1024 * 1024;
 constexpr std::size_t most_waiting_connections = 256;
@@ -61,6 +64,23 @@ Address Listener::bind(Address address) {
   // httplib lets the system queue 5 connections only: in a burst the others wait for seconds.
   ::listen(svr_sock_, most_queued);
   return address;
+}
+
+// httplib waits in accept() for the shutdown of its socket. This one is looked at instead, since
+// another one of its owners may have taken the connection too.
+void Listener::adopt(int socket) {
+  fcntl(socket, F_SETFL, fcntl(socket, F_GETFL) | O_NONBLOCK);
+  set_idle_interval(look_interval);
+  svr_sock_ = socket;
+  is_adopted_ = true;
+}
+
+void Listener::stop() {
+  if (is_adopted_) {
+    svr_sock_ = INVALID_SOCKET;
+  } else {
+    httplib::Server::stop();
+  }
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {

@@ -19,6 +19,9 @@ class Listener final : public httplib::Server {
   explicit Listener(WaitLimits limits, std::size_t workers = 64);
   // Returns the address with the port that was chosen. Throws std::runtime_error.
   Address bind(Address address);
+  // In the place of bind(). The socket is neither closed nor shut down, which would reach its owner.
+  void adopt(int socket);
+  void stop();
   // Those that are waited for are given up. To be called before stop().
   void end() { connections_.end(); }
 
@@ -33,6 +36,7 @@ class Listener final : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override;
 
   Connections connections_;
+  bool is_adopted_ = false;
 };
 
 }  // namespace web

@@ -24,9 +24,9 @@ void set_headers(httplib::Server& server) {
 }  // namespace
 
 Server::Server(spooler::Spooler& spooler, const Address& address, const Rules& rules,
-               const WaitLimits& limits)
+               const WaitLimits& limits, const std::optional<InheritedSocket>& socket)
     : spooler_(spooler),
-      address_(address),
+      address_(socket ? socket->address : address),
       guard_(rules),
       server_(std::make_unique<Listener>(limits)) {
   check_reach(address_, rules);
@@ -45,7 +45,11 @@ Server::Server(spooler::Spooler& spooler, const Address& address, const Rules& r
   add_event_route(*server_, spooler_, {.ends = ends_, .streams = streams_});
   add_octoprint_routes(*server_, spooler_);
   add_last_routes(*server_);
-  address_ = server_->bind(address_);
+  if (socket) {
+    server_->adopt(socket->number);
+  } else {
+    address_ = server_->bind(address_);
+  }
   thread_ = std::thread([this] { server_->listen_after_bind(); });
   server_->wait_until_ready();
 }

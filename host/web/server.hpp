@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -11,6 +12,7 @@
 #include "host/web/address.hpp"
 #include "host/web/connections.hpp"
 #include "host/web/guard.hpp"
+#include "host/web/inherited_socket.hpp"
 
 namespace web {
 
@@ -18,10 +20,10 @@ class Listener;
 
 class Server {
  public:
-  // Listens when it returns. Throws std::runtime_error where the address is in use, or other
+  // Listens when it returns, on `socket` where there is one. Throws std::runtime_error where the address is in use, or other
   // machines reach it and the rules have no key.
   Server(spooler::Spooler& spooler, const Address& address, const Rules& rules,
-         const WaitLimits& limits = {});
+         const WaitLimits& limits = {}, const std::optional<InheritedSocket>& socket = {});
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

@@ -3,6 +3,7 @@
 #include "tools/process/process.hpp"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -120,6 +121,17 @@ TEST_F(ProcessGroup, gets_the_signals) {
   process.signal(SIGTERM);
   EXPECT_EQ(process.wait().exit_status, 128 + SIGTERM);
   EXPECT_TRUE(ends_soon(number));
+}
+
+TEST(detached_process, has_no_file_of_the_one_that_started_it) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);  // as libraries open them: they stay open at exec()
+  const auto sleeper = process::start_detached({.arguments = {"sleep", "600"}});
+  close(ends[1]);
+  pollfd end{.fd = ends[0], .events = POLLIN, .revents = 0};
+  EXPECT_EQ(poll(&end, 1, 20'000), 1) << "the other end is open";
+  close(ends[0]);
+  process::signal(sleeper, SIGKILL);
 }
 
 TEST(detached_process, goes_on_when_the_thread_that_started_it_ends_and_is_known_by_its_start) {

@@ -7,11 +7,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/moonraker/server.hpp"
+#include "host/notify/mqtt.hpp"
+#include "host/notify/notifier.hpp"
+#include "host/notify/webhook.hpp"
 #include "host/spooler/spooler.hpp"
 #include "host/web/server.hpp"
 #include "tools/command/build.hpp"
@@ -83,6 +88,35 @@ Moonrakers moonrakers_of(const SpoolOptions& options, const web::Rules& rules,
   return all;
 }
 
+// Where notifications go, as the command line says it. Read before anything is started.
+struct Receivers {
+  std::vector<notify::WebhookAddress> webhooks;
+  std::optional<notify::MqttOptions> mqtt;
+};
+
+Receivers receivers_of(const SpoolOptions& options) {
+  Receivers receivers;
+  for (const std::string& text : options.webhooks) {
+    receivers.webhooks.push_back(notify::webhook_of(text));
+  }
+  if (!options.mqtt.empty()) {
+    receivers.mqtt = notify::mqtt_options(options.mqtt, options.mqtt_login, options.mqtt_topic);
+  }
+  return receivers;
+}
+
+std::unique_ptr<notify::Notifier> notifier_of(const Receivers& receivers,
+                                              spooler::Spooler& spooler) {
+  const notify::Log log = [](const std::string& line) { say_to(stderr, "stepfabric: {}\n", line); };
+  std::vector<std::unique_ptr<notify::Sink>> sinks;
+  for (const notify::WebhookAddress& address : receivers.webhooks) {
+    sinks.push_back(std::make_unique<notify::Webhook>(address, log));
+  }
+  if (receivers.mqtt) sinks.push_back(std::make_unique<notify::Mqtt>(*receivers.mqtt, log));
+  if (sinks.empty()) return nullptr;
+  return std::make_unique<notify::Notifier>(spooler, std::move(sinks));
+}
+
 void greet(const web::Server& server, const spooler::Settings& settings,
            const Moonrakers& moonrakers) {
   say("spooling on http://{}/, data in {}\n", web::written(server.address()),
@@ -102,17 +136,20 @@ void greet(const web::Server& server, const spooler::Settings& settings,
 int spool(const SpoolOptions& options) {
   let_writes_fail();
   const spooler::Settings settings = settings_of(options);
-  const web::Address address = web::address_of(options.listen);
+  const std::optional<web::InheritedSocket> socket = web::inherited_socket();
+  const web::Address address = socket ? socket->address : web::address_of(options.listen);
   const web::Rules rules{.key = options.key.empty() ? "" : web::read_key(options.key),
                          .names = options.host_names};
   refuse_to_serve_as_root(address, options);
   if (!options.moonraker.empty()) {
     refuse_to_serve_as_root(web::address_of(options.moonraker, moonraker::usual_port), options);
   }
-  build({"stepfabric_feeder", "firmware"});
+  const Receivers receivers = receivers_of(options);
+  if (options.builds) build({"stepfabric_feeder", "firmware"});
   spooler::Spooler spooler(settings);
-  const web::Server server(spooler, address, rules);
+  const web::Server server(spooler, address, rules, {}, socket);
   const Moonrakers moonrakers = moonrakers_of(options, rules, settings, spooler);
+  const std::unique_ptr<notify::Notifier> notifier = notifier_of(receivers, spooler);
   greet(server, settings, moonrakers);
   spooler.run(interrupt_requested);
   return success;

@@ -19,9 +19,14 @@ struct SpoolOptions {
   std::vector<std::string> printers{"simulated"};
   std::filesystem::path key;  // file; empty: no key is needed
   std::vector<std::string> host_names;
+  bool builds = true;  // what the spooler starts
   bool allows_root = false;  // also where other machines reach it
   std::string moonraker;  // address of the first printer's; empty: none
   std::filesystem::path frontend;
+  std::vector<std::string> webhooks;  // URL, or @FILE with one
+  std::string mqtt;  // address of the broker; empty: none
+  std::filesystem::path mqtt_login;  // file with user and password; empty: none
+  std::string mqtt_topic = "stepfabric";
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";
 };

@@ -27,6 +27,8 @@ void add_options(CLI::App& app, SpoolOptions& options) {
   job.add_option("--host-name", options.host_names,
                  "a name by which browsers may call this server, apart from its addresses")
       ->type_name("NAME");
+  job.add_flag("!--no-build", options.builds,
+               "start the programs as they are, as an installed service does");
   job.add_flag(
       "--allow-root", options.allows_root,
       "run as root although other machines reach it, as in a container; elsewhere start it "
@@ -41,6 +43,23 @@ void add_options(CLI::App& app, SpoolOptions& options) {
                  "folder with Mainsail or Fluidd, which is served with Moonraker's API")
       ->type_name("DIR")
       ->needs(moonraker);
+  job.add_option(
+         "--webhook", options.webhooks,
+         "POST notifications as JSON to this http or https URL, or to the one in a file that "
+         "only you can read; may be repeated")
+      ->type_name("URL|@FILE");
+  CLI::Option* const mqtt =
+      job.add_option("--mqtt", options.mqtt,
+                     "publish notifications and the printers' states to an MQTT broker")
+          ->type_name("HOST[:1883]");
+  job.add_option("--mqtt-login", options.mqtt_login,
+                 "file with the broker's user and password in two lines; readable for you alone")
+      ->type_name("FILE")
+      ->needs(mqtt);
+  job.add_option("--mqtt-topic", options.mqtt_topic, "that all MQTT topics begin with")
+      ->type_name("TOPIC")
+      ->capture_default_str()
+      ->needs(mqtt);
   job.add_option("--baud", options.baud, "speed of the serial ports")
       ->check(CLI::Range(300, 10'000'000))
       ->capture_default_str();
@@ -59,6 +78,12 @@ too, and the next `spool` with the same --data attaches to it again.
 
 With --moonraker 127.0.0.1 the first printer's Moonraker is at http://127.0.0.1:7125/; the command
 BED_CLEAR, a macro in front ends, confirms that the bed is clear.
+
+Notifications (--webhook, --mqtt): a bed to be cleared, a job started, paused, finished, cancelled,
+failed, refused or interrupted, a printer that waits for a person, one that is lost or back. A
+receiver that is slow or away holds up nothing; host/notify/README.md has the forms.
+
+A socket that systemd hands over (LISTEN_FDS) takes the place of --listen; host/systemd has units.
 
 Exit status: 0 after Ctrl-C, 2 bad usage, or it could not start.)");
 }

@@ -4,6 +4,7 @@
 #include "tools/process/process.hpp"
 
 #include <fcntl.h>
+#include <linux/close_range.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -86,12 +87,23 @@ struct Streams {
   }
 };
 
+// Libraries open files and sockets that exec() would leave open: a detached program would hold a
+// connection of its parent after the parent's end.
+void close_others_at_exec() {
+  constexpr int first = 3, last_usual = 1023;
+  if (close_range(first, ~0u, CLOSE_RANGE_CLOEXEC) == 0) return;
+  for (int i = first; i <= last_usual; ++i) {
+    fcntl(i, F_SETFD, FD_CLOEXEC);  // Linux before 5.11
+  }
+}
+
 // In the child, which may only call what is safe in a signal handler.
 enum class Tie { to_this_thread, none };
 [[noreturn]] void execute(char* const* arguments, const char* folder, const Streams& streams,
                           rlim_t cpu_seconds, Tie tie) {
   if (tie == Tie::none) {
     setsid();
+    close_others_at_exec();
   } else {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
