@@ -19,7 +19,7 @@ class Listener final : public httplib::Server {
   explicit Listener(WaitLimits limits, std::size_t workers = 64);
   // Returns the address with the port that was chosen. Throws std::runtime_error.
   Address bind(Address address);
-  // In the place of bind(). The socket is neither closed nor shut down, which would reach its owner.
+  // In the place of bind(). The socket is neither closed nor shut down: its owner listens on.
   void adopt(int socket);
   void stop();
   // Those that are waited for are given up. To be called before stop().

@@ -20,8 +20,8 @@ class Listener;
 
 class Server {
  public:
-  // Listens when it returns, on `socket` where there is one. Throws std::runtime_error where the address is in use, or other
-  // machines reach it and the rules have no key.
+  // Listens when it returns, on `socket` where there is one. Throws std::runtime_error where the
+  // address is in use, or other machines reach it and the rules have no key.
   Server(spooler::Spooler& spooler, const Address& address, const Rules& rules,
          const WaitLimits& limits = {}, const std::optional<InheritedSocket>& socket = {});
   ~Server();

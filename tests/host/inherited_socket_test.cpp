@@ -69,7 +69,9 @@ TEST_F(Owner, other_machines_reach_an_inherited_socket_only_with_a_key) {
     const web::Server server(spool(), web::Address{}, rules, {}, web::inherited_socket_at(open));
   };
   EXPECT_THROW(serve({}), std::runtime_error);
-  EXPECT_NO_THROW(serve({.key = "0123456789abcdef"}));
+  web::Rules with_key;
+  with_key.key = "0123456789abcdef";
+  EXPECT_NO_THROW(serve(with_key));
   close(open);
 }
 

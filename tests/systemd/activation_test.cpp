@@ -7,6 +7,8 @@
 
 namespace {
 
+namespace fs = std::filesystem;
+
 using testing::HasSubstr;
 using testing::Not;
 

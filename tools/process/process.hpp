@@ -77,8 +77,8 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 // Starts a program in a session of its own: it gets no signal of this terminal and goes on when
-// this process ends; of this one's files it has the three streams only. Not with `to_pipe`. Throws
-// std::system_error.
+// this process ends; of this one's files it has the three streams only. Not with `to_pipe`.
+// Throws std::system_error.
 Identity start_detached(const Start& start);
 // False also where the number belongs to another process by now.
 bool is_running(const Identity& process);
