@@ -85,9 +85,10 @@ Judged ProofJudge::ask(const Proof& proof, const Variant& variant, const fs::pat
   if (text_of(log.string() + ".err").find("proof did fail") != std::string::npos) {
     return {Finding::killed, proof.name};
   }
-  return {Finding::passes, result.timed_out          ? "not decided in time"
-                           : result.exit_status != 0 ? "the solver broke down"
-                                                     : proof.name,
+  return {Finding::passes,
+          result.timed_out          ? "not decided in time"
+          : result.exit_status != 0 ? "the solver broke down"
+                                    : proof.name,
           result.timed_out};
 }
 

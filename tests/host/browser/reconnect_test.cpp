@@ -10,14 +10,15 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// Notes after each change whether the page says that it is old, and the words about the job, which are
-// words of before from now on.
+// Notes after each change whether the page says that it is old, and the words about the job, which
+// are words of before from now on.
 constexpr const char* watch = R"(
   const words = document.querySelector('.card .job .what');
   words.textContent = 'words of before';
   window.seen = [];
-  new MutationObserver(() => seen.push([document.body.classList.contains('old'), words.textContent]))
-    .observe(document.body, {subtree: true, childList: true, attributes: true, characterData: true});)";
+  const note = () => seen.push([document.body.classList.contains('old'), words.textContent]);
+  new MutationObserver(note).observe(
+    document.body, {subtree: true, childList: true, attributes: true, characterData: true});)";
 
 TEST_F(PageTest, a_killed_spooler_makes_the_page_old_until_the_next_one_has_sent_the_present) {
   begin_spooler();
