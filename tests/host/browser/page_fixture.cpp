@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 #include <regex>
+#include <stdexcept>
 #include <thread>
 
 #include "directories.hpp"
@@ -175,9 +176,9 @@ std::vector<std::string> PageTest::waiting() const {
 void PageTest::expect_soon(const std::function<bool()>& fits, const std::string& what) const {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (!fits()) {
-    ASSERT_LT(std::chrono::steady_clock::now(), end) << what << "\n"
-                                                     << state().dump() << "\n"
-                                                     << browser().text("body");
+    if (std::chrono::steady_clock::now() > end) {
+      throw std::runtime_error(what + "\n" + state().dump() + "\n" + browser().text("body"));
+    }
     std::this_thread::sleep_for(30ms);
   }
 }

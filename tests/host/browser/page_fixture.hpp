@@ -50,6 +50,7 @@ class PageTest : public testing::Test {
   Json state() const;
   Json job(const std::string& name) const;  // null: there is none
   std::vector<std::string> waiting() const;  // names, in their order
+  // These end the test by an exception where it does not fit within a minute.
   void expect_soon(const std::function<bool()>& fits, const std::string& what) const;
   void expect_text(const std::string& selector, const std::string& part) const;
   void expect_job(const std::string& name, const std::string& state) const;
