@@ -121,15 +121,25 @@ void Browser::set_size(int width, int height) {
            {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
 
+// What moves between the driver's look and its click is missed.
+void Browser::click_once(const std::string& selector) {
+  const Json found = element(selector);
+  run("window.isClicked = arguments[0].matches('option');"
+      "arguments[0].addEventListener('click', () => { isClicked = true; }, {capture: true});",
+      Json::array({found}));
+  call("POST", "/element/" + found.at(element_key).get<std::string>() + "/click");
+  if (run("return isClicked;") != true) throw BrowserError("click missed: " + selector);
+}
+
 void Browser::click(const std::string& selector) {
   for (const auto end = std::chrono::steady_clock::now() + element_limit;;) {
     try {
-      call("POST", element_path(selector, "/click"));
+      click_once(selector);
       return;
     } catch (const BrowserError& error) {
       const std::string_view why = error.what();
       const bool may_change = why.contains("stale element") || why.contains("intercepted") ||
-                              why.contains("not interactable");
+                              why.contains("not interactable") || why.contains("click missed");
       if (!may_change || std::chrono::steady_clock::now() > end) throw;
     }
     run("document.querySelector(arguments[0])?.scrollIntoView({block: 'center'});",

@@ -57,6 +57,7 @@ class Browser {
  private:
   Json call(const std::string& method, const std::string& path, const Json& body = Json::object());
   Json element(const std::string& selector);
+  void click_once(const std::string& selector);
   std::string element_path(const std::string& selector, const std::string& more);
 
   TemporaryFolder folder_;

@@ -36,6 +36,7 @@ TEST_F(PageTest, a_dropped_file_is_printed_paused_resumed_cancelled_and_printed_
   expect_text(".card .advice", "Press Resume");
   browser().click(button("Resume"));
   expect_job("part.gcode", "printing");
+  expect_text(".card .state", "printing");
   browser().click(button("Cancel"));
   EXPECT_THAT(browser().text("#question"), HasSubstr("Cancel the print on simulated?"));
   browser().click("#no");
@@ -45,6 +46,7 @@ TEST_F(PageTest, a_dropped_file_is_printed_paused_resumed_cancelled_and_printed_
   browser().click("#yes");
   expect_job("part.gcode", "cancelled");
   expect_text("#over .what", "cancelled");
+  expect_text(".card .state", "is the bed clear?");
   browser().click(row_button("Print again", "part.gcode"));
   expect_queue({"part.gcode"});
   browser().click("#queue " + row_button("Cancel", "part.gcode"));

@@ -62,6 +62,7 @@ TEST_F(PageTest, a_held_job_waits_and_a_refused_one_says_what_to_do) {
   clear_bed();
   browser().click(button("The bed is not clear"));
   expect_soon([&] { return state().at("printers")[0].at("bed_clear") == false; }, "still clear");
+  expect_text(".card .state", "is the bed clear?");
   browser().click("#held");
   browser().click("#wanted option[value=simulated]");
   choose_file("bad.gcode", "G1 X10\nM9999\n");
