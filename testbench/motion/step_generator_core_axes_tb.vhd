@@ -8,6 +8,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.step_generator_core_bench_pkg.put;
 use work.step_generator_pkg.all;
 
 entity step_generator_core_axes_tb is
@@ -78,26 +79,23 @@ begin
 
   test : process
 
-    procedure put (lane : lane_t; data : std_ulogic_vector(31 downto 0)) is
-    begin
-      write <= (valid => '1', lane => lane, data => data);
-      wait until rising_edge(clk);
-      write.valid <= '0';
-    end procedure;
-
     -- A step every second clock of the axes in `moving`, as far as their guards permit.
     procedure move (moving, backward : std_ulogic_vector(7 downto 0); is_refused : std_ulogic := '0') is
     begin
-      put(flags_lane, x"000000" & backward);
-      put(line_ticks_lane, std_ulogic_vector(to_unsigned(steps, 32)));
-      put(ticks_lane, std_ulogic_vector(to_unsigned(steps, 32)));
+      put(clk, write, flags_lane, x"000000" & backward);
+      put(clk, write, line_ticks_lane, steps);
+      put(clk, write, ticks_lane, steps);
       for axis in 0 to axes - 1 loop
-        put(steps_lane + axis, std_ulogic_vector(to_unsigned(steps, 32)) and (31 downto 0 => moving(axis)));
+        if moving(axis) then
+          put(clk, write, steps_lane + axis, steps);
+        else
+          put(clk, write, steps_lane + axis, 0);
+        end if;
       end loop;
       for lane in rate_low_lane to jerk_high_lane loop
-        put(lane, x"00000000");
+        put(clk, write, lane, 0);
       end loop;
-      put(rate_high_lane, x"80000000");
+      put(clk, write, rate_high_lane, x"80000000");
       wait until rising_edge(clk);
       commit <= '1';
       wait until rising_edge(clk);

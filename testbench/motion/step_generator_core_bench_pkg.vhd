@@ -65,6 +65,9 @@ package step_generator_core_bench_pkg is
   procedure wait_until_idle (signal clk : in std_ulogic; signal seen : in core_outputs_t);
 
   procedure put (
+    signal clk : in std_ulogic; signal write : out lane_write_t; lane : in lane_t;
+    data : in std_ulogic_vector(31 downto 0));
+  procedure put (
     signal clk : in std_ulogic; signal write : out lane_write_t; lane : in lane_t; data : in natural);
   -- The rest of a segment whose line is written, and its commit.
   procedure put_course (
@@ -121,11 +124,18 @@ package body step_generator_core_bench_pkg is
   end procedure;
 
   procedure put (
-    signal clk : in std_ulogic; signal write : out lane_write_t; lane : in lane_t; data : in natural) is
+    signal clk : in std_ulogic; signal write : out lane_write_t; lane : in lane_t;
+    data : in std_ulogic_vector(31 downto 0)) is
   begin
-    write <= (valid => '1', lane => lane, data => std_ulogic_vector(to_unsigned(data, 32)));
+    write <= (valid => '1', lane => lane, data => data);
     wait until rising_edge(clk);
     write.valid <= '0';
+  end procedure;
+
+  procedure put (
+    signal clk : in std_ulogic; signal write : out lane_write_t; lane : in lane_t; data : in natural) is
+  begin
+    put(clk, write, lane, std_ulogic_vector(to_unsigned(data, 32)));
   end procedure;
 
   procedure put_rate (

@@ -9,6 +9,7 @@ use ieee.numeric_std.all;
 library std;
 use std.env.finish;
 
+use work.step_generator_core_bench_pkg.put;
 use work.step_generator_pkg.all;
 
 entity step_generator_rate_tb is
@@ -71,25 +72,18 @@ begin
   end generate;
 
   test : process
-    procedure put(lane : lane_t; data : std_ulogic_vector(31 downto 0)) is
-    begin
-      write <= (valid => '1', lane => lane, data => data);
-      wait until rising_edge(clk);
-      write.valid <= '0';
-    end procedure;
-
     procedure append_tick(backward : std_ulogic_vector(7 downto 0)) is
     begin
-      put(flags_lane, x"000000" & backward);
-      put(line_ticks_lane, x"00000001");
-      put(ticks_lane, x"00000001");
+      put(clk, write, flags_lane, x"000000" & backward);
+      put(clk, write, line_ticks_lane, x"00000001");
+      put(clk, write, ticks_lane, x"00000001");
       for axis in 0 to axes - 1 loop
-        put(steps_lane + axis, x"00000001");
+        put(clk, write, steps_lane + axis, x"00000001");
       end loop;
       for lane in rate_low_lane to jerk_high_lane loop
-        put(lane, x"00000000");
+        put(clk, write, lane, x"00000000");
       end loop;
-      put(rate_high_lane, x"80000000");
+      put(clk, write, rate_high_lane, x"80000000");
       wait until rising_edge(clk);
       commit <= '1';
       wait until rising_edge(clk);
