@@ -44,6 +44,7 @@ int main() {
   for (;;) {
     const bool more = application.update();
     if (!platform::stack_is_intact()) platform::halt("Stack overflow");
+    if (application.restart_wanted()) platform::restart();
     if (!more) platform::sleep();
   }
 }

@@ -88,7 +88,16 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       planner_(machine.limits, timing_of(machine, clock)),
       pace_(step_generator, clock, lines_under_way) {}
 
+// Begun anew by M999 or by a load, the program finds the positions of the one before, and its stop.
 void MotionTask::start() {
+  const drivers::StepGenerator::Positions made = step_generator_.snapshot().positions;
+  if (made != drivers::StepGenerator::Positions{}) {
+    units::PerAxis<std::int64_t> steps{};
+    std::ranges::copy(made, steps.begin());
+    planner_.set_position_steps(steps);
+    ++position_jumps_;
+  }
+  step_generator_.acknowledge_stop();
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =

@@ -3,6 +3,7 @@
 #include "platform/processor.hpp"
 
 extern "C" const std::uint32_t _stack_bottom[];
+extern "C" const std::uint32_t _start[];
 
 namespace platform {
 namespace {
@@ -21,6 +22,11 @@ std::uint32_t instructions() {
   std::uint32_t value;
   asm volatile("csrr %0, minstret" : "=r"(value));
   return value;
+}
+
+void restart() {
+  asm volatile("jr %0" ::"r"(&_start[0]));
+  __builtin_unreachable();
 }
 
 bool stack_is_intact() {
