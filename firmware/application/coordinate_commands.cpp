@@ -58,7 +58,8 @@ Progress CoordinateCommands::set_home_offset(ActiveCommand& command) {
   coordinates_.change_workspaces([&](Workspaces& workspaces) {
     for (std::size_t i = 0; i < Workspaces::axes; ++i) {
       const auto value = coordinates_.rounded_length(command.command, units::axis_letters[i]);
-      if (value && Position(*value) <= motion::max_position && Position(-*value) <= motion::max_position) {
+      if (value && Position(*value) <= motion::max_position &&
+          Position(-*value) <= motion::max_position) {
         workspaces.set_home_offset(i, *value);
       }
     }
@@ -86,7 +87,9 @@ Progress CoordinateCommands::take_home_offset(ActiveCommand& command) {
     const units::Nanometers travel = motion_.limits().of(axis).travel;
     const units::Nanometers here = motion_.position()[i].nearest();
     const units::Nanometers end = here > travel / 2 ? travel : units::Nanometers();
-    if (end - here > farthest || here - end > farthest) return command.refuse("Too far from the reference point");
+    if (end - here > farthest || here - end > farthest) {
+      return command.refuse("Too far from the reference point");
+    }
     offsets[i] = end - here;
   }
   coordinates_.change_workspaces([&offsets](Workspaces& workspaces) {

@@ -57,8 +57,8 @@ units::Position multiplied(const units::Position& distance, std::uint64_t factor
   const units::Position size = back ? -distance : distance;
   const std::uint64_t whole = static_cast<std::uint64_t>(size.whole().count()) * factor;
   constexpr std::uint32_t nanometer = units::Position::femtometers_per_nanometer;
-  const std::uint64_t femtometers = (whole & 0xFFFF'FFFF) * nanometer +
-                                    static_cast<std::uint64_t>(size.femtometers()) * factor;
+  const std::uint64_t femtometers =
+      (whole & 0xFFFF'FFFF) * nanometer + static_cast<std::uint64_t>(size.femtometers()) * factor;
   const units::Position product{units::Nanometers(static_cast<std::int64_t>(whole >> 32)),
                                 static_cast<std::uint32_t>(femtometers >> 32)};
   return back ? -product : product;
@@ -130,7 +130,9 @@ Positions Coordinates::target_of(const gcode::Command& command) const {
     const bool extruder = i == units::index_of(units::Axis::e);
     const bool relative = extruder ? extruder_relative_ : axes_relative_;
     target[i] = relative ? logical_[i] + *value : *value;
-    if (command.in_machine_coordinates && !relative && !extruder) target[i] += workspaces_.origin(i);
+    if (command.in_machine_coordinates && !relative && !extruder) {
+      target[i] += workspaces_.origin(i);
+    }
   }
   return target;
 }

@@ -28,8 +28,8 @@ double length_of(const Move& move) {
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
-                       sim::ClockRate rate, const Retraction& retraction)
-    : origin_(start), rate_(rate), gcode_(retraction), match_({.position = start}) {
+                       sim::ClockRate rate, const MachineFacts& machine)
+    : origin_(start), rate_(rate), gcode_(machine), match_({.position = start}) {
   for (std::size_t i = 0; i < resolution_.size(); ++i) {
     resolution_[i] = resolution_of(steps_per_mm[i]);
   }
@@ -131,7 +131,12 @@ void PointCheck::carry_out(const SentCommand& command) {
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
   match_.ask(steps_at(move.to), {command.file_line, command.text}, detour_of(move));
-  path_.ask(move);
+  if (move.over) {
+    path_.ask({move.from, *move.over, {}});
+    path_.ask({*move.over, move.to, {}});
+  } else {
+    path_.ask(move);
+  }
   length_mm_ += length_of(move);
   if (command.extrusion_prevented) gcode_.stand_at(extruder, move.from[extruder]);
 }

@@ -31,7 +31,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
  public:
   // `start`: mechanical positions at the beginning, which the G-code calls 0 until it homes.
   PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start, sim::ClockRate rate,
-             const Retraction& retraction = {});
+             const MachineFacts& machine = {});
 
   void stepped(const devices::StepEdge& edge) override;
   void command_sent(sim::Clock now, std::size_t file_line, std::string_view command) override;

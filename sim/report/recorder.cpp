@@ -26,13 +26,18 @@ std::array<double, 4> resolutions(const machine::Printer& printer) {
   return steps_per_mm;
 }
 
-Retraction retraction_of(const machine::Printer& printer) {
+MachineFacts facts_of(const machine::Printer& printer) {
   const machine::RetractionDescription& retraction = printer.description().retraction;
   const auto length = [](double millimeters) {
     constexpr double nanometers_per_mm = 1e6;  // the finest of a description
     return Femtometers{std::llround(millimeters * nanometers_per_mm)} * 1'000'000;
   };
-  return {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)};
+  MachineFacts facts{
+      {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)}, {}};
+  for (std::size_t i = 0; i < facts.travel.size(); ++i) {
+    facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
+  }
+  return facts;
 }
 
 }  // namespace
@@ -42,10 +47,9 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      points_(resolutions(printer), start_positions(printer), simulation.rate(),
-              retraction_of(printer)),
+      points_(resolutions(printer), start_positions(printer), simulation.rate(), facts_of(printer)),
       tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
-      requested_path_(simulation.rate(), retraction_of(printer)),
+      requested_path_(simulation.rate(), facts_of(printer)),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),

@@ -21,9 +21,7 @@ class Places : public testing::Test {
     execute({"G28", "M104 S200", "G1 X10 Y20 Z5 F6000"});
   }
   void execute(std::initializer_list<std::string_view> lines) {
-    for (const std::string_view line : lines) {
-      printer.talk("-> " + std::string(line) + "\n<- ok\n");
-    }
+    for (const std::string_view line : lines) printer.talk("-> " + std::string(line) + "\n<- ok\n");
     printer.talk("-> M400\n<- ok\n");
   }
   void expect(double at_x, double at_y, double at_z) const {

@@ -41,7 +41,8 @@ TEST_F(Restart, takes_m999_in_any_form) {
 TEST_F(Restart, takes_nothing_else) {
   kill();
   printer.run(2);
-  for (const char* line : {"M99", "M9990", "G999", "XM999", "M999.1", "N7 M999*44", ";M999", "M998"}) {
+  for (const char* line :
+       {"M99", "M9990", "G999", "XM999", "M999.1", "N7 M999*44", ";M999", "M998"}) {
     printer.send(line);
     EXPECT_EQ(printer.reply(5), "Error:Printer halted. kill() called!") << line;
     printer.run(1.5);
@@ -58,7 +59,8 @@ TEST_F(Restart, is_none_without_a_fault) {
 }
 
 TEST_F(Restart, halts_again_where_the_cause_persists) {
-  const std::string fault = "<- Error:thermistor open, system stopped! Heater_ID: 0\n" + std::string(halted);
+  const std::string fault =
+      "<- Error:thermistor open, system stopped! Heater_ID: 0\n" + std::string(halted);
   printer.run(0.3);
   printer.talk("-> M104 S200\n<- ok\n");
   printer.run(5);

@@ -22,9 +22,7 @@ class Workspace : public testing::Test {
   }
   // Sends the lines, each of which is answered by nothing but ok, and waits for the end of motion.
   void execute(std::initializer_list<std::string_view> lines) {
-    for (const std::string_view line : lines) {
-      printer.talk("-> " + std::string(line) + "\n<- ok\n");
-    }
+    for (const std::string_view line : lines) printer.talk("-> " + std::string(line) + "\n<- ok\n");
     printer.talk("-> M400\n<- ok\n");
   }
   void expect(double at_x, double at_y, double at_z) const {
