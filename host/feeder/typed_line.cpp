@@ -19,6 +19,7 @@ constexpr std::array<std::int64_t, 26> harmless_codes{
     108,  // ends a wait
     201, 203, 204, 205,  // accelerations, speeds, jerk
     220, 221,  // speed, flow
+    290,  // baby steps
     300, 503};
 
 }  // namespace

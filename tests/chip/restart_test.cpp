@@ -15,9 +15,7 @@ constexpr sim::Clock second = clock_hz;
 class Restart : public testing::Test, protected devices::ByteListener {
  protected:
   Restart() { loaded_.printer.serial_line().set_listener(*this); }
-  void byte_received(sim::Clock, std::uint8_t byte) override {
-    heard_ += static_cast<char>(byte);
-  }
+  void byte_received(sim::Clock, std::uint8_t byte) override { heard_ += static_cast<char>(byte); }
   // What the chip says until it has said `last`, and the line is forgotten then.
   void expect(const std::string& last) {
     const sim::Clock end = loaded_.simulation.now() + 10 * second;
