@@ -34,7 +34,7 @@ class Application {
   bool update();
 
   bool halted() const { return halted_; }
-  // M999 after a fault: the program is to begin anew.
+  // M999 after a fault: the program is to restart.
   bool restart_wanted() const { return restart_wanted_; }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns the numbers of G0 to G3 and G92 into positions: units, absolute or relative, workspaces, factors of E.
+// Turns the numbers of G0 to G3 and G92 into positions: units, absolute or relative, workspaces,
+// factors of E.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +38,8 @@ class Coordinates {
   void set_filament(units::Nanometers diameter);
   bool volumetric() const { return filament_.count() != 0; }
   units::Nanometers filament() const { return filament_; }
-  // M290: how much higher Z is than the host's coordinate says, since Z was homed, and what of it is still to be
-  // made with the next line along X or Y.
+  // M290: how much higher Z is than the host's coordinate says, since Z was homed, and what of it
+  // is still to be made with the next line along X or Y.
   void add_babystep(const units::Position& step) {
     babystep_ += step;
     pending_babystep_ += step;
@@ -62,7 +63,8 @@ class Coordinates {
     logical_[units::index_of(axis)] = position;
   }
   void set_logical(const Positions& positions) { logical_ = positions; }
-  // G53 to G59.3, G92, G92.1, M206, M428: what moves the host's coordinates, and `change` is what it does.
+  // G53 to G59.3, G92, G92.1, M206, M428: what moves the host's coordinates, and `change` is what
+  // it does.
   const Workspaces& workspaces() const { return workspaces_; }
   template <class Change>
   void change_workspaces(const Change& change) {

@@ -34,7 +34,8 @@ inline constexpr auto gcode_table = [] {
       g(20, handler<&CoordinateCommands::set_inches, true>, "lengths are inches"),
       g(21, handler<&CoordinateCommands::set_inches, false>, "lengths are millimetres"),
       g(27, handler<&PlaceCommands::park>,
-        "parks the head, Z first: P0 lifts Z to 20 mm where it is lower, P1 leads it there, P2 lifts it by 20 mm",
+        "parks the head, Z first: P0 lifts Z to 20 mm where it is lower, P1 leads it there, P2 "
+        "lifts it by 20 mm",
         parking, {.start = Start::with_room}),
       g(28, handler<&MotionCommands::home>,
         "homes the named axes, or all; goes a back-off beyond where the end stop is or can be at "
@@ -43,7 +44,8 @@ inline constexpr auto gcode_table = [] {
       g(29, handler<&HostCommands::report_not_fitted>, "not fitted: probe"),
       g(30, handler<&HostCommands::report_not_fitted>, "not fitted: probe"),
       g(53, handler<&HostCommands::accept>,
-        "in front of G0 to G3: absolute X Y Z are in the machine's coordinates; alone without effect"),
+        "in front of G0 to G3: absolute X Y Z are in the machine's coordinates; alone without "
+        "effect"),
       g(54, handler<&CoordinateCommands::select_system, 0u>,
         "coordinates of the first of nine systems, each with the shift that G92 has given it"),
       g(55, handler<&CoordinateCommands::select_system, 1u>, "of the second"),
@@ -54,8 +56,8 @@ inline constexpr auto gcode_table = [] {
         "of the sixth; G59.1 to G59.3: of the others", {}, {.most_subcode = 3}),
       g(60, handler<&PlaceCommands::save_position>, "saves the present place", slot),
       g(61, handler<&PlaceCommands::restore_position>,
-        "back to the saved place along the axes named, or all of X, Y and Z, beside it by their numbers; E "
-        "gets its coordinate back",
+        "back to the saved place along the axes named, or all of X, Y and Z, their "
+        "numbers added; E gets its coordinate back",
         saved_place, {.start = Start::with_room, .refuses_others = true}),
       g(90, handler<&CoordinateCommands::set_relative, false>, "positions are absolute"),
       g(91, handler<&CoordinateCommands::set_relative, true>, "positions are relative"),
@@ -154,7 +156,8 @@ inline constexpr auto gcode_table = [] {
       m(190, handler<&HeatCommands::set_and_wait, Heater::bed>,
         "as M140 and waits; S: until hot, R: until there", bed_wait),
       m(200, handler<&CoordinateCommands::set_filament>,
-        "D: E counts mm³ of filament of this diameter (0.5 to 10 mm), D0 mm; S0 and S1 switch between both",
+        "D: E counts mm³ of filament of this diameter (0.5 to 10 mm), D0 mm; S0 and S1 switch "
+        "between both",
         filament, {.report = handler<&CoordinateCommands::report_filament>}),
       m(201, handler<&SettingCommands::set_max_accelerations>, "highest accelerations",
         axis_accelerations, {.report = handler<&SettingCommands::report>}),
@@ -191,8 +194,8 @@ inline constexpr auto gcode_table = [] {
       m(240, handler<&HostCommands::report_not_fitted>, "not fitted: camera"),
       m(280, handler<&HostCommands::report_not_fitted>, "not fitted: servo"),
       m(290, handler<&PlaceCommands::step_baby>,
-        "moves Z under the host's coordinates, by at most 2 mm: at once at rest, otherwise within the next line along "
-        "X or Y",
+        "moves Z under the host's coordinates, by at most 2 mm: at once at rest, otherwise within "
+        "the next line along X or Y",
         babystep, {.report = handler<&PlaceCommands::report_babystep>}),
       m(300, handler<&HostCommands::accept>, "accepted; there is no beeper", tone),
       m(301, handler<&HostCommands::report_not_fitted>,
@@ -261,7 +264,7 @@ inline constexpr auto gcode_table = [] {
         "into the boot loader ([`../boot_loader`](../boot_loader)), for a new program", {},
         {.start = Start::at_rest}),
       m(999, handler<&HostCommands::accept>,
-        "after a fault or M112: the firmware begins anew; otherwise without effect"),
+        "after a fault or M112: the firmware restarts; otherwise without effect"),
       t(0, handler<&HeatCommands::select_tool>,
         "the only tool; another is refused (`echo:T1 Invalid extruder`)"),
   });

@@ -65,12 +65,6 @@ std::uint8_t end_stops_of(const motion::Limits& limits) {
   return static_cast<std::uint8_t>(inputs);
 }
 
-units::PerAxis<units::Position> with_axis(units::PerAxis<units::Position> positions,
-                                          units::Axis axis, units::Nanometers position) {
-  positions[index_of(axis)] = position;
-  return positions;
-}
-
 // The true 64-bit count nearest to `planned` whose low word is `counter`.
 std::int64_t unwrapped(std::int32_t counter, std::int64_t planned) {
   const auto low = static_cast<std::uint32_t>(counter) - static_cast<std::uint32_t>(planned);
@@ -88,16 +82,9 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       planner_(machine.limits, timing_of(machine, clock)),
       pace_(step_generator, clock, lines_under_way) {}
 
-// Begun anew by M999 or by a load, the program finds the positions of the one before, and its stop.
 void MotionTask::start() {
-  const drivers::StepGenerator::Positions made = step_generator_.snapshot().positions;
-  if (made != drivers::StepGenerator::Positions{}) {
-    units::PerAxis<std::int64_t> steps{};
-    std::ranges::copy(made, steps.begin());
-    planner_.set_position_steps(steps);
-    ++position_jumps_;
-  }
   step_generator_.acknowledge_stop();
+  step_generator_.stop();  // update() learns where a program before this one has left the axes
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =
@@ -175,12 +162,15 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
       planner_.flush();
       return;
     }
-    case Kind::set_position:
-      set_position(with_axis(planner_.position(), request.axis, request.position));
+    case Kind::set_position: {
+      units::PerAxis<units::Position> positions = planner_.position();
+      positions[index_of(request.axis)] = request.position;
+      set_position(positions);
       ++position_jumps_;
       homed_.insert(request.axis);
       located_.insert(request.axis);
       return;
+    }
     case Kind::fault:
       homing_fault_ = request.fault;
       homing_axis_ = request.axis;

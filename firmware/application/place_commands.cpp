@@ -81,8 +81,8 @@ Progress PlaceCommands::restore_position(ActiveCommand& command) {
   Positions target = motion_.position();
   for (std::size_t i = 0; i < e; ++i) {
     if (!axes.contains(static_cast<Axis>(i))) continue;
-    const auto beside = coordinates_.length(command.command, units::axis_letters[i]);
-    target[i] = places_[slot].machine[i] + beside.value_or(Position());
+    const auto added = coordinates_.length(command.command, units::axis_letters[i]);
+    target[i] = places_[slot].machine[i] + added.value_or(Position());
   }
   coordinates_.take_feedrate(command.command);
   const Progress progress = append(command, target, coordinates_.feedrate());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that lead to places of the machine: G27 G60 G61, and M290, which moves Z under the host's coordinates.
+// The commands that lead to places of the machine: G27 G60 G61, and M290, which moves Z under the
+// host's coordinates.
 #pragma once
 
 #include <array>
@@ -19,11 +20,12 @@ class PlaceCommands {
 
   static constexpr std::int32_t slots = 4;  // of G60
 
-  // G27: first Z, then X and Y at once, to 10 mm from the left and from the back as in Marlin. P0 lifts Z to 20 mm
-  // where it is lower, P1 leads it there, P2 lifts it by 20 mm, as far as it can.
+  // G27: first Z, then X and Y at once, to 10 mm from the left and from the back as in Marlin. P0
+  // lifts Z to 20 mm where it is lower, P1 leads it there, P2 lifts it by 20 mm, as far as it can.
   Progress park(ActiveCommand& command);
   Progress save_position(ActiveCommand& command);
-  // G61: back on a straight line, on the axes named or on X, Y and Z. E only gets its coordinate back.
+  // G61: back on a straight line, on the axes named or on X, Y and Z. E only gets its coordinate
+  // back.
   Progress restore_position(ActiveCommand& command);
   // M290: at once where nothing is planned, otherwise within the next line that moves X or Y.
   Progress step_baby(ActiveCommand& command);

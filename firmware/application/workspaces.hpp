@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the host's coordinates of X, Y and Z lie in the machine's: the home offsets of M206 and M428, and the shift of
-// G92, one for each of the systems G54 to G59.3.
+// Where the host's coordinates of X, Y and Z lie in the machine's: the home offsets of M206 and
+// M428, and the shift of G92, one for each of the systems G54 to G59.3.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace application {
 
-// As in Marlin: until one of the systems is selected G92 shifts the machine's own. A homed axis loses its shift, but the
-// system that was selected keeps it, until it is selected again.
+// As in Marlin: until one of the systems is selected G92 shifts the machine's own. A homed axis
+// loses its shift, but the system that was selected keeps it, until it is selected again.
 class Workspaces {
  public:
   static constexpr std::size_t axes = 3;  // X Y Z

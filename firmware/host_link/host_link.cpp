@@ -76,21 +76,6 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
 }
 
 // The line that is given up because of its age is not the broken one.
-bool HostLink::restart_requested(std::span<const char> bytes) {
-  constexpr std::uint32_t restart_code = 999;
-  bool requested = false;
-  units::LoopBound<most_bytes> received;
-  for (const char byte : bytes) {
-    received.next();
-    if (!receiver_.put(byte)) continue;
-    const ReceivedLine line = receiver_.take();
-    std::string_view text = line.text;
-    requested |= line.checksum != Checksum::wrong && !line.corrupted && !line.unprintable &&
-                 take_m_code(text) == restart_code;
-  }
-  return requested;
-}
-
 void HostLink::receive_fault(units::Milliseconds now) {
   give_up_old_line(now);
   receiver_.mark_corrupted();

@@ -3,7 +3,7 @@
 #include "platform/processor.hpp"
 
 extern "C" const std::uint32_t _stack_bottom[];
-extern "C" const std::uint32_t _start[];
+extern "C" const std::uint32_t memory_start[];
 
 namespace platform {
 namespace {
@@ -25,7 +25,7 @@ std::uint32_t instructions() {
 }
 
 void restart() {
-  asm volatile("jr %0" ::"r"(&_start[0]));
+  asm volatile("jr %0" ::"r"(&memory_start[0]));
   __builtin_unreachable();
 }
 

@@ -25,7 +25,8 @@ std::uint32_t instructions();
 // below it.
 bool stack_is_intact();
 
-// The program begins anew, with the stack and all variables as after a reset; the peripherals stay as they are.
+// Begins where the processor begins after a reset: stack and variables are as then, the peripherals
+// stay as they are.
 [[noreturn]] void restart();
 
 }  // namespace platform

@@ -66,7 +66,8 @@ architecture rtl of system_bus_access is
 
 begin
 
-  memory_lies_at_a_multiple_of_its_size : assert to_integer(memory_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
+  memory_lies_at_a_multiple_of_its_size : assert
+    to_integer(memory_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
 
   busy <= '0' when state = idle else '1';
   control <= (29 => '1', 22 => busy_error, 21 => busy, 20 => read_on_address,
@@ -83,7 +84,8 @@ begin
                   (size(1) and (access_address(0) or access_address(1))));
 
   in_memory <= (address(31 downto memory_address_bits) ?=
-                memory_address(31 downto memory_address_bits)) and not is_beyond_memory(address, memory_size_bytes);
+                memory_address(31 downto memory_address_bits)) and
+               not is_beyond_memory(address, memory_size_bytes);
   lanes <= "1111" when size(1) else
            address(1) & address(1) & not address(1) & not address(1) when size(0) else
            (address(1) and address(0)) & (address(1) and not address(0)) &

@@ -9,8 +9,8 @@ use work.memory_pkg.all;
 
 entity memory is
   generic (
-    -- Each 1 among its binary digits is a bank, the largest first: 104 KiB are banks of 64, 32 and 8 KiB. So no bank adds
-    -- logic to an address, and each tool makes it of whole blocks of RAM.
+    -- Each 1 among its binary digits is a bank, the largest first: 104 KiB are banks of 64, 32 and 8 KiB. So
+    -- no bank adds logic to an address, and each tool makes it of whole blocks of RAM.
     size_bytes : positive := 65536
   );
   port (
@@ -115,8 +115,8 @@ begin
     end generate;
 
     earlier : if bank < banks_t'high generate
-      -- The address's bit of the bank's size: where it is set the request is for a bank after this one. Of what is
-      -- shown it is remembered.
+      -- The address's bit of the bank's size: where it is set the request is for a bank after this one. Of
+      -- what is shown it is remembered.
       signal upper_shown_after, lower_shown_after, data_shown_after : std_ulogic;
     begin
 
@@ -140,10 +140,12 @@ begin
         end if;
       end process;
 
-      instruction_from(bank)(31 downto 16) <= instruction_from(bank + 1)(31 downto 16) when upper_shown_after else
-                                              bank_instruction(bank)(31 downto 16);
-      instruction_from(bank)(15 downto 0) <= instruction_from(bank + 1)(15 downto 0) when lower_shown_after else
-                                             bank_instruction(bank)(15 downto 0);
+      instruction_from(bank)(31 downto 16) <=
+        instruction_from(bank + 1)(31 downto 16) when upper_shown_after else
+        bank_instruction(bank)(31 downto 16);
+      instruction_from(bank)(15 downto 0) <=
+        instruction_from(bank + 1)(15 downto 0) when lower_shown_after else
+        bank_instruction(bank)(15 downto 0);
       data_from(bank) <= data_from(bank + 1) when data_shown_after else bank_data(bank);
     end generate;
 

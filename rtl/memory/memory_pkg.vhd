@@ -36,8 +36,8 @@ package memory_pkg is
   function address_bits_of(size_bytes : positive) return positive;
   function bits_below_end_of(size_bytes : positive) return natural;
 
-  -- The address lies beyond a memory of this size that begins at a multiple of its next power of two. Only the address's
-  -- bits below that are looked at.
+  -- The address lies beyond a memory of this size that begins at a multiple of its next power of two. Only
+  -- the address's bits below that are looked at.
   function is_beyond_memory(address : unsigned(31 downto 0); size_bytes : positive) return std_ulogic;
 
 end package;

@@ -11,7 +11,7 @@ use work.processor_pkg.all;
 
 entity processor is
   generic (
-    -- First address of the memory and reset vector; a multiple of the memory's size, or of the next power of two.
+    -- First address of the memory, and reset vector: a multiple of the power of two that the memory fits in.
     reset_address : unsigned(31 downto 0) := x"80000000";
     -- Data accesses outside the memory go to the bus, instruction
     -- fetches raise an exception.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a G-code file calls the machine's places: the systems G54 to G59.3, G92, and the home offsets of M206. Written from
-// Marlin's documentation, independently of the firmware.
+// What a G-code file calls the machine's places: the systems G54 to G59.3, G92, and the home
+// offsets of M206. Written from Marlin's documentation, independently of the firmware.
 #pragma once
 
 #include <array>

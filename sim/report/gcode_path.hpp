@@ -57,8 +57,8 @@ struct MachineFacts {
   std::array<Femtometers, 3> travel{};  // for G27 and M428
 };
 
-// Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200 M206 to M208 M221 M290 M400
-// M410 M428 and M104 M109 M140 M149 M190; all else asks no motion.
+// Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200
+// M206 to M208 M221 M290 M400 M410 M428 and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
   explicit GcodePath(const MachineFacts& machine = {})

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a Verilated chip: banks that follow one another, each with a lane for each byte of a word
-// (rtl/memory/memory.vhd).
+// The memory of a Verilated chip (rtl/memory/memory.vhd): banks that follow one another, each with a
+// lane for each byte of a word.
 #pragma once
 
 #include <cstdint>
 
 namespace sim {
 
-// The byte at this word's place in a lane of the memory, which is so many arrays of the model; null beyond their end.
+// The byte at this word's place in a lane of the memory, which is so many arrays of the model; null
+// beyond their end.
 template <typename First, typename... Others>
 auto* byte_in_banks(std::uint32_t word, First& first, Others&... others) {
   constexpr std::uint32_t words = sizeof(First);

@@ -19,7 +19,7 @@ class Printer {
  public:
   Printer();
 
-  // After M999 the firmware begins anew on the same chip, as in the image.
+  // After M999 the firmware restarts on the same chip, as in the image.
   // Plays `->`, `<-` and `<*` of tests/dialogue_steps.hpp; a reply must come within two minutes of
   // the printer's time, and busy messages are not looked at.
   void talk(std::string_view dialogue);

@@ -15,7 +15,7 @@ class Restart : public testing::Test {
   Printer printer;
 };
 
-TEST_F(Restart, begins_anew_after_m112) {
+TEST_F(Restart, restarts_after_m112) {
   printer.talk("-> M104 S200\n<- ok\n-> G1 X5 F600\n<- ok\n-> M400\n<- ok\n");
   kill();
   printer.talk("-> M999\n<- start\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// M999 on the whole chip: the firmware begins anew, with the heaters and the step generator as a fault has left them.
+// M999 on the whole chip: the firmware restarts, with the heaters and the step generator as a
+// fault has left them.
 #include <gtest/gtest.h>
 
 #include <string>
