@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that say what numbers mean: G17 to G21 G54 to G59.3 G90 G91 G92 M82 M83 M200 M206
-// M428.
+// What numbers mean: G17 to G21 G54 to G59.3 G90 G91 G92 M82 M83 M200 M206 M428.
 #pragma once
 
 #include "application/active_command.hpp"

@@ -24,8 +24,7 @@ class PlaceCommands {
   // lifts Z to 20 mm where it is lower, P1 leads it there, P2 lifts it by 20 mm, as far as it can.
   Progress park(ActiveCommand& command);
   Progress save_position(ActiveCommand& command);
-  // G61: back on a straight line, on the axes named or on X, Y and Z. E only gets its coordinate
-  // back.
+  // G61: straight back, on the axes named or on X, Y and Z. E only gets its coordinate back.
   Progress restore_position(ActiveCommand& command);
   // M290: at once where nothing is planned, otherwise within the next line that moves X or Y.
   Progress step_baby(ActiveCommand& command);

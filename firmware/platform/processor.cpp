@@ -3,7 +3,6 @@
 #include "platform/processor.hpp"
 
 extern "C" const std::uint32_t _stack_bottom[];
-extern "C" const std::uint32_t memory_start[];
 
 namespace platform {
 namespace {
@@ -22,11 +21,6 @@ std::uint32_t instructions() {
   std::uint32_t value;
   asm volatile("csrr %0, minstret" : "=r"(value));
   return value;
-}
-
-void restart() {
-  asm volatile("jr %0" ::"r"(&memory_start[0]));
-  __builtin_unreachable();
 }
 
 bool stack_is_intact() {

@@ -25,8 +25,4 @@ std::uint32_t instructions();
 // below it.
 bool stack_is_intact();
 
-// Begins where the processor begins after a reset: stack and variables are as then, the peripherals
-// stay as they are.
-[[noreturn]] void restart();
-
 }  // namespace platform

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of a Verilated chip (rtl/memory/memory.vhd): banks that follow one another, each with a
-// lane for each byte of a word.
+// The memory of a Verilated chip (rtl/memory/memory.vhd): banks that follow one another, each
+// with a lane for each byte of a word.
 #pragma once
 
 #include <cstdint>

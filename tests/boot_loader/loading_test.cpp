@@ -67,7 +67,7 @@ class Chip : public loading::ByteStream {
   unsigned reset_after_knocks = 0;  // 0: it is never reset
   std::optional<std::size_t> stuck_byte;  // of the memory
   milliseconds time_per_frame{0};  // until its answer is there, one frame after the other
-  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0x17000);
+  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(loader_address - memory_address);
   Session session{memory, address, old_entry, {}};
 
  private:
