@@ -29,14 +29,21 @@ extern "C" {
 [[gnu::used]] constinit volatile std::uint32_t serial_baud = printer.baud;
 }
 
+const bool application::shaping_in_image = printer.shaping.has_value();
+
 int main() {
   const auto identity = drivers::read_identity();
   if (!identity) platform::halt("This firmware needs a StepFabric chip");
 
   // Not on the stack, so that its measure is that of the calls alone.
   static application::Hardware hardware(*identity);
+  motion::Shaping* shaping = nullptr;
+  if constexpr (printer.shaping.has_value()) {
+    static motion::Shaping memory;
+    shaping = &memory;
+  }
   static application::Application application(
-      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics);
+      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics, shaping);
   if (!application.start(serial_baud)) platform::halt("The clock is too slow for the serial line");
 
   platform::wake_by(platform::WakeSource::timer, true);

@@ -54,12 +54,13 @@ host_link::TextLine text_of(const Fatal& fatal) {
 }  // namespace
 
 Application::Application(const MachineDescription& machine, const ThermalTables& tables,
-                         Hardware& hardware, Statistics& counters)
+                         Hardware& hardware, Statistics& counters, motion::Shaping* shaping)
     : machine_(machine),
       hardware_(hardware),
       counters_(counters),
       clock_(hardware.identity.clock),
-      motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops),
+      motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops,
+              shaping),
       heat_(machine, tables, hardware.identity.clock, hardware.temperature_converter,
             hardware.heater_control),
       executor_(machine, motion_, heat_, hardware.fan, link_, counters) {}
@@ -67,7 +68,7 @@ Application::Application(const MachineDescription& machine, const ThermalTables&
 bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
   hardware_.uart.set_line_ends(host_link::line_feed, host_link::carriage_return);
-  motion_.start();
+  const bool shaped = motion_.start();
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
@@ -77,6 +78,7 @@ bool Application::start(std::uint32_t baud) {
   counters_.version = Statistics::current_version;
   link_.set_advanced_ok(machine_.advanced_ok);
   link_.say(host_link::greeting);
+  if (!shaped) link_.say("echo:Input shaping off: its frequency does not fit this clock");
   return true;
 }
 

@@ -20,9 +20,10 @@ namespace application {
 
 class Application {
  public:
-  // Everything handed over must outlive the application.
+  // Everything handed over must outlive the application. `shaping`: none where the machine does
+  // not have it.
   Application(const MachineDescription& machine, const ThermalTables& tables, Hardware& hardware,
-              Statistics& counters);
+              Statistics& counters, motion::Shaping* shaping = nullptr);
 
   // Sets up the peripherals and greets the host. False where the clock is too slow for a serial
   // line of so many baud.

@@ -15,6 +15,7 @@
 #include "application/report_commands.hpp"
 #include "application/retraction_commands.hpp"
 #include "application/setting_commands.hpp"
+#include "application/shaping_commands.hpp"
 #include "application/timer_commands.hpp"
 
 namespace application {
@@ -27,6 +28,7 @@ struct CommandGroups {
         places(motion_task, motion, coordinates),
         modes(motion_task, coordinates),
         settings(machine, motion_task, coordinates),
+        shaping(motion_task),
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),
         reports(machine, motion_task, heat_task, coordinates),
@@ -37,7 +39,7 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, factors, timer,
+    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, shaping, factors, timer,
                                      heat, reports, host, files, dry_runs));
   }
 
@@ -47,6 +49,7 @@ struct CommandGroups {
   PlaceCommands places;
   CoordinateCommands modes;
   SettingCommands settings;
+  ShapingCommands shaping;
   FactorCommands factors;
   TimerCommands timer;
   HeatCommands heat;

@@ -53,6 +53,10 @@ inline constexpr Arguments retraction{numbers("SZ", "mm"), numbers("F", "mm/min"
                                       numbers("W", no_effect)};
 inline constexpr Arguments recovery{numbers("S", "mm"), numbers("F", "mm/min"),
                                     numbers("WR", no_effect)};
+inline constexpr Arguments pressure_advance{numbers("S", "s", 10), numbers("D", "(extruder 0)")};
+inline constexpr Arguments linear_advance{numbers("K", "s", 10), numbers("TLS", no_effect)};
+inline constexpr Arguments shapers{flags("XY"), numbers("F", "Hz", 500), numbers("DS", "of 1"),
+                                   numbers("P", "\"type\"")};
 inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor), flags("BR")};
 inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor)};
 inline constexpr Arguments line_number{numbers("N", "number")};

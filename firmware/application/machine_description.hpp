@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "drivers/guard_timings.hpp"
 #include "motion/limits.hpp"
+#include "motion/shaping_filter.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/heater_model.hpp"
 #include "thermal/thermistor_table.hpp"
@@ -47,6 +49,12 @@ struct MachineDescription {
   HeaterDescription bed{};
   units::Millicelsius min_extrusion{};  // below it the extruder does not turn
   ConverterDescription converter{};
+  // Without it neither input shaping nor linear advance is fitted.
+  std::optional<motion::ShapingSettings> shaping{};
 };
+
+// Whether the machine of this image has it: a constant of its main.cpp, so that the linker leaves
+// out what it does not have. On a host it is true, and the description decides.
+extern const bool shaping_in_image;
 
 }  // namespace application

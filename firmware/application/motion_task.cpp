@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "units/loop_bound.hpp"
-
 namespace application {
 namespace {
 
@@ -28,6 +26,8 @@ constexpr std::uint32_t watchdog_ms = 200;
 
 // The planner's, the one being handed over, those of as many segments, the one being executed.
 constexpr std::uint32_t deepest_queue = 255;
+// With shaping lines of as many slots are still under way.
+constexpr std::uint32_t shaped_lines = motion::ShapingFilter::capacity * 4;
 constexpr std::uint32_t lines_under_way = motion::Planner::capacity + deepest_queue + 2;
 
 constexpr std::uint64_t nanoseconds_per_second = 1'000'000'000;
@@ -74,15 +74,17 @@ std::int64_t unwrapped(std::int32_t counter, std::int64_t planned) {
 }  // namespace
 
 MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
-                       drivers::StepGenerator& step_generator, drivers::EndStops& end_stops)
+                       drivers::StepGenerator& step_generator, drivers::EndStops& end_stops,
+                       motion::Shaping* shaping)
     : machine_(machine),
       clock_(clock),
       step_generator_(step_generator),
       end_stops_(end_stops),
       planner_(machine.limits, timing_of(machine, clock)),
-      pace_(step_generator, clock, lines_under_way) {}
+      shaping_(shaping),
+      pace_(step_generator, clock, lines_under_way + (shapes() ? shaped_lines : 0)) {}
 
-void MotionTask::start() {
+bool MotionTask::start() {
   step_generator_.acknowledge_stop();
   step_generator_.stop();  // update() learns where a program before this one has left the axes
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
@@ -95,6 +97,14 @@ void MotionTask::start() {
   step_generator_.enable_stop_interrupt(true);
   step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
   pace_.set_limits(machine_.limits);
+  if (!shapes()) return true;
+  shaping_->set_timing(planner_.timing());
+  shaping_->set_limits(machine_.limits);
+  return set_shaping(machine_.shaping.value_or(motion::ShapingSettings()));
+}
+
+bool MotionTask::set_shaping(const motion::ShapingSettings& settings) {
+  return shaping_->configure(settings);
 }
 
 void MotionTask::update(Now now) {
@@ -103,7 +113,7 @@ void MotionTask::update(Now now) {
   settle_stop();
   if (homing_.active()) lead_homing();
   pace_.set_homing(homing_.active());
-  if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
+  if (plan_is_done() && step_generator_.idle()) pace_.note_rest();
 }
 
 // After every stop what was planned is void, and the planner learns where the axes are.
@@ -122,6 +132,7 @@ void MotionTask::settle_stop() {
     return;
   }
   planner_.clear();
+  if (shapes()) shaping_->clear();
   lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
@@ -134,7 +145,7 @@ void MotionTask::settle_stop() {
 }
 
 void MotionTask::lead_homing() {
-  if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
+  if (!step_generator_.idle() || !plan_is_done() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
   if (step_generator_.stop_state().stopped) return;
   carry_out(homing_.update(
@@ -178,38 +189,6 @@ void MotionTask::carry_out(const motion::HomingRequest& request) {
   }
 }
 
-bool MotionTask::refill() {
-  queue_full_ = false;
-  if (stopping_) return false;
-  units::LoopBound<motion::most_phases> segments;  // of a line: it returns between lines
-  for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
-    segments.next();
-    const auto segment = planner_.next_segment(pace_.time());
-    if (!segment) return false;
-    if (!segment->continues_line) begin_line();
-    // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
-    if (!step_generator_.append(*segment)) return false;
-    if (planner_.between_lines()) return true;
-  }
-  queue_full_ = true;
-  return false;
-}
-
-void MotionTask::set_stretch(Stretch now, Stretch behind) {
-  pace_.set_stretch(now);
-  stretch_behind_.reset();
-  if (behind == now) return;
-  stretch_behind_ = behind;
-  lines_before_ = planner_.lines();
-}
-
-// The first segment of a line goes to the step generator.
-void MotionTask::begin_line() {
-  if (!stretch_behind_ || lines_before_-- != 0) return;
-  pace_.set_stretch(*stretch_behind_);
-  stretch_behind_.reset();
-}
-
 std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {
   const auto accepted = planner_.append(move, pace_.time());
   pace_.note_line(move.feedrate);
@@ -220,7 +199,7 @@ std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& mo
 }
 
 bool MotionTask::at_rest() const {
-  return planner_.empty() && step_generator_.idle() && !stopping_ && !homing_.active() &&
+  return plan_is_done() && step_generator_.idle() && !stopping_ && !homing_.active() &&
          !step_generator_.stop_state().stopped;
 }
 
@@ -252,6 +231,7 @@ void MotionTask::quick_stop() {
 void MotionTask::shut_down() {
   quick_stop();
   planner_.clear();
+  if (shapes()) shaping_->clear();
   enable_motors(units::AxisSet::all(), false);
 }
 
@@ -271,6 +251,7 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
 void MotionTask::set_limits(const motion::Limits& limits) {
   planner_.set_limits(limits);
   pace_.set_limits(limits);
+  if (shapes()) shaping_->set_limits(limits);
 }
 
 void MotionTask::set_steps_per_meter(const motion::Limits& limits) {

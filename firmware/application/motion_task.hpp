@@ -14,22 +14,33 @@
 #include "drivers/step_generator.hpp"
 #include "motion/homing.hpp"
 #include "motion/planner.hpp"
+#include "motion/shaping.hpp"
 #include "units/axes.hpp"
 
 namespace application {
 
 class MotionTask {
  public:
+  // `shaping`: none where the machine does not have it.
   MotionTask(const MachineDescription& machine, units::Hertz clock,
-             drivers::StepGenerator& step_generator, drivers::EndStops& end_stops);
+             drivers::StepGenerator& step_generator, drivers::EndStops& end_stops,
+             motion::Shaping* shaping = nullptr);
 
-  // Sets up guards, rate floor and end stops. Once, at rest.
-  void start();
+  // Sets up guards, rate floor, end stops and shaping. Once, at rest. False where the machine's
+  // shaping is out of range, and thus off.
+  bool start();
   // Every pass of the loop: the sign of life, stops, homing.
   void update(Now now);
   // Every pass after that, until it is false: hands over the next line, or what of it the step
   // generator has room for, if that is due.
   bool refill();
+  // Calls of refill() in one pass. Slots of shaped motion and lines that go into them are more than
+  // lines alone, so some of them wait for the next pass.
+  static constexpr unsigned most_refills = motion::Planner::capacity + 1;
+  unsigned refills_in_a_pass() const {
+    constexpr unsigned shaped_refills = 12;
+    return shapes() && shaping_->active() ? shaped_refills : most_refills;
+  }
   // refill() had no more room for segments: these may be short, so less than the planner's horizon
   // may be in hand.
   bool queue_full() const { return queue_full_; }
@@ -40,6 +51,14 @@ class MotionTask {
   std::expected<void, motion::Fault> append(const motion::LineMove& move);
   // What has been appended starts without waiting for more.
   void flush() { planner_.flush(); }
+  // Input shaping and linear advance are fitted.
+  // Inlined for certain, so that link-time optimisation drops what depends on it.
+  [[gnu::always_inline]] bool shapes() const { return shaping_in_image && shaping_ != nullptr; }
+  // Only where they are.
+  const motion::ShapingSettings& shaping() const { return shaping_->settings(); }
+  // Only at rest. False, and nothing done, where a shaper's frequency is out of range.
+  bool set_shaping(const motion::ShapingSettings& settings);
+
   // Planner empty, step generator idle, no stop or homing under way.
   bool at_rest() const;
 
@@ -84,6 +103,11 @@ class MotionTask {
   std::uint32_t position_jumps() const { return position_jumps_; }
 
  private:
+  // All of it is with the step generator.
+  [[gnu::always_inline]] bool plan_is_done() const {
+    return planner_.empty() && (!shapes() || shaping_->at_rest());
+  }
+  motion::Shaping::Output next_segment();
   void settle_stop();
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
@@ -96,6 +120,7 @@ class MotionTask {
   drivers::StepGenerator& step_generator_;
   drivers::EndStops& end_stops_;
   motion::Planner planner_;
+  motion::Shaping* shaping_;
   motion::Homing homing_;
   Pace pace_;
   std::optional<Stretch> stretch_behind_;  // of the lines after the next `lines_before_`

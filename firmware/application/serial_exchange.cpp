@@ -54,8 +54,9 @@ bool Application::refill() {
   bool come = false;
   bool more = true;
   // Meanwhile none is planned; the last round finds no line.
-  units::LoopBound<motion::Planner::capacity + 1> handed_over;
-  for (unsigned lines = 1; more && !halted_; ++lines) {
+  units::LoopBound<MotionTask::most_refills> handed_over;
+  const unsigned most = motion_.refills_in_a_pass();
+  for (unsigned lines = 1; more && !halted_ && lines <= most; ++lines) {
     handed_over.next();
     more = motion_.refill();
     if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
@@ -70,7 +71,7 @@ bool Application::refill() {
     if (!halted_) executor_.answer_questions(now);
     transmit();
   }
-  return come;
+  return come || more;
 }
 
 void Application::transmit() {

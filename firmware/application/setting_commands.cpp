@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "application/setting_reports.hpp"
+#include "application/shaping_commands.hpp"
 #include "units/call_table.hpp"
 #include "units/loop_bound.hpp"
 
@@ -164,9 +165,15 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  units::LoopBound<std::size(reported_settings) + 1> lines;
-  for (said = std::max(said, first); said <= reported_settings.size(); ++said) {
+  const std::size_t last = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
+  units::LoopBound<std::size(reported_settings) + shaping_reports + 1> lines;
+  for (said = std::max(said, first); said <= last; ++said) {
     lines.next();
+    if (motion_.shapes() && said > reported_settings.size()) {
+      const auto line = shaping_report(said - reported_settings.size() - 1, motion_.shaping());
+      if (command.say(line) == Progress::again) return Progress::again;
+      continue;
+    }
     if (said == 0) {
       if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
       continue;
@@ -184,6 +191,8 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
       return Progress::again;
     }
     motion_.set_steps_per_meter(machine_.limits);
+    // As at the start, so it is accepted or was refused then.
+    if (motion_.shapes()) static_cast<void>(motion_.set_shaping(*machine_.shaping));
     coordinates_.set_planned(motion_.position());
     command.phase = ActiveCommand::Phase::working;
   }

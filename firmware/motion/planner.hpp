@@ -46,6 +46,7 @@ class Planner {
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);
   const Limits& limits() const { return geometry_.limits(); }
+  const StepTiming& timing() const { return timing_; }
 
   bool has_room() const { return count_ < capacity; }
   // Nothing left to hand over (the step generator may still be busy).

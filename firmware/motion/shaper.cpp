@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "motion/scaled.hpp"
-#include "units/loop_bound.hpp"
 
 namespace motion {
 
@@ -34,80 +33,67 @@ Scaled damped_part(std::uint32_t damping) {
   return Scaled::of(square).square_root() / Scaled::of(damping_one);
 }
 
-// Not normalised: weights in 2^-30, delays in eighths of the damped period.
+// Impulses are `eighths` of the damped period apart. Their weights, of an undamped mode and in
+// 2^-30, fall by what the vibration decays from each to the next; they are not normalised.
 struct Form {
-  std::array<std::uint32_t, 4> weights{};
-  std::array<std::uint8_t, 4> eighths{};
-  std::size_t count{};
+  std::uint8_t count;
+  std::uint8_t eighths;
+  std::array<std::uint32_t, 4> weights;
 };
 
-// What is left of the vibration's amplitude after half a damped period is `half`, and after 3/8
-// of one, `three_eighths`.
-Form form_of(ShaperType type, std::uint32_t half, std::uint32_t three_eighths) {
-  constexpr std::uint32_t mzv_first = 314'491'699;  // 1 - 1 / sqrt(2)
-  constexpr std::uint32_t mzv_second = 444'758'426;  // sqrt(2) - 1
-  constexpr std::uint32_t tolerance = one / 20;  // of EI and two-hump EI
-  // (3 X^2 + 2 X + 3 V^2) / (16 X) with V = 1/20, X = (V^2 (sqrt(1 - V^2) + 1))^(1/3)
-  constexpr std::uint32_t hump_first = 171'580'939;
-  const std::uint32_t period = product(half, half);
-  switch (type) {
-    case ShaperType::none:
-      break;
-    case ShaperType::zv:
-      return {{one, half}, {0, 4}, 2};
-    case ShaperType::zvd:
-      return {{one, 2 * half, period}, {0, 4, 8}, 3};
-    case ShaperType::mzv:
-      return {{mzv_first, product(mzv_second, three_eighths),
-               product(mzv_first, product(three_eighths, three_eighths))},
-              {0, 3, 6},
-              3};
-    case ShaperType::ei: {
-      constexpr std::uint32_t first = (one + tolerance) / 4;
-      return {{first, product((one - tolerance) / 2, half), product(first, period)}, {0, 4, 8}, 3};
-    }
-    case ShaperType::two_hump_ei: {
-      constexpr std::uint32_t second = one / 2 - hump_first;
-      return {{hump_first, product(second, half), product(second, period),
-               product(hump_first, product(half, period))},
-              {0, 4, 8, 12},
-              4};
-    }
-  }
-  return {{one}, {0}, 1};
-}
+constexpr std::uint32_t tolerance = one / 20;  // V of EI and two-hump EI
+constexpr std::uint32_t mzv_first = 314'491'699;  // 1 - 1 / sqrt(2)
+constexpr std::uint32_t mzv_second = 444'758'426;  // sqrt(2) - 1
+constexpr std::uint32_t ei_first = (one + tolerance) / 4;
+constexpr std::uint32_t ei_second = (one - tolerance) / 2;
+// (3 X^2 + 2 X + 3 V^2) / (16 X) with X = (V^2 (sqrt(1 - V^2) + 1))^(1/3)
+constexpr std::uint32_t hump_first = 171'580'939;
+constexpr std::uint32_t hump_second = one / 2 - hump_first;
+
+constexpr std::array<Form, shaper_type_count> forms{
+    {{1, 0, {one}},
+     {2, 4, {one, one}},
+     {3, 4, {one / 2, one, one / 2}},
+     {3, 3, {mzv_first, mzv_second, mzv_first}},
+     {3, 4, {ei_first, ei_second, ei_first}},
+     {4, 4, {hump_first, hump_second, hump_second, hump_first}}}};
 
 }  // namespace
 
 Impulses impulses_of(const Shaper& shaper, units::Hertz clock) {
   constexpr std::uint32_t pi = 3'373'259'426;  // 2^30 * pi
-  Impulses result;
-  Form form{{one}, {0}, 1};
-  Scaled eighth;  // of the damped period, clocks
-  if (shaper.type != ShaperType::none) {
+  const Form& form = forms[static_cast<std::size_t>(shaper.type)];
+  std::uint32_t fall = one;
+  Scaled interval;  // clocks
+  if (form.eighths != 0) {
     const Scaled damped = damped_part(shaper.damping);
-    const Scaled exponent =
-        Scaled::of(std::uint64_t{pi} * shaper.damping) / (Scaled::of(damping_one) * damped);
-    const std::uint64_t half = exponent.floor();
-    form = form_of(shaper.type, decay(half), decay(half / 4 * 3));
-    eighth =
-        Scaled::of(std::uint64_t{clock.count()} * 125) / (Scaled::of(shaper.millihertz) * damped);
+    const Scaled eighths = Scaled::of(form.eighths);
+    const Scaled angle = Scaled::of(pi, -2) * eighths;
+    fall = decay((angle * Scaled::of(shaper.damping) / (Scaled::of(damping_one) * damped)).floor());
+    interval = Scaled::of(std::uint64_t{clock.count()} * 125) * eighths /
+               (Scaled::of(shaper.millihertz) * damped);
   }
+  std::array<std::uint32_t, 4> weights{};
   std::uint64_t sum = 0;
-  for (const std::uint32_t weight : form.weights) sum += weight;
+  std::uint32_t decayed = one;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = product(form.weights[i], decayed);
+    sum += weights[i];
+    decayed = product(decayed, fall);
+  }
+  Impulses result;
+  result.count = form.count;
   std::int32_t left = weight_one;
   std::uint64_t mean = 0;
-  result.count = form.count;
-  units::LoopBound<std::tuple_size_v<decltype(result.list)>> bound;
-  for (std::size_t i = form.count; i-- > 0;) {
-    bound.next();
+  for (std::uint32_t i = form.count; i-- > 0;) {
     Impulse& impulse = result.list[i];
-    const Scaled share = Scaled::of(form.weights[i]) / Scaled::of(sum);
     // The first one takes what rounding leaves.
     impulse.weight =
-        i == 0 ? left : static_cast<std::int32_t>((share.floor(weight_fraction_bits + 1) + 1) / 2);
+        i == 0 ? left
+               : static_cast<std::int32_t>(
+                     (Scaled::of(weights[i]) / Scaled::of(sum)).floor(weight_fraction_bits));
     left -= impulse.weight;
-    impulse.delay = static_cast<std::uint32_t>((eighth * Scaled::of(form.eighths[i])).floor());
+    impulse.delay = static_cast<std::uint32_t>((interval * Scaled::of(i)).floor());
     mean += std::uint64_t{impulse.delay} * static_cast<std::uint32_t>(impulse.weight);
   }
   result.mean = static_cast<std::uint32_t>(mean >> weight_fraction_bits);

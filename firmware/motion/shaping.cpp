@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "motion/scaled.hpp"
-#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
 namespace motion {
@@ -22,36 +20,45 @@ int slot_bits_of(units::Hertz clock) {
                   least_slot_bits);
 }
 
-// At `rate` per second, rounded down.
-std::int32_t steps_in(std::uint64_t rate, int slot_bits, units::Hertz clock) {
-  const Scaled steps = Scaled::of(rate, slot_bits) / Scaled::of(clock.count());
-  return static_cast<std::int32_t>(std::min<std::uint64_t>(steps.floor(), 0x7FFF'FFFF));
-}
-
 }  // namespace
 
-Shaping::Shaping(const StepTiming& timing)
-    : clock_(timing.clock),
-      slot_bits_(slot_bits_of(timing.clock)),
-      slot_time_((std::int64_t{1'000'000} << slot_bits_) / timing.clock.count() + 1) {
+void Shaping::set_timing(const StepTiming& timing) {
+  clock_ = timing.clock;
+  slot_bits_ = slot_bits_of(clock_);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     // The generator makes at most a tick every second clock.
-    const std::uint64_t rate = std::min(timing.max_step_rate[i].count(), clock_.count() / 2);
-    most_steps_[i] = std::max(steps_in(rate, slot_bits_, clock_), 1);
+    most_rates_[i] = std::min(timing.max_step_rate[i].count(), clock_.count() / 2);
   }
-  most_extruder_steps_ = most_steps_[extruder];
 }
 
 void Shaping::set_limits(const Limits& limits) {
   const AxisLimits& axis = limits.axes[extruder];
   const std::uint64_t rate = static_cast<std::uint64_t>(axis.steps_per_meter.count()) *
                              static_cast<std::uint32_t>(axis.max_speed.count()) / 1'000'000;
+  extruder_rate_ = static_cast<std::uint32_t>(std::min<std::uint64_t>(rate, 0xFFFF'FFFF));
+  limit_steps();
+}
+
+void Shaping::limit_steps() {
+  const auto in_slot = [this](std::uint32_t rate) {
+    const std::uint64_t steps = (std::uint64_t{rate} << slot_bits_) / clock_.count();
+    return static_cast<std::int32_t>(std::min<std::uint64_t>(steps, 0x3FFF'FFFF));
+  };
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    most_steps_[i] = std::max<std::int32_t>(in_slot(most_rates_[i]), 1);
+  }
   // Where a slot has no whole number of steps at this rate, the next one has more.
-  most_steps_[extruder] = std::min(most_extruder_steps_, steps_in(rate, slot_bits_, clock_) + 1);
+  most_steps_[extruder] = std::min(most_steps_[extruder], in_slot(extruder_rate_) + 1);
 }
 
 bool Shaping::configure(const ShapingSettings& settings) {
-  if (!filter_.configure(settings, clock_, slot_bits_)) return false;
+  int bits = slot_bits_of(clock_);
+  if (!filter_.configure(settings, clock_, bits) && !filter_.configure(settings, clock_, ++bits)) {
+    return false;
+  }
+  slot_bits_ = bits;
+  slot_time_ = units::Microseconds((std::int64_t{1'000'000} << bits) / clock_.count() + 1);
+  limit_steps();
   settings_ = settings;
   active_ = settings.any();
   clear();
@@ -77,7 +84,7 @@ Shaping::Output Shaping::next_segment(Planner& planner, units::Microseconds now,
     if (!segment) return {};
     if (passes_ || segment->stop_mask != 0) {
       passes_ = !segment->ends_motion;
-      return {.segment = segment};
+      return {.segment = segment, .again = true};
     }
     at_rest_ = false;
     missing_ = slot_clocks();
@@ -92,7 +99,7 @@ Shaping::Output Shaping::next_segment(Planner& planner, units::Microseconds now,
     case Progress::complete:
       break;
   }
-  return {.segment = emit()};
+  return {.segment = emit(), .again = true};
 }
 
 void Shaping::begin(const Segment& segment) {
@@ -103,9 +110,7 @@ void Shaping::begin(const Segment& segment) {
 }
 
 Shaping::Progress Shaping::complete_slot(Planner& planner, units::Microseconds now, bool stocked) {
-  units::LoopBound<most_phases + 1> segments;  // of a line
   for (;;) {
-    segments.next();
     if (!between_segments_) {
       const std::uint64_t left = timeline_.clocks() - elapsed_;
       if (left >= missing_) {
@@ -151,7 +156,7 @@ Segment Shaping::emit() {
   }
   // With two ticks for each step of the fastest axis its steps come in the middle of their time, as
   // those of the others do. A slot without steps is one tick.
-  const std::uint32_t ticks = std::clamp(most * 2, 1u, slot_clocks() / 2);
+  const std::uint32_t ticks = std::clamp<std::uint32_t>(most * 2, 1, slot_clocks() / 2);
   segment.line_ticks = segment.ticks = ticks;
   constexpr int rate_fraction_bits = 64;
   segment.rate = std::uint64_t{ticks} << (rate_fraction_bits - slot_bits_);

@@ -12,20 +12,20 @@
 
 namespace motion {
 
-// A slot lasts 2^slot_bits clocks exactly. Its steps end each axis at the step nearest to its
+// A slot lasts 2^n clocks exactly: 1 to 2 ms, at least 2^14 clocks, or twice that where a slow mode
+// makes a shaper long. Its steps end each axis at the step nearest to its
 // shaped position, so that nothing adds up, and are spread evenly over it.
 class Shaping {
  public:
-  // A segment, or none that should be handed over now. `again`: a line of the planner has been
-  // taken, but its slot is not complete; to be called again.
+  // A segment, or none that should be handed over now. `again`: there may be more at once, after a
+  // segment, or where a line of the planner did not complete its slot.
   struct Output {
     std::optional<Segment> segment{};
     bool again{};
   };
 
-  // Slots of 1 to 2 ms, at least 2^14 clocks.
-  explicit Shaping(const StepTiming& timing);
-
+  // To be called once, before all others.
+  void set_timing(const StepTiming& timing);
   // How fast E may be with what linear advance adds to it.
   void set_limits(const Limits& limits);
   // Only at rest. False, and nothing done, where a shaper's frequency is out of range.
@@ -34,6 +34,7 @@ class Shaping {
   // Anything to be done: otherwise the planner's segments are to be handed over as they are.
   bool active() const { return active_; }
   std::uint32_t slot_clocks() const { return 1u << slot_bits_; }
+  units::Microseconds slot_time() const { return slot_time_; }  // rounded up
   // By which all axes are late on average.
   std::uint32_t delay_clocks() const { return filter_.slots_late() << slot_bits_; }
   // Over which linear advance takes the speed of E; 0 without it.
@@ -55,11 +56,14 @@ class Shaping {
   void note(const units::PerAxis<FinePosition>& position);
   Segment emit();
 
-  units::Hertz clock_;
-  int slot_bits_;
-  units::Microseconds slot_time_;
+  void limit_steps();
+
+  units::Hertz clock_{};
+  int slot_bits_{};
+  units::Microseconds slot_time_{};
   units::PerAxis<std::int32_t> most_steps_{};  // in a slot, by drivers and M203 E
-  std::int32_t most_extruder_steps_;  // by its driver alone
+  units::PerAxis<std::uint32_t> most_rates_{};  // of the drivers, steps/s
+  std::uint32_t extruder_rate_{};  // by M203
   ShapingSettings settings_{};
   bool active_{};
 

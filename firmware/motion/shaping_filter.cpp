@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "motion/scaled.hpp"
-#include "units/loop_bound.hpp"
 
 namespace motion {
 
@@ -14,18 +13,26 @@ namespace {
 constexpr std::size_t extruder = units::index_of(units::Axis::e);
 constexpr int sum_fraction_bits = weight_fraction_bits + position_fraction_bits;
 
-// The weights of samples at -1, 0, 1 and 2 for the value at `part` (2^-20) between 0 and 1:
-// Lagrange's polynomials.
-std::array<std::int64_t, 4> cubic(std::int64_t part) {
-  constexpr std::int64_t one = weight_one;
-  const auto product = [](std::int64_t a, std::int64_t b, std::int64_t c) {
-    return (a * b >> weight_fraction_bits) * c >> weight_fraction_bits;
+// The weights of samples at -1, 0, 1 and 2 for the value at `part` (2^-20) between 0 and 1, times
+// `weight`: Lagrange's polynomials.
+std::array<std::int32_t, 4> cubic(std::int32_t part, std::int32_t weight) {
+  const auto product = [](std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(std::int64_t{a} * b >> weight_fraction_bits);
   };
-  const std::int64_t left = one - part;
-  const std::int64_t first = -product(part, left, one + left) / 6;
-  const std::int64_t third = product(part, one + part, one + left) / 2;
-  const std::int64_t fourth = -product(part, one + part, left) / 6;
-  return {first, one - first - third - fourth, third, fourth};
+  const std::int32_t left = weight_one - part;
+  const std::int32_t both = product(product(part, left), weight);
+  const std::int32_t first = -product(both, weight_one + left) / 6;
+  const std::int32_t fourth = -product(both, weight_one + part) / 6;
+  // Their mean position is `part`.
+  const std::int32_t third = product(part, weight) + first - 2 * fourth;
+  return {first, weight - first - third - fourth, third, fourth};
+}
+
+// A period lasts six slots or more.
+bool fits(const Shaper& shaper, units::Hertz clock, int slot_bits) {
+  constexpr std::uint64_t least_slots = 6;
+  return shaper.millihertz >= least_millihertz && shaper.millihertz <= most_millihertz &&
+         (shaper.millihertz * least_slots << slot_bits) <= std::uint64_t{clock.count()} * 1000;
 }
 
 std::uint32_t slots_of(std::uint32_t clocks, int slot_bits) {
@@ -34,45 +41,29 @@ std::uint32_t slots_of(std::uint32_t clocks, int slot_bits) {
 
 }  // namespace
 
-void ShapingFilter::Taps::add(std::int64_t weight, std::uint32_t delay) {
+void ShapingFilter::Taps::add(std::int32_t weight, std::uint32_t delay) {
   if (weight == 0) return;
-  units::LoopBound<std::tuple_size_v<decltype(list)>> bound;
   for (std::size_t i = 0; i < count; ++i) {
-    bound.next();
     if (list[i].delay != delay) continue;
-    list[i].weight += static_cast<std::int32_t>(weight);
+    list[i].weight += weight;
     return;
   }
-  list[count++] = {.weight = static_cast<std::int32_t>(weight), .delay = delay};
+  list[count++] = {.weight = weight, .delay = delay};
 }
 
 ShapingFilter::Taps ShapingFilter::taps_of(const Impulses& impulses, std::uint32_t slots_late,
                                            int slot_bits) {
   Taps taps;
-  std::int64_t left = weight_one;
-  units::LoopBound<std::tuple_size_v<decltype(impulses.list)>> bound;
   for (std::size_t i = 0; i < impulses.count; ++i) {
-    bound.next();
     const Impulse& impulse = impulses.list[i];
     const std::uint64_t clocks =
         (std::uint64_t{slots_late} << slot_bits) + impulse.delay - impulses.mean;
     const auto slot = static_cast<std::uint32_t>(clocks >> slot_bits);
     const std::uint64_t rest = clocks & ((std::uint64_t{1} << slot_bits) - 1);
-    const auto part = static_cast<std::int64_t>(rest << weight_fraction_bits >> slot_bits);
-    const auto weights = cubic(part);
-    if (part == 0) {
-      taps.add(impulse.weight, slot);
-      left -= impulse.weight;
-      continue;
-    }
-    for (std::uint32_t k = 0; k < weights.size(); ++k) {
-      const std::int64_t weight = weights[k] * impulse.weight >> weight_fraction_bits;
-      taps.add(weight, slot + k - 1);
-      left -= weight;
-    }
+    const auto part = static_cast<std::int32_t>(rest << weight_fraction_bits >> slot_bits);
+    const auto weights = cubic(part, impulse.weight);
+    for (std::uint32_t k = 0; k < weights.size(); ++k) taps.add(weights[k], slot + k - 1);
   }
-  // The sum stays 1 to the last bit.
-  taps.list[0].weight += static_cast<std::int32_t>(left);
   return taps;
 }
 
@@ -86,13 +77,9 @@ bool ShapingFilter::configure(const ShapingSettings& settings, units::Hertz cloc
   std::uint32_t late = half_window;
   for (std::size_t i = 0; i < impulses.size(); ++i) {
     const Shaper& shaper = settings.shapers[i];
+    if (shaper.type != ShaperType::none && !fits(shaper, clock, slot_bits)) return false;
     impulses[i] = impulses_of(shaper, clock);
     if (shaper.type == ShaperType::none) continue;
-    constexpr std::uint64_t least_slots = 6;  // of a period
-    if ((std::uint64_t{shaper.millihertz} * least_slots << slot_bits) >
-        std::uint64_t{clock.count()} * 1000) {
-      return false;
-    }
     late = std::max(late, slots_of(impulses[i].mean, slot_bits) + 1);
   }
   std::uint32_t length = late + half_window;
@@ -125,9 +112,7 @@ units::PerAxis<std::int32_t> ShapingFilter::distance_from(
     std::int64_t sum = 0;
     if (i < taps_.size()) {
       const Taps& taps = taps_[i];
-      units::LoopBound<std::tuple_size_v<decltype(taps.list)>> bound;
       for (std::size_t k = 0; k < taps.count; ++k) {
-        bound.next();
         const Tap& tap = taps.list[k];
         sum += std::int64_t{tap.weight} *
                static_cast<std::int32_t>(before(tap.delay).position[i] - here[i]);

@@ -42,7 +42,7 @@ struct Sample {
 // E has no steps to make at once where its speed jumps, and retractions stay as they are.
 class ShapingFilter {
  public:
-  static constexpr std::size_t capacity = 128;  // samples
+  static constexpr std::size_t capacity = 64;  // samples
 
   // False, and nothing done, where a mode is too fast for slots of 2^slot_bits clocks (a sixth of
   // their frequency is the limit) or too slow for the samples.
@@ -72,7 +72,7 @@ class ShapingFilter {
     std::array<Tap, 16> list{};
     std::size_t count{};
 
-    void add(std::int64_t weight, std::uint32_t delay);
+    void add(std::int32_t weight, std::uint32_t delay);
   };
 
   static Taps taps_of(const Impulses& impulses, std::uint32_t slots_late, int slot_bits);

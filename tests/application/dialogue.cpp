@@ -23,7 +23,7 @@ constexpr std::uint32_t clocks_per_millisecond = clock_hz / 1000;
 
 const application::MachineDescription& machine_under_test() { return description; }
 
-Printer::Printer() {
+Printer::Printer(const application::MachineDescription& machine) : machine_(machine) {
   const auto identity = drivers::read_identity();
   hardware_.emplace(identity.value());
   begin();
@@ -32,8 +32,8 @@ Printer::Printer() {
 
 void Printer::begin() {
   application_ = std::make_unique<application::Application>(
-      description, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_,
-      counters);
+      machine_, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_, counters,
+      machine_.shaping ? &shaping_ : nullptr);
   EXPECT_TRUE(application_->start(machine::machine.baud));
 }
 

@@ -17,7 +17,9 @@ const application::MachineDescription& machine_under_test();
 
 class Printer {
  public:
-  Printer();
+  Printer() : Printer(machine_under_test()) {}
+  // Of another machine.
+  explicit Printer(const application::MachineDescription& machine);
 
   // After M999 the firmware restarts on the same chip, as in the image.
   // Plays `->`, `<-` and `<*` of tests/dialogue_steps.hpp; a reply must come within two minutes of
@@ -40,6 +42,8 @@ class Printer {
   void pass();
   void begin();
 
+  application::MachineDescription machine_;
+  motion::Shaping shaping_;
   std::optional<application::Hardware> hardware_;
   std::unique_ptr<application::Application> application_;
 };

@@ -89,8 +89,8 @@ class Run {
       : options_(options),
         planner_(options.limits, options.timing),
         witness_(options.limits, options.timing),
-        shaping_(options.timing),
         clock_hz_(options.timing.clock.count()) {
+    shaping_.set_timing(options.timing);
     shaping_.set_limits(options.limits);
     if (!shaping_.configure(options.settings)) throw std::logic_error("settings out of range");
     for (std::size_t i = 0; i < 2; ++i) {
@@ -119,7 +119,7 @@ class Run {
         if (!segment) throw std::logic_error("the planners differ");
         planned_.add(*segment);
       }
-      if (output.segment) {
+      if (output.segment.has_value()) {
         see(*output.segment);
       } else if (!output.again) {
         if (fed == moves.size() && planner_.empty() && shaping_.at_rest()) break;

@@ -19,10 +19,11 @@ motion::StepTiming timing_at(std::uint32_t clock_hz) {
 
 motion::ShapingSettings random_settings(std::mt19937& random, std::uint32_t clock_hz) {
   motion::ShapingSettings settings;
+  const std::uint32_t least = clock_hz < 10'000'000 ? 15'000 : 26'000;
   const std::uint32_t most = clock_hz < 10'000'000 ? 38'000 : 80'000;
   for (motion::Shaper& shaper : settings.shapers) {
     shaper = {.type = static_cast<ShaperType>(random() % motion::shaper_type_count),
-              .millihertz = 15'000 + static_cast<std::uint32_t>(random() % (most - 15'000)),
+              .millihertz = least + static_cast<std::uint32_t>(random() % (most - least)),
               .damping = static_cast<std::uint32_t>(random() % 3000)};
   }
   if (random() % 3 != 0) {
@@ -157,7 +158,8 @@ TEST(shaping, lasts_longer_by_the_length_of_the_shaper) {
 }
 
 TEST(shaping, refuses_a_mode_that_its_slots_cannot_hold) {
-  motion::Shaping shaping(timing_at(50'000'000));
+  motion::Shaping shaping;
+  shaping.set_timing(timing_at(50'000'000));
   const auto accepts = [&shaping](ShaperType type, std::uint32_t millihertz) {
     return shaping.configure({.shapers = {motion::Shaper{.type = type, .millihertz = millihertz}}});
   };
@@ -166,6 +168,9 @@ TEST(shaping, refuses_a_mode_that_its_slots_cannot_hold) {
   EXPECT_EQ(shaping.settings().shapers[0].millihertz, 127'000u);
   EXPECT_TRUE(accepts(ShaperType::two_hump_ei, 10'000));
   EXPECT_FALSE(accepts(ShaperType::two_hump_ei, 5'000));
+  EXPECT_EQ(shaping.slot_clocks(), 1u << 17);  // longer ones for it
+  EXPECT_TRUE(accepts(ShaperType::zv, 40'000));
+  EXPECT_EQ(shaping.slot_clocks(), 1u << 16);
   EXPECT_TRUE(shaping.active());
   EXPECT_TRUE(accepts(ShaperType::none, 0));
   EXPECT_FALSE(shaping.active());

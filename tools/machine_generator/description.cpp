@@ -128,6 +128,33 @@ void read_retraction(Reader table, motion::Retraction& retraction) {
   table.finish();
 }
 
+motion::Shaper read_shaper(Reader table) {
+  motion::Shaper shaper;
+  const std::string name = table.text("type");
+  const auto type = std::ranges::find(motion::shaper_names, name);
+  if (type == motion::shaper_names.end()) {
+    table.fail("type", "is none of none, zv, zvd, mzv, ei, 2hump_ei");
+  }
+  shaper.type = static_cast<motion::ShaperType>(type - motion::shaper_names.begin());
+  if (shaper.type != motion::ShaperType::none) {
+    shaper.millihertz = static_cast<std::uint32_t>(
+        table.scaled("frequency_hz", thousand, motion::least_millihertz, motion::most_millihertz));
+    shaper.damping = static_cast<std::uint32_t>(
+        table.scaled("damping", motion::damping_one, 0, motion::most_damping));
+  }
+  table.finish();
+  return shaper;
+}
+
+// Its presence alone fits shaping and linear advance into the image.
+void read_shaping(Reader table, motion::ShapingSettings& settings) {
+  if (table.has("x")) settings.shapers[0] = read_shaper(table.table("x"));
+  if (table.has("y")) settings.shapers[1] = read_shaper(table.table("y"));
+  settings.advance_microseconds = static_cast<std::uint32_t>(
+      table.scaled("advance_s", 1'000'000, 0, motion::most_advance_microseconds));
+  table.finish();
+}
+
 }  // namespace
 
 Machine read_machine(const toml::table& table, const std::filesystem::path& file) {
@@ -143,6 +170,9 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   read_motion(root.table("motion"), machine.description.limits);
   if (root.has("retraction")) {
     read_retraction(root.table("retraction"), machine.description.limits.retraction);
+  }
+  if (root.has("shaping")) {
+    read_shaping(root.table("shaping"), machine.description.shaping.emplace());
   }
   read_heaters(root, machine.description);
   root.finish();

@@ -106,6 +106,18 @@ std::string text(const application::ConverterDescription& converter) {
       converter.supply_millivolts, converter.threshold_millivolts);
 }
 
+std::string text(const motion::ShapingSettings& settings) {
+  std::string shapers;
+  for (const motion::Shaper& shaper : settings.shapers) {
+    shapers += fmt::format(
+        "motion::Shaper{{.type = motion::ShaperType{{{}}}, .millihertz = {}, .damping = {}}}, ",
+        static_cast<int>(shaper.type), shaper.millihertz, shaper.damping);
+  }
+  return fmt::format(
+      "motion::ShapingSettings{{\n      .shapers = {{{{{}}}}},\n      .advance_microseconds = {}}}",
+      shapers, settings.advance_microseconds);
+}
+
 std::string header_of(const Machine& machine, const std::filesystem::path& file) {
   const application::MachineDescription& description = machine.description;
   std::string searches;
@@ -127,11 +139,12 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
-      "  .converter = {},\n}};\n\n}}  // namespace machine\n",
+      "  .converter = {},\n{}}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.name, description.baud, description.advanced_ok,
       text(description.host_silence), text(description.limits), searches, drivers,
       text(description.hotend), text(description.bed), text(description.min_extrusion),
-      text(description.converter));
+      text(description.converter),
+      description.shaping ? "  .shaping = " + text(*description.shaping) + ",\n" : "");
 }
 
 }  // namespace

@@ -74,12 +74,13 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
       model_(machine_.limits, clock_hz),
       converter_(units::Hertz(clock_hz)),
       heater_control_(units::Hertz(clock_hz)),
-      motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_),
+      motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_,
+              machine_.shaping ? &shaping_ : nullptr),
       heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm}, units::Hertz(clock_hz),
             converter_, heater_control_),
       executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
   plan_.machine = machine_.name;
-  motion_.start();
+  if (!motion_.start()) throw std::runtime_error("the machine's shaping does not fit this clock");
   heat_.start();
   for (int round = 0; heat_.extrusion_is_cold(); ++round) {
     if (round == most_rounds) throw std::logic_error("the model's hotend is not hot");

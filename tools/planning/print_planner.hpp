@@ -52,6 +52,7 @@ class PrintPlanner {
   drivers::TemperatureConverter converter_;
   drivers::HeaterControl heater_control_;
   drivers::Fan fan_;
+  motion::Shaping shaping_;
   application::MotionTask motion_;
   application::HeatTask heat_;
   host_link::HostLink link_;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Segments to the step generator: the planner's lines, or the slots of shaped motion.
+#include <algorithm>
+
+#include "application/motion_task.hpp"
+#include "units/loop_bound.hpp"
+
+namespace application {
+namespace {
+
+// So much of the end of a shaped motion is handed over at a time, or what the longest pass needs.
+constexpr units::Microseconds end_at_a_time{20'000};
+
+}  // namespace
+
+bool MotionTask::refill() {
+  queue_full_ = false;
+  if (stopping_) return false;
+  units::LoopBound<motion::most_phases> segments;  // of a line: it returns between lines
+  for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
+    segments.next();
+    const std::size_t lines = planner_.lines();
+    const motion::Shaping::Output next = next_segment();
+    if (planner_.lines() != lines) begin_line();
+    if (!next.segment) return next.again;
+    // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
+    if (!step_generator_.append(*next.segment)) return false;
+    if (next.again || planner_.between_lines()) return true;
+  }
+  queue_full_ = true;
+  return false;
+}
+
+// The planner's, or what shaping makes of them.
+motion::Shaping::Output MotionTask::next_segment() {
+  const units::Microseconds time = pace_.time();
+  if (!shapes() || !shaping_->active()) return {.segment = planner_.next_segment(time)};
+  // The segment under way counts for nothing.
+  const units::Microseconds queued = shaping_->slot_time() * step_generator_.queued_segments();
+  return shaping_->next_segment(planner_, time,
+                                queued >= std::max(end_at_a_time, planner_.timing().longest_pass));
+}
+
+void MotionTask::set_stretch(Stretch now, Stretch behind) {
+  pace_.set_stretch(now);
+  stretch_behind_.reset();
+  if (behind == now) return;
+  stretch_behind_ = behind;
+  lines_before_ = planner_.lines();
+}
+
+// The first segment of a line goes to the step generator.
+void MotionTask::begin_line() {
+  if (!stretch_behind_ || lines_before_-- != 0) return;
+  pace_.set_stretch(*stretch_behind_);
+  stretch_behind_.reset();
+}
+
+}  // namespace application
