@@ -85,7 +85,8 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       clock_(clock),
       step_generator_(step_generator),
       end_stops_(end_stops),
-      planner_(machine.limits, timing_of(machine, clock)),
+      planner_(machine.limits, timing_of(machine, clock),
+               motion::kinematics::Chosen(machine.kinematics)),
       pace_(step_generator, clock, lines_under_way) {}
 
 void MotionTask::start() {

@@ -12,7 +12,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "machine_generator/description.hpp"
 #include "machine_generator/header.hpp"
+#include "machine_generator/kinematics_description.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_file.hpp"
@@ -86,14 +88,17 @@ void build(const std::vector<std::string>& targets) {
 
 sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
   const std::string header = machine_generator::header_of(description);
+  const std::string image_name = fmt::format(
+      "other_machine_{}_{}", stepping,
+      machine_generator::kinematics_name(
+          machine_generator::read_machine(description).description.kinematics));
   const FolderLock lock("other_machine_lock");  // until the image has been read
   const std::filesystem::path file =
       build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
   // The same text is not written again, so that nothing is built for it.
   if (files::text_of(file) != header) files::write_file(file, header);
-  build({"firmware_other_machine_" + stepping});
-  const std::filesystem::path image =
-      build_folder() / "firmware" / ("other_machine_" + stepping + ".elf");
+  build({"firmware_" + image_name});
+  const std::filesystem::path image = build_folder() / "firmware" / (image_name + ".elf");
   require_stack(image, description);
   return sim::read_elf(image);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "machine_generator/heater_description.hpp"
+#include "machine_generator/kinematics_description.hpp"
 #include "machine_generator/reader.hpp"
 
 namespace machine_generator {
@@ -137,9 +138,9 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   if (machine.name.size() > longest_name || !std::ranges::all_of(machine.name, may_stand_in_name)) {
     root.fail("name", "is longer than 64 bytes, or holds \", \\ or what is not printable ASCII");
   }
-  if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
   read_serial(root.table("serial"), machine.description);
   read_axes(root.table("axes"), root.table("drivers"), machine.description);
+  read_kinematics(root, machine.description);
   read_motion(root.table("motion"), machine.description.limits);
   if (root.has("retraction")) {
     read_retraction(root.table("retraction"), machine.description.limits.retraction);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "machine_generator/description.hpp"
+#include "machine_generator/kinematics_description.hpp"
 
 namespace machine_generator {
 namespace {
@@ -123,14 +124,14 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "inline constexpr application::MachineDescription machine{{\n"
       "  .name = \"{}\",\n  .baud = {},\n"
       "  .advanced_ok = {},\n  .host_silence = {},\n"
-      "  .limits = {},\n"
+      "  .limits = {},\n{}"
       "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.name, description.baud, description.advanced_ok,
-      text(description.host_silence), text(description.limits), searches, drivers,
-      text(description.hotend), text(description.bed), text(description.min_extrusion),
+      text(description.host_silence), text(description.limits),
+      kinematics_text(description.kinematics), searches, drivers, text(description.hotend), text(description.bed), text(description.min_extrusion),
       text(description.converter));
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each axis has a motor of its own.
+#pragma once
+
+#include "motion/kinematics/kinematics.hpp"
+
+namespace motion::kinematics {
+
+class Cartesian {
+ public:
+  struct Parameters {};
+
+  constexpr Cartesian() = default;
+  explicit constexpr Cartesian(const Parameters&) {}
+
+  static constexpr bool identity() { return true; }
+  static constexpr bool straight() { return true; }
+  static constexpr bool homes_motors() { return false; }
+  static constexpr bool reaches(const Place&) { return true; }
+  static constexpr const Place& motors_of(const Place& tool) { return tool; }
+  static constexpr const Place& place_of(const Place& motors) { return motors; }
+  static constexpr std::uint32_t chords(const Place&, const Place&) { return 1; }
+  static constexpr Home home() { return {}; }
+};
+
+static_assert(Model<Cartesian>);
+
+}  // namespace motion::kinematics
