@@ -265,8 +265,17 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
       motors_on_.insert(axis);
     } else {
       motors_on_.remove(axis);
-      located_.remove(axis);
+      note_lost(axis);
     }
+  }
+}
+
+// Where the axis is now is not known exactly, nor where others are that its motor moves.
+void MotionTask::note_lost(units::Axis axis) {
+  if (kinematics().identity()) {
+    located_.remove(axis);
+  } else {
+    located_ = {};
   }
 }
 

@@ -72,6 +72,7 @@ class MotionTask {
   void enable_motors(units::AxisSet axes, bool enabled);
   std::uint8_t end_stops() const { return end_stops_.triggered(); }
 
+  const motion::kinematics::Chosen& kinematics() const { return planner_.kinematics(); }
   const motion::Limits& limits() const { return planner_.limits(); }
   void set_limits(const motion::Limits& limits);
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
@@ -88,6 +89,7 @@ class MotionTask {
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
   void begin_line();
+  void note_lost(units::Axis axis);
   units::Nanometers distance_to_end_stop(units::Axis axis) const;
   void set_position(const units::PerAxis<units::Position>& positions);
 

@@ -74,6 +74,12 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
           thermistor["beta_k"].number()};
 }
 
+std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
+  const std::string name = root["kinematics"].text();
+  if (name == "core_xy") return core_xy_mechanism();
+  return cartesian_mechanism();
+}
+
 void check_channels(const toml::table& table, const std::filesystem::path& file) {
   machine_generator::Reader root(file, table);
   for (const char* heater : {"hotend", "bed"}) {
@@ -97,6 +103,7 @@ Description description_of(const toml::table& table, const std::filesystem::path
   description.name = root["name"].text();
   description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
   for (std::size_t i = 0; i < axis_count; ++i) description.axes[i] = axis_of(root, axis_letters[i]);
+  description.mechanism = mechanism_of(root);
   if (const Entry retraction = root["retraction"]) {
     description.retraction = {retraction["length_mm"].number(), retraction["lift_mm"].number(),
                               retraction["extra_mm"].number()};

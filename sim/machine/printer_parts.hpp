@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the printer that are connected to no pin: filament that carries heat away, and
-// planned faults.
+// Parts of the printer that are connected to no pin: filament that carries heat away, its frame,
+// and planned faults.
 #pragma once
 
 #include <cmath>
@@ -41,6 +41,31 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
   plants::HeatedBlock& hotend_;
   double steps_per_mm_;
   std::int64_t position_ = 0, position_before_ = 0;
+};
+
+// How far an axis can go beyond its end stop and beyond its travel.
+constexpr double lower_frame_mm = 2.0;
+constexpr double upper_frame_mm = 5.0;
+
+// Counts the steps beyond the frame where several motors move an axis. They are not held there.
+class Printer::Frame : public devices::StepListener {
+ public:
+  explicit Frame(const Printer& printer) : printer_(printer) {}
+
+  void stepped(const devices::StepEdge& edge) override {
+    const Mechanism::Place place = printer_.place_mm();
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const AxisDescription& axis = printer_.description_.axes[i];
+      if (!axis.travel_mm) continue;
+      const bool out = place[i] < -lower_frame_mm || place[i] > *axis.travel_mm + upper_frame_mm;
+      if (out) ++steps_[edge.axis];
+    }
+  }
+  std::uint64_t steps(std::size_t axis) const { return steps_[axis]; }
+
+ private:
+  const Printer& printer_;
+  std::array<std::uint64_t, axis_count> steps_{};
 };
 
 // Injects faults at their times.

@@ -56,12 +56,18 @@ struct Retraction {
   Femtometers extra{};
 };
 
+// Where G28 ends: Cartesian machines find their axes one by one, at 0.
+struct HomePlace {
+  bool of_all_axes{};
+  std::array<Femtometers, 3> place{};
+};
+
 // Understands G0 to G3, G10 G11, G17 to G21, G28, G90 to G92, M82 M83 M92 M207 M208 M221 M400 M410
 // and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
-  explicit GcodePath(const Retraction& retraction = {})
-      : machines_retraction_(retraction), retraction_(retraction) {}
+  explicit GcodePath(const Retraction& retraction = {}, const HomePlace& home = {})
+      : home_(home), machines_retraction_(retraction), retraction_(retraction) {}
 
   Request read(std::string_view command);
   const Point& position() const { return machine_; }
@@ -82,6 +88,7 @@ class GcodePath {
   Request recover();
   void set_position(const GcodeWords& words);
 
+  HomePlace home_;
   Point machine_{};
   Point logical_{};  // what the file calls it
   Retraction machines_retraction_;

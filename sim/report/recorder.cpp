@@ -43,9 +43,11 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
       host_(host),
       simulation_(simulation),
       points_(resolutions(printer), start_positions(printer), simulation.rate(),
-              retraction_of(printer)),
-      tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
-      requested_path_(simulation.rate(), retraction_of(printer)),
+              retraction_of(printer), printer.description().mechanism),
+      tool_path_(simulation.rate(), resolutions(printer), start_positions(printer),
+                 printer.description().mechanism),
+      requested_path_(simulation.rate(), retraction_of(printer),
+                      home_of(*printer.description().mechanism)),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),
@@ -78,7 +80,8 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
   if (!executed) return;
-  const Request request = GcodePath().read(command);
+  const Request request =
+      GcodePath({}, home_of(*printer_.description().mechanism)).read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
     requested_path_.begin_here();
@@ -96,7 +99,7 @@ AxisResult Recorder::axis_result(std::size_t axis) const {
           counts.illegal,
           counts.disabled,
           plant.slipped_steps(),
-          plant.frame_steps(),
+          printer_.frame_steps(axis),
           0,
           plant.peak_load()};
 }

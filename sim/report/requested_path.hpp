@@ -22,8 +22,9 @@ struct RequestedMove {
 
 class RequestedPath : public devices::HostListener {
  public:
-  explicit RequestedPath(sim::ClockRate rate, const Retraction& retraction = {})
-      : rate_(rate), gcode_(retraction) {}
+  explicit RequestedPath(sim::ClockRate rate, const Retraction& retraction = {},
+                         const HomePlace& home = {})
+      : rate_(rate), gcode_(retraction, home) {}
 
   // The lines are read when they are answered: what is refused changes nothing for those after.
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,

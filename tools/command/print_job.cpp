@@ -53,9 +53,9 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
           host.total(),
           setup.simulation().seconds(),
           setup.simulation().now(),
-          printer.axis(0).position_mm(),
-          printer.axis(1).position_mm(),
-          printer.axis(2).position_mm(),
+          printer.place_mm()[0],
+          printer.place_mm()[1],
+          printer.place_mm()[2],
           printer.hotend_c(),
           printer.bed_c()};
 }

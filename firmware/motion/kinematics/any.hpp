@@ -33,6 +33,12 @@ class Any {
   explicit constexpr Any(const Parameters& parameters)
       : model_(std::visit(MakeModel(), parameters)) {}
 
+  // For tools that model the machine.
+  constexpr bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
+  constexpr bool has_own_z() const {
+    return std::holds_alternative<Cartesian>(model_) || crosses_xy();
+  }
+
   constexpr bool identity() const {
     return visit([](const auto& model) { return model.identity(); });
   }
@@ -41,6 +47,9 @@ class Any {
   }
   constexpr bool homes_motors() const {
     return visit([](const auto& model) { return model.homes_motors(); });
+  }
+  constexpr std::string_view motor_letters() const {
+    return visit([](const auto& model) { return model.motor_letters(); });
   }
   constexpr bool reaches(const Place& tool) const {
     return visit([&](const auto& model) { return model.reaches(tool); });

@@ -16,6 +16,7 @@ class Cartesian {
   static constexpr bool identity() { return true; }
   static constexpr bool straight() { return true; }
   static constexpr bool homes_motors() { return false; }
+  static constexpr std::string_view motor_letters() { return "XYZ"; }
   static constexpr bool reaches(const Place&) { return true; }
   static constexpr const Place& motors_of(const Place& tool) { return tool; }
   static constexpr const Place& place_of(const Place& motors) { return motors; }

@@ -18,6 +18,7 @@ class CoreXy {
   static constexpr bool identity() { return false; }
   static constexpr bool straight() { return true; }
   static constexpr bool homes_motors() { return false; }
+  static constexpr std::string_view motor_letters() { return "ABZ"; }
   static constexpr bool reaches(const Place&) { return true; }
   static constexpr Place motors_of(const Place& tool) {
     return {tool[0] + tool[1], tool[0] - tool[1], tool[2], tool[3]};

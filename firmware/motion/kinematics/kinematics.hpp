@@ -4,7 +4,7 @@
 
 #include <concepts>
 #include <cstdint>
-#include <optional>
+#include <string_view>
 
 #include "motion/limits.hpp"
 #include "units/axes.hpp"
@@ -38,6 +38,8 @@ concept Model =
       { model.straight() } -> std::same_as<bool>;
       // Homing moves motors, not axes, and finds all places at once.
       { model.homes_motors() } -> std::same_as<bool>;
+      // What M114 calls the motors of X, Y and Z.
+      { model.motor_letters() } -> std::same_as<std::string_view>;
       // Within what the mechanism reaches, so that motors_of is defined.
       { model.reaches(place) } -> std::same_as<bool>;
       // The motors' places for a place of the tool within reach, and back.
