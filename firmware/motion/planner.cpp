@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/junction.hpp"
+#include "motion/kinematics/path_limits.hpp"
 #include "motion/line_start.hpp"
 #include "motion/steps.hpp"
 #include "units/loop_bound.hpp"
@@ -94,9 +95,12 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
                      units::Microseconds now) {
   supply_.line_came(now);
   Line& added = lines_[(first_ + count_) % capacity];
-  const Course course =
+  Course course =
       geometry_.make_line(displacement, std::min(move.feedrate, max_speed),
                           std::max(timing_.least_line_time, supply_.least_time(stock(now))), added);
+  if (!kinematics_.straight()) {
+    kinematics::limit_to_motors(limits(), displacement, added, course);
+  }
   added.start = line_start(added.steps, added.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {

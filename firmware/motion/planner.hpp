@@ -13,6 +13,7 @@
 #include "motion/fault.hpp"
 #include "motion/limits.hpp"
 #include "motion/line.hpp"
+#include "motion/planner_move.hpp"
 #include "motion/profile.hpp"
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
@@ -22,16 +23,6 @@
 #include "units/quantity.hpp"
 
 namespace motion {
-
-// A straight move to `target`, in absolute machine coordinates.
-struct LineMove {
-  units::PerAxis<units::Position> target{};
-  // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do
-  // is slower.
-  units::MicrometersPerSecond feedrate{};
-  std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion
-  bool of_motors{};  // `target` is the motors', where homing moves these (kinematics)
-};
 
 class Planner {
  public:

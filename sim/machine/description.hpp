@@ -57,6 +57,7 @@ struct ConverterDescription {
 struct Description {
   std::string name;
   std::uint32_t baud{};
+  std::optional<std::uint32_t> memory_bytes;  // of the chip, where its firmware needs more
   std::array<AxisDescription, axis_count> axes;
   std::shared_ptr<const Mechanism> mechanism = cartesian_mechanism();
   RetractionDescription retraction;

@@ -59,6 +59,24 @@ double Mechanism::gain_at(const Place& tool) const {
   return gain / small;
 }
 
+Mechanism::Place Mechanism::start(const Place& random) const {
+  constexpr double least_mm = 2.0;
+  constexpr Place most_mm{40.0, 40.0, 8.0};
+  Place place{};
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    place[i] = least_mm + (most_mm[i] - least_mm) * random[i];
+  }
+  return place;
+}
+
+bool Mechanism::is_beyond_frame(const Place& motors, const Place& travel) const {
+  const Place place = place_of(motors);
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] < -lower_frame_mm || place[i] > travel[i] + upper_frame_mm) return true;
+  }
+  return false;
+}
+
 std::shared_ptr<const Mechanism> cartesian_mechanism() {
   static const auto mechanism = std::make_shared<CartesianMechanism>();
   return mechanism;

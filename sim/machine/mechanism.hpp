@@ -20,6 +20,10 @@ class Mechanism {
   using Place = std::array<double, 3>;
   using ExactPlace = std::array<ExactLength, 3>;
 
+  // How far an axis can go beyond its end stop and beyond its travel.
+  static constexpr double lower_frame_mm = 2.0;
+  static constexpr double upper_frame_mm = 5.0;
+
   Mechanism() = default;
   Mechanism(const Mechanism&) = delete;
   Mechanism& operator=(const Mechanism&) = delete;
@@ -40,6 +44,10 @@ class Mechanism {
   // G28 finds all axes at once, and ends here.
   virtual bool homes_all() const { return false; }
   virtual Place home() const { return {}; }
+  // Where the printer may be switched on, by numbers from 0 to 1: not far from the end stops.
+  virtual Place start(const Place& random) const;
+  // Whether something hits the frame or the bed. `travel`: of the axes of the description.
+  virtual bool is_beyond_frame(const Place& motors, const Place& travel) const;
   virtual devices::SwitchPlace end_stop(std::size_t axis, double steps_per_mm) const = 0;
 };
 

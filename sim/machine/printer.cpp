@@ -14,10 +14,6 @@ namespace machine {
 
 namespace {
 
-// A printer is switched on wherever the last print left it; here not far from the end stops, so
-// that homing does not take long.
-constexpr double least_start_mm = 2.0;
-constexpr std::array<double, 3> most_start_mm{40.0, 40.0, 8.0};
 // Steppers are chosen with this reserve of torque and of speed.
 constexpr double torque_reserve = 8.0;
 constexpr double speed_reserve = 2.0;
@@ -33,8 +29,8 @@ plants::AxisProperties properties_of(const AxisDescription& axis, bool has_frame
   properties.torque_acceleration = torque_reserve * axis.max_acceleration_mm_s2 * axis.steps_per_mm;
   properties.speed_limit = speed_reserve * axis.max_speed_mm_s * axis.steps_per_mm;
   if (axis.travel_mm && has_frame) {
-    properties.lower_frame = std::llround(-lower_frame_mm * axis.steps_per_mm);
-    properties.upper_frame = std::llround((*axis.travel_mm + upper_frame_mm) * axis.steps_per_mm);
+    properties.lower_frame = std::llround(-Mechanism::lower_frame_mm * axis.steps_per_mm);
+    properties.upper_frame = std::llround((*axis.travel_mm + Mechanism::upper_frame_mm) * axis.steps_per_mm);
   }
   return properties;
 }
@@ -98,15 +94,14 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
 
 Printer::~Printer() = default;
 
-// Not far from the end stops.
+// A printer is switched on wherever the last print left it; here not far from the end stops, so
+// that homing does not take long.
 std::array<std::int64_t, axis_count> Printer::start_positions(std::uint64_t seed) const {
   std::mt19937_64 random(seed);
-  Mechanism::Place place{};
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const double off = least_start_mm + (most_start_mm[i] - least_start_mm) * uniform(random);
-    place[i] = off;
-  }
-  const Mechanism::Place motors = description_.mechanism->motors_of(place);
+  Mechanism::Place numbers{};
+  for (double& number : numbers) number = uniform(random);
+  const Mechanism& mechanism = *description_.mechanism;
+  const Mechanism::Place motors = mechanism.motors_of(mechanism.start(numbers));
   std::array<std::int64_t, axis_count> positions{};
   for (std::size_t i = 0; i < motors.size(); ++i) {
     positions[i] = std::llround(motors[i] * description_.axes[i].steps_per_mm);
@@ -142,9 +137,8 @@ void Printer::make_axes(const PrinterOptions& options) {
   for (const auto& motor : motors_) motor->add_listener(*frame_);
 }
 
-Mechanism::Place Printer::place_mm() const {
-  return description_.mechanism->place_of(
-      {axes_[0]->position_mm(), axes_[1]->position_mm(), axes_[2]->position_mm()});
+Mechanism::Place Printer::motors_mm() const {
+  return {axes_[0]->position_mm(), axes_[1]->position_mm(), axes_[2]->position_mm()};
 }
 
 std::uint64_t Printer::frame_steps(std::size_t axis) const {

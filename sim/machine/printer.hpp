@@ -41,7 +41,8 @@ class Printer {
   // To be called before the simulation runs.
   void add_step_listener(devices::StepListener& listener);
   // Of the tool, mm, by the motors' positions.
-  Mechanism::Place place_mm() const;
+  Mechanism::Place place_mm() const { return description_.mechanism->place_of(motors_mm()); }
+  Mechanism::Place motors_mm() const;
   // Steps with which an axis would have left the frame, by the motor that made them.
   std::uint64_t frame_steps(std::size_t axis) const;
   // True temperatures of the blocks.

@@ -43,23 +43,18 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
   std::int64_t position_ = 0, position_before_ = 0;
 };
 
-// How far an axis can go beyond its end stop and beyond its travel.
-constexpr double lower_frame_mm = 2.0;
-constexpr double upper_frame_mm = 5.0;
-
 // Counts the steps beyond the frame where several motors move an axis. They are not held there.
 class Printer::Frame : public devices::StepListener {
  public:
   explicit Frame(const Printer& printer) : printer_(printer) {}
 
   void stepped(const devices::StepEdge& edge) override {
-    const Mechanism::Place place = printer_.place_mm();
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const AxisDescription& axis = printer_.description_.axes[i];
-      if (!axis.travel_mm) continue;
-      const bool out = place[i] < -lower_frame_mm || place[i] > *axis.travel_mm + upper_frame_mm;
-      if (out) ++steps_[edge.axis];
+    Mechanism::Place travel{};
+    for (std::size_t i = 0; i < travel.size(); ++i) {
+      travel[i] = printer_.description_.axes[i].travel_mm.value_or(0);
     }
+    const Mechanism& mechanism = *printer_.description_.mechanism;
+    if (mechanism.is_beyond_frame(printer_.motors_mm(), travel)) ++steps_[edge.axis];
   }
   std::uint64_t steps(std::size_t axis) const { return steps_[axis]; }
 

@@ -7,6 +7,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
@@ -88,15 +89,19 @@ void build(const std::vector<std::string>& targets) {
 
 sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
   const std::string header = machine_generator::header_of(description);
-  const std::string image_name = fmt::format(
-      "other_machine_{}_{}", stepping,
-      machine_generator::kinematics_name(
-          machine_generator::read_machine(description).description.kinematics));
+  const machine_generator::Machine machine = machine_generator::read_machine(description);
+  const std::string image_name =
+      fmt::format("other_machine_{}_{}", stepping,
+                  machine_generator::kinematics_name(machine.description.kinematics));
+  const std::string memory =
+      fmt::format("--defsym=chip_memory_bytes={}\n", std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));
   const FolderLock lock("other_machine_lock");  // until the image has been read
   const std::filesystem::path file =
       build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
+  const std::filesystem::path memory_file = build_folder() / "generated" / "other_machine" / "memory_options";
   // The same text is not written again, so that nothing is built for it.
   if (files::text_of(file) != header) files::write_file(file, header);
+  if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);
   build({"firmware_" + image_name});
   const std::filesystem::path image = build_folder() / "firmware" / (image_name + ".elf");
   require_stack(image, description);

@@ -6,64 +6,74 @@
 
 #include "motion/kinematics/cartesian.hpp"
 #include "motion/kinematics/core_xy.hpp"
+#include "motion/kinematics/delta.hpp"
 
 namespace motion::kinematics {
 
 class Any {
-  using Models = std::variant<Cartesian, CoreXy>;
+  using Models = std::variant<Cartesian, CoreXy, Delta>;
 
   struct MakeModel {
-    constexpr Models operator()(const Cartesian::Parameters& parameters) const {
+    Models operator()(const Cartesian::Parameters& parameters) const {
       return Cartesian(parameters);
     }
-    constexpr Models operator()(const CoreXy::Parameters& parameters) const {
+    Models operator()(const CoreXy::Parameters& parameters) const {
       return CoreXy(parameters);
     }
+    Models operator()(const Delta::Parameters& parameters) const { return Delta(parameters); }
   };
 
   template <class Function>
-  constexpr auto visit(Function function) const {
+  auto visit(Function function) const {
     return std::visit(function, model_);
   }
 
  public:
-  using Parameters = std::variant<Cartesian::Parameters, CoreXy::Parameters>;
+  using Parameters = std::variant<Cartesian::Parameters, CoreXy::Parameters, Delta::Parameters>;
 
-  constexpr Any() = default;
-  explicit constexpr Any(const Parameters& parameters)
+  Any() = default;
+  explicit Any(const Parameters& parameters)
       : model_(std::visit(MakeModel(), parameters)) {}
 
+  static constexpr bool may_home_motors = true;
+  using Chords = Division;
+
   // For tools that model the machine.
-  constexpr bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
-  constexpr bool has_own_z() const {
+  bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
+  bool has_own_z() const {
     return std::holds_alternative<Cartesian>(model_) || crosses_xy();
   }
 
-  constexpr bool identity() const {
+  bool identity() const {
     return visit([](const auto& model) { return model.identity(); });
   }
-  constexpr bool straight() const {
+  bool straight() const {
     return visit([](const auto& model) { return model.straight(); });
   }
-  constexpr bool homes_motors() const {
+  bool homes_motors() const {
     return visit([](const auto& model) { return model.homes_motors(); });
   }
-  constexpr std::string_view motor_letters() const {
+  std::string_view motor_letters() const {
     return visit([](const auto& model) { return model.motor_letters(); });
   }
-  constexpr bool reaches(const Place& tool) const {
+  bool reaches(const Place& tool) const {
     return visit([&](const auto& model) { return model.reaches(tool); });
   }
-  constexpr Place motors_of(const Place& tool) const {
+  Place motors_of(const Place& tool) const {
     return visit([&](const auto& model) -> Place { return model.motors_of(tool); });
   }
-  constexpr Place place_of(const Place& motors) const {
+  Place place_of(const Place& motors) const {
     return visit([&](const auto& model) -> Place { return model.place_of(motors); });
   }
-  constexpr std::uint32_t chords(const Place& from, const Place& to) const {
-    return visit([&](const auto& model) { return model.chords(from, to); });
+  std::uint32_t chords(const Place& from, const Place& to,
+                                 units::MicrometersPerSecond feedrate) const {
+    return visit([&](const auto& model) { return model.chords(from, to, feedrate); });
   }
-  constexpr Home home() const {
+  units::MicrometersPerSecond speed_limit(const Place& from, const Place& to,
+                                                    units::MicrometersPerSecondSquared most) const {
+    return visit([&](const auto& model) { return model.speed_limit(from, to, most); });
+  }
+  Home home() const {
     return visit([](const auto& model) { return model.home(); });
   }
 

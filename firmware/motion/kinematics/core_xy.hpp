@@ -2,6 +2,7 @@
 // Two motors that stand still move X and Y with crossed belts: their sum and their difference.
 #pragma once
 
+#include "motion/kinematics/division.hpp"
 #include "motion/kinematics/kinematics.hpp"
 
 namespace motion::kinematics {
@@ -11,6 +12,8 @@ namespace motion::kinematics {
 class CoreXy {
  public:
   struct Parameters {};
+  static constexpr bool may_home_motors = false;
+  using Chords = NoDivision;
 
   constexpr CoreXy() = default;
   explicit constexpr CoreXy(const Parameters&) {}
@@ -26,7 +29,13 @@ class CoreXy {
   static constexpr Place place_of(const Place& motors) {
     return {half(motors[0] + motors[1]), half(motors[0] - motors[1]), motors[2], motors[3]};
   }
-  static constexpr std::uint32_t chords(const Place&, const Place&) { return 1; }
+  static constexpr std::uint32_t chords(const Place&, const Place&, units::MicrometersPerSecond) {
+    return 1;
+  }
+  static constexpr units::MicrometersPerSecond speed_limit(const Place&, const Place&,
+                                                           units::MicrometersPerSecondSquared) {
+    return max_speed;
+  }
   static constexpr Home home() { return {}; }
 
  private:

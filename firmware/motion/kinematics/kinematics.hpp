@@ -30,6 +30,7 @@ struct Home {
 template <class M>
 concept Model =
     std::default_initializable<typename M::Parameters> &&
+    requires(typename M::Chords& chords) { { chords.done() } -> std::same_as<bool>; } &&
     requires(const M& model, const Place& place, const Limits& limits) {
       M(typename M::Parameters{});
       // Each axis has a motor of its own: both functions return what they take.
@@ -46,7 +47,11 @@ concept Model =
       { model.motors_of(place) } -> std::convertible_to<Place>;
       { model.place_of(place) } -> std::convertible_to<Place>;
       // In so many chords, equal in the tool's space, a line stays within chord_deviation.
-      { model.chords(place, place) } -> std::same_as<std::uint32_t>;
+      { model.chords(place, place, limits.axes[0].max_speed) } -> std::same_as<std::uint32_t>;
+      // The tool's speed at which the motors' acceleration along a straight line is within this.
+      {
+        model.speed_limit(place, place, limits.print_acceleration)
+      } -> std::same_as<units::MicrometersPerSecond>;
       { model.home() } -> std::same_as<Home>;
     };
 
