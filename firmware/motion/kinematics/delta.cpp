@@ -19,7 +19,7 @@ using units::Nanometers;
 
 // A carriage may leave the height for a straight line by so much in the middle of a chord. Within
 // the printable radius the tool then leaves its line by less than chord_deviation.
-constexpr std::uint64_t carriage_deviation = 4'000;
+constexpr std::uint64_t carriage_deviation = 8'000;
 constexpr std::uint32_t least_rise = 1'000'000;
 
 constexpr std::uint64_t square(std::int64_t value) {
@@ -129,9 +129,14 @@ Place Delta::place_of(const Place& motors) const {
     const std::int64_t off1 = off[1] - off[0], off2 = off[2] - off[0];
     const std::int64_t step_x = (off1 * y2 - off2 * y1) * (1 << bits) / determinant;
     const std::int64_t step_y = (off2 * x1 - off1 * x2) * (1 << bits) / determinant;
-    x = std::clamp(x + step_x, -most, most);
-    y = std::clamp(y + step_y, -most, most);
     z += off[0] - ((slope_x[0] * step_x + slope_y[0] * step_y) >> bits);
+    x = std::clamp(x + step_x, -furthest, furthest);
+    y = std::clamp(y + step_y, -furthest, furthest);
+    // Where no rod is flat the method converges: back onto the printable circle.
+    const std::int64_t away = nearest_root(square(x) + square(y));
+    if (away <= most) continue;
+    x = x * most / away;
+    y = y * most / away;
   }
   return {Nanometers(x), Nanometers(y), Nanometers(z), motors[3]};
 }
