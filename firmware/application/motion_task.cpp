@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "motion/kinematics/path_limits.hpp"
-
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -65,12 +63,6 @@ std::uint8_t end_stops_of(const motion::Limits& limits) {
     if (axis.homing) inputs |= 1u << axis.homing->end_stop;
   }
   return static_cast<std::uint8_t>(inputs);
-}
-
-units::PerAxis<units::Position> with_axis(units::PerAxis<units::Position> positions,
-                                          units::Axis axis, units::Nanometers position) {
-  positions[index_of(axis)] = position;
-  return positions;
 }
 
 // The true 64-bit count nearest to `planned` whose low word is `counter`.
@@ -142,98 +134,6 @@ void MotionTask::settle_stop() {
   step_generator_.acknowledge_stop();
 }
 
-void MotionTask::lead_homing() {
-  if (!step_generator_.idle() || !planner_.empty() || !chords_.done() || stopping_) return;
-  // It may be at rest because of a stop after the check in settle_stop().
-  if (step_generator_.stop_state().stopped) return;
-  carry_out(homing_.update(
-      {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
-}
-
-void MotionTask::carry_out(const motion::HomingRequest& request) {
-  using Kind = motion::HomingRequest::Kind;
-  switch (request.kind) {
-    case Kind::nothing:
-      return;
-    case Kind::finished:
-      if (kinematics().homes_motors()) finish_homing_of_motors();
-      return;
-    case Kind::move: {
-      stopped_by_end_stop_ = false;
-      const auto accepted = append(homing_move(request.move));
-      if (!accepted) {
-        homing_.cancel();
-        homing_fault_ = accepted.error();
-        homing_axis_ = request.move.axis;
-      }
-      flush();
-      return;
-    }
-    case Kind::set_position:
-      if (kinematics().homes_motors()) return pass_end_stop(request);
-      set_position(with_axis(planner_.position(), request.axis, request.position));
-      ++position_jumps_;
-      homed_.insert(request.axis);
-      located_.insert(request.axis);
-      return;
-    case Kind::fault:
-      homing_fault_ = request.fault;
-      homing_axis_ = request.axis;
-      return;
-  }
-}
-
-motion::LineMove MotionTask::homing_move(const motion::HomingMove& request) const {
-  const bool motors = kinematics().homes_motors();
-  motion::LineMove move{.target = motors ? planner_.motor_position() : planner_.position(),
-                        .feedrate = request.speed,
-                        .stop_mask = request.stop_mask,
-                        .of_motors = motors};
-  if (!motors || !request.together) {
-    move.target[index_of(request.axis)] += request.distance;
-    return move;
-  }
-  for (std::size_t i = 0; i < motion::kinematics::spatial_axes; ++i) {
-    move.target[i] += request.distance;
-  }
-  // Three motors at this speed: along the line through all of them by sqrt(3).
-  move.feedrate = units::MicrometersPerSecond(
-      std::min(request.speed.count() / 1000 * 1732 + 1, motion::max_speed.count()));
-  return move;
-}
-
-// A motor at its end stop goes on to where it is at home, once it stands.
-void MotionTask::pass_end_stop(const motion::HomingRequest& request) {
-  const std::size_t motor = index_of(request.axis);
-  const units::Nanometers behind = kinematics().home().behind_end_stop[motor];
-  if (behind == units::Nanometers(0)) return;
-  motion::LineMove move{.target = planner_.motor_position(),
-                        .feedrate = limits().axes[motor].homing->slow_speed,
-                        .of_motors = true};
-  move.target[motor] += behind;
-  const auto accepted = append(move);
-  if (!accepted) {
-    homing_.cancel();
-    homing_fault_ = accepted.error();
-    homing_axis_ = request.axis;
-  }
-  flush();
-}
-
-// All of them are at home.
-void MotionTask::finish_homing_of_motors() {
-  units::PerAxis<units::Position> place = kinematics().home().tool;
-  constexpr std::size_t extruder = index_of(units::Axis::e);
-  place[extruder] = planner_.position()[extruder];
-  set_position(place);
-  ++position_jumps_;
-  for (const units::Axis axis : all_axes) {
-    if (!limits().of(axis).homing) continue;
-    homed_.insert(axis);
-    located_.insert(axis);
-  }
-}
-
 bool MotionTask::refill() {
   queue_full_ = false;
   if (stopping_) return false;
@@ -270,30 +170,6 @@ std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& mo
   return kinematics().straight() || move.of_motors ? append_line(move) : append_chords(move);
 }
 
-std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove move) {
-  if (!kinematics().reaches(move.target)) {
-    return std::unexpected(motion::Fault::target_out_of_reach);
-  }
-  const units::PerAxis<units::Position> from = position();
-  auto acceleration = motion::max_acceleration;
-  for (std::size_t i = 0; i < motion::kinematics::spatial_axes; ++i) {
-    acceleration = std::min(acceleration, limits().axes[i].max_acceleration);
-  }
-  move.feedrate =
-      std::min({move.feedrate, motion::kinematics::speed_of_axes(limits(), from, move.target),
-                kinematics().speed_limit(from, move.target, acceleration)});
-  chords_.begin(from, move, kinematics().chords(from, move.target, move.feedrate));
-  const auto accepted = append_line(chords_.next());
-  if (!accepted) chords_.cancel();
-  return accepted;
-}
-
-// All of them are within reach, and none is refused for want of room.
-void MotionTask::go_on_with_chords() {
-  if (!append_line(chords_.next())) chords_.cancel();
-  if (chords_.done() && chords_.flushes()) planner_.flush();
-}
-
 std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMove& move) {
   const auto accepted = planner_.append(move, pace_.time());
   pace_.note_line(move.feedrate);
@@ -306,28 +182,6 @@ std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMov
 bool MotionTask::at_rest() const {
   return planner_.empty() && chords_.done() && step_generator_.idle() && !stopping_ && !homing_.active() &&
          !step_generator_.stop_state().stopped;
-}
-
-void MotionTask::start_homing(units::AxisSet axes) {
-  homing_fault_.reset();
-  if (kinematics().homes_motors()) {
-    axes = units::AxisSet::all();
-    located_ = {};
-  }
-  motion::Limits limits = planner_.limits();
-  for (const units::Axis axis : all_axes) {
-    if (!axes.contains(axis) || !limits.of(axis).homing) continue;
-    limits.of(axis).travel = located_.contains(axis) ? distance_to_end_stop(axis)
-                                                     : machine_.homing_search[index_of(axis)];
-    located_.remove(axis);
-  }
-  homing_.start(axes, limits, kinematics().homes_motors());
-}
-
-units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
-  const motion::HomingParameters& homing = *limits().of(axis).homing;
-  const units::Nanometers above = planner_.position()[index_of(axis)].nearest() - homing.position;
-  return std::max(homing.towards_positive ? -above : above, units::Nanometers(0));
 }
 
 void MotionTask::quick_stop() {

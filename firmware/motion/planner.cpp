@@ -71,7 +71,8 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
     residual[i] = target.residual;
     moves |= steps != 0;
   }
-  target_ = direct ? kinematics_.place_of(motors) : move.target;
+  // Homing sets the position at its end; the place on its way is nothing to calculate.
+  if (!direct) target_ = move.target;
   if (!moves) return {};
   if (!kinematics_.identity() && displacement.distance == units::PerAxis<units::Nanometers>{}) {
     displacement.distance[0] = units::Nanometers(1);

@@ -37,9 +37,10 @@ std::string text(const motion::AxisLimits& axis) {
   if (axis.homing) {
     result += fmt::format(
         ",\n           .homing = motion::HomingParameters{{.fast_speed = {}, .slow_speed = {},\n"
-        "                        .back_off = {}, .end_stop = {}}}",
+        "                        .back_off = {}, .end_stop = {},\n"
+        "                        .towards_positive = {}}}",
         text(axis.homing->fast_speed), text(axis.homing->slow_speed), text(axis.homing->back_off),
-        axis.homing->end_stop);
+        axis.homing->end_stop, axis.homing->towards_positive);
   }
   return result + "},\n";
 }

@@ -108,7 +108,7 @@ Place Delta::place_of(const Place& motors) const {
   const std::int64_t most = parameters_.printable_radius.count();
   std::int64_t x = 0, y = 0;
   std::int64_t z = motors[0].nearest().count() - rise(0, Nanometers(0), Nanometers(0));
-  constexpr std::uint32_t most_rounds = 24;
+  constexpr std::uint32_t most_rounds = 10;
   units::LoopBound<most_rounds> rounds;
   for (std::uint32_t round = 0; round < most_rounds; ++round) {
     rounds.next();

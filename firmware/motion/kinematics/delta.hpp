@@ -49,7 +49,7 @@ class Delta {
   // home: between two such places the line has only such places.
   bool reaches(const Place& tool) const;
   Place motors_of(const Place& tool) const;
-  // By Newton's method; within 3 nm where the place is within reach, else any place.
+  // By Newton's method; within 5 nm where the place is within reach, else any place.
   Place place_of(const Place& motors) const;
   std::uint32_t chords(const Place& from, const Place& to,
                        units::MicrometersPerSecond feedrate) const;
