@@ -180,8 +180,8 @@ std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMov
 }
 
 bool MotionTask::at_rest() const {
-  return planner_.empty() && chords_.done() && step_generator_.idle() && !stopping_ && !homing_.active() &&
-         !step_generator_.stop_state().stopped;
+  return planner_.empty() && chords_.done() && step_generator_.idle() && !stopping_ &&
+         !homing_.active() && !step_generator_.stop_state().stopped;
 }
 
 void MotionTask::quick_stop() {

@@ -69,9 +69,8 @@ HomingRequest Homing::begin_together() {
     distance = std::max(distance, axis.travel + axis.homing->back_off);
     mask |= 1u << axis.homing->end_stop;
   }
-  HomingRequest request =
-      move(State::approach_together, towards_end_stop(distance), parameters().fast_speed,
-           static_cast<std::uint8_t>(mask));
+  HomingRequest request = move(State::approach_together, towards_end_stop(distance),
+                               parameters().fast_speed, static_cast<std::uint8_t>(mask));
   request.move.together = true;
   return request;
 }

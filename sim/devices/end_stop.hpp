@@ -24,9 +24,8 @@ class EndStop : public sim::Device, public StepListener {
   EndStop(std::size_t axis, std::size_t input, sim::ClockRate rate, sim::InputPins& inputs,
           std::int64_t position, EndStopFault fault = EndStopFault::none, std::uint64_t seed = 1);
   // Of several motors, which stand at `positions`.
-  EndStop(const SwitchPlace& place, std::size_t input, sim::ClockRate rate,
-          sim::InputPins& inputs, const std::array<std::int64_t, 4>& positions, EndStopFault fault,
-          std::uint64_t seed);
+  EndStop(const SwitchPlace& place, std::size_t input, sim::ClockRate rate, sim::InputPins& inputs,
+          const std::array<std::int64_t, 4>& positions, EndStopFault fault, std::uint64_t seed);
 
   void stepped(const StepEdge& edge) override;
   void wake(sim::Clock now) override;

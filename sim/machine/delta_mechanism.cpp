@@ -85,7 +85,8 @@ class DeltaMechanism : public Mechanism {
       const std::int64_t x = nearest_nanometer(tool[0]) - towers_[i][0];
       const std::int64_t y = nearest_nanometer(tool[1]) - towers_[i][1];
       const std::int64_t square = rod * rod - x * x - y * y;
-      const long double root = std::sqrt(static_cast<long double>(std::max<std::int64_t>(square, 0)));
+      const long double root =
+          std::sqrt(static_cast<long double>(std::max<std::int64_t>(square, 0)));
       motors[i] = tool[2] + ExactLength{std::llround(root)} * femtometers_per_nanometer;
     }
     return motors;

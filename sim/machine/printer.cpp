@@ -30,7 +30,8 @@ plants::AxisProperties properties_of(const AxisDescription& axis, bool has_frame
   properties.speed_limit = speed_reserve * axis.max_speed_mm_s * axis.steps_per_mm;
   if (axis.travel_mm && has_frame) {
     properties.lower_frame = std::llround(-Mechanism::lower_frame_mm * axis.steps_per_mm);
-    properties.upper_frame = std::llround((*axis.travel_mm + Mechanism::upper_frame_mm) * axis.steps_per_mm);
+    properties.upper_frame =
+        std::llround((*axis.travel_mm + Mechanism::upper_frame_mm) * axis.steps_per_mm);
   }
   return properties;
 }
@@ -124,9 +125,9 @@ void Printer::make_axes(const PrinterOptions& options) {
     const AxisDescription& axis = description_.axes[i];
     if (!axis.end_stop) continue;
     const devices::SwitchPlace place = mechanism.end_stop(i, axis.steps_per_mm);
-    end_stops_.push_back(std::make_unique<devices::EndStop>(
-        place, *axis.end_stop, simulation_.rate(), inputs, start, options.faults.end_stops[i],
-        options.seed + i));
+    end_stops_.push_back(
+        std::make_unique<devices::EndStop>(place, *axis.end_stop, simulation_.rate(), inputs, start,
+                                           options.faults.end_stops[i], options.seed + i));
     for (std::size_t motor = 0; motor < axis_count; ++motor) {
       if (place.weights[motor] != 0) motors_[motor]->add_listener(*end_stops_.back());
     }

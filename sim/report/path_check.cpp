@@ -54,8 +54,7 @@ void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   }
   double distance = distance_mm(items_.front());
   const bool left = steps_of(distance) > left_line_steps;
-  if (left && items_.size() > 1 && !items_[1].homing &&
-      distance_mm(items_[1]) < distance) {
+  if (left && items_.size() > 1 && !items_[1].homing && distance_mm(items_[1]) < distance) {
     pass_lost_line();
     distance = distance_mm(items_.front());
   }
@@ -71,8 +70,7 @@ double PathCheck::part_of_way(const Item& item) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const double line = item.to[i] - item.from[i];
     length_squared += square(line);
-    projection +=
-        line * (place_[i] - item.from[i]);
+    projection += line * (place_[i] - item.from[i]);
   }
   return length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
 }

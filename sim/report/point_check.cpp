@@ -174,14 +174,14 @@ void PointCheck::finish_homing(const Homing& homing) {
 // The axes that were not homed are where they were. Where both motors of a switch make a step at a
 // time, it may close half a step late.
 Steps PointCheck::home_motors(const Homing& homing) {
-  const auto real = MotorGrid(grid_.shared_mechanism(), grid_.resolution(), {}).place_mm(
-      state_.position);
+  const auto real =
+      MotorGrid(grid_.shared_mechanism(), grid_.resolution(), {}).place_mm(state_.position);
   const Point& meant = gcode_.position();
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     if (!homing.axes[i]) continue;
     const double off = std::abs(real[i] - millimeters(meant[i]));
-    judged_.homed_elsewhere[i] = judged_.homed_elsewhere[i] ||
-                                 off * grid_.steps_per_mm(i) > furthest_home_steps;
+    judged_.homed_elsewhere[i] =
+        judged_.homed_elsewhere[i] || off * grid_.steps_per_mm(i) > furthest_home_steps;
   }
   grid_.move_origin(meant, state_.position);
   return grid_.steps_at(meant);

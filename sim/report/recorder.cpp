@@ -80,8 +80,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
   if (!executed) return;
-  const Request request =
-      GcodePath({}, home_of(*printer_.description().mechanism)).read(command);
+  const Request request = GcodePath({}, home_of(*printer_.description().mechanism)).read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
     requested_path_.begin_here();

@@ -208,9 +208,9 @@ TEST(machine_generator, names_kinematics_that_do_not_fit) {
   const std::string core_xy = "core_xy.toml", delta = "delta.toml";
   EXPECT_THAT(complaint("kinematics = \"cartesian\"", "kinematics = \"polar\""),
               HasSubstr("line 6: kinematics: must be \"cartesian\", \"core_xy\" or \"delta\""));
-  EXPECT_THAT(complaint_about(core_xy, "[axes.y]\nsteps_per_mm = 80.0",
-                              "[axes.y]\nsteps_per_mm = 100.0"),
-              HasSubstr("axes.y.steps_per_mm: must be that of axes.x"));
+  EXPECT_THAT(
+      complaint_about(core_xy, "[axes.y]\nsteps_per_mm = 80.0", "[axes.y]\nsteps_per_mm = 100.0"),
+      HasSubstr("axes.y.steps_per_mm: must be that of axes.x"));
   EXPECT_THAT(complaint_about(delta, "rod_length_mm = 250.0", "rod_length_mm = 199.0"),
               HasSubstr("delta.rod_length_mm: must be 1.053 times"));
   EXPECT_THAT(complaint_about(delta, "rod_length_mm = 250.0", "rod_length_mm = 1001.0"),

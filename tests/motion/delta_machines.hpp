@@ -25,7 +25,8 @@ inline double distance(const Vector& a, const Vector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-inline Delta::Parameters parameters(std::int64_t rod_mm, std::int64_t radius_mm, std::int64_t printable) {
+inline Delta::Parameters parameters(std::int64_t rod_mm, std::int64_t radius_mm,
+                                    std::int64_t printable) {
   constexpr std::int64_t per_mm = 1'000'000;
   Delta::Parameters result{.rod = units::Nanometers(rod_mm * per_mm),
                            .radius = units::Nanometers(radius_mm * per_mm),
@@ -35,8 +36,8 @@ inline Delta::Parameters parameters(std::int64_t rod_mm, std::int64_t radius_mm,
   return result;
 }
 
-inline const std::array<Delta::Parameters, 3> deltas{parameters(250, 105, 85), parameters(217, 98, 80),
-                                              parameters(400, 200, 170)};
+inline const std::array<Delta::Parameters, 3> deltas{
+    parameters(250, 105, 85), parameters(217, 98, 80), parameters(400, 200, 170)};
 
 // By the geometry alone: the carriage's height, with towers at 210, 330 and 90 degrees.
 inline double carriage(const Delta::Parameters& delta, std::size_t tower, const Vector& tool) {

@@ -77,8 +77,8 @@ TEST(kinematics, a_stop_tells_the_place_from_the_motors) {
     // A line of E alone moves no other motor.
     Place further = planner.position();
     further[3] += units::Nanometers(1'000'000);
-    ASSERT_TRUE(planner.append(
-        {.target = further, .feedrate = units::MicrometersPerSecond(10'000)}, {}));
+    ASSERT_TRUE(
+        planner.append({.target = further, .feedrate = units::MicrometersPerSecond(10'000)}, {}));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_EQ(planner.position_steps()[axis], steps[axis]);
     }

@@ -17,8 +17,8 @@ TEST(square_root, is_the_nearest_whole_number) {
   for (int i = 0; i < 100'000; ++i) {
     const auto square =
         static_cast<std::uint64_t>(random.within(0, std::int64_t{1} << random.within(1, 61)));
-    const auto root = static_cast<std::uint64_t>(
-        std::llround(std::sqrt(static_cast<long double>(square))));
+    const auto root =
+        static_cast<std::uint64_t>(std::llround(std::sqrt(static_cast<long double>(square))));
     ASSERT_EQ(motion::nearest_root(square), root) << square;
   }
   for (std::uint64_t root : {1ULL, 2ULL, 65'535ULL, 1'000'000'000ULL}) {
@@ -82,8 +82,8 @@ TEST(delta, within_reach_no_carriage_is_above_its_place_at_home_and_lines_stay_w
       const Place from = random.reached_by(delta), to = random.reached_by(delta);
       Place between;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        between[axis] = units::Nanometers(
-            (from[axis].whole().count() * 3 + to[axis].whole().count()) / 4);
+        between[axis] =
+            units::Nanometers((from[axis].whole().count() * 3 + to[axis].whole().count()) / 4);
       }
       ASSERT_TRUE(delta.reaches(between));
       for (std::size_t tower = 0; tower < 3; ++tower) {
@@ -119,8 +119,8 @@ TEST(delta, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
         const Place low = delta.motors_of(begin), high = delta.motors_of(end);
         Place motors;
         for (std::size_t motor = 0; motor < 3; ++motor) {
-          motors[motor] = units::Nanometers(
-              (low[motor].nearest().count() + high[motor].nearest().count()) / 2);
+          motors[motor] =
+              units::Nanometers((low[motor].nearest().count() + high[motor].nearest().count()) / 2);
         }
         const Vector here = mm(delta.place_of(motors));
         const double length = distance(a, b);

@@ -27,9 +27,9 @@ namespace {
 using scenarios::axes;
 using StepsPerMm = std::array<double, axes>;
 using scenarios::Edges;
+using scenarios::MachineShape;
 using scenarios::Position;
 using scenarios::read_edges;
-using scenarios::MachineShape;
 using scenarios::RequestedMove;
 using scenarios::Vector;
 
@@ -103,9 +103,8 @@ class Walk {
         if (position_[axis] < low || position_[axis] > high) return fail(move, "leaves the line");
       }
       const double distance =
-          shape_.is_straight()
-              ? distance_xy(position_, from, move)
-              : distance_in_space(tool(), from.tool, move.tool) * steps_per_mm_[0];
+          shape_.is_straight() ? distance_xy(position_, from, move)
+                               : distance_in_space(tool(), from.tool, move.tool) * steps_per_mm_[0];
       if (trying_ && distance > 2 + (shape_.is_straight() ? 0 : 4)) {
         return false;  // still homing
       }
@@ -132,6 +131,12 @@ class Walk {
       if (std::abs(arc.sweep) - swept < -angle_of_steps(arc, 3)) return fail(move, "goes too far");
       for (std::size_t axis = 0; axis < axes; ++axis) {
         if (axis == arc.plane[0] || axis == arc.plane[1]) continue;
+        if (axis < 3 && !shape_.has_own_motor(axis)) {
+          const double height =
+              from.tool[axis] + part * (move.tool[axis] - from.tool[axis]) - tool()[axis];
+          if (std::abs(height) > 0.1) return fail(move, "another axis is out of step");
+          continue;
+        }
         const double way = static_cast<double>(move.steps[axis] - from.steps[axis]);
         const double off = static_cast<double>(position_[axis] - from.steps[axis]) - part * way;
         // A step of the plane is this much of the way.

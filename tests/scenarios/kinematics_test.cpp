@@ -55,8 +55,8 @@ TEST(kinematics, delta_prints_to_the_step_and_within_its_chords) {
 
 TEST(kinematics, needs_the_model_of_the_processor_where_the_machine_has_more_memory) {
   const Print print = scenarios::print_text(
-      "G28\n", {"--machine", PROJECT_DIRECTORY "/firmware/machines/core_xy.toml", "--processor",
-                "netlist"});
+      "G28\n",
+      {"--machine", PROJECT_DIRECTORY "/firmware/machines/core_xy.toml", "--processor", "netlist"});
   EXPECT_NE(print.job.status, 0);
   EXPECT_THAT(print.job.output, testing::HasSubstr("memory_kib"));
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 namespace scenarios {
@@ -14,6 +15,9 @@ struct MachineShape {
   std::string kinematics = "cartesian";
   double rod{}, radius{}, height{};  // of a delta
 
+  bool has_own_motor(std::size_t axis) const {
+    return kinematics == "cartesian" || (kinematics == "core_xy" && axis == 2);
+  }
   bool is_straight() const { return kinematics != "delta"; }
   Vector home() const { return {0, 0, is_straight() ? 0 : height}; }
   // To the nanometre where the firmware's documentation rounds to it.

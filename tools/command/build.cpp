@@ -94,11 +94,13 @@ sim::ElfImage firmware_for(const std::filesystem::path& description, const std::
       fmt::format("other_machine_{}_{}", stepping,
                   machine_generator::kinematics_name(machine.description.kinematics));
   const std::string memory =
-      fmt::format("--defsym=chip_memory_bytes={}\n", std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));
+      fmt::format("--defsym=chip_memory_bytes={}\n",
+                  std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));
   const FolderLock lock("other_machine_lock");  // until the image has been read
   const std::filesystem::path file =
       build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
-  const std::filesystem::path memory_file = build_folder() / "generated" / "other_machine" / "memory_options";
+  const std::filesystem::path memory_file =
+      build_folder() / "generated" / "other_machine" / "memory_options";
   // The same text is not written again, so that nothing is built for it.
   if (files::text_of(file) != header) files::write_file(file, header);
   if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);

@@ -132,8 +132,8 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .converter = {},\n}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.name, description.baud, description.advanced_ok,
       text(description.host_silence), text(description.limits),
-      kinematics_text(description.kinematics), searches, drivers, text(description.hotend), text(description.bed), text(description.min_extrusion),
-      text(description.converter));
+      kinematics_text(description.kinematics), searches, drivers, text(description.hotend),
+      text(description.bed), text(description.min_extrusion), text(description.converter));
 }
 
 }  // namespace

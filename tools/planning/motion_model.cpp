@@ -239,7 +239,8 @@ void MotionModel::record_layer(double begin) {
   constexpr double per_mm = 1e5;
   const double z_mm = place_mm()[z];
   const std::int64_t height = std::llround(z_mm * per_mm);
-  if (!layers_.empty() && std::abs(height - layer_height_) <= (kinematics_.has_own_z() ? 0 : same_height)) {
+  if (!layers_.empty() &&
+      std::abs(height - layer_height_) <= (kinematics_.has_own_z() ? 0 : same_height)) {
     return;
   }
   layer_height_ = height;

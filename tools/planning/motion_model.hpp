@@ -79,7 +79,8 @@ class MotionModel {
   std::uint32_t closed_end_stops() const;
   double tick_of_stop(const Line& line) const;
   void place_end_stops(const motion::Limits& limits);
-  std::int64_t approach_of(std::size_t axis, const std::array<std::int64_t, axis_count>& steps) const;
+  std::int64_t approach_of(std::size_t axis,
+                           const std::array<std::int64_t, axis_count>& steps) const;
   std::array<double, 3> place_mm() const;
   void command(std::uint32_t value);
   void commit();

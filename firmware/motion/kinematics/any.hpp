@@ -17,9 +17,7 @@ class Any {
     Models operator()(const Cartesian::Parameters& parameters) const {
       return Cartesian(parameters);
     }
-    Models operator()(const CoreXy::Parameters& parameters) const {
-      return CoreXy(parameters);
-    }
+    Models operator()(const CoreXy::Parameters& parameters) const { return CoreXy(parameters); }
     Models operator()(const Delta::Parameters& parameters) const { return Delta(parameters); }
   };
 
@@ -32,17 +30,14 @@ class Any {
   using Parameters = std::variant<Cartesian::Parameters, CoreXy::Parameters, Delta::Parameters>;
 
   Any() = default;
-  explicit Any(const Parameters& parameters)
-      : model_(std::visit(MakeModel(), parameters)) {}
+  explicit Any(const Parameters& parameters) : model_(std::visit(MakeModel(), parameters)) {}
 
   static constexpr bool may_home_motors = true;
   using Chords = Division;
 
   // For tools that model the machine.
   bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
-  bool has_own_z() const {
-    return std::holds_alternative<Cartesian>(model_) || crosses_xy();
-  }
+  bool has_own_z() const { return std::holds_alternative<Cartesian>(model_) || crosses_xy(); }
 
   bool identity() const {
     return visit([](const auto& model) { return model.identity(); });
@@ -66,11 +61,11 @@ class Any {
     return visit([&](const auto& model) -> Place { return model.place_of(motors); });
   }
   std::uint32_t chords(const Place& from, const Place& to,
-                                 units::MicrometersPerSecond feedrate) const {
+                       units::MicrometersPerSecond feedrate) const {
     return visit([&](const auto& model) { return model.chords(from, to, feedrate); });
   }
   units::MicrometersPerSecond speed_limit(const Place& from, const Place& to,
-                                                    units::MicrometersPerSecondSquared most) const {
+                                          units::MicrometersPerSecondSquared most) const {
     return visit([&](const auto& model) { return model.speed_limit(from, to, most); });
   }
   Home home() const {

@@ -85,12 +85,12 @@ bool Delta::reaches(const Place& tool) const {
   const std::uint64_t away = square(tool[0].nearest().count()) + square(tool[1].nearest().count());
   if (away > square(most.count())) return false;
   const Nanometers room = parameters_.height - tool[2].nearest();
-  const std::uint64_t rise = nearest_root(square(parameters_.rod.count()) -
-                                          square(parameters_.radius.count()));
-  return room >= Nanometers(0) && (room > parameters_.rod ||
-                                   magnitude(room.count()) * rise >=
-                                       std::uint64_t{narrow(parameters_.radius)} *
-                                           nearest_root(away));
+  const std::uint64_t rise =
+      nearest_root(square(parameters_.rod.count()) - square(parameters_.radius.count()));
+  return room >= Nanometers(0) &&
+         (room > parameters_.rod ||
+          magnitude(room.count()) * rise >=
+              std::uint64_t{narrow(parameters_.radius)} * nearest_root(away));
 }
 
 Place Delta::motors_of(const Place& tool) const {
@@ -160,13 +160,13 @@ units::MicrometersPerSecond Delta::speed_limit(const Place& from, const Place& t
   const std::uint32_t way = horizontal_length(from, to);
   if (way == 0) return max_speed;
   const Scaled rise = Scaled::of(lowest_rise(from, to));
-  const Scaled share = spatial_length(from, to) /
-                       (Scaled::of(way) * Scaled::of(narrow(parameters_.rod)));
-  const Scaled square = Scaled::of(magnitude(most.count())) * rise * rise * rise * share * share /
-                        Scaled::of(1'000);
+  const Scaled share =
+      spatial_length(from, to) / (Scaled::of(way) * Scaled::of(narrow(parameters_.rod)));
+  const Scaled square =
+      Scaled::of(magnitude(most.count())) * rise * rise * rise * share * share / Scaled::of(1'000);
   const std::uint64_t speed = square.square_root().floor();
-  return units::MicrometersPerSecond(static_cast<std::int32_t>(
-      std::clamp<std::uint64_t>(speed, 1, magnitude(max_speed.count()))));
+  return units::MicrometersPerSecond(
+      static_cast<std::int32_t>(std::clamp<std::uint64_t>(speed, 1, magnitude(max_speed.count()))));
 }
 
 Home Delta::home() const {

@@ -29,9 +29,9 @@ struct Home {
 // costs nothing there. Tests and tools on the host are built for Any.
 template <class M>
 concept Model =
-    std::default_initializable<typename M::Parameters> &&
-    requires(typename M::Chords& chords) { { chords.done() } -> std::same_as<bool>; } &&
-    requires(const M& model, const Place& place, const Limits& limits) {
+    std::default_initializable<typename M::Parameters> && requires(typename M::Chords& chords) {
+      { chords.done() } -> std::same_as<bool>;
+    } && requires(const M& model, const Place& place, const Limits& limits) {
       M(typename M::Parameters{});
       // Each axis has a motor of its own: both functions return what they take.
       { model.identity() } -> std::same_as<bool>;
