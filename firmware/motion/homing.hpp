@@ -21,7 +21,8 @@ struct HomingObservation {
   std::uint8_t end_stops{};  // levels, bit = input, 1 = pressed
 };
 
-// A straight move of one axis, or of X, Y and Z alike, from where it is, to be executed and flushed as a line of its own.
+// A straight move of one axis, or of X, Y and Z alike, from where it is, to be executed and flushed
+// as a line of its own.
 struct HomingMove {
   units::Axis axis{};
   bool together{};

@@ -221,7 +221,7 @@ TEST(machine_generator, names_kinematics_that_do_not_fit) {
               HasSubstr("delta.end_stop_offset_mm: is 0.5"));
   EXPECT_THAT(complaint_about(delta, "[0.0, 0.0, 0.0]", "[0.0, 0.0]"),
               HasSubstr("delta.end_stop_offset_mm: must be a list of 3 numbers"));
-  EXPECT_THAT(complaint_about(delta, "height_mm = 250.0\n", "\n"),
+  EXPECT_THAT(complaint_about(delta, "height_mm = 250.0", ""),
               HasSubstr("delta.height_mm: is missing"));
   EXPECT_THAT(complaint_about(delta, "memory_kib = 128", "memory_kib = 130"),
               HasSubstr("memory_kib: must be a multiple of 4"));
