@@ -2,6 +2,7 @@
 // The program of the chip: makes the objects, and gives each pass of the loop to the application.
 #include "application/application.hpp"
 #include "machine/machine.hpp"
+#include "platform/boot_loader.hpp"
 #include "platform/fault.hpp"
 #include "platform/processor.hpp"
 
@@ -44,6 +45,9 @@ int main() {
   for (;;) {
     const bool more = application.update();
     if (!platform::stack_is_intact()) platform::halt("Stack overflow");
+    if (application.restart_wanted() && !platform::restart()) {
+      platform::halt("No boot loader in this image, reset the chip");
+    }
     if (!more) platform::sleep();
   }
 }

@@ -9,8 +9,8 @@ use work.thermal_pkg.all;
 
 entity printer_controller is
   generic (
-    -- RAM for the firmware with its data and stack: 32 to 256 KiB, a power of two or three quarters of one.
-    memory_size_bytes : positive := 98304;
+    -- RAM for the firmware with its data and stack: 32 to 256 KiB.
+    memory_size_bytes : positive := 106496;
     -- X Y Z E0 E1.
     axes : positive range 1 to 8 := 5;
     -- Segments that wait in the step generator; a power of two.

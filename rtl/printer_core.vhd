@@ -23,7 +23,7 @@ use work.uart_registers_pkg.all;
 entity printer_core is
   generic (
     -- As of printer_controller.
-    memory_size_bytes : positive := 98304;
+    memory_size_bytes : positive := 106496;
     axes : positive range 1 to 8 := 5;
     queue_depth : positive := 32;
     heaters : positive range 1 to 4 := 2;

@@ -4,7 +4,7 @@
 module memory_lane #(
   parameter address_bits = 14,
   // A file in Quartus' project.
-  parameter contents = "lane1.mif"
+  parameter contents = "bank1_lane1.mif"
 ) (
   input clk,
   input instruction_enable,

@@ -254,7 +254,7 @@ void Application::count(Now now) {
   counters_.halted = halted_ ? 1 : 0;
 }
 
-// Latched until reset. `fault` is empty for M112, which needs no reason.
+// Latched until M999 or a reset. `fault` is empty for M112, which needs no reason.
 void Application::halt(std::string_view fault) {
   halted_ = true;
   heat_.shut_down();
@@ -268,13 +268,14 @@ void Application::halt(std::string_view fault) {
 
 // Like Marlin after kill() nothing is executed or acknowledged. Unlike Marlin a line that comes is
 // answered with the fault again, at most once a second, so that a host that connects now
-// learns why.
+// learns why. M999 ends it.
 void Application::serve_halted(Now now) {
   std::array<char, most_bytes> bytes;
   const std::size_t count = hardware_.uart.read(bytes).count;
   static_assert(most_bytes <= units::longest_text);
+  restart_wanted_ = link_.restart_requested({bytes.data(), count});
   const bool line_ended = units::find({bytes.data(), count}, '\n') != std::string_view::npos;
-  if (!line_ended || now.milliseconds < next_complaint_) return;
+  if (restart_wanted_ || !line_ended || now.milliseconds < next_complaint_) return;
   next_complaint_ = now.milliseconds + complaint_period;
   if (!fault_.view().empty()) link_.say(fault_.view());
   link_.say(host_link::halted);

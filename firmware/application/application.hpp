@@ -34,6 +34,8 @@ class Application {
   bool update();
 
   bool halted() const { return halted_; }
+  // M999 after a fault: the program is to restart.
+  bool restart_wanted() const { return restart_wanted_; }
 
  private:
   void set_alarms();
@@ -76,6 +78,7 @@ class Application {
   std::uint32_t extruder_steps_{};
   host_link::TextLine fault_;
   bool halted_{};
+  bool restart_wanted_{};
 };
 
 }  // namespace application

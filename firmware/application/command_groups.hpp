@@ -11,6 +11,7 @@
 #include "application/heat_commands.hpp"
 #include "application/host_commands.hpp"
 #include "application/motion_commands.hpp"
+#include "application/place_commands.hpp"
 #include "application/report_commands.hpp"
 #include "application/retraction_commands.hpp"
 #include "application/setting_commands.hpp"
@@ -23,7 +24,8 @@ struct CommandGroups {
                 drivers::Fan& fan, host_link::HostLink& link)
       : motion(motion_task, heat_task, coordinates),
         retraction(motion_task, heat_task, motion, coordinates),
-        modes(coordinates),
+        places(motion_task, motion, coordinates),
+        modes(motion_task, coordinates),
         settings(machine, motion_task, coordinates),
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),
@@ -35,13 +37,14 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(std::tie(motion, retraction, modes, settings, factors, timer, heat,
-                                     reports, host, files, dry_runs));
+    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, factors, timer,
+                                     heat, reports, host, files, dry_runs));
   }
 
   Coordinates coordinates;
   MotionCommands motion;
   RetractionCommands retraction;
+  PlaceCommands places;
   CoordinateCommands modes;
   SettingCommands settings;
   FactorCommands factors;

@@ -51,6 +51,19 @@ units::Position scaled(const units::Position& distance, std::int32_t percent) {
           rest * femtometers_per_part + static_cast<std::uint32_t>(femtometers)};
 }
 
+// `factor` is in 2^-32, at most 8; the distance is at most the 200 mm of a line of E.
+units::Position multiplied(const units::Position& distance, std::uint64_t factor) {
+  const bool back = distance < units::Position();
+  const units::Position size = back ? -distance : distance;
+  const std::uint64_t whole = static_cast<std::uint64_t>(size.whole().count()) * factor;
+  constexpr std::uint32_t nanometer = units::Position::femtometers_per_nanometer;
+  const std::uint64_t femtometers =
+      (whole & 0xFFFF'FFFF) * nanometer + static_cast<std::uint64_t>(size.femtometers()) * factor;
+  const units::Position product{units::Nanometers(static_cast<std::int64_t>(whole >> 32)),
+                                static_cast<std::uint32_t>(femtometers >> 32)};
+  return back ? -product : product;
+}
+
 }  // namespace
 
 bool representable(const Positions& positions) {
@@ -64,6 +77,35 @@ void Coordinates::follow(const Positions& machine) {
     logical_[i] = logical_[i] + (machine[i] - planned_[i]);
   }
   planned_ = machine;
+}
+
+void Coordinates::set_filament(units::Nanometers diameter) {
+  filament_ = diameter;
+  if (diameter.count() == 0) return;
+  // 4 / (pi d^2), d in um
+  constexpr std::uint64_t four_by_pi = 2'935'890'503'282'001'226;  // in 2^-61
+  const auto micrometers = static_cast<std::uint32_t>(diameter.count() / 1000);
+  length_of_volume_ = (four_by_pi / (std::uint64_t{micrometers} * micrometers) * 1'000'000) >> 29;
+}
+
+void Coordinates::add_origins(bool subtract) {
+  for (std::size_t i = 0; i < Workspaces::axes; ++i) {
+    const units::Position origin = workspaces_.origin(i);
+    logical_[i] += subtract ? -origin : origin;
+  }
+}
+
+void Coordinates::rename_place(units::Axis axis, const units::Position& position) {
+  const std::size_t i = units::index_of(axis);
+  if (i < Workspaces::axes) workspaces_.shift(i, position - logical_[i]);
+  logical_[i] = position;
+}
+
+void Coordinates::axis_homed(units::Axis axis, const units::Position& machine) {
+  const std::size_t i = units::index_of(axis);
+  workspaces_.axis_homed(i);
+  if (axis == units::Axis::z) babystep_ = pending_babystep_ = {};
+  logical_[i] = machine + workspaces_.origin(i);
 }
 
 std::optional<units::Position> Coordinates::length(const gcode::Command& command,
@@ -88,6 +130,9 @@ Positions Coordinates::target_of(const gcode::Command& command) const {
     const bool extruder = i == units::index_of(units::Axis::e);
     const bool relative = extruder ? extruder_relative_ : axes_relative_;
     target[i] = relative ? logical_[i] + *value : *value;
+    if (command.in_machine_coordinates && !relative && !extruder) {
+      target[i] += workspaces_.origin(i);
+    }
   }
   return target;
 }
@@ -98,6 +143,9 @@ Positions Coordinates::machine_target(const Positions& target, const Positions& 
     units::Position distance = target[i] - logical_[i];
     if (i == units::index_of(units::Axis::e) && flow_percent_ != 100) {
       distance = scaled(distance, flow_percent_);
+    }
+    if (i == units::index_of(units::Axis::e) && volumetric()) {
+      distance = multiplied(distance, length_of_volume_);
     }
     result[i] = machine[i] + distance;
   }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns the numbers of G0 to G3 and G92 into positions: units, absolute or relative, G92's shifts.
+// Turns the numbers of G0 to G3 and G92 into positions: units, absolute or relative, workspaces,
+// factors of E.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
+#include "application/workspaces.hpp"
 #include "gcode/command.hpp"
 #include "motion/arc.hpp"
 #include "units/axes.hpp"
@@ -31,6 +33,20 @@ class Coordinates {
   motion::Plane plane() const { return plane_; }
   // M221, percent of what lines request; 1 or more.
   void set_flow(std::int32_t percent) { flow_percent_ = percent; }
+  // M200: E counts mm³ of filament of this diameter; 0: mm, as from the start.
+  static constexpr units::Nanometers least_filament{500'000}, thickest_filament{10'000'000};
+  void set_filament(units::Nanometers diameter);
+  bool volumetric() const { return filament_.count() != 0; }
+  units::Nanometers filament() const { return filament_; }
+  // M290: how much higher Z is than the host's coordinate says, since Z was homed, and what of it
+  // is still to be made with the next line along X or Y.
+  void add_babystep(const units::Position& step) {
+    babystep_ += step;
+    pending_babystep_ += step;
+  }
+  void babystep_made() { pending_babystep_ = {}; }
+  const units::Position& babystep() const { return babystep_; }
+  const units::Position& pending_babystep() const { return pending_babystep_; }
   // M220, percent of the feedrates, and how much of it is to be planned; 1 or more.
   void set_speed(std::int32_t percent, std::int32_t planned_percent) {
     speed_percent_ = percent;
@@ -47,6 +63,19 @@ class Coordinates {
     logical_[units::index_of(axis)] = position;
   }
   void set_logical(const Positions& positions) { logical_ = positions; }
+  // G53 to G59.3, G92, G92.1, M206, M428: what moves the host's coordinates, and `change` is what
+  // it does.
+  const Workspaces& workspaces() const { return workspaces_; }
+  template <class Change>
+  void change_workspaces(const Change& change) {
+    add_origins(true);
+    change(workspaces_);
+    add_origins(false);
+  }
+  // G92 of an axis.
+  void rename_place(units::Axis axis, const units::Position& position);
+  // The axis is homed, and is there in the machine's coordinates.
+  void axis_homed(units::Axis axis, const units::Position& machine);
   // The machine's position at the end of the last move.
   void set_planned(const Positions& machine) { planned_ = machine; }
   // After a stop or homing the machine is elsewhere: the host's position changes by the same.
@@ -70,12 +99,19 @@ class Coordinates {
   units::MicrometersPerSecond feedrate() const;
 
  private:
+  void add_origins(bool subtract);
+
   Positions logical_{};
   Positions planned_{};
   motion::Plane plane_{};
   bool axes_relative_{};
   bool extruder_relative_{};
   bool inches_{};
+  Workspaces workspaces_;
+  units::Position babystep_{};
+  units::Position pending_babystep_{};
+  units::Nanometers filament_{};
+  std::uint64_t length_of_volume_{};  // mm for a mm³, in 2^-32
   std::int32_t flow_percent_{100};
   std::int32_t speed_percent_{100};
   std::int32_t planned_percent_{100};

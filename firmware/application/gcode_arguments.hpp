@@ -20,6 +20,13 @@ inline constexpr std::int32_t most_steps_per_mm = motion::max_steps_per_meter.co
 inline constexpr Arguments move{strict_numbers("XYZE", "mm"), strict_numbers("F", "mm/min")};
 inline constexpr Arguments arc{strict_numbers("XYZEIJKR", "mm"), strict_numbers("F", "mm/min")};
 inline constexpr Arguments position{strict_numbers("XYZE", "mm"), numbers("F", no_effect)};
+inline constexpr Arguments parking{clamped("P", "", 0, 2)};
+inline constexpr Arguments slot{refused("S", "", 0, PlaceCommands::slots - 1)};
+inline constexpr Arguments saved_place{numbers("XYZ", "mm"), flags("E"), numbers("F", "mm/min"),
+                                       refused("S", "", 0, PlaceCommands::slots - 1)};
+inline constexpr Arguments babystep{numbers("ZS", "mm")};
+inline constexpr Arguments filament{numbers("D", "mm"), numbers("S", "")};
+inline constexpr Arguments home_offset{numbers("XYZ", "mm")};
 inline constexpr Arguments homing{flags("XYZ"), numbers("EORW", no_effect)};
 inline constexpr Arguments axes{flags("XYZE")};
 inline constexpr Arguments motors_off{flags("XYZE"), clamped("S", "s", 0, day_s)};

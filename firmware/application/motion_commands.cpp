@@ -64,6 +64,7 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   arc_jumps_ = motion_.position_jumps();
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
+  if (takes_babystep(target.machine)) coordinates_.babystep_made();
   coordinates_.set_logical(target.logical);
   coordinates_.set_planned(target.machine);
   command.phase = ActiveCommand::Phase::appending;
@@ -108,12 +109,20 @@ Progress MotionCommands::append_chord(ActiveCommand& command) {
 Progress MotionCommands::append(ActiveCommand& command) {
   Target target;
   if (const auto progress = take_target(command, target)) return *progress;
+  const bool with_babystep = takes_babystep(target.machine);
   const auto accepted =
       motion_.append({.target = target.machine, .feedrate = coordinates_.feedrate()});
   if (!accepted) return command.refuse(motion::describe(accepted.error()));
+  if (with_babystep) coordinates_.babystep_made();
   coordinates_.set_logical(target.logical);
   coordinates_.set_planned(motion_.position());
   return Progress::done;
+}
+
+// Not within a move of Z or E alone, whose feedrate it would change.
+bool MotionCommands::takes_babystep(const Positions& machine) const {
+  return machine[index_of(Axis::x)] != motion_.position()[index_of(Axis::x)] ||
+         machine[index_of(Axis::y)] != motion_.position()[index_of(Axis::y)];
 }
 
 std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Target& target) {
@@ -136,6 +145,9 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Targ
   }
 
   target = {.logical = wanted, .machine = coordinates_.machine_target(driven, motion_.position())};
+  if (takes_babystep(target.machine)) {
+    target.machine[index_of(Axis::z)] += coordinates_.pending_babystep();
+  }
   return refuse_beyond_limits(command, target.machine);
 }
 
@@ -175,7 +187,7 @@ Progress MotionCommands::home(ActiveCommand& command) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto axis = static_cast<Axis>(i);
     if (homing_axes_.contains(axis) && motion_.homed().contains(axis)) {
-      coordinates_.set_logical(axis, motion_.position()[i]);
+      coordinates_.axis_homed(axis, motion_.position()[i]);
     }
   }
   return Progress::done;

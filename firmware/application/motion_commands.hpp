@@ -45,6 +45,7 @@ class MotionCommands {
   Progress append(ActiveCommand& command);
   // Nothing where the line is not refused, and need not wait.
   std::optional<Progress> take_target(ActiveCommand& command, Target& target);
+  bool takes_babystep(const Positions& machine) const;
   Progress begin_arc(ActiveCommand& command, bool clockwise);
   std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);
   Progress append_chord(ActiveCommand& command);

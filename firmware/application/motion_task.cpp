@@ -84,6 +84,8 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       pace_(step_generator, clock, lines_under_way) {}
 
 void MotionTask::start() {
+  step_generator_.acknowledge_stop();
+  step_generator_.stop();  // update() learns where a program before this one has left the axes
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =

@@ -27,6 +27,7 @@ class Command {
   char letter{};  // 'G', 'M' or 'T'
   std::uint16_t code{};  // 1 in G1
   std::uint8_t subcode{};  // 2 in G38.2, 0 where none is written
+  bool in_machine_coordinates{};  // G53 stood before it
   // Of M117, M118, M23 ..., or between quotes: a part of the parsed line, which must outlive it.
   std::string_view text{};
 

@@ -58,6 +58,12 @@ class LineParser {
     if (at_end()) return fail(ParseFault::empty_line, position_);
     if (!read_name_of_objects() && !read_letter_and_code()) return failure();
     skip_blanks();
+    if (command_.is('G', 53) && !at_end() && capital(here()) == 'G') {
+      command_ = {};
+      command_.in_machine_coordinates = true;
+      if (!read_letter_and_code()) return failure();
+      skip_blanks();
+    }
     if (takes_text(command_)) {
       if (!read_text()) return failure();
       return command_;

@@ -10,7 +10,7 @@ namespace host_link {
 
 struct EmergencyCommand {
   enum class Kind : std::uint8_t {
-    kill,  // M112: everything off, until a reset
+    kill,  // M112: everything off, until M999 or a reset
     cancel_wait,  // M108: end a wait for heat or for the user
     quick_stop,  // M410: stop all motion, forget the planned moves
     prompt_response,  // M876 S<n>: the user has pressed button n

@@ -43,6 +43,10 @@ class HostLink {
   // discarded, and no answer is due.
   void hang_up();
 
+  // In place of receive() after a fault that has ended everything: whether M999 is among these
+  // lines. Nothing else of them is acted on or answered.
+  bool restart_requested(std::span<const char> bytes);
+
   // To the uart: the oldest bytes that lie in one piece; sent() drops the first `count` of them.
   std::span<const char> to_send() const { return transmit_.front(); }
   void sent(std::size_t count) { transmit_.drop(count); }

@@ -8,4 +8,8 @@ namespace platform {
 // is off from then on; the serial line keeps its speed.
 [[nodiscard]] bool enter_boot_loader();
 
+// Back to where the processor begins after a reset, which is in the loader: stack and variables
+// become what they are then, the peripherals stay as they are. Returns as the above.
+[[nodiscard]] bool restart();
+
 }  // namespace platform

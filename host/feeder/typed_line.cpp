@@ -11,7 +11,7 @@ namespace feeder {
 
 namespace {
 
-constexpr std::array<std::int64_t, 26> harmless_codes{
+constexpr std::array<std::int64_t, 27> harmless_codes{
     27,  31,  73,  78,  // progress and times
     104, 140,  // targets, without a wait
     105, 113, 114, 115, 117, 118, 119, 154, 155,  // reports and messages
@@ -19,6 +19,7 @@ constexpr std::array<std::int64_t, 26> harmless_codes{
     108,  // ends a wait
     201, 203, 204, 205,  // accelerations, speeds, jerk
     220, 221,  // speed, flow
+    290,  // baby steps
     300, 503};
 
 }  // namespace

@@ -94,10 +94,12 @@ Step heater_step(std::string_view line) {
 bool moves(std::pair<char, int> code) {
   return code.first == 'T' || (code.first == 'G' && code.second <= 30);
 }
-// G90 to G92, M82, M83: what the job's next lines mean.
+// What the job's next lines mean: G53 to G61, G90 to G92, M82, M83, M200, M206, M428.
 bool changes_modes(std::pair<char, int> code) {
-  return (code.first == 'G' && code.second >= 90 && code.second <= 92) ||
-         (code.first == 'M' && (code.second == 82 || code.second == 83));
+  constexpr std::array<int, 5> codes_m{82, 83, 200, 206, 428};
+  if (code.first == 'M') return std::ranges::contains(codes_m, code.second);
+  return code.first == 'G' &&
+         ((code.second >= 53 && code.second <= 61) || (code.second >= 90 && code.second <= 92));
 }
 
 void check_code(std::pair<char, int> code, Work work) {

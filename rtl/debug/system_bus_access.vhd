@@ -4,7 +4,6 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use ieee.math_real.all;
 
 use work.bus_pkg.all;
 use work.memory_pkg.all;
@@ -15,7 +14,6 @@ use work.processor_pkg.all;
 entity system_bus_access is
   generic (
     memory_address : unsigned(31 downto 0) := x"80000000";
-    -- A power of two, or three quarters of one.
     memory_size_bytes : positive := 65536
   );
   port (
@@ -42,8 +40,7 @@ end entity;
 
 architecture rtl of system_bus_access is
 
-  constant memory_address_bits : positive := integer(ceil(log2(real(memory_size_bytes))));
-  constant memory_lacks_quarter : boolean := memory_size_bytes /= 2 ** memory_address_bits;
+  constant memory_address_bits : positive := address_bits_of(memory_size_bytes);
 
   -- sbcs.sberror, table 3.12.
   subtype error_t is std_ulogic_vector(2 downto 0);
@@ -62,7 +59,7 @@ architecture rtl of system_bus_access is
 
   signal touched, begins_read, begin_access : std_ulogic;
   signal access_address : unsigned(31 downto 0);
-  signal aligned, in_lacking_quarter, in_memory : std_ulogic;
+  signal aligned, in_memory : std_ulogic;
   signal lanes : std_ulogic_vector(3 downto 0);
   signal lane_data, received, shifted : word_t;
   signal waits_for_port, waits_for_bus, ends_well : std_ulogic;
@@ -70,8 +67,6 @@ architecture rtl of system_bus_access is
 begin
 
   memory_lies_at_a_multiple_of_its_size : assert
-    (memory_size_bytes = 2 ** memory_address_bits or
-     memory_size_bytes = 3 * 2 ** (memory_address_bits - 2)) and
     to_integer(memory_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
 
   busy <= '0' when state = idle else '1';
@@ -88,10 +83,9 @@ begin
   aligned <= not ((size(0) and access_address(0)) or
                   (size(1) and (access_address(0) or access_address(1))));
 
-  in_lacking_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
-    when memory_lacks_quarter else '0';
   in_memory <= (address(31 downto memory_address_bits) ?=
-                memory_address(31 downto memory_address_bits)) and not in_lacking_quarter;
+                memory_address(31 downto memory_address_bits)) and
+               not is_beyond_memory(address, memory_size_bytes);
   lanes <= "1111" when size(1) else
            address(1) & address(1) & not address(1) & not address(1) when size(0) else
            (address(1) and address(0)) & (address(1) and not address(0)) &

@@ -32,4 +32,47 @@ package memory_pkg is
     enable => '0', write_bytes => (others => '0'), address => (others => '0'),
     data => (others => '0'));
 
+  -- The memory's addresses have as many bits, of which the lowest say nothing about where it ends.
+  function address_bits_of(size_bytes : positive) return positive;
+  function bits_below_end_of(size_bytes : positive) return natural;
+
+  -- The address lies beyond a memory of this size that begins at a multiple of its next power of two. Only
+  -- the address's bits below that are looked at.
+  function is_beyond_memory(address : unsigned(31 downto 0); size_bytes : positive) return std_ulogic;
+
 end package;
+
+package body memory_pkg is
+
+  function address_bits_of(size_bytes : positive) return positive is
+    variable bits : positive := 1;
+  begin
+    while 2 ** bits < size_bytes loop
+      bits := bits + 1;
+    end loop;
+    return bits;
+  end function;
+
+  function bits_below_end_of(size_bytes : positive) return natural is
+    variable bits : natural := 0;
+  begin
+    while size_bytes mod 2 ** (bits + 1) = 0 loop
+      bits := bits + 1;
+    end loop;
+    return bits;
+  end function;
+
+  function is_beyond_memory(address : unsigned(31 downto 0); size_bytes : positive) return std_ulogic is
+    constant bits : positive := address_bits_of(size_bytes);
+    constant below : natural := bits_below_end_of(size_bytes);
+  begin
+    if size_bytes = 2 ** bits then
+      return '0';
+    end if;
+    if address(bits - 1 downto below) >= to_unsigned(size_bytes / 2 ** below, bits - below) then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+end package body;

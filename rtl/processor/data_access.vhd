@@ -12,10 +12,7 @@ use work.processor_pkg.all;
 entity data_access is
   generic (
     memory_address : unsigned(31 downto 0);
-    -- The memory holds 2 to this power bytes.
-    memory_address_bits : positive;
-    -- If true, the last quarter of these is outside the memory.
-    memory_lacks_quarter : boolean := false
+    memory_size_bytes : positive
   );
   port (
     clk : in std_ulogic;
@@ -47,12 +44,13 @@ architecture rtl of data_access is
 
   signal lanes : std_ulogic_vector(3 downto 0);
   signal lane_data : word_t;
+  constant memory_address_bits : positive := address_bits_of(memory_size_bytes);
   constant memory_number : unsigned(31 downto memory_address_bits) :=
     memory_address(31 downto memory_address_bits);
   signal bit_matches : unsigned(31 downto memory_address_bits + 1);
   subtype lower_bits is natural range 30 downto memory_address_bits;
   signal matches_carry : unsigned(32 downto memory_address_bits + 1);
-  signal in_last_quarter, in_memory, aligned : std_ulogic;
+  signal beyond_end, in_memory, aligned : std_ulogic;
 
 begin
 
@@ -64,9 +62,8 @@ begin
      ((base(lower_bits) or offset(lower_bits)) and not memory_number(lower_bits)));
   -- AND of all, by a carry chain.
   matches_carry <= ('0' & bit_matches) + 1;
-  in_last_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
-    when memory_lacks_quarter else '0';
-  in_memory <= matches_carry(32) and not in_last_quarter and
+  beyond_end <= is_beyond_memory(address, memory_size_bytes);
+  in_memory <= matches_carry(32) and not beyond_end and
                (address(memory_address_bits) xnor memory_number(memory_address_bits));
   aligned <= not ((size(0) and address(0)) or (size(1) and (address(0) or address(1))));
   misaligned <= not aligned;

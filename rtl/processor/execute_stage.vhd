@@ -13,8 +13,7 @@ entity execute_stage is
   generic (
     -- As of the processor.
     reset_address : unsigned(31 downto 0) := x"80000000";
-    memory_address_bits : positive := 16;
-    memory_lacks_quarter : boolean := false;
+    memory_size_bytes : positive := 65536;
     has_zbb : boolean := false
   );
   port (
@@ -142,8 +141,7 @@ begin
 
   data_enable <= start and (control.load or control.store);
   data_access : entity work.data_access
-    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits,
-      memory_lacks_quarter => memory_lacks_quarter)
+    generic map (memory_address => reset_address, memory_size_bytes => memory_size_bytes)
     port map (
       clk => clk,
       reset => reset,

@@ -10,12 +10,9 @@ use work.processor_pkg.all;
 
 entity instruction_fetch is
   generic (
-    -- A multiple of the memory's size.
+    -- A multiple of the memory's size, or of the next power of two.
     memory_address : unsigned(31 downto 0);
-    -- The memory holds 2 to this power bytes.
-    memory_address_bits : positive;
-    -- If true, the last quarter of these is outside the memory.
-    memory_lacks_quarter : boolean := false
+    memory_size_bytes : positive
   );
   port (
     clk : in std_ulogic;
@@ -51,6 +48,7 @@ end entity;
 architecture rtl of instruction_fetch is
 
   subtype half_word_t is std_ulogic_vector(15 downto 0);
+  constant memory_address_bits : positive := address_bits_of(memory_size_bytes);
   -- Offset of a word in the memory: there are no instructions elsewhere.
   subtype word_address_t is unsigned(memory_address_bits - 1 downto 2);
   constant memory_number : unsigned(31 downto memory_address_bits) :=
@@ -74,7 +72,7 @@ architecture rtl of instruction_fetch is
   signal buffered : half_word_t;
   signal next_upper, next_lower, predicted_upper, predicted_lower : word_address_t;
   signal fetch_upper, fetch_lower : word_address_t;
-  signal in_last_quarter, at_last_half_word, straddles, outside : std_ulogic;
+  signal beyond_end, at_last_half_word, straddles, outside : std_ulogic;
 
 begin
 
@@ -127,13 +125,10 @@ begin
     end if;
   end process;
 
-  in_last_quarter <= address(memory_address_bits - 1) and address(memory_address_bits - 2)
-    when memory_lacks_quarter else '0';
-  outside <= (address(31 downto memory_address_bits) ?/= memory_number) or in_last_quarter;
-  at_last_half_word <=
-    (and address(memory_address_bits - 3 downto 1)) and address(memory_address_bits - 1) and
-    not address(memory_address_bits - 2) when memory_lacks_quarter else
-    and address(memory_address_bits - 1 downto 1);
+  beyond_end <= is_beyond_memory(address, memory_size_bytes);
+  outside <= (address(31 downto memory_address_bits) ?/= memory_number) or beyond_end;
+  at_last_half_word <= address(memory_address_bits - 1 downto 1) ?=
+                       to_unsigned(memory_size_bytes / 2 - 1, memory_address_bits - 1);
   straddles <= is_word and at_last_half_word;
   fault <= outside or straddles;
   crosses_memory_end <= straddles and not outside;

@@ -4,7 +4,6 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use ieee.math_real.all;
 
 use work.bus_pkg.all;
 use work.memory_pkg.all;
@@ -12,9 +11,9 @@ use work.processor_pkg.all;
 
 entity processor is
   generic (
-    -- First address of the memory and reset vector; a multiple of the memory's size.
+    -- First address of the memory, and reset vector: a multiple of the power of two that the memory fits in.
     reset_address : unsigned(31 downto 0) := x"80000000";
-    -- A power of two, or three quarters of one. Data accesses outside the memory go to the bus, instruction
+    -- Data accesses outside the memory go to the bus, instruction
     -- fetches raise an exception.
     memory_size_bytes : positive := 65536;
     -- Extension Zbb: bit manipulation.
@@ -53,9 +52,6 @@ entity processor is
 end entity;
 
 architecture rtl of processor is
-
-  constant memory_address_bits : positive := integer(ceil(log2(real(memory_size_bytes))));
-  constant memory_lacks_quarter : boolean := memory_size_bytes /= 2 ** memory_address_bits;
 
   -- Fetch and decode.
   signal fetched : fetched_t;
@@ -104,13 +100,10 @@ architecture rtl of processor is
 begin
 
   memory_lies_at_a_multiple_of_its_size : assert
-    (memory_size_bytes = 2 ** memory_address_bits or
-     memory_size_bytes = 3 * 2 ** (memory_address_bits - 2)) and
-    to_integer(reset_address(memory_address_bits - 1 downto 0)) = 0 severity failure;
+    to_integer(reset_address(address_bits_of(memory_size_bytes) - 1 downto 0)) = 0 severity failure;
 
   instruction_fetch : entity work.instruction_fetch
-    generic map (memory_address => reset_address, memory_address_bits => memory_address_bits,
-      memory_lacks_quarter => memory_lacks_quarter)
+    generic map (memory_address => reset_address, memory_size_bytes => memory_size_bytes)
     port map (
       clk => clk,
       flush => flush or reset,
@@ -174,8 +167,7 @@ begin
 
   execute : entity work.execute_stage
     generic map (
-      reset_address => reset_address, memory_address_bits => memory_address_bits,
-      memory_lacks_quarter => memory_lacks_quarter, has_zbb => has_zbb)
+      reset_address => reset_address, memory_size_bytes => memory_size_bytes, has_zbb => has_zbb)
     port map (
       clk => clk, reset => reset, start => start, redirect_condition => redirect_condition,
       control => control, result_is_address => result_is_address,

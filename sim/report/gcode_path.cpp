@@ -24,6 +24,11 @@ bool is_any(const GcodeWords& words, char letter, Codes... codes) {
 Request GcodePath::read(std::string_view command) {
   const GcodeWords words(command);
   Request request = NoMotion{};
+  if (words.is('G', 53)) {
+    const GcodeWords line = words.without_first();
+    return is_any(line, 'G', 0, 1, 2, 3) ? move(line, true) : Request(NoMotion{});
+  }
+  if (read_coordinates(words)) return request;
   if (!words.all().empty() && words.all().front().letter == 'G') {
     read_g(words, request);
   } else {
@@ -43,8 +48,14 @@ void GcodePath::read_g(const GcodeWords& words, Request& request) {
     plane_ = words.is('G', 17) ? 0 : words.is('G', 18) ? 1 : 2;
   } else if (is_any(words, 'G', 20, 21)) {
     inches_ = words.is('G', 20);
+  } else if (words.is('G', 27)) {
+    request = park(words);
   } else if (words.is('G', 28)) {
     request = home(words);
+  } else if (words.is('G', 60)) {
+    save(words);
+  } else if (words.is('G', 61)) {
+    request = restore(words);
   } else if (is_any(words, 'G', 90, 91)) {
     absolute_ = extruder_absolute_ = words.is('G', 90);
   } else if (words.is('G', 92)) {
@@ -76,7 +87,7 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
   } else if (words.is('M', 208)) {
     retraction_.extra = length(words, 'S').value_or(retraction_.extra);
   } else if (is_any(words, 'M', 501, 502)) {
-    retraction_ = machines_retraction_;
+    retraction_ = facts_.retraction;
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
     flow_percent_ = words.value('S').value_or(flow_percent_ * billionths) / billionths;
@@ -106,7 +117,7 @@ std::optional<Femtometers> GcodePath::length(const GcodeWords& words, char lette
   return Femtometers{*value} * (inches_ ? per_billionth_inch : per_billionth_mm);
 }
 
-Request GcodePath::move(const GcodeWords& words) {
+Request GcodePath::move(const GcodeWords& words, bool machines) {
   Move move{machine_, machine_, {}};
   bool any = false;
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
@@ -114,9 +125,14 @@ Request GcodePath::move(const GcodeWords& words) {
     if (!value) continue;
     any = true;
     const bool absolute = i == extruder ? extruder_absolute_ : absolute_;
-    const Femtometers distance = absolute ? *value - logical_[i] : *value;
+    const Femtometers zero = machines && i != extruder ? coordinates_.zero(i) : 0;
+    const Femtometers distance = absolute ? *value + zero - logical_[i] : *value;
     logical_[i] += distance;
-    move.to[i] += i == extruder ? distance / 100 * flow_percent_ : distance;
+    move.to[i] += i == extruder ? filament_of(distance / 100 * flow_percent_) : distance;
+  }
+  if (move.to[0] != move.from[0] || move.to[1] != move.from[1]) {
+    move.to[height] += babystep_;
+    babystep_ = 0;
   }
   machine_ = move.to;
   move.arc = arc_of(words, move);
@@ -147,10 +163,14 @@ std::optional<ArcShape> GcodePath::arc_of(const GcodeWords& words, const Move& m
 
 Request GcodePath::home(const GcodeWords& words) {
   Homing homing;
-  const bool all = home_.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));
+  const bool all = facts_.home.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     homing.axes[i] = all || words.has(axis_words[i]);
-    if (homing.axes[i]) machine_[i] = logical_[i] = home_.place[i];
+    if (!homing.axes[i]) continue;
+    coordinates_.home(i);
+    machine_[i] = facts_.home.place[i];
+    logical_[i] = facts_.home.place[i] + coordinates_.zero(i);
+    if (i == height) babystep_ = 0;
   }
   has_jumped_ = true;
   return homing;
@@ -187,7 +207,10 @@ Request GcodePath::recover() {
 
 void GcodePath::set_position(const GcodeWords& words) {
   for (std::size_t i = 0; i < axis_words.size(); ++i) {
-    logical_[i] = length(words, axis_words[i]).value_or(logical_[i]);
+    const auto value = length(words, axis_words[i]);
+    if (!value) continue;
+    if (i != extruder) coordinates_.move_by(i, *value - logical_[i]);
+    logical_[i] = *value;
   }
 }
 

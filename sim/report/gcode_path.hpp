@@ -11,25 +11,20 @@
 #include <variant>
 
 #include "sim/report/arc_shape.hpp"
+#include "sim/report/femtometers.hpp"
+#include "sim/report/file_coordinates.hpp"
 #include "sim/report/gcode_words.hpp"
 
 namespace report {
 
-// A billionth of a millimetre, of an inch, and percents of both are whole numbers of femtometres.
-__extension__ using Femtometers = __int128;
-inline constexpr Femtometers femtometers_per_mm = 1'000'000'000'000;
-
 // Exact machine positions, zero at the end stops: offsets of G92 are taken out.
 using Point = std::array<Femtometers, 4>;  // x y z e
-
-constexpr double millimeters(Femtometers length) {
-  return static_cast<double>(length) / static_cast<double>(femtometers_per_mm);
-}
 
 struct Move {
   Point from{};
   Point to{};
   std::optional<ArcShape> arc;
+  std::optional<Point> over{};  // two straight lines with this place between them: G27
 };
 struct Homing {
   std::array<bool, 3> axes{};
@@ -62,12 +57,19 @@ struct HomePlace {
   std::array<Femtometers, 3> place{};
 };
 
-// Understands G0 to G3, G10 G11, G17 to G21, G28, G90 to G92, M82 M83 M92 M207 M208 M221 M400 M410
-// and M104 M109 M140 M149 M190; all else asks no motion.
+// What the file's motion depends on: the machine's description.
+struct MachineFacts {
+  Retraction retraction;
+  std::array<Femtometers, 3> travel{};  // for G27 and M428
+  HomePlace home{};
+};
+
+// Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200
+// M206 to M208 M221 M290 M400 M410 M428 and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
-  explicit GcodePath(const Retraction& retraction = {}, const HomePlace& home = {})
-      : home_(home), machines_retraction_(retraction), retraction_(retraction) {}
+  explicit GcodePath(const MachineFacts& machine = {})
+      : facts_(machine), retraction_(machine.retraction) {}
 
   Request read(std::string_view command);
   const Point& position() const { return machine_; }
@@ -77,21 +79,40 @@ class GcodePath {
   void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
 
  private:
+  // A place of G60, and what the file called it on E.
+  struct SavedPlace {
+    Point machine{};
+    Femtometers extruder{};
+  };
+
   void read_g(const GcodeWords& words, Request& request);
+  bool read_coordinates(const GcodeWords& words);
+  bool read_offsets(const GcodeWords& words);
   void read_m(const GcodeWords& words, Request& request);
   double celsius(double temperature) const;
   std::optional<Femtometers> length(const GcodeWords& words, char letter) const;
-  Request move(const GcodeWords& words);
+  Request move(const GcodeWords& words, bool machines = false);
+  // To a place of the machine; what the file calls it changes by as much.
+  Request lead_to(const Point& place);
+  Request park(const GcodeWords& words);
+  void save(const GcodeWords& words);
+  Request restore(const GcodeWords& words);
+  Femtometers filament_of(Femtometers requested) const;
+  void rename_axes(const FileCoordinates& changed);
   std::optional<ArcShape> arc_of(const GcodeWords& words, const Move& move) const;
   Request home(const GcodeWords& words);
   Request retract();
   Request recover();
   void set_position(const GcodeWords& words);
 
-  HomePlace home_;
   Point machine_{};
   Point logical_{};  // what the file calls it
-  Retraction machines_retraction_;
+  FileCoordinates coordinates_;
+  std::array<std::optional<SavedPlace>, 4> saved_;
+  Femtometers babystep_{};  // of M290, still to be made
+  double filament_mm_{};  // the diameter of M200
+  bool volumetric_ = false;
+  MachineFacts facts_;
   Retraction retraction_;
   std::optional<Retraction> retracted_;  // what G10 has done
   Femtometers above_file_{};  // the machine's Z above that of the file then

@@ -105,6 +105,12 @@ GcodeWords::GcodeWords(std::string_view command) {
   }
 }
 
+GcodeWords GcodeWords::without_first() const {
+  GcodeWords rest;
+  if (!words_.empty()) rest.words_.assign(words_.begin() + 1, words_.end());
+  return rest;
+}
+
 bool GcodeWords::is(char letter, int code) const {
   return !words_.empty() && words_.front().letter == letter &&
          words_.front().value == code * billionths;

@@ -24,6 +24,9 @@ class GcodeWords {
   // Comments, quoted texts and what the message of M117 or M118 says are left out.
   explicit GcodeWords(std::string_view command);
 
+  // The command after a G53.
+  GcodeWords without_first() const;
+
   // Whether the line is this command; G1.1 is not G1.
   bool is(char letter, int code) const;
   bool has(char letter) const { return find(letter) != nullptr; }
@@ -33,6 +36,7 @@ class GcodeWords {
   const std::vector<GcodeWord>& all() const { return words_; }
 
  private:
+  GcodeWords() = default;
   const GcodeWord* find(char letter) const;
 
   std::vector<GcodeWord> words_;

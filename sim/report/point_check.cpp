@@ -28,9 +28,9 @@ double length_of(const Move& move) {
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
-                       sim::ClockRate rate, const Retraction& retraction,
+                       sim::ClockRate rate, const MachineFacts& machine,
                        std::shared_ptr<const machine::Mechanism> mechanism)
-    : rate_(rate), gcode_(retraction, home_of(*mechanism)), match_({.position = start}) {
+    : rate_(rate), gcode_(machine), match_({.position = start}) {
   std::array<Resolution, 4> resolution{};
   for (std::size_t i = 0; i < resolution.size(); ++i) {
     resolution[i] = resolution_of(steps_per_mm[i]);
@@ -125,7 +125,12 @@ void PointCheck::carry_out(const SentCommand& command) {
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
   match_.ask(grid_.steps_at(move.to), {command.file_line, command.text}, detour_of(move));
-  path_.ask(move);
+  if (move.over) {
+    path_.ask({move.from, *move.over, {}});
+    path_.ask({*move.over, move.to, {}});
+  } else {
+    path_.ask(move);
+  }
   length_mm_ += length_of(move);
   if (command.extrusion_prevented) gcode_.stand_at(extruder, move.from[extruder]);
 }

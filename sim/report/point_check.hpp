@@ -32,7 +32,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
  public:
   // `start`: mechanical positions at the beginning, where the G-code is at 0 until it homes.
   PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start, sim::ClockRate rate,
-             const Retraction& retraction = {},
+             const MachineFacts& machine = {},
              std::shared_ptr<const machine::Mechanism> mechanism = machine::cartesian_mechanism());
 
   void stepped(const devices::StepEdge& edge) override;

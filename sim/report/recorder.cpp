@@ -26,13 +26,20 @@ std::array<double, 4> resolutions(const machine::Printer& printer) {
   return steps_per_mm;
 }
 
-Retraction retraction_of(const machine::Printer& printer) {
+MachineFacts facts_of(const machine::Printer& printer) {
   const machine::RetractionDescription& retraction = printer.description().retraction;
   const auto length = [](double millimeters) {
     constexpr double nanometers_per_mm = 1e6;  // the finest of a description
     return Femtometers{std::llround(millimeters * nanometers_per_mm)} * 1'000'000;
   };
-  return {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)};
+  MachineFacts facts{
+      {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)},
+      {},
+      home_of(*printer.description().mechanism)};
+  for (std::size_t i = 0; i < facts.travel.size(); ++i) {
+    facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
+  }
+  return facts;
 }
 
 }  // namespace
@@ -42,12 +49,11 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      points_(resolutions(printer), start_positions(printer), simulation.rate(),
-              retraction_of(printer), printer.description().mechanism),
+      points_(resolutions(printer), start_positions(printer), simulation.rate(), facts_of(printer),
+              printer.description().mechanism),
       tool_path_(simulation.rate(), resolutions(printer), start_positions(printer),
                  printer.description().mechanism),
-      requested_path_(simulation.rate(), retraction_of(printer),
-                      home_of(*printer.description().mechanism)),
+      requested_path_(simulation.rate(), facts_of(printer)),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),
@@ -80,7 +86,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
   if (!executed) return;
-  const Request request = GcodePath({}, home_of(*printer_.description().mechanism)).read(command);
+  const Request request = GcodePath(facts_of(printer_)).read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
     requested_path_.begin_here();

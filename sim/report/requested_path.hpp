@@ -22,9 +22,8 @@ struct RequestedMove {
 
 class RequestedPath : public devices::HostListener {
  public:
-  explicit RequestedPath(sim::ClockRate rate, const Retraction& retraction = {},
-                         const HomePlace& home = {})
-      : rate_(rate), gcode_(retraction, home) {}
+  explicit RequestedPath(sim::ClockRate rate, const MachineFacts& machine = {})
+      : rate_(rate), gcode_(machine) {}
 
   // The lines are read when they are answered: what is refused changes nothing for those after.
   void command_acknowledged(sim::Clock now, std::size_t file_line, std::string_view command,

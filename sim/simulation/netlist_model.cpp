@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/simulation/memory_banks.hpp"
+
 namespace sim {
 
 namespace {
@@ -91,33 +93,17 @@ namespace {
 // Each bank of the memory has a lane for each byte of a word.
 #define RAM(part) printer_core__DOT__with_processor_computing__DOT__ram__DOT__##part##_bytes
 
-template <typename Root>
-auto lower_lanes(Root& root) {
-  return std::array{&root.RAM(lanes_n1), &root.RAM(lanes_n2), &root.RAM(lanes_n3),
-                    &root.RAM(lanes_n4)};
-}
-
-template <typename Root>
-auto upper_lanes(Root& root) {
-  return std::array{&root.RAM(two_banks_upper_lanes_n1), &root.RAM(two_banks_upper_lanes_n2),
-                    &root.RAM(two_banks_upper_lanes_n3), &root.RAM(two_banks_upper_lanes_n4)};
-}
-
-constexpr std::size_t lower_words = sizeof(Vprinter_core___024root::RAM(lanes_n1));
-constexpr std::size_t upper_words = sizeof(Vprinter_core___024root::RAM(two_banks_upper_lanes_n1));
-
 // The word's byte in each lane.
 template <typename Root>
 auto bytes_of_word(Root& root, std::uint32_t address) {
-  const std::uint32_t index = (address - memory_start) / 4;
-  if (address < memory_start || index >= lower_words + upper_words) {
+  const std::uint32_t word = (address - memory_start) / 4;
+#define BYTE(lane)                                                                      \
+  byte_in_banks(word, root.RAM(banks_n1_lanes_##lane), root.RAM(banks_n2_lanes_##lane), \
+                root.RAM(banks_n3_lanes_##lane))
+  const std::array bytes{BYTE(n1), BYTE(n2), BYTE(n3), BYTE(n4)};
+#undef BYTE
+  if (address < memory_start || bytes[0] == nullptr) {
     throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
-  }
-  using Byte = std::remove_reference_t<decltype((*lower_lanes(root)[0])[0])>;
-  std::array<Byte*, 4> bytes{};
-  for (std::size_t lane = 0; lane < bytes.size(); ++lane) {
-    bytes[lane] = index < lower_words ? &(*lower_lanes(root)[lane])[index]
-                                      : &(*upper_lanes(root)[lane])[index - lower_words];
   }
   return bytes;
 }

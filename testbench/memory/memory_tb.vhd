@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- The memory keeps each byte that is written, on both sides of the border of its banks, shows it on both
+-- The memory keeps each byte that is written, on both sides of each border of its banks, shows it on both
 -- ports, and rests where it is not enabled.
 
 library ieee;
@@ -10,7 +10,6 @@ use work.memory_pkg.all;
 
 entity memory_tb is
   generic (
-    -- A power of two, or three quarters of one.
     words : positive := 64
   );
 end entity;
@@ -19,16 +18,6 @@ architecture tb of memory_tb is
 
   constant is_power_of_two : boolean := to_unsigned(words, 31) = (to_unsigned(words, 31) and
                                                                   (not to_unsigned(words, 31)) + 1);
-
-  -- The first word of the upper bank, or of the upper half.
-  function first_of_upper return positive is
-  begin
-    if is_power_of_two then
-      return words / 2;
-    end if;
-    return words / 3 * 2;
-  end function;
-  constant border : positive := first_of_upper;
 
   signal clk : std_ulogic := '0';
   signal instruction_request : instruction_request_t := instruction_request_idle;
@@ -124,14 +113,17 @@ begin
       fetch(word, word);
       fetch(words - 1 - word, word);
     end loop;
-    -- Half words from both sides of the border.
-    fetch(border - 1, border);
-    fetch(border, border - 1);
+    -- Half words of any two words, so from both sides of each border.
+    for upper in 0 to words - 1 loop
+      for lower in 0 to words - 1 loop
+        fetch(upper, lower);
+      end loop;
+    end loop;
     -- What is shown stays, whichever bank is requested next.
-    load(border);
-    rest(5);
-    load(5);
-    rest(border + 5);
+    for word in 0 to words - 1 loop
+      load(word);
+      rest((word + words / 3) mod words);
+    end loop;
     -- Addresses beyond a power of two mean the same words.
     if is_power_of_two then
       load(3 * words + 5);

@@ -23,8 +23,8 @@ architecture tb of data_access_tb is
   signal memory_request : memory_request_t;
   signal bus_request : bus_request_t;
   signal bus_response : bus_response_t := bus_response_idle;
-  -- 96 KiB.
-  signal to_smaller_memory : std_ulogic;
+  -- Of 104 KiB.
+  signal to_larger_memory : std_ulogic;
   signal misaligned, to_memory, bus_active, done, error : std_ulogic;
 
 begin
@@ -32,7 +32,7 @@ begin
   clk <= not clk after 5 ns;
 
   uut : entity work.data_access
-    generic map (memory_address => x"80000000", memory_address_bits => 16)
+    generic map (memory_address => x"80000000", memory_size_bytes => 65536)
     port map (
       clk => clk,
       reset => reset,
@@ -52,8 +52,8 @@ begin
       done => done,
       error => error);
 
-  of_three_quarters : entity work.data_access
-    generic map (memory_address => x"80000000", memory_address_bits => 17, memory_lacks_quarter => true)
+  of_104_kib : entity work.data_access
+    generic map (memory_address => x"80000000", memory_size_bytes => 106496)
     port map (
       clk => clk,
       reset => reset,
@@ -68,7 +68,7 @@ begin
       bus_request => open,
       bus_response => bus_response_idle,
       misaligned => open,
-      to_memory => to_smaller_memory,
+      to_memory => to_larger_memory,
       bus_active => open,
       done => open,
       error => open);
@@ -171,11 +171,11 @@ begin
           wait for 1 ns;
           assert to_memory = (address(31 downto 16) ?= x"8000")
             report to_hstring(address) & " with " & to_hstring(offset) severity failure;
-          for half in 0 to 1 loop
-            address(15) <= '1' when half = 1 else address(15);
+          for eighth in 0 to 7 loop
+            address(15 downto 13) <= to_unsigned(eighth, 3);
             wait for 1 ns;
-            assert (to_smaller_memory = '1') = (address >= x"80000000" and address < x"80018000")
-              report to_hstring(address) & " with " & to_hstring(offset) & " of 96 KiB" severity failure;
+            assert (to_larger_memory = '1') = (address >= x"80000000" and address < x"8001a000")
+              report to_hstring(address) & " with " & to_hstring(offset) & " of 104 KiB" severity failure;
           end loop;
         end loop;
       end loop;

@@ -17,8 +17,8 @@ architecture tb of instruction_fetch_tb is
   signal clk : std_ulogic := '0';
   signal flush, redirect, predicted_taken, advance : std_ulogic := '0';
   signal valid, is_word, fault, crosses_memory_end : std_ulogic := '0';
-  -- Of 96 KiB.
-  signal smaller_faults, smaller_crosses : std_ulogic;
+  -- Of 104 KiB.
+  signal larger_faults, larger_crosses : std_ulogic;
   signal target, target_plus_2, predicted_next_address, address : unsigned(31 downto 0) := (others => '0');
   signal instruction_request : instruction_request_t;
   signal instruction_data : word_t := (others => '0');
@@ -45,7 +45,7 @@ begin
                        address + 2;
 
   uut : entity work.instruction_fetch
-    generic map (memory_address => x"80000000", memory_address_bits => 16)
+    generic map (memory_address => x"80000000", memory_size_bytes => 65536)
     port map (
       clk => clk,
       flush => flush,
@@ -66,8 +66,8 @@ begin
       fault => fault,
       crosses_memory_end => crosses_memory_end);
 
-  of_three_quarters : entity work.instruction_fetch
-    generic map (memory_address => x"80000000", memory_address_bits => 17, memory_lacks_quarter => true)
+  of_104_kib : entity work.instruction_fetch
+    generic map (memory_address => x"80000000", memory_size_bytes => 106496)
     port map (
       clk => clk,
       flush => flush,
@@ -85,8 +85,8 @@ begin
       instruction => open,
       is_word => open,
       address => open,
-      fault => smaller_faults,
-      crosses_memory_end => smaller_crosses);
+      fault => larger_faults,
+      crosses_memory_end => larger_crosses);
 
   -- Each half word holds its index; the lowest two bits are the instruction length.
   drive_memory : process
@@ -224,25 +224,25 @@ begin
     instruction_data <= force x"00030000";
     clock;
     assert fault = '1' and crosses_memory_end = '1' severity failure;
-    assert smaller_faults = '0' and smaller_crosses = '0' severity failure;
+    assert larger_faults = '0' and larger_crosses = '0' severity failure;
 
-    -- The same for a memory without its last quarter.
-    jump_to(x"80017ffc", true);
-    assert smaller_faults = '0' severity failure;
-    target <= x"80017ffe";
+    -- The same for a memory whose size is no power of two.
+    jump_to(x"80019ffc", true);
+    assert larger_faults = '0' severity failure;
+    target <= x"80019ffe";
     redirect <= '1';
     clock;
     redirect <= '0';
     instruction_data <= force x"00030000";
     clock;
-    assert smaller_faults = '1' and smaller_crosses = '1' severity failure;
+    assert larger_faults = '1' and larger_crosses = '1' severity failure;
     for place in 0 to 2 loop
-      target <= x"80018000" when place = 0 else x"8001fffe" when place = 1 else x"80020000";
+      target <= x"8001a000" when place = 0 else x"8001fffe" when place = 1 else x"80020000";
       redirect <= '1';
       clock;
       redirect <= '0';
       clock;
-      assert smaller_faults = '1' and smaller_crosses = '0' severity failure;
+      assert larger_faults = '1' and larger_crosses = '0' severity failure;
     end loop;
     std.env.finish;
   end process;

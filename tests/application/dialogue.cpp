@@ -26,15 +26,23 @@ const application::MachineDescription& machine_under_test() { return description
 Printer::Printer() {
   const auto identity = drivers::read_identity();
   hardware_.emplace(identity.value());
+  begin();
+  EXPECT_EQ(reply(), "start");
+}
+
+void Printer::begin() {
   application_ = std::make_unique<application::Application>(
       description, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_,
       counters);
   EXPECT_TRUE(application_->start(machine::machine.baud));
-  EXPECT_EQ(reply(), "start");
 }
 
 void Printer::pass() {
   if (!application_->update()) chip.advance(clocks_per_millisecond);
+  if (application_->restart_wanted()) {
+    counters = {};
+    begin();
+  }
 }
 
 void Printer::run(double seconds) {

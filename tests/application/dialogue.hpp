@@ -19,6 +19,7 @@ class Printer {
  public:
   Printer();
 
+  // After M999 the firmware restarts on the same chip, as in the image.
   // Plays `->`, `<-` and `<*` of tests/dialogue_steps.hpp; a reply must come within two minutes of
   // the printer's time, and busy messages are not looked at.
   void talk(std::string_view dialogue);
@@ -37,6 +38,7 @@ class Printer {
 
  private:
   void pass();
+  void begin();
 
   std::optional<application::Hardware> hardware_;
   std::unique_ptr<application::Application> application_;

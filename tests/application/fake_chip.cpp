@@ -203,6 +203,8 @@ void FakeChip::advance(std::uint32_t clocks) {
 
 namespace platform {
 
+bool restart() { return false; }
+
 bool enter_boot_loader() {
   auto& chip = *application_test::chip;
   if (chip.has_boot_loader) ++chip.boot_loader_entries;

@@ -21,6 +21,8 @@ using loading::LoadFailed;
 using loading::Program;
 using std::chrono::milliseconds;
 
+// Of a program.
+constexpr std::size_t most_bytes = loading::loader_address - loading::memory_address;
 constexpr std::uint32_t address = loading::memory_address;
 constexpr std::uint32_t old_entry = address + 8;
 
@@ -67,7 +69,8 @@ class Chip : public loading::ByteStream {
   unsigned reset_after_knocks = 0;  // 0: it is never reset
   std::optional<std::size_t> stuck_byte;  // of the memory
   milliseconds time_per_frame{0};  // until its answer is there, one frame after the other
-  std::vector<std::uint8_t> memory = std::vector<std::uint8_t>(0x17000);
+  std::vector<std::uint8_t> memory =
+      std::vector<std::uint8_t>(loading::loader_address - loading::memory_address);
   Session session{memory, address, old_entry, {}};
 
  private:
@@ -193,7 +196,7 @@ TEST(loading, memory_that_does_not_keep_it_is_found_and_nothing_starts) {
 
 TEST(loading, a_program_that_is_too_large_is_refused_before_anything_is_void) {
   Chip chip;
-  EXPECT_THROW(loading::load(chip, random_program(0x17001)), LoadFailed);
+  EXPECT_THROW(loading::load(chip, random_program(most_bytes + 1)), LoadFailed);
   EXPECT_EQ(chip.session.entry(), old_entry);
 }
 
@@ -233,7 +236,7 @@ TEST(loading, plain_bytes_begin_where_the_memory_does) {
   EXPECT_EQ(program.address, address);
   EXPECT_EQ(program.entry, address);
   EXPECT_EQ(program.bytes.size(), 6u);
-  std::ofstream(file, std::ios::binary) << std::string(0x17001, 'x');
+  std::ofstream(file, std::ios::binary) << std::string(most_bytes + 1, 'x');
   EXPECT_THROW(loading::read_program(file), std::runtime_error);
   std::ofstream(file, std::ios::binary) << "";
   EXPECT_THROW(loading::read_program(file), std::runtime_error);

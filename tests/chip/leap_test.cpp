@@ -88,8 +88,10 @@ class Sleeper {
  private:
   template <class Whole>
   static void write(Whole& model, std::uint32_t word, std::uint32_t value) {
-#define LANE(n) \
-  model.rootp->printer_core__DOT__with_processor_computing__DOT__ram__DOT__lanes_n##n##_bytes[word]
+#define LANE(n)                                                                                 \
+  model.rootp                                                                                   \
+      ->printer_core__DOT__with_processor_computing__DOT__ram__DOT__banks_n1_lanes_n##n##_bytes \
+          [word]
     LANE(1) = static_cast<std::uint8_t>(value);
     LANE(2) = static_cast<std::uint8_t>(value >> 8);
     LANE(3) = static_cast<std::uint8_t>(value >> 16);

@@ -10,15 +10,16 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST_F(ConversationTest, refuses_what_a_person_types_where_it_would_disturb_a_running_print) {
-  const std::vector<std::string> disturbing{"G1 X5",  "g28", "G92 X0", "G91",    "M83",
-                                            "M18",    "M84", "M400",   "M0",     "M109 S200",
-                                            "M92 X1", "T1",  "M410",   "M302 P1"};
+  const std::vector<std::string> disturbing{
+      "G1 X5", "g28",  "G92 X0", "G55",       "M206 X1", "G91", "M83",  "M18",
+      "M84",   "M400", "M0",     "M109 S200", "M92 X1",  "T1",  "M410", "M302 P1"};
   ASSERT_EQ(start(), "");
   run_until_executed(10);
   for (const std::string& line : disturbing) {
     EXPECT_THAT(feed().send(line), testing::HasSubstr("pause it first")) << line;
   }
-  for (const char* line : {"M105", "M114", " m220 S90", "M104 S210", "M106 S255", "M117 text"}) {
+  for (const char* line :
+       {"M105", "M114", " m220 S90", "M290 Z0.05", "M104 S210", "M106 S255", "M117 text"}) {
     EXPECT_EQ(feed().send(line), "") << line;
   }
   EXPECT_EQ(feed().pause(), "");

@@ -158,7 +158,7 @@ TEST(Script, is_refused_whole_where_a_line_is_wrong) {
 }
 
 TEST(Script, does_not_change_what_the_lines_of_a_job_mean) {
-  for (const char* line : {"G91", "M83", "G92 X0", "SAVE_GCODE_STATE NAME=x"}) {
+  for (const char* line : {"G91", "M83", "G92 X0", "G55", "M206 Z1", "SAVE_GCODE_STATE NAME=x"}) {
     EXPECT_THROW(steps_of(line, Work::printing), Error) << line;
     EXPECT_THROW(steps_of(line, Work::paused), Error) << line;
     steps_of(line, Work::none);

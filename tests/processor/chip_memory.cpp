@@ -13,13 +13,13 @@ auto& byte_at(const Vprocessor_with_memory& model, std::size_t place) {
   auto& root = *model.rootp;
   switch (place % 4) {
     case 0:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n1_bytes[place / 4];
+      return root.processor_with_memory__DOT__memory__DOT__banks_n1_lanes_n1_bytes[place / 4];
     case 1:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n2_bytes[place / 4];
+      return root.processor_with_memory__DOT__memory__DOT__banks_n1_lanes_n2_bytes[place / 4];
     case 2:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n3_bytes[place / 4];
+      return root.processor_with_memory__DOT__memory__DOT__banks_n1_lanes_n3_bytes[place / 4];
     default:
-      return root.processor_with_memory__DOT__memory__DOT__lanes_n4_bytes[place / 4];
+      return root.processor_with_memory__DOT__memory__DOT__banks_n1_lanes_n4_bytes[place / 4];
   }
 }
 

@@ -74,6 +74,17 @@ TEST(print, the_first_lines_of_the_washer_are_made_to_the_step) {
   EXPECT_GT(print.report["hotend"]["target_c"].get<double>(), 200.0);
 }
 
+TEST(print, follows_work_offsets_and_leads_to_places_of_the_machine) {
+  const Print print = print_text(
+      "G28\nG1 X30 Y40 Z5 F6000\nG55\nG92 X0 Y0\nG1 X10 Y0\nG1 X10 Y10\nG53 G1 X20 Y20\nG60\nG54\n"
+      "G1 X50 Y50\nG61 F3000\nG92.1\nM206 X1 Z0.2\nG1 X60 Y60 Z6\nG2 X70 Y60 I5 J0\nG59.3\nG92 Y0\n"
+      "G1 Y5\nM206 X0 Y0 Z0\nG27 P2\nM84\n");
+  expect_clean(print, chord_deviation_mm);
+  EXPECT_EQ(print.report["axes"]["x"]["final_position_mm"], 10);
+  EXPECT_NEAR(print.report["axes"]["y"]["final_position_mm"].get<double>(), 190, 0.01);
+  EXPECT_NEAR(print.report["axes"]["z"]["final_position_mm"].get<double>(), 25.8, 0.01);
+}
+
 TEST(print, retraction_by_the_firmware_ends_to_the_step) {
   const std::string gcode =
       "M104 S200\nG28\nM109 S200\nG1 X20 Y20 Z0.3 E2 F3000\nG10\nG1 X30\nG11\nG1 X40 E2.5\n"

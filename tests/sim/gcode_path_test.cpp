@@ -86,7 +86,7 @@ TEST(GcodePath, does_not_lower_z_after_a_stop_or_homing) {
 }
 
 TEST(GcodePath, begins_with_the_retraction_of_the_machine) {
-  GcodePath path({.length = 2 * mm, .lift = mm, .extra = {}});
+  GcodePath path({.retraction = {.length = 2 * mm, .lift = mm, .extra = {}}, .travel = {}});
   EXPECT_EQ(end_of(path, "G10"), (std::array<double, 4>{0, 0, 1, -2}));
 }
 
@@ -163,6 +163,48 @@ TEST(GcodePath, reads_targets_in_the_unit_of_m149) {
   EXPECT_EQ(target("M140 S0"), 0);
   path.read("M149 C");
   EXPECT_EQ(target("M109 S205"), 205);
+}
+
+// After Marlin's pages of G53 to G59.3, G92, M206.
+TEST(GcodePath, knows_the_systems_of_coordinates) {
+  GcodePath path;
+  for (const char* line : {"G28", "G1 X10 Y10", "G55", "G92 X0 Y1", "G59.2", "G92 X5"}) {
+    path.read(line);
+  }
+  EXPECT_THAT(end_of(path, "G1 X6 Y10"), ElementsAre(11, 10, 0, 0));
+  path.read("G55");
+  EXPECT_THAT(end_of(path, "G1 X2 Y2"), ElementsAre(12, 11, 0, 0));
+  EXPECT_THAT(end_of(path, "G53 G1 X20"), ElementsAre(20, 11, 0, 0));
+  EXPECT_THAT(end_of(path, "G1 Y3"), ElementsAre(20, 12, 0, 0));
+  path.read("G54");
+  EXPECT_THAT(end_of(path, "G1 X2"), ElementsAre(2, 12, 0, 0));
+  for (const char* line : {"G55", "G92.1"}) path.read(line);
+  EXPECT_THAT(end_of(path, "G1 X3"), ElementsAre(3, 12, 0, 0));
+  for (const char* line : {"M206 X1", "G28 Y"}) path.read(line);
+  EXPECT_THAT(end_of(path, "G1 X9 Y4"), ElementsAre(8, 4, 0, 0));
+}
+
+TEST(GcodePath, leads_to_places_of_the_machine) {
+  GcodePath path({.retraction = {}, .travel = {200 * mm, 190 * mm, 100 * mm}});
+  for (const char* line : {"G28", "G1 X30 Y40 Z5 E3", "G60 S1"}) path.read(line);
+  EXPECT_THAT(end_of(path, "G27"), ElementsAre(10, 180, 20, 3));
+  EXPECT_THAT(end_of(path, "G27 P2"), ElementsAre(10, 180, 40, 3));
+  EXPECT_THAT(end_of(path, "G61 S1 X Z1"), ElementsAre(30, 180, 6, 3));
+  EXPECT_THAT(end_of(path, "G61 S1"), ElementsAre(30, 40, 5, 3));
+  EXPECT_THAT(end_of(path, "G1 X31 E4"), ElementsAre(31, 40, 5, 4));
+  for (const char* line : {"G1 X15 Y6", "M428"}) path.read(line);
+  EXPECT_THAT(end_of(path, "G1 X2 Y2 Z1"), ElementsAre(17, 8, 6, 4));
+  path.read("M290 Z0.25");
+  EXPECT_THAT(end_of(path, "G1 Z2"), ElementsAre(17, 8, 7, 4));
+  EXPECT_THAT(end_of(path, "G1 X3"), ElementsAre(18, 8, 7.25, 4));
+}
+
+TEST(GcodePath, measures_filament_by_its_volume) {
+  GcodePath path;
+  for (const char* line : {"G28", "M200 D2"}) path.read(line);
+  EXPECT_NEAR(end_of(path, "G1 E31.41592654")[3], 10, 1e-8);
+  for (const char* line : {"M200 D0", "G92 E0"}) path.read(line);
+  EXPECT_NEAR(end_of(path, "G1 E1")[3], 11, 1e-8);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ rm -rf "$directory"
 mkdir -p "$directory"
 cd "$directory"
 
-# More than the memory's first bank, and less than all.
-LC_ALL=C awk 'BEGIN { srand(1); for (i = 0; i < 70000; i++) printf "%c", 1 + int(rand() * 127) }' > program.bin
+# More than the memory's first two banks, and less than all.
+LC_ALL=C awk 'BEGIN { srand(1); for (i = 0; i < 100000; i++) printf "%c", 1 + int(rand() * 127) }' > program.bin
 riscv64-unknown-elf-objcopy -I binary -O elf32-littleriscv program.bin program.elf
 
 # The memory alone: half a minute in place of an hour.
@@ -19,8 +19,8 @@ place() {
   nextpnr-ecp5 --25k --package CABGA381 --speed 6 --json "$1/netlist.json" --lpf-allow-unconstrained \
     --textcfg "$1/layout.config" --seed 1 > "$1/nextpnr.log" 2>&1 || { tail -n 20 "$1/nextpnr.log"; exit 1; }
 }
-"$tools/synthesize_board.sh" "$project" memory - "$PWD/random" -gsize_bytes=98304
-"$tools/synthesize_board.sh" "$project" memory "$PWD/program.elf" "$PWD/with_program" -gsize_bytes=98304
+"$tools/synthesize_board.sh" "$project" memory - "$PWD/random" -gsize_bytes=106496
+"$tools/synthesize_board.sh" "$project" memory "$PWD/program.elf" "$PWD/with_program" -gsize_bytes=106496
 place random
 place with_program
 ecppack --compress with_program/layout.config wanted.bit

@@ -184,16 +184,16 @@ echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas"
   EXPECT_EQ(object.at("device"), "EP2C70F896C6");
   EXPECT_EQ(object.at("logic_elements").at("used"), 30000);
   EXPECT_EQ(object.at("registers").at("used"), 20000);
-  // 96 KiB in blocks of 4 Kbit, and two of these for each of 8 that Yosys counts.
-  EXPECT_EQ(object.at("block_rams").at("used"), 192 + 6);
+  // 104 KiB in blocks of 4 Kbit, and two of these for each of 8 that Yosys counts.
+  EXPECT_EQ(object.at("block_rams").at("used"), 208 + 6);
   EXPECT_EQ(object.at("multipliers").at("used"), 5);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/de2_70.bit"));
-  write_script("write_mif.sh", "#!/bin/sh\necho \"$1 $2\" > \"$3/lane1.mif\"\n");
+  write_script("write_mif.sh", "#!/bin/sh\necho \"$1 $2\" > \"$3/bank1_lane1.mif\"\n");
   options_.firmware_only = true;
   EXPECT_THROW(run(), std::runtime_error);
   std::ofstream(folder_ / "out/quartus/make_project.tcl");
   EXPECT_TRUE(run());
-  EXPECT_EQ(text_of("out/quartus/lane1.mif"), "firmware.elf 98304\n");
+  EXPECT_EQ(text_of("out/quartus/bank1_lane1.mif"), "firmware.elf 106496\n");
   options_.firmware_only = false;
   // One that is too large, and one of which nothing is known.
   write_script("synthesize_cyclone.sh", R"(#!/bin/sh
@@ -228,7 +228,7 @@ TEST_F(SynthesisJob, takes_all_boards_into_folders_and_makes_one_table) {
   EXPECT_EQ(rows.at(0).at("fastest_mhz"), 63.5);
   EXPECT_EQ(rows.at(0).at("ram_kbit"), 34 * 18);
   EXPECT_EQ(rows.at(2).at("logic").at("used"), 30000);
-  EXPECT_EQ(rows.at(2).at("ram_kbit"), (192 + 6) * 4);
+  EXPECT_EQ(rows.at(2).at("ram_kbit"), (208 + 6) * 4);
   EXPECT_FALSE(rows.at(2).contains("fastest_mhz"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/core/synthesis.json"));
   // One that does not fit, or is too slow, makes the whole fail, and the others are made.

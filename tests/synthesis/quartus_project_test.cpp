@@ -3,8 +3,10 @@
 // for Quartus' commands can tell, and mistakes that are put into one are found.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <sstream>
 
 #include "directories.hpp"
@@ -130,17 +132,20 @@ std::string contents_of(const fs::path& file, std::size_t words) {
 }
 
 TEST_F(QuartusProject, holds_the_program_in_one_file_for_each_byte_of_a_word) {
-  constexpr std::size_t lower = 65536 / 4, upper = 32768 / 4;
+  constexpr std::array<std::size_t, 3> bank_words{65536 / 4, 32768 / 4, 8192 / 4};
   std::string whole = image();
-  whole.resize(4 * (lower + upper));
+  whole.resize(4 * std::accumulate(bank_words.begin(), bank_words.end(), std::size_t{0}));
   for (std::size_t lane = 0; lane < 4; ++lane) {
     std::string expected;
     for (std::size_t i = lane; i < whole.size(); i += 4) expected += whole[i];
-    const std::string name = "lane" + std::to_string(lane + 1) + ".mif";
-    EXPECT_EQ(contents_of(copy_ / "project" / name, lower) +
-                  contents_of(copy_ / "project" / ("upper_" + name), upper),
-              expected)
-        << name;
+    std::string found;
+    for (std::size_t bank = 0; bank < bank_words.size(); ++bank) {
+      found += contents_of(
+          copy_ / "project" /
+              ("bank" + std::to_string(bank + 1) + "_lane" + std::to_string(lane + 1) + ".mif"),
+          bank_words[bank]);
+    }
+    EXPECT_EQ(found, expected) << "lane " << lane + 1;
   }
 }
 
@@ -190,7 +195,8 @@ TEST_F(QuartusProject, with_a_wrong_assignment_is_found) {
   expect_found(maker_, "EP4CE115F29C7", "EP4CE115F29C8", "DEVICE is EP4CE115F29C8");
   expect_found(maker_, "-name FAMILY", "-nmae FAMILY", "no option -nmae");
   expect_found(maker_, "DONT_CARE OFF", "DONT_CARE ON", "ALLOW_POWER_UP_DONT_CARE is ON");
-  expect_found(maker_, "MIF_FILE lane1.mif", "MIF_FILE lane9.mif", "there is no lane9.mif");
+  expect_found(maker_, "MIF_FILE bank1_lane1.mif", "MIF_FILE bank1_lane9.mif",
+               "there is no bank1_lane9.mif");
   expect_found(maker_, "export_assignments", "export_assignment", "Tcl: invalid command");
 }
 

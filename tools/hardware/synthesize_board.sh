@@ -15,28 +15,29 @@ cd "$directory"
 rm -f netlist.json cells.json
 "$project/tools/hardware/write_verilog.sh" "$project" "$board" "$directory" "$@"
 
-# The contents of the memory, one file per lane of bytes and bank.
-last_of() { sed -nE "s/^ *reg \\[7:0\\] $1_n1_bytes\\[([0-9]+):0\\].*/\\1/p" work/chip.v; }
-lower=$(last_of lanes) upper=$(last_of two_banks_upper_lanes)
+# The contents of the memory, one file per bank and lane of bytes.
+bank_words=$(sed -nE 's/^ *reg \[7:0\] banks_n[0-9]+_lanes_n1_bytes\[([0-9]+):0\].*/\1 + 1/p' work/chip.v)
 rm -f contents.hex
 if [ "$firmware" = - ]; then
-  words=$((lower + 1 + (${upper:--1} + 1)))
+  words=$(($(paste -sd+ <<< "$bank_words")))
   step ecpbram.log ecpbram --generate contents.hex --width 32 --depth $words --seed 1
   sed -E 's/^(..)(..)(..)(..)$/\4 \3 \2 \1/' contents.hex > work/contents
 else
   riscv64-unknown-elf-objcopy -O binary "$firmware" work/firmware.bin
   od -An -v -tx1 -w4 work/firmware.bin > work/contents
 fi
-awk -v lower="$lower" '{
-  bank = NR <= lower + 1 ? "" : "upper_"
-  for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/" bank "lane" lane ".hex"
-}' work/contents
-# A memory of one bank has no upper bank.
-for lane in 1 2 3 4; do touch "work/upper_lane$lane.hex"; done
-sed -E -e 's/^( *)reg \[7:0\] (lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/lane\3.hex", \2);/' \
-  -e 's/^( *)reg \[7:0\] (two_banks_(upper_lane)s_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/\3\4.hex", \2);/' \
+# A bank that the program does not reach has empty files.
+banks=$(wc -l <<< "$bank_words")
+for ((bank = 1; bank <= banks; bank++)); do
+  for lane in 1 2 3 4; do : > "work/bank${bank}_lane$lane.hex"; done
+done
+awk -v bank_words="$(paste -sd, <<< "$bank_words")" '
+  BEGIN { split(bank_words, depths, ","); bank = 1; end = depths[1] + 0 + 1 }
+  NR > end { bank++; end += depths[bank] + 0 + 1 }
+  { for (lane = 1; lane <= 4; lane++) print ($lane == "" ? "00" : $lane) > "work/bank" bank "_lane" lane ".hex" }
+' work/contents
+sed -E 's/^( *)reg \[7:0\] (banks_n([0-9]+)_lanes_n([1-4])_bytes)\[.*$/&\n\1initial $readmemh("work\/bank\3_lane\4.hex", \2);/' \
   work/chip.v > work/synthesis.v
-banks=$(grep -cE 'reg \[7:0\] (two_banks_upper_)?lanes_n1_bytes' work/chip.v)
 [ "$(grep -c readmemh work/synthesis.v)" = $((4 * banks)) ] ||
   { echo "failed: the memory has other names than rtl/memory/README.md says" >&2; exit 1; }
 
@@ -101,7 +102,7 @@ awk -v wire=$wire '
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
-  read_verilog -sv work/with_ways.v $(find "$project/boards" -path "*/$board/*.v" -printf '%p ');
+  read_verilog -sv work/with_ways.v $(find "$project/boards" -path "$project/boards/$board/*.v" -printf '%p ');
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Everything that Quartus needs for a board with a Cyclone, in the directory: VHDL -> (GHDL) -> BOARD.v, the vendor's cells,
-# the firmware as lane1.mif and so on, pins.tcl, BOARD.sdc, and make_project.tcl, which makes the project of them.
+# the firmware as bank1_lane1.mif and so on, pins.tcl, BOARD.sdc, and make_project.tcl, which makes the project of them.
 # Usage: write_quartus_project.sh PROJECT BOARD FIRMWARE.elf DIRECTORY [-gGENERIC=VALUE...]
 set -euo pipefail
 project=$1 board=$2 firmware=$3 directory=$4

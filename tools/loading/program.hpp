@@ -12,7 +12,7 @@ namespace loading {
 
 inline constexpr std::uint32_t memory_address = 0x8000'0000;
 // The boot loader itself (firmware/boot_loader/boot_loader.ld).
-inline constexpr std::uint32_t loader_address = 0x8001'7000;
+inline constexpr std::uint32_t loader_address = memory_address + CHIP_MEMORY_BYTES - 4096;
 
 struct Program {
   std::uint32_t address{};

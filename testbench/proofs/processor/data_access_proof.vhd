@@ -13,8 +13,6 @@ use work.memory_pkg.all;
 
 entity data_access_proof is
   generic (
-    -- All of the 2^memory_address_bits, or without their last quarter.
-    memory_address_bits : positive := 16;
     memory_size_bytes : positive := 65536
   );
   port (
@@ -65,8 +63,7 @@ begin
   data_access : entity work.data_access
     generic map (
       memory_address => memory_address,
-      memory_address_bits => memory_address_bits,
-      memory_lacks_quarter => memory_size_bytes /= 2 ** memory_address_bits)
+      memory_size_bytes => memory_size_bytes)
     port map (
       clk => clk,
       reset => reset,

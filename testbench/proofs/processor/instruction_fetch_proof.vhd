@@ -10,7 +10,7 @@ use work.memory_pkg.all;
 
 entity instruction_fetch_proof is
   generic (
-    -- All of the 2^memory_address_bits, or without their last quarter.
+    -- All of the 2^memory_address_bits, or fewer.
     memory_address_bits : positive := 16;
     memory_size_bytes : positive := 65536
   );
@@ -57,8 +57,7 @@ begin
   fetch : entity work.instruction_fetch
     generic map (
       memory_address => memory_address,
-      memory_address_bits => memory_address_bits,
-      memory_lacks_quarter => memory_size_bytes /= 2 ** memory_address_bits)
+      memory_size_bytes => memory_size_bytes)
     port map (
       clk => clk,
       flush => flush,
