@@ -46,7 +46,7 @@ void MotionTask::set_stretch(Stretch now, Stretch behind) {
   stretch_behind_.reset();
   if (behind == now) return;
   stretch_behind_ = behind;
-  lines_before_ = planner_.lines();
+  lines_before_ = planner_.lines() + chords_.left();
 }
 
 // The first segment of a line goes to the step generator.
