@@ -54,9 +54,7 @@ units::Position scaled(const units::Position& distance, std::int32_t percent) {
 }  // namespace
 
 bool representable(const Positions& positions) {
-  return std::ranges::all_of(positions, [](const units::Position& position) {
-    return position <= motion::max_position && -position <= motion::max_position;
-  });
+  return std::ranges::all_of(positions, motion::is_in_range);
 }
 
 void Coordinates::follow(const Positions& machine) {
@@ -80,8 +78,8 @@ std::optional<units::Nanometers> Coordinates::rounded_length(const gcode::Comman
   return exact ? std::optional(exact->nearest()) : std::nullopt;
 }
 
-Positions Coordinates::target_of(const gcode::Command& command) const {
-  Positions target = logical_;
+void Coordinates::put_target_of(const gcode::Command& command, Positions& target) const {
+  target = logical_;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = length(command, units::axis_letters[i]);
     if (!value) continue;
@@ -89,19 +87,19 @@ Positions Coordinates::target_of(const gcode::Command& command) const {
     const bool relative = extruder ? extruder_relative_ : axes_relative_;
     target[i] = relative ? logical_[i] + *value : *value;
   }
-  return target;
 }
 
-Positions Coordinates::machine_target(const Positions& target, const Positions& machine) const {
-  Positions result;
+void Coordinates::put_machine_target(const Positions& target, const Positions& machine,
+                                     Positions& result) const {
+  result = machine;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (target[i] == logical_[i]) continue;
     units::Position distance = target[i] - logical_[i];
     if (i == units::index_of(units::Axis::e) && flow_percent_ != 100) {
       distance = scaled(distance, flow_percent_);
     }
-    result[i] = machine[i] + distance;
+    result[i] += distance;
   }
-  return result;
 }
 
 void Coordinates::take_feedrate(const gcode::Command& command) {
