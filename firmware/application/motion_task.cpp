@@ -120,11 +120,11 @@ void MotionTask::update(Now now) {
 
 // After every stop what was planned is void, and the planner learns where the axes are.
 void MotionTask::settle_stop() {
-  const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
-  if (!stop.stopped) {
+  if (!step_generator_.stopped()) {
     stopping_ = false;
     return;
   }
+  const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (stop.emergency_input) {
     emergency_input_ = true;
     return;
@@ -162,7 +162,7 @@ std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMov
 
 bool MotionTask::at_rest() const {
   return plan_is_done() && chords_.done() && step_generator_.idle() && !stopping_ &&
-         !homing_.active() && !step_generator_.stop_state().stopped;
+         !homing_.active() && !step_generator_.stopped();
 }
 
 void MotionTask::quick_stop() {

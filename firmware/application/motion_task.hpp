@@ -34,9 +34,8 @@ class MotionTask {
   // Every pass after that, until it is false: hands over the next line, or what of it the step
   // generator has room for, if that is due.
   bool refill();
-  // Calls of refill() in one pass. Slots of shaped motion and lines that go into them are more than
-  // lines alone, so some of them wait for the next pass.
-  static constexpr unsigned most_refills = motion::Planner::capacity + 1;
+  // Calls of refill() in one pass; others wait for the next, so that a pass has a bound.
+  static constexpr unsigned most_refills = 32;
   unsigned refills_in_a_pass() const {
     constexpr unsigned shaped_refills = 12;
     return shapes() && shaping_->active() ? shaped_refills : most_refills;

@@ -44,7 +44,7 @@ units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
 void MotionTask::lead_homing() {
   if (!step_generator_.idle() || !plan_is_done() || !chords_.done() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
-  if (step_generator_.stop_state().stopped) return;
+  if (step_generator_.stopped()) return;
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }

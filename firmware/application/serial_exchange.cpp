@@ -49,11 +49,10 @@ void Application::receive(Now now, std::size_t most) {
 
 // Between lines, and after the last, a stop is executed, and a query answered if it is next:
 // the planner, full, has many for a start from rest. True if something has come that may have to
-// be executed.
+// be executed, or if there are more lines.
 bool Application::refill() {
   bool come = false;
   bool more = true;
-  // Meanwhile none is planned; the last round finds no line.
   units::LoopBound<MotionTask::most_refills> handed_over;
   const unsigned most = motion_.refills_in_a_pass();
   for (unsigned lines = 1; more && !halted_ && lines <= most; ++lines) {

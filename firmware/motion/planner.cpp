@@ -15,26 +15,22 @@ namespace motion {
 namespace {
 
 bool in_range(const units::PerAxis<units::Position>& target) {
-  return std::ranges::all_of(target, [](const units::Position& position) {
-    return position >= -max_position && position <= max_position;
-  });
+  return std::ranges::all_of(target, is_in_range);
 }
 
 // Rounded, but not to 0 where a step is due: a displacement with steps has a length.
 units::Nanometers distance_between(const units::Position& from, const units::Position& to,
                                    std::int64_t steps) {
-  const units::Nanometers distance = (to - from).nearest();
+  constexpr std::int32_t half = units::Position::femtometers_per_nanometer / 2;
+  const std::int32_t femtometers = to.femtometers() - from.femtometers();
+  units::Nanometers distance = to.whole() - from.whole();
+  if (femtometers >= half) distance += units::Nanometers(1);
+  if (femtometers < -half) distance -= units::Nanometers(1);
   if (distance != units::Nanometers() || steps == 0) return distance;
   return units::Nanometers(steps < 0 ? -1 : 1);
 }
 
 }  // namespace
-
-Planner::Planner(const Limits& limits, const StepTiming& timing,
-                 const kinematics::Chosen& kinematics)
-    : timing_(timing), geometry_(limits, timing), kinematics_(kinematics) {}
-
-void Planner::set_limits(const Limits& limits) { geometry_ = Geometry(limits, timing_); }
 
 std::expected<void, Fault> Planner::append(const LineMove& move, units::Microseconds now) {
   if (move.feedrate < units::MicrometersPerSecond(1)) {
@@ -53,22 +49,25 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
 
   constexpr std::int64_t most_steps = 0x7FFF'FFFF;
   Displacement displacement;
-  units::PerAxis<std::int64_t> target_steps;
-  units::PerAxis<StepParts> residual;
+  units::PerAxis<StepPosition> ends;
+  units::AxisSet others;  // than where the last line ended
   bool moves = false;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    StepPosition target{.steps = position_steps_[i], .residual = residual_[i]};
-    if (direct || moves_motor(i, move.target)) {
-      target = steps_at(motors[i], limits().axes[i].steps_per_meter);
+    if (!direct && !moves_motor(i, move.target)) {
+      displacement.residual[i] = residual_[i] + residual_[i];
+      if (kinematics_.identity()) continue;
+      displacement.distance[i] = distance_between(from[i], move.target[i], 0);
+      continue;
     }
-    const std::int64_t steps = target.steps - position_steps_[i];
+    others.insert(static_cast<units::Axis>(i));
+    const StepPosition end = steps_at(motors[i], limits().axes[i].steps_per_meter);
+    const std::int64_t steps = end.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
     displacement.distance[i] =
         distance_between(from[i], move.target[i], kinematics_.identity() ? steps : 0);
     displacement.steps[i] = static_cast<std::int32_t>(steps);
-    displacement.residual[i] = residual_[i] + target.residual;
-    target_steps[i] = target.steps;
-    residual[i] = target.residual;
+    displacement.residual[i] = residual_[i] + end.residual;
+    ends[i] = end;
     moves |= steps != 0;
   }
   // Homing sets the position at its end; the place on its way is nothing to calculate.
@@ -78,9 +77,13 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
     displacement.distance[0] = units::Nanometers(1);
   }
   append(displacement, move, now);
-  line_end_ = target_;
-  position_steps_ = target_steps;
-  residual_ = residual;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (!others.contains(static_cast<units::Axis>(i))) continue;
+    if (kinematics_.identity()) line_end_[i] = move.target[i];
+    position_steps_[i] = ends[i].steps;
+    residual_[i] = ends[i].residual;
+  }
+  if (!kinematics_.identity()) line_end_ = target_;
   return {};
 }
 
@@ -102,7 +105,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   if (!kinematics_.straight()) {
     kinematics::limit_to_motors(limits(), displacement, added, course);
   }
-  added.start = line_start(added.steps, added.ticks, displacement.residual);
+  added.start = line_start(added.steps, course.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
     added.max_entry = energy_from_rest(course, limits());
@@ -112,7 +115,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
     added.max_entry = junction_energy(last_course_, course, limits());
   }
   last_course_ = course;
-  planned_time_ += added.nominal_time;
+  planned_time_ += added.least_time();
   ++count_;
   look_ahead();
 }
@@ -129,26 +132,27 @@ Stock Planner::stock(units::Microseconds now) const {
 // those before it.
 void Planner::look_ahead() {
   std::size_t changed = count_ - 1;
+  Line* here = &line(changed);
   SpecificEnergy exit{};
   units::LoopBound<capacity> backwards;
   for (; changed > settled_; --changed) {
     backwards.next();
-    Line& here = line(changed);
-    const SpecificEnergy entry = std::min(here.max_entry, exit + here.work);
-    if (entry == here.entry && changed + 1 < count_) break;
-    here.entry = entry;
+    const SpecificEnergy entry = std::min(here->max_entry, exit + here->work);
+    if (entry == here->entry && changed + 1 < count_) break;
+    here->entry = entry;
     exit = entry;
+    here = (here == lines_.data() ? lines_.data() + capacity : here) - 1;
   }
   units::LoopBound<capacity, 1> forwards;
-  for (std::size_t i = changed; i + 1 < count_; ++i) {
+  for (std::size_t i = changed + 1; i < count_; ++i) {
     forwards.next();
-    const SpecificEnergy reachable = line(i).entry + line(i).work;
-    Line& next = line(i + 1);
-    if (next.entry >= reachable) {
-      next.entry = reachable;
-      settled_ = i + 1;
-    } else if (next.entry == next.max_entry) {
-      settled_ = i + 1;
+    const SpecificEnergy reachable = here->entry + here->work;
+    here = here + 1 == lines_.data() + capacity ? lines_.data() : here + 1;
+    if (here->entry >= reachable) {
+      here->entry = reachable;
+      settled_ = i;
+    } else if (here->entry == here->max_entry) {
+      settled_ = i;
     }
   }
 }
@@ -159,17 +163,20 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
     hand_over_first(now);
   }
   const Phase& phase = profile_.phases[next_phase_];
-  Segment segment{.steps = steps_,
-                  .start = start_,
-                  .line_ticks = ticks_,
-                  .ticks = phase.ticks,
-                  .continues_line = next_phase_ > 0,
-                  .rate = phase.rate,
-                  .acceleration = phase.acceleration,
-                  .stop_mask = stop_mask_};
+  // Made where it is returned, not copied there.
+  std::optional<Segment> made;
+  Segment& segment = made.emplace();
+  segment.steps = steps_;
+  segment.start = start_;
+  segment.line_ticks = profile_.ticks;
+  segment.ticks = phase.ticks;
+  segment.continues_line = next_phase_ > 0;
+  segment.rate = phase.rate;
+  segment.acceleration = phase.acceleration;
+  segment.stop_mask = stop_mask_;
   ++next_phase_;
   segment.ends_motion = resting_ && next_phase_ == profile_.count;
-  return segment;
+  return made;
 }
 
 bool Planner::may_hand_over(units::Microseconds now) const {
@@ -184,56 +191,19 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 
 void Planner::hand_over_first(units::Microseconds now) {
   const Line& first = line(0);
-  profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
-                        limits().min_cruise_percent);
+  make_profile(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
+               limits().min_cruise_percent, profile_);
   steps_ = first.steps;
   start_ = first.start;
-  ticks_ = first.ticks;
   stop_mask_ = first.stop_mask;
   next_phase_ = 0;
   busy_until_ = std::max(busy_until_, now) + profile_.time;
-  planned_time_ -= first.nominal_time;
+  planned_time_ -= first.least_time();
   first_ = (first_ + 1) % capacity;
   --count_;
   settled_ = settled_ > 0 ? settled_ - 1 : 0;
   resting_ = count_ == 0;
   if (resting_) flush_ = false;
-}
-
-void Planner::clear() {
-  count_ = 0;
-  settled_ = 0;
-  resting_ = true;
-  flush_ = false;
-  planned_time_ = {};
-  busy_until_ = {};
-  profile_.count = 0;
-  next_phase_ = 0;
-}
-
-void Planner::set_position(const units::PerAxis<units::Position>& position) {
-  target_ = line_end_ = position;
-  const auto& motors = kinematics_.motors_of(position);
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const StepPosition here = steps_at(motors[i], limits().axes[i].steps_per_meter);
-    position_steps_[i] = here.steps;
-    residual_[i] = here.residual;
-  }
-}
-
-units::PerAxis<units::Position> Planner::motor_position() const {
-  units::PerAxis<units::Position> motors;
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    motors[i] = position_of(position_steps_[i], limits().axes[i].steps_per_meter);
-  }
-  return motors;
-}
-
-void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
-  position_steps_ = steps;
-  residual_ = {};
-  line_end_ = kinematics_.place_of(motor_position());
-  target_ = line_end_;
 }
 
 }  // namespace motion
