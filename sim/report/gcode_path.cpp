@@ -163,7 +163,8 @@ std::optional<ArcShape> GcodePath::arc_of(const GcodeWords& words, const Move& m
 
 Request GcodePath::home(const GcodeWords& words) {
   Homing homing;
-  const bool all = facts_.home.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));
+  const bool all =
+      facts_.home.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     homing.axes[i] = all || words.has(axis_words[i]);
     if (!homing.axes[i]) continue;

@@ -65,7 +65,7 @@ TEST(kinematics, the_end_is_exact_after_100_000_random_short_moves) {
   }
 }
 
-TEST(kinematics, a_stop_tells_the_place_from_the_motors) {
+TEST(kinematics, a_stop_leaves_the_place_that_the_motors_have) {
   for (const Any& model : {Any(CoreXy::Parameters{}), Any(deltas[0])}) {
     motion::Planner planner(limits(), motion_test::timing(50'000'000), model);
     const Place place = at(10'123'456, -7'654'321, 30'000'000, 1'000'000);
