@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "drivers/guard_timings.hpp"
+#include "machine/kinematics.hpp"
 #include "motion/limits.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/heater_model.hpp"
@@ -41,6 +42,7 @@ struct MachineDescription {
   bool advanced_ok{};  // report the free places with each ok
   units::Milliseconds host_silence{};  // heaters off after it; 0 is never
   motion::Limits limits{};
+  [[no_unique_address]] motion::kinematics::Chosen::Parameters kinematics{};
   units::PerAxis<units::Nanometers> homing_search{};  // from an unknown place, at most
   units::PerAxis<drivers::DriverChipTimings> drivers{};
   HeaterDescription hotend{};

@@ -79,7 +79,8 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
       clock_(clock),
       step_generator_(step_generator),
       end_stops_(end_stops),
-      planner_(machine.limits, timing_of(machine, clock)),
+      planner_(machine.limits, timing_of(machine, clock),
+               motion::kinematics::Chosen(machine.kinematics)),
       pace_(step_generator, clock, lines_under_way) {}
 
 void MotionTask::start() {
@@ -101,6 +102,7 @@ void MotionTask::update(Now now) {
   step_generator_.feed_watchdog();
   pace_.update(now.microseconds, step_generator_.moving());
   settle_stop();
+  if (!chords_.done() && planner_.has_room()) go_on_with_chords();
   if (homing_.active()) lead_homing();
   pace_.set_homing(homing_.active());
   if (planner_.empty() && step_generator_.idle()) pace_.note_rest();
@@ -122,6 +124,7 @@ void MotionTask::settle_stop() {
     return;
   }
   planner_.clear();
+  chords_.cancel();
   lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
@@ -131,51 +134,6 @@ void MotionTask::settle_stop() {
   stopped_by_end_stop_ = stop.end_stops != 0;
   ++position_jumps_;
   step_generator_.acknowledge_stop();
-}
-
-void MotionTask::lead_homing() {
-  if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
-  // It may be at rest because of a stop after the check in settle_stop().
-  if (step_generator_.stop_state().stopped) return;
-  carry_out(homing_.update(
-      {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
-}
-
-void MotionTask::carry_out(const motion::HomingRequest& request) {
-  using Kind = motion::HomingRequest::Kind;
-  switch (request.kind) {
-    case Kind::nothing:
-    case Kind::finished:
-      return;
-    case Kind::move: {
-      stopped_by_end_stop_ = false;
-      motion::LineMove move{.target = planner_.position(),
-                            .feedrate = request.move.speed,
-                            .stop_mask = request.move.stop_mask};
-      move.target[index_of(request.move.axis)] += request.move.distance;
-      const auto accepted = append(move);
-      if (!accepted) {
-        homing_.cancel();
-        homing_fault_ = accepted.error();
-        homing_axis_ = request.move.axis;
-      }
-      planner_.flush();
-      return;
-    }
-    case Kind::set_position: {
-      units::PerAxis<units::Position> positions = planner_.position();
-      positions[index_of(request.axis)] = request.position;
-      set_position(positions);
-      ++position_jumps_;
-      homed_.insert(request.axis);
-      located_.insert(request.axis);
-      return;
-    }
-    case Kind::fault:
-      homing_fault_ = request.fault;
-      homing_axis_ = request.axis;
-      return;
-  }
 }
 
 bool MotionTask::refill() {
@@ -200,7 +158,7 @@ void MotionTask::set_stretch(Stretch now, Stretch behind) {
   stretch_behind_.reset();
   if (behind == now) return;
   stretch_behind_ = behind;
-  lines_before_ = planner_.lines();
+  lines_before_ = planner_.lines() + chords_.left();
 }
 
 // The first segment of a line goes to the step generator.
@@ -211,6 +169,10 @@ void MotionTask::begin_line() {
 }
 
 std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {
+  return kinematics().straight() || move.of_motors ? append_line(move) : append_chords(move);
+}
+
+std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMove& move) {
   const auto accepted = planner_.append(move, pace_.time());
   pace_.note_line(move.feedrate);
   if (accepted && !(motors_on_ == units::AxisSet::all())) {
@@ -220,30 +182,13 @@ std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& mo
 }
 
 bool MotionTask::at_rest() const {
-  return planner_.empty() && step_generator_.idle() && !stopping_ && !homing_.active() &&
-         !step_generator_.stop_state().stopped;
-}
-
-void MotionTask::start_homing(units::AxisSet axes) {
-  homing_fault_.reset();
-  motion::Limits limits = planner_.limits();
-  for (const units::Axis axis : all_axes) {
-    if (!axes.contains(axis) || !limits.of(axis).homing) continue;
-    limits.of(axis).travel = located_.contains(axis) ? distance_to_end_stop(axis)
-                                                     : machine_.homing_search[index_of(axis)];
-    located_.remove(axis);
-  }
-  homing_.start(axes, limits);
-}
-
-units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
-  const motion::HomingParameters& homing = *limits().of(axis).homing;
-  const units::Nanometers above = planner_.position()[index_of(axis)].nearest() - homing.position;
-  return std::max(homing.towards_positive ? -above : above, units::Nanometers(0));
+  return planner_.empty() && chords_.done() && step_generator_.idle() && !stopping_ &&
+         !homing_.active() && !step_generator_.stop_state().stopped;
 }
 
 void MotionTask::quick_stop() {
   homing_.cancel();
+  chords_.cancel();
   located_ = {};  // a motor that stops dead may lose steps
   stopping_ = true;
   step_generator_.stop();
@@ -263,14 +208,30 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
       motors_on_.insert(axis);
     } else {
       motors_on_.remove(axis);
-      located_.remove(axis);
+      note_lost(axis);
     }
+  }
+}
+
+// Where the axis is now is not known exactly, nor where others are that its motor moves.
+void MotionTask::note_lost(units::Axis axis) {
+  if (kinematics().identity()) {
+    located_.remove(axis);
+  } else {
+    located_ = {};
   }
 }
 
 void MotionTask::set_limits(const motion::Limits& limits) {
   planner_.set_limits(limits);
   pace_.set_limits(limits);
+}
+
+void MotionTask::set_kinematics(const motion::kinematics::Chosen& kinematics) {
+  const auto positions = planner_.position();
+  located_ = homed_ = {};
+  planner_.set_kinematics(kinematics);
+  set_position(positions);
 }
 
 void MotionTask::set_steps_per_meter(const motion::Limits& limits) {

@@ -34,12 +34,16 @@ class MotionTask {
   // may be in hand.
   bool queue_full() const { return queue_full_; }
 
-  bool has_room() const { return planner_.has_room(); }
+  bool has_room() const { return planner_.has_room() && chords_.done(); }
   std::size_t room() const { return motion::Planner::capacity - planner_.lines(); }
-  // Switches the motors on. `target` in machine coordinates.
+  // Switches the motors on. `target` in machine coordinates. Where motors do not follow a line by
+  // themselves, the planner gets the first of its chords now, and one more in each pass.
   std::expected<void, motion::Fault> append(const motion::LineMove& move);
   // What has been appended starts without waiting for more.
-  void flush() { planner_.flush(); }
+  void flush() {
+    planner_.flush();
+    chords_.flush();
+  }
   // Planner empty, step generator idle, no stop or homing under way.
   bool at_rest() const;
 
@@ -72,13 +76,18 @@ class MotionTask {
   void enable_motors(units::AxisSet axes, bool enabled);
   std::uint8_t end_stops() const { return end_stops_.triggered(); }
 
+  const motion::kinematics::Chosen& kinematics() const { return planner_.kinematics(); }
+  // Only at rest. Where the axes are is not known any more.
+  void set_kinematics(const motion::kinematics::Chosen& kinematics);
   const motion::Limits& limits() const { return planner_.limits(); }
   void set_limits(const motion::Limits& limits);
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
   void set_steps_per_meter(const motion::Limits& limits);
 
   // Machine coordinates of the end of the last planned move, and the steps made so far.
-  const units::PerAxis<units::Position>& position() const { return planner_.position(); }
+  const units::PerAxis<units::Position>& position() const {
+    return chords_.done() ? planner_.position() : chords_.target();
+  }
   units::PerAxis<units::Steps> steps();
   // Counts the times that position() has jumped: at homing and quick stops.
   std::uint32_t position_jumps() const { return position_jumps_; }
@@ -88,6 +97,13 @@ class MotionTask {
   void lead_homing();
   void carry_out(const motion::HomingRequest& request);
   void begin_line();
+  void note_lost(units::Axis axis);
+  std::expected<void, motion::Fault> append_chords(motion::LineMove move);
+  std::expected<void, motion::Fault> append_line(const motion::LineMove& move);
+  void go_on_with_chords();
+  motion::LineMove homing_move(const motion::HomingMove& request) const;
+  void pass_end_stop(const motion::HomingRequest& request);
+  void finish_homing_of_motors();
   units::Nanometers distance_to_end_stop(units::Axis axis) const;
   void set_position(const units::PerAxis<units::Position>& positions);
 
@@ -96,6 +112,7 @@ class MotionTask {
   drivers::StepGenerator& step_generator_;
   drivers::EndStops& end_stops_;
   motion::Planner planner_;
+  [[no_unique_address]] motion::kinematics::Chosen::Chords chords_;  // of the last line
   motion::Homing homing_;
   Pace pace_;
   std::optional<Stretch> stretch_behind_;  // of the lines after the next `lines_before_`

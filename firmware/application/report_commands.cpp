@@ -37,7 +37,8 @@ host_link::TextLine ReportCommands::temperature_line() const {
 }
 
 host_link::TextLine ReportCommands::position_line() const {
-  return host_link::position_report(coordinates_.logical(), motion_.steps());
+  return host_link::position_report(coordinates_.logical(), motion_.steps(),
+                                    motion_.kinematics().motor_letters());
 }
 
 Progress ReportCommands::say_firmware(Reply& reply) const {

@@ -10,4 +10,4 @@ reset:
 
 # The loader itself, linked to the place where the linker script puts this.
   .section .boot_loader, "ax"
-  .incbin "boot_loader.bin"
+  .incbin "loader_image.bin"

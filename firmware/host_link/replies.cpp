@@ -42,7 +42,7 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
 }
 
 TextLine position_report(const units::PerAxis<units::Position>& position,
-                         const units::PerAxis<units::Steps>& count) {
+                         const units::PerAxis<units::Steps>& count, std::string_view motors) {
   units::EventBound<units::Event::long_digit, 0> numbers;
   TextLine line;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
@@ -52,7 +52,7 @@ TextLine position_report(const units::PerAxis<units::Position>& position,
   line.text("Count");
   for (const units::Axis axis : {units::Axis::x, units::Axis::y, units::Axis::z}) {
     const std::size_t index = units::index_of(axis);
-    line.character(' ').character(units::axis_letters[index]).character(':');
+    line.character(' ').character(motors[index]).character(':');
     line.integer(count[index].count());
   }
   return line;

@@ -33,7 +33,8 @@ TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
 
 // M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was requested and the motors' steps.
 TextLine position_report(const units::PerAxis<units::Position>& position,
-                         const units::PerAxis<units::Steps>& count);
+                         const units::PerAxis<units::Steps>& count,
+                         std::string_view motors = "XYZ");
 
 struct Capability {
   std::string_view name;  // "AUTOREPORT_TEMP"

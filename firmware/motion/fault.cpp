@@ -22,6 +22,8 @@ std::string_view describe(Fault fault) {
       return "feedrate out of range";
     case Fault::target_out_of_range:
       return "target position out of range";
+    case Fault::target_out_of_reach:
+      return "target out of reach";
     case Fault::line_too_long:
       return "move too long";
     case Fault::queue_full:

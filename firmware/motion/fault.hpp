@@ -16,6 +16,7 @@ enum class Fault : std::uint8_t {
   length_out_of_range,
   feedrate_out_of_range,
   target_out_of_range,
+  target_out_of_reach,
   line_too_long,
   queue_full,
   arc_without_radius,

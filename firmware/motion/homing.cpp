@@ -2,6 +2,10 @@
 // The states of homing one axis after another.
 #include "motion/homing.hpp"
 
+#include <algorithm>
+
+#include "machine/kinematics.hpp"
+
 #include "units/loop_bound.hpp"
 
 namespace motion {
@@ -12,10 +16,11 @@ using Kind = HomingRequest::Kind;
 
 }  // namespace
 
-void Homing::start(units::AxisSet axes, const Limits& limits) {
+void Homing::start(units::AxisSet axes, const Limits& limits, bool together) {
   limits_ = limits;
   remaining_ = axes;
-  state_ = State::begin_axis;
+  axis_ = units::Axis::x;
+  state_ = together ? State::begin_together : State::begin_axis;
 }
 
 HomingRequest Homing::update(const HomingObservation& observation) {
@@ -23,6 +28,14 @@ HomingRequest Homing::update(const HomingObservation& observation) {
   switch (state_) {
     case State::idle:
       return {};
+    case State::begin_together:
+      if constexpr (kinematics::Chosen::may_home_motors) return begin_together();
+      [[fallthrough]];
+    case State::approach_together:
+      if (kinematics::Chosen::may_home_motors && !observation.stopped) {
+        return fail(Fault::end_stop_not_found);
+      }
+      [[fallthrough]];
     case State::begin_axis:
       return begin_axis(observation);
     case State::release:
@@ -44,6 +57,22 @@ HomingRequest Homing::update(const HomingObservation& observation) {
       return {.kind = Kind::set_position, .axis = axis_, .position = parameters().position};
   }
   return {};
+}
+
+HomingRequest Homing::begin_together() {
+  units::Nanometers distance;
+  std::uint32_t mask = 0;
+  units::LoopBound<units::axis_count, 1> axes;
+  for (const AxisLimits& axis : limits_.axes) {
+    axes.next();
+    if (!axis.homing) continue;
+    distance = std::max(distance, axis.travel + axis.homing->back_off);
+    mask |= 1u << axis.homing->end_stop;
+  }
+  HomingRequest request = move(State::approach_together, towards_end_stop(distance),
+                               parameters().fast_speed, static_cast<std::uint8_t>(mask));
+  request.move.together = true;
+  return request;
 }
 
 HomingRequest Homing::begin_axis(const HomingObservation& observation) {

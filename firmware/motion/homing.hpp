@@ -21,10 +21,12 @@ struct HomingObservation {
   std::uint8_t end_stops{};  // levels, bit = input, 1 = pressed
 };
 
-// A straight move of one axis from where it is, to be executed and flushed as a line of its own.
+// A straight move of one axis, or of X, Y and Z alike, from where it is, to be executed and flushed
+// as a line of its own.
 struct HomingMove {
   units::Axis axis{};
-  units::Nanometers distance{};  // signed
+  bool together{};
+  units::Nanometers distance{};  // signed, of each
   units::MicrometersPerSecond speed{};
   std::uint8_t stop_mask{};
 };
@@ -49,6 +51,8 @@ class Homing {
  public:
   enum class State : std::uint8_t {
     idle,
+    begin_together,
+    approach_together,
     begin_axis,
     release,
     approach,
@@ -58,8 +62,8 @@ class Homing {
 
   // Begins with the axes of `axes` that have an end stop, in the order X, Y, Z. No axis: finished
   // at the first update. An end stop is at most the axis' travel away, and is looked for as far and
-  // once more its back-off.
-  void start(units::AxisSet axes, const Limits& limits);
+  // once more its back-off. `together`: X, Y and Z first go on together until an end stop closes.
+  void start(units::AxisSet axes, const Limits& limits, bool together = false);
   // Cancels homing (emergency stop, M410).
   void cancel() { state_ = State::idle; }
 
@@ -74,6 +78,7 @@ class Homing {
   std::uint8_t stop_mask() const;
   bool pressed(const HomingObservation& observation) const;
   units::Nanometers towards_end_stop(units::Nanometers distance) const;
+  HomingRequest begin_together();
   HomingRequest begin_axis(const HomingObservation& observation);
   HomingRequest approach(units::Nanometers distance);
   HomingRequest move(State next, units::Nanometers distance, units::MicrometersPerSecond speed,

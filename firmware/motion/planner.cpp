@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/junction.hpp"
+#include "motion/kinematics/path_limits.hpp"
 #include "motion/line_start.hpp"
 #include "motion/steps.hpp"
 #include "units/loop_bound.hpp"
@@ -29,8 +30,9 @@ units::Nanometers distance_between(const units::Position& from, const units::Pos
 
 }  // namespace
 
-Planner::Planner(const Limits& limits, const StepTiming& timing)
-    : timing_(timing), geometry_(limits, timing) {}
+Planner::Planner(const Limits& limits, const StepTiming& timing,
+                 const kinematics::Chosen& kinematics)
+    : timing_(timing), geometry_(limits, timing), kinematics_(kinematics) {}
 
 void Planner::set_limits(const Limits& limits) { geometry_ = Geometry(limits, timing_); }
 
@@ -40,6 +42,14 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   }
   if (!in_range(move.target)) return std::unexpected(Fault::target_out_of_range);
   if (!has_room()) return std::unexpected(Fault::queue_full);
+  const bool direct = kinematics_.homes_motors() && move.of_motors;
+  if (!direct && !kinematics_.reaches(move.target)) {
+    return std::unexpected(Fault::target_out_of_reach);
+  }
+  const auto& motors = direct ? move.target : kinematics_.motors_of(move.target);
+  units::PerAxis<units::Position> from_motors;
+  if (direct) from_motors = motor_position();
+  const units::PerAxis<units::Position>& from = direct ? from_motors : line_end_;
 
   constexpr std::int64_t most_steps = 0x7FFF'FFFF;
   Displacement displacement;
@@ -48,34 +58,50 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   bool moves = false;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     StepPosition target{.steps = position_steps_[i], .residual = residual_[i]};
-    if (move.target[i] != line_end_[i]) {
-      target = steps_at(move.target[i], limits().axes[i].steps_per_meter);
+    if (direct || moves_motor(i, move.target)) {
+      target = steps_at(motors[i], limits().axes[i].steps_per_meter);
     }
     const std::int64_t steps = target.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
-    displacement.distance[i] = distance_between(line_end_[i], move.target[i], steps);
+    displacement.distance[i] =
+        distance_between(from[i], move.target[i], kinematics_.identity() ? steps : 0);
     displacement.steps[i] = static_cast<std::int32_t>(steps);
     displacement.residual[i] = residual_[i] + target.residual;
     target_steps[i] = target.steps;
     residual[i] = target.residual;
     moves |= steps != 0;
   }
-  target_ = move.target;
+  // Homing sets the position at its end; the place on its way is nothing to calculate.
+  if (!direct) target_ = move.target;
   if (!moves) return {};
+  if (!kinematics_.identity() && displacement.distance == units::PerAxis<units::Nanometers>{}) {
+    displacement.distance[0] = units::Nanometers(1);
+  }
   append(displacement, move, now);
-  line_end_ = move.target;
+  line_end_ = target_;
   position_steps_ = target_steps;
   residual_ = residual;
   return {};
+}
+
+// An axis with its own motor needs none of the others' targets. The other motors stand still where
+// the tool does: they may have been set to steps whose place is rounded.
+bool Planner::moves_motor(std::size_t motor, const units::PerAxis<units::Position>& target) const {
+  const auto differs = [&](std::size_t i) { return target[i] != line_end_[i]; };
+  if (kinematics_.identity() || motor >= kinematics::spatial_axes) return differs(motor);
+  return differs(0) || differs(1) || differs(2);
 }
 
 void Planner::append(const Displacement& displacement, const LineMove& move,
                      units::Microseconds now) {
   supply_.line_came(now);
   Line& added = lines_[(first_ + count_) % capacity];
-  const Course course =
+  Course course =
       geometry_.make_line(displacement, std::min(move.feedrate, max_speed),
                           std::max(timing_.least_line_time, supply_.least_time(stock(now))), added);
+  if (!kinematics_.straight()) {
+    kinematics::limit_to_motors(limits(), displacement, added, course);
+  }
   added.start = line_start(added.steps, added.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
@@ -187,19 +213,26 @@ void Planner::clear() {
 
 void Planner::set_position(const units::PerAxis<units::Position>& position) {
   target_ = line_end_ = position;
+  const auto& motors = kinematics_.motors_of(position);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const StepPosition here = steps_at(position[i], limits().axes[i].steps_per_meter);
+    const StepPosition here = steps_at(motors[i], limits().axes[i].steps_per_meter);
     position_steps_[i] = here.steps;
     residual_[i] = here.residual;
   }
 }
 
+units::PerAxis<units::Position> Planner::motor_position() const {
+  units::PerAxis<units::Position> motors;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    motors[i] = position_of(position_steps_[i], limits().axes[i].steps_per_meter);
+  }
+  return motors;
+}
+
 void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
   position_steps_ = steps;
   residual_ = {};
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    line_end_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
-  }
+  line_end_ = kinematics_.place_of(motor_position());
   target_ = line_end_;
 }
 

@@ -9,9 +9,11 @@
 #include <expected>
 #include <optional>
 
+#include "machine/kinematics.hpp"
 #include "motion/fault.hpp"
 #include "motion/limits.hpp"
 #include "motion/line.hpp"
+#include "motion/planner_move.hpp"
 #include "motion/profile.hpp"
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
@@ -21,15 +23,6 @@
 #include "units/quantity.hpp"
 
 namespace motion {
-
-// A straight move to `target`, in absolute machine coordinates.
-struct LineMove {
-  units::PerAxis<units::Position> target{};
-  // Along X, Y and Z; of E alone where they stand still. 1 .. max_speed; what an axis cannot do
-  // is slower.
-  units::MicrometersPerSecond feedrate{};
-  std::uint8_t stop_mask{};  // end stops (bit = input) that end all motion
-};
 
 class Planner {
  public:
@@ -41,7 +34,12 @@ class Planner {
   // is still in the ring, but for StepTiming::longest_pass: the rest stays plannable.
   static constexpr units::Microseconds horizon{40'000};
 
-  Planner(const Limits& limits, const StepTiming& timing);
+  Planner(const Limits& limits, const StepTiming& timing,
+          const kinematics::Chosen& kinematics = kinematics::Chosen{});
+
+  const kinematics::Chosen& kinematics() const { return kinematics_; }
+  // Only while empty and at rest; the position must then be set.
+  void set_kinematics(const kinematics::Chosen& kinematics) { kinematics_ = kinematics; }
 
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);
@@ -70,15 +68,19 @@ class Planner {
 
   // The last target: relative moves go on from here.
   const units::PerAxis<units::Position>& position() const { return target_; }
-  // The same in steps, rounded; what the step generator's counters show when all is done
+  // The motors' in steps, rounded; what the step generator's counters show when all is done
   // (modulo 2^32).
   const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
+
+  // Where the motors are, to the nanometre.
+  units::PerAxis<units::Position> motor_position() const;
 
   // Declares where the axes are; only while empty and at rest.
   void set_position(const units::PerAxis<units::Position>& position);
   void set_position_steps(const units::PerAxis<std::int64_t>& steps);
 
  private:
+  bool moves_motor(std::size_t motor, const units::PerAxis<units::Position>& target) const;
   Line& line(std::size_t index) { return lines_[(first_ + index) % capacity]; }
   void append(const Displacement& displacement, const LineMove& move, units::Microseconds now);
   void look_ahead();
@@ -88,6 +90,7 @@ class Planner {
 
   StepTiming timing_;
   Geometry geometry_;
+  [[no_unique_address]] kinematics::Chosen kinematics_;
   units::PerAxis<units::Position> target_{};  // of the last move
   units::PerAxis<units::Position> line_end_{};  // of the last move that had steps
   units::PerAxis<std::int64_t> position_steps_{};  // of both

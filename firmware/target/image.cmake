@@ -5,6 +5,10 @@
 include(ExternalProject)
 get_property(sources GLOBAL PROPERTY firmware_sources)
 list(JOIN sources "|" sources)
+# The generator checks the entry; here it only selects what is linked.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${STEPFABRIC_MACHINE})
+file(STRINGS ${STEPFABRIC_MACHINE} kinematics REGEX "^kinematics = \"[a-z_]+\"")
+string(REGEX REPLACE "^kinematics = \"([a-z_]+)\".*" "\\1" kinematics "${kinematics}")
 
 ExternalProject_Add(firmware_image
   SOURCE_DIR ${CMAKE_CURRENT_LIST_DIR}
@@ -15,6 +19,7 @@ ExternalProject_Add(firmware_image
     -DCMAKE_TOOLCHAIN_FILE=${CMAKE_CURRENT_LIST_DIR}/toolchain.cmake
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DFIRMWARE_SOURCES=${sources}
+    -DKINEMATICS=${kinematics}
     -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
     -DCHIP_MEMORY_BYTES=${chip_memory_bytes}
     -DCOMPARISON_MEMORY_BYTES=${comparison_memory_bytes}
@@ -34,10 +39,12 @@ add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 foreach(stepping IN ITEMS hardware software)
-  add_custom_target(firmware_other_machine_${stepping}
-    COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
-      --target other_machine_${stepping}.elf
-    DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+  foreach(kinematics IN ITEMS cartesian core_xy delta)
+    add_custom_target(firmware_other_machine_${stepping}_${kinematics}
+      COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
+        --target other_machine_${stepping}_${kinematics}.elf
+      DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
+  endforeach()
 endforeach()
 add_custom_target(stepping_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware

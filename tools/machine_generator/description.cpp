@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "machine_generator/heater_description.hpp"
+#include "machine_generator/kinematics_description.hpp"
 #include "machine_generator/reader.hpp"
 
 namespace machine_generator {
@@ -17,6 +18,7 @@ constexpr std::int64_t nanometers_per_mm = 1'000'000;
 constexpr std::int64_t max_travel_nanometers = 100'000'000'000;
 constexpr std::int64_t max_driver_ns = 100'000;
 constexpr std::int64_t end_stop_inputs = 8;
+constexpr std::int64_t least_memory_kib = 64, most_memory_kib = 256;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
 
 // M115 reports it in a line with other fields.
@@ -137,9 +139,15 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   if (machine.name.size() > longest_name || !std::ranges::all_of(machine.name, may_stand_in_name)) {
     root.fail("name", "is longer than 64 bytes, or holds \", \\ or what is not printable ASCII");
   }
-  if (root.text("kinematics") != "cartesian") root.fail("kinematics", "must be \"cartesian\"");
+  if (root.has("memory_kib")) {
+    // Up to what the largest board holds, in whole block RAMs for 32 bits.
+    const std::int64_t kib = root.whole("memory_kib", least_memory_kib, most_memory_kib);
+    if (kib % 4 != 0) root.fail("memory_kib", "must be a multiple of 4");
+    machine.memory_bytes = static_cast<std::uint32_t>(kib * 1024);
+  }
   read_serial(root.table("serial"), machine.description);
   read_axes(root.table("axes"), root.table("drivers"), machine.description);
+  read_kinematics(root, machine.description);
   read_motion(root.table("motion"), machine.description.limits);
   if (root.has("retraction")) {
     read_retraction(root.table("retraction"), machine.description.limits.retraction);

@@ -3,7 +3,9 @@
 // alone, in the call that reads it (description.cpp).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <toml++/toml.hpp>
 
@@ -13,6 +15,7 @@ namespace machine_generator {
 
 struct Machine {
   std::string name;
+  std::optional<std::uint32_t> memory_bytes{};  // that its chip must have; none: the default's
   application::MachineDescription description{};  // but for its name
 };
 

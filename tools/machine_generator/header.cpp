@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "machine_generator/description.hpp"
+#include "machine_generator/kinematics_description.hpp"
 
 namespace machine_generator {
 namespace {
@@ -36,9 +37,10 @@ std::string text(const motion::AxisLimits& axis) {
   if (axis.homing) {
     result += fmt::format(
         ",\n           .homing = motion::HomingParameters{{.fast_speed = {}, .slow_speed = {},\n"
-        "                        .back_off = {}, .end_stop = {}}}",
+        "                        .back_off = {}, .end_stop = {},\n"
+        "                        .towards_positive = {}}}",
         text(axis.homing->fast_speed), text(axis.homing->slow_speed), text(axis.homing->back_off),
-        axis.homing->end_stop);
+        axis.homing->end_stop, axis.homing->towards_positive);
   }
   return result + "},\n";
 }
@@ -123,15 +125,15 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "inline constexpr application::MachineDescription machine{{\n"
       "  .name = \"{}\",\n  .baud = {},\n"
       "  .advanced_ok = {},\n  .host_silence = {},\n"
-      "  .limits = {},\n"
+      "  .limits = {},\n{}"
       "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.name, description.baud, description.advanced_ok,
-      text(description.host_silence), text(description.limits), searches, drivers,
-      text(description.hotend), text(description.bed), text(description.min_extrusion),
-      text(description.converter));
+      text(description.host_silence), text(description.limits),
+      kinematics_text(description.kinematics), searches, drivers, text(description.hotend),
+      text(description.bed), text(description.min_extrusion), text(description.converter));
 }
 
 }  // namespace

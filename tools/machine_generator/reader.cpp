@@ -113,7 +113,25 @@ std::int64_t Reader::whole(const std::string& key, std::int64_t least, std::int6
 
 std::int64_t Reader::scaled(const std::string& key, std::int64_t scale, std::int64_t least,
                             std::int64_t most) {
-  const toml::node& found = node(key);
+  return scaled_value(key, node(key), scale, least, most);
+}
+
+std::vector<std::int64_t> Reader::scaled_list(const std::string& key, std::int64_t scale,
+                                              std::int64_t least, std::int64_t most,
+                                              std::size_t count) {
+  const auto* list = node(key).as_array();
+  if (list == nullptr || list->size() != count) {
+    fail(key, fmt::format("must be a list of {} numbers", count));
+  }
+  std::vector<std::int64_t> values;
+  for (const toml::node& value : *list) {
+    values.push_back(scaled_value(key, value, scale, least, most));
+  }
+  return values;
+}
+
+std::int64_t Reader::scaled_value(const std::string& key, const toml::node& found,
+                                  std::int64_t scale, std::int64_t least, std::int64_t most) const {
   if (!found.is_number()) fail(key, "must be a number");
   // value<double>() is empty for an integer that no double equals.
   const auto* integer = found.as_integer();

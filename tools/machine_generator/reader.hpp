@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <toml++/toml.hpp>
+#include <vector>
 
 namespace machine_generator {
 
@@ -41,6 +42,10 @@ class Reader {
   std::int64_t scaled(const std::string& key, std::int64_t scale, std::int64_t least,
                       std::int64_t most);
 
+  // So many such numbers, of any sign of the bounds.
+  std::vector<std::int64_t> scaled_list(const std::string& key, std::int64_t scale,
+                                        std::int64_t least, std::int64_t most, std::size_t count);
+
   // Every key has been read; throws on the first that has not.
   void finish() const;
 
@@ -48,6 +53,8 @@ class Reader {
 
  private:
   const toml::node& node(const std::string& key);
+  std::int64_t scaled_value(const std::string& key, const toml::node& found, std::int64_t scale,
+                            std::int64_t least, std::int64_t most) const;
 
   std::string file_;
   const toml::table& table_;

@@ -26,6 +26,8 @@ constexpr std::size_t x = units::index_of(units::Axis::x), y = units::index_of(u
 constexpr double clocks_per_ohm = 6.03 / 8e6;  // and hertz
 constexpr double hot_ohms = 600;
 constexpr double one = 65536;  // of the override
+// Layers are farther apart, in 10 nm; the rounded steps of three towers are nearer.
+constexpr std::int64_t same_height = 2'000;
 
 MotionModel* model = nullptr;
 
@@ -47,15 +49,11 @@ bool is_of_generator(std::uint32_t address) { return address >> 12 == generator:
 
 }  // namespace
 
-MotionModel::MotionModel(const motion::Limits& limits, double clock_hz) : clock_hz_(clock_hz) {
+MotionModel::MotionModel(const motion::Limits& limits, const motion::kinematics::Any& kinematics,
+                         double clock_hz)
+    : kinematics_(kinematics), clock_hz_(clock_hz) {
   set_steps_per_mm(limits);
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const auto& homing = limits.axes[i].homing;
-    if (!homing) continue;
-    end_stop_[i] = 1u << homing->end_stop;
-    towards_[i] = homing->towards_positive ? 1 : -1;
-    distance_[i] = std::llround(start_mm * steps_per_mm_[i]);
-  }
+  place_end_stops(limits);
   words_[generator::Override::address / 4 % words_of_peripheral] = static_cast<std::uint32_t>(one);
   model = this;
 }
@@ -208,7 +206,7 @@ double MotionModel::tick_of_stop(const Line& line) const {
   double last = line.ticks;
   for (std::size_t i = 0; i < axis_count; ++i) {
     if ((line.stop_mask & end_stop_[i]) == 0) continue;
-    const std::int64_t approach = line.steps[i] * towards_[i];
+    const std::int64_t approach = approach_of(i, line.steps);
     if (distance_[i] <= 0) return 1;
     if (approach < distance_[i]) continue;
     const double part = static_cast<double>(distance_[i]) / static_cast<double>(approach);
@@ -221,30 +219,32 @@ double MotionModel::tick_of_stop(const Line& line) const {
 void MotionModel::count_steps() {
   const double part = line_.last_tick / line_.ticks;
   const double filament_before = filament_mm_;
+  std::array<std::int64_t, axis_count> made = line_.steps;
   for (std::size_t i = 0; i < axis_count; ++i) {
-    const std::int64_t made =
-        part < 1 ? std::llround(static_cast<double>(line_.steps[i]) * part) : line_.steps[i];
-    position_[i] = static_cast<std::int32_t>(position_[i] + made);
-    distance_[i] -= made * towards_[i];
-    (made < 0 ? axes_[i].steps_backward : axes_[i].steps_forward) +=
-        static_cast<std::uint64_t>(std::abs(made));
-    if (i == e) filament_mm_ += static_cast<double>(made) / steps_per_mm_[i];
+    if (part < 1) made[i] = std::llround(static_cast<double>(line_.steps[i]) * part);
+    position_[i] = static_cast<std::int32_t>(position_[i] + made[i]);
+    (made[i] < 0 ? axes_[i].steps_backward : axes_[i].steps_forward) +=
+        static_cast<std::uint64_t>(std::abs(made[i]));
+    if (i == e) filament_mm_ += static_cast<double>(made[i]) / steps_per_mm_[i];
   }
+  for (std::size_t i = 0; i < axis_count; ++i) distance_[i] -= approach_of(i, made);
   if (!on_line) return;
-  Walk walk{.filament_mm = filament_mm_ - filament_before};
-  for (const std::size_t i : {x, y, z}) walk.end_mm[i] = position_[i] / steps_per_mm_[i];
-  on_line(walk);
+  on_line({.end_mm = place_mm(), .filament_mm = filament_mm_ - filament_before});
 }
 
 // A line that extrudes in the plane, at another height than those before.
 void MotionModel::record_layer(double begin) {
   const bool prints = line_.steps[e] > 0 && (line_.steps[x] != 0 || line_.steps[y] != 0);
-  if (!prints || line_.steps[z] != 0) return;
-  const std::int64_t height = position_[z];
-  if (!layers_.empty() && height == layer_height_) return;
+  if (!prints || (kinematics_.has_own_z() && line_.steps[z] != 0)) return;
+  constexpr double per_mm = 1e5;
+  const double z_mm = place_mm()[z];
+  const std::int64_t height = std::llround(z_mm * per_mm);
+  if (!layers_.empty() &&
+      std::abs(height - layer_height_) <= (kinematics_.has_own_z() ? 0 : same_height)) {
+    return;
+  }
   layer_height_ = height;
-  layers_.push_back(
-      {.z_mm = static_cast<double>(height) / steps_per_mm_[z], .begin_seconds = begin / clock_hz_});
+  layers_.push_back({.z_mm = z_mm, .begin_seconds = begin / clock_hz_});
 }
 
 void MotionModel::record_peaks(double rate, double end_rate, double acceleration, double scale) {

@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 
+#include "machine/kinematics.hpp"
 #include "motion/limits.hpp"
 #include "tools/planning/path.hpp"
 #include "tools/planning/plan.hpp"
@@ -20,7 +21,8 @@ class MotionModel {
   // Axes with an end stop stand this far from it.
   static constexpr double start_mm = 20.0;
 
-  MotionModel(const motion::Limits& limits, double clock_hz);
+  MotionModel(const motion::Limits& limits, const motion::kinematics::Any& kinematics,
+              double clock_hz);
   ~MotionModel();
   MotionModel(const MotionModel&) = delete;
   MotionModel& operator=(const MotionModel&) = delete;
@@ -29,8 +31,9 @@ class MotionModel {
   std::uint32_t read(std::uint32_t address);
   void write(std::uint32_t address, std::uint32_t value);
 
-  // M92 holds for the records from now on.
+  // M92 and the kinematics' settings hold for the records from now on.
   void set_steps_per_mm(const motion::Limits& limits);
+  void set_kinematics(const motion::kinematics::Any& kinematics) { kinematics_ = kinematics; }
 
   // Called after each line that the step generator executes.
   std::function<void(const Walk&)> on_line;
@@ -75,6 +78,10 @@ class MotionModel {
   bool stopped() const { return stop_time_ <= now_; }
   std::uint32_t closed_end_stops() const;
   double tick_of_stop(const Line& line) const;
+  void place_end_stops(const motion::Limits& limits);
+  std::int64_t approach_of(std::size_t axis,
+                           const std::array<std::int64_t, axis_count>& steps) const;
+  std::array<double, 3> place_mm() const;
   void command(std::uint32_t value);
   void commit();
   void begin_line(std::uint32_t backward, std::uint32_t stop_mask);
@@ -82,12 +89,14 @@ class MotionModel {
   void record_peaks(double rate, double end_rate, double acceleration, double scale);
   void count_steps();
 
+  motion::kinematics::Any kinematics_;
   double clock_hz_;
   std::array<std::uint32_t, words_of_peripheral> words_{};  // of the step generator
   std::array<double, axis_count> steps_per_mm_{};
   std::array<std::uint32_t, axis_count> end_stop_{};  // mask of its input, or none
-  std::array<std::int64_t, axis_count> towards_{};  // the end stop: the sign of a step
-  std::array<std::int64_t, axis_count> distance_{};  // from it, in steps
+  // How much nearer to the axis' end stop a step of each motor brings it.
+  std::array<std::array<std::int64_t, axis_count>, axis_count> towards_{};
+  std::array<std::int64_t, axis_count> distance_{};  // from it, in these steps
   std::array<std::int32_t, axis_count> position_{};  // the hardware's counters
 
   double now_ = 0;
@@ -100,7 +109,7 @@ class MotionModel {
 
   std::array<AxisPlan, axis_count> axes_{};
   std::deque<Layer> layers_;
-  std::int64_t layer_height_{};  // in steps
+  std::int64_t layer_height_{};  // in 10 nm
   double moving_clocks_ = 0;
   double first_step_ = -1;
   double filament_mm_ = 0;

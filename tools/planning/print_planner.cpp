@@ -71,7 +71,7 @@ PrintPlanner::PrintPlanner(std::uint32_t clock_hz) : PrintPlanner(machine::machi
 PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::uint32_t clock_hz)
     : clock_hz_(clock_hz),
       machine_(heated(machine)),
-      model_(machine_.limits, clock_hz),
+      model_(machine_.limits, motion::kinematics::Any(machine_.kinematics), clock_hz),
       converter_(units::Hertz(clock_hz)),
       heater_control_(units::Hertz(clock_hz)),
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_),
@@ -120,6 +120,7 @@ bool PrintPlanner::take(std::size_t file_line, std::string_view text) {
   if (statistics_.commands_executed == executed) refuse(file_line, text, replies_);
   replies_.clear();
   model_.set_steps_per_mm(motion_.limits());
+  model_.set_kinematics(motion_.kinematics());
   return true;
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines for motors that do not follow them by themselves: chord by chord, one in each pass.
+#include <algorithm>
+
+#include "application/motion_task.hpp"
+#include "motion/kinematics/path_limits.hpp"
+
+namespace application {
+
+std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove move) {
+  if (!kinematics().reaches(move.target)) {
+    return std::unexpected(motion::Fault::target_out_of_reach);
+  }
+  const units::PerAxis<units::Position> from = position();
+  auto acceleration = motion::max_acceleration;
+  for (std::size_t i = 0; i < motion::kinematics::spatial_axes; ++i) {
+    acceleration = std::min(acceleration, limits().axes[i].max_acceleration);
+  }
+  move.feedrate =
+      std::min({move.feedrate, motion::kinematics::speed_of_axes(limits(), from, move.target),
+                kinematics().speed_limit(from, move.target, acceleration)});
+  chords_.begin(from, move, kinematics().chords(from, move.target, move.feedrate));
+  const auto accepted = append_line(chords_.next());
+  if (!accepted) chords_.cancel();
+  return accepted;
+}
+
+// All of them are within reach, and none is refused for want of room.
+void MotionTask::go_on_with_chords() {
+  if (!append_line(chords_.next())) chords_.cancel();
+  if (chords_.done() && chords_.flushes()) planner_.flush();
+}
+
+}  // namespace application
