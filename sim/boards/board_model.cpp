@@ -63,6 +63,10 @@ void BoardModel::permit_software_stepping() {
   throw std::runtime_error("a board lets no firmware drive the step pins");
 }
 
+void BoardModel::set_memory_bytes(std::uint32_t) {
+  throw std::runtime_error("the board's chip has no more memory");
+}
+
 // With the program in memory, as on a board.
 void BoardModel::start() {
   started_ = true;

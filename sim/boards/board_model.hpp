@@ -19,6 +19,7 @@ class BoardModel : public ChipModel {
   ~BoardModel() override;
 
   void permit_software_stepping() override;
+  void set_memory_bytes(std::uint32_t bytes) override;
   void count_into(EvaluationCounts&) override {}
   void advance(Clock limit) override;
   void reset() override;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// An end stop switch: closed while its axis stands at 0 or below. Its contact may bounce.
+// An end stop switch: closed while its axis stands at 0 or below, or where else the motors bring
+// what presses it. Its contact may bounce.
 #pragma once
 
+#include <array>
 #include <random>
 
 #include "sim/devices/step_edge.hpp"
+#include "sim/devices/switch_place.hpp"
 #include "sim/simulation/clock_rate.hpp"
 #include "sim/simulation/device.hpp"
 
@@ -20,17 +23,21 @@ class EndStop : public sim::Device, public StepListener {
  public:
   EndStop(std::size_t axis, std::size_t input, sim::ClockRate rate, sim::InputPins& inputs,
           std::int64_t position, EndStopFault fault = EndStopFault::none, std::uint64_t seed = 1);
+  // Of several motors, which stand at `positions`.
+  EndStop(const SwitchPlace& place, std::size_t input, sim::ClockRate rate, sim::InputPins& inputs,
+          const std::array<std::int64_t, 4>& positions, EndStopFault fault, std::uint64_t seed);
 
   void stepped(const StepEdge& edge) override;
   void wake(sim::Clock now) override;
   bool closed() const { return (inputs_.end_stops >> input_ & 1) != 0; }
 
  private:
-  bool closed_at(std::int64_t position) const;
+  bool is_pressed() const;
   void show(bool closed);
   sim::Clock between(double least_seconds, double most_seconds);
 
-  std::size_t axis_;
+  SwitchPlace place_;
+  std::array<std::int64_t, 4> positions_;
   std::size_t input_;
   sim::ClockRate rate_;
   sim::InputPins& inputs_;

@@ -12,6 +12,7 @@
 
 #include "machine_generator/header.hpp"
 #include "machine_generator/reader.hpp"
+#include "sim/machine/delta_mechanism.hpp"
 #include "sim/simulation/pins.hpp"
 
 namespace machine {
@@ -24,6 +25,7 @@ class Entry {
   explicit Entry(toml::node_view<const toml::node> node) : node_(node) {}
 
   Entry operator[](std::string_view key) const { return Entry(node_[key]); }
+  Entry operator[](std::size_t index) const { return Entry(node_[index]); }
   explicit operator bool() const { return static_cast<bool>(node_); }
 
   double number() const { return node_.value<double>().value(); }
@@ -74,6 +76,24 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
           thermistor["beta_k"].number()};
 }
 
+std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
+  const std::string name = root["kinematics"].text();
+  if (name == "core_xy") return core_xy_mechanism();
+  if (name == "delta") {
+    const Entry delta = root["delta"];
+    DeltaProperties properties{.rod = delta["rod_length_mm"].number(),
+                               .radius = delta["radius_mm"].number(),
+                               .height = delta["height_mm"].number(),
+                               .printable_radius = delta["printable_radius_mm"].number()};
+    const Entry offsets = delta["end_stop_offset_mm"];
+    for (std::size_t i = 0; i < properties.end_stop_offset.size(); ++i) {
+      properties.end_stop_offset[i] = offsets[i].number();
+    }
+    return delta_mechanism(properties);
+  }
+  return cartesian_mechanism();
+}
+
 void check_channels(const toml::table& table, const std::filesystem::path& file) {
   machine_generator::Reader root(file, table);
   for (const char* heater : {"hotend", "bed"}) {
@@ -96,7 +116,12 @@ Description description_of(const toml::table& table, const std::filesystem::path
   Description description;
   description.name = root["name"].text();
   description.baud = static_cast<std::uint32_t>(root["serial"]["baud"].whole_number());
+  if (const Entry memory = root["memory_kib"]) {
+    constexpr std::uint32_t bytes_per_kib = 1024;
+    description.memory_bytes = static_cast<std::uint32_t>(memory.whole_number()) * bytes_per_kib;
+  }
   for (std::size_t i = 0; i < axis_count; ++i) description.axes[i] = axis_of(root, axis_letters[i]);
+  description.mechanism = mechanism_of(root);
   if (const Entry retraction = root["retraction"]) {
     description.retraction = {retraction["length_mm"].number(), retraction["lift_mm"].number(),
                               retraction["extra_mm"].number()};

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "sim/devices/motor_driver.hpp"
+#include "sim/machine/mechanism.hpp"
 #include "sim/plants/heated_block.hpp"
 
 namespace machine {
@@ -18,6 +19,7 @@ namespace machine {
 inline constexpr std::size_t axis_count = 4;  // x y z e, as in reports
 inline constexpr std::array<char, axis_count> axis_letters{'x', 'y', 'z', 'e'};
 
+// Where motors are not the axes, steps and the driver are the motor's of the axis' name.
 struct AxisDescription {
   double steps_per_mm{};
   std::optional<double> travel_mm;  // from the end stop to the far end; an extruder has none
@@ -55,7 +57,9 @@ struct ConverterDescription {
 struct Description {
   std::string name;
   std::uint32_t baud{};
+  std::optional<std::uint32_t> memory_bytes;  // of the chip, where its firmware needs more
   std::array<AxisDescription, axis_count> axes;
+  std::shared_ptr<const Mechanism> mechanism = cartesian_mechanism();
   RetractionDescription retraction;
   HeaterDescription hotend;
   HeaterDescription bed;

@@ -14,13 +14,6 @@ namespace machine {
 
 namespace {
 
-// A printer is switched on wherever the last print left it; here not far from the end stops, so
-// that homing does not take long.
-constexpr double least_start_mm = 2.0;
-constexpr std::array<double, 3> most_start_mm{40.0, 40.0, 8.0};
-// How far an axis can go beyond its end stop and beyond its travel.
-constexpr double lower_frame_mm = 2.0;
-constexpr double upper_frame_mm = 5.0;
 // Steppers are chosen with this reserve of torque and of speed.
 constexpr double torque_reserve = 8.0;
 constexpr double speed_reserve = 2.0;
@@ -30,14 +23,15 @@ constexpr double capacitor_tolerance = 0.1;
 // 0 to 1, the same with every standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-plants::AxisProperties properties_of(const AxisDescription& axis) {
+plants::AxisProperties properties_of(const AxisDescription& axis, bool has_frame) {
   plants::AxisProperties properties;
   properties.steps_per_mm = axis.steps_per_mm;
   properties.torque_acceleration = torque_reserve * axis.max_acceleration_mm_s2 * axis.steps_per_mm;
   properties.speed_limit = speed_reserve * axis.max_speed_mm_s * axis.steps_per_mm;
-  if (axis.travel_mm) {
-    properties.lower_frame = std::llround(-lower_frame_mm * axis.steps_per_mm);
-    properties.upper_frame = std::llround((*axis.travel_mm + upper_frame_mm) * axis.steps_per_mm);
+  if (axis.travel_mm && has_frame) {
+    properties.lower_frame = std::llround(-Mechanism::lower_frame_mm * axis.steps_per_mm);
+    properties.upper_frame =
+        std::llround((*axis.travel_mm + Mechanism::upper_frame_mm) * axis.steps_per_mm);
   }
   return properties;
 }
@@ -101,27 +95,55 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
 
 Printer::~Printer() = default;
 
+// A printer is switched on wherever the last print left it; here not far from the end stops, so
+// that homing does not take long.
+std::array<std::int64_t, axis_count> Printer::start_positions(std::uint64_t seed) const {
+  std::mt19937_64 random(seed);
+  Mechanism::Place numbers{};
+  for (double& number : numbers) number = uniform(random);
+  const Mechanism& mechanism = *description_.mechanism;
+  const Mechanism::Place motors = mechanism.motors_of(mechanism.start(numbers));
+  std::array<std::int64_t, axis_count> positions{};
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    positions[i] = std::llround(motors[i] * description_.axes[i].steps_per_mm);
+  }
+  return positions;
+}
+
 void Printer::make_axes(const PrinterOptions& options) {
-  std::mt19937_64 random(options.seed);
+  const std::array<std::int64_t, axis_count> start = start_positions(options.seed);
+  const Mechanism& mechanism = *description_.mechanism;
   sim::InputPins& inputs = simulation_.chip().inputs();
   for (std::size_t i = 0; i < axis_count; ++i) {
     const AxisDescription& axis = description_.axes[i];
-    std::int64_t start = 0;
-    if (axis.end_stop) {
-      const double mm = least_start_mm + (most_start_mm[i] - least_start_mm) * uniform(random);
-      start = std::llround(mm * axis.steps_per_mm);
-    }
-    axes_[i] = std::make_unique<plants::Axis>(properties_of(axis), start);
+    axes_[i] =
+        std::make_unique<plants::Axis>(properties_of(axis, mechanism.is_cartesian()), start[i]);
     motors_[i] =
         std::make_unique<devices::MotorDriver>(i, axis.driver, simulation_.rate(), *axes_[i]);
-    if (axis.end_stop) {
-      end_stops_.push_back(
-          std::make_unique<devices::EndStop>(i, *axis.end_stop, simulation_.rate(), inputs, start,
-                                             options.faults.end_stops[i], options.seed + i));
-      motors_[i]->add_listener(*end_stops_.back());
+  }
+  for (std::size_t i = 0; i < axis_count; ++i) {
+    const AxisDescription& axis = description_.axes[i];
+    if (!axis.end_stop) continue;
+    const devices::SwitchPlace place = mechanism.end_stop(i, axis.steps_per_mm);
+    end_stops_.push_back(
+        std::make_unique<devices::EndStop>(place, *axis.end_stop, simulation_.rate(), inputs, start,
+                                           options.faults.end_stops[i], options.seed + i));
+    for (std::size_t motor = 0; motor < axis_count; ++motor) {
+      if (place.weights[motor] != 0) motors_[motor]->add_listener(*end_stops_.back());
     }
   }
   motors_[3]->add_listener(*extrusion_);
+  if (mechanism.is_cartesian()) return;
+  frame_ = std::make_unique<Frame>(*this);
+  for (const auto& motor : motors_) motor->add_listener(*frame_);
+}
+
+Mechanism::Place Printer::motors_mm() const {
+  return {axes_[0]->position_mm(), axes_[1]->position_mm(), axes_[2]->position_mm()};
+}
+
+std::uint64_t Printer::frame_steps(std::size_t axis) const {
+  return axes_[axis]->frame_steps() + (frame_ ? frame_->steps(axis) : 0);
 }
 
 void Printer::attach_all() {

@@ -40,6 +40,11 @@ class Printer {
   const plants::Axis& axis(std::size_t axis) const { return *axes_[axis]; }
   // To be called before the simulation runs.
   void add_step_listener(devices::StepListener& listener);
+  // Of the tool, mm, by the motors' positions.
+  Mechanism::Place place_mm() const { return description_.mechanism->place_of(motors_mm()); }
+  Mechanism::Place motors_mm() const;
+  // Steps with which an axis would have left the frame, by the motor that made them.
+  std::uint64_t frame_steps(std::size_t axis) const;
   // True temperatures of the blocks.
   double hotend_c() const { return hotend_.block.celsius(simulation_.seconds()); }
   double bed_c() const { return bed_.block.celsius(simulation_.seconds()); }
@@ -56,8 +61,10 @@ class Printer {
   };
   class FaultInjector;
   class Extrusion;
+  class Frame;
 
   void make_axes(const PrinterOptions& options);
+  std::array<std::int64_t, axis_count> start_positions(std::uint64_t seed) const;
   void attach_all();
 
   Description description_;
@@ -66,6 +73,7 @@ class Printer {
   std::array<std::unique_ptr<plants::Axis>, axis_count> axes_;
   std::array<std::unique_ptr<devices::MotorDriver>, axis_count> motors_;
   std::vector<std::unique_ptr<devices::EndStop>> end_stops_;
+  std::unique_ptr<Frame> frame_;  // where motors are not axes
   HeatedPart hotend_;
   HeatedPart bed_;
   devices::FanGate fan_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the printer that are connected to no pin: filament that carries heat away, and
-// planned faults.
+// Parts of the printer that are connected to no pin: filament that carries heat away, its frame,
+// and planned faults.
 #pragma once
 
 #include <cmath>
@@ -41,6 +41,26 @@ class Printer::Extrusion : public sim::Device, public devices::StepListener {
   plants::HeatedBlock& hotend_;
   double steps_per_mm_;
   std::int64_t position_ = 0, position_before_ = 0;
+};
+
+// Counts the steps beyond the frame where several motors move an axis. They are not held there.
+class Printer::Frame : public devices::StepListener {
+ public:
+  explicit Frame(const Printer& printer) : printer_(printer) {}
+
+  void stepped(const devices::StepEdge& edge) override {
+    Mechanism::Place travel{};
+    for (std::size_t i = 0; i < travel.size(); ++i) {
+      travel[i] = printer_.description_.axes[i].travel_mm.value_or(0);
+    }
+    const Mechanism& mechanism = *printer_.description_.mechanism;
+    if (mechanism.is_beyond_frame(printer_.motors_mm(), travel)) ++steps_[edge.axis];
+  }
+  std::uint64_t steps(std::size_t axis) const { return steps_[axis]; }
+
+ private:
+  const Printer& printer_;
+  std::array<std::uint64_t, axis_count> steps_{};
 };
 
 // Injects faults at their times.

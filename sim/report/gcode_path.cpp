@@ -163,13 +163,14 @@ std::optional<ArcShape> GcodePath::arc_of(const GcodeWords& words, const Move& m
 
 Request GcodePath::home(const GcodeWords& words) {
   Homing homing;
-  const bool all = !words.has('X') && !words.has('Y') && !words.has('Z');
+  const bool all =
+      facts_.home.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));
   for (std::size_t i = 0; i < homing.axes.size(); ++i) {
     homing.axes[i] = all || words.has(axis_words[i]);
     if (!homing.axes[i]) continue;
     coordinates_.home(i);
-    machine_[i] = 0;
-    logical_[i] = coordinates_.zero(i);
+    machine_[i] = facts_.home.place[i];
+    logical_[i] = facts_.home.place[i] + coordinates_.zero(i);
     if (i == height) babystep_ = 0;
   }
   has_jumped_ = true;

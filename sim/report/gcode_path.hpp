@@ -51,10 +51,17 @@ struct Retraction {
   Femtometers extra{};
 };
 
+// Where G28 ends: Cartesian machines find their axes one by one, at 0.
+struct HomePlace {
+  bool of_all_axes{};
+  std::array<Femtometers, 3> place{};
+};
+
 // What the file's motion depends on: the machine's description.
 struct MachineFacts {
   Retraction retraction;
   std::array<Femtometers, 3> travel{};  // for G27 and M428
+  HomePlace home{};
 };
 
 // Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200

@@ -25,13 +25,10 @@ double square(double value) { return value * value; }
 
 }  // namespace
 
-void PathCheck::set_grid(const std::array<Resolution, 4>& steps_per_mm,
-                         const std::array<std::int64_t, 4>& origin) {
-  resolution_ = steps_per_mm;
-  origin_ = origin;
-  for (std::size_t i = 0; i < steps_per_mm_.size(); ++i) {
-    steps_per_mm_[i] = static_cast<double>(steps_per_mm[i]) / billionths;
-  }
+void PathCheck::set_grid(const MotorGrid& grid) {
+  grid_ = grid;
+  for (std::size_t i = 0; i < steps_per_mm_.size(); ++i) steps_per_mm_[i] = grid.steps_per_mm(i);
+  place_ = grid_.place_mm(position_);
 }
 
 void PathCheck::ask(const Move& move) {
@@ -41,32 +38,28 @@ void PathCheck::ask(const Move& move) {
     item.from[i] = millimeters(move.from[i]);
     item.to[i] = millimeters(move.to[i]);
   }
-  for (std::size_t i = 0; i < item.target.size(); ++i) {
-    item.start[i] = origin_[i] + nearest_step(move.from[i], resolution_[i]);
-    item.target[i] = origin_[i] + nearest_step(move.to[i], resolution_[i]);
-  }
+  item.start = grid_.steps_at(move.from);
+  item.target = grid_.steps_at(move.to);
   items_.push_back(item);
   pass_reached_lines();
 }
 
 void PathCheck::at(const std::array<std::int64_t, 4>& position) {
   position_ = position;
+  place_ = grid_.place_mm(position_);
   if (items_.empty() || items_.front().homing) return;
   Item& first = items_.front();
   for (std::size_t i = 0; i < steps_per_mm_.size(); ++i) {
     first.left = first.left || std::abs(position[i] - first.target[i]) > away_steps;
   }
   double distance = distance_mm(items_.front());
-  const double left_mm = left_line_steps / std::min(steps_per_mm_[0], steps_per_mm_[1]);
-  if (distance > left_mm && items_.size() > 1 && !items_[1].homing &&
-      distance_mm(items_[1]) < distance) {
+  const bool left = steps_of(distance) > left_line_steps;
+  if (left && items_.size() > 1 && !items_[1].homing && distance_mm(items_[1]) < distance) {
     pass_lost_line();
     distance = distance_mm(items_.front());
   }
-  max_deviation_mm_ = std::max(max_deviation_mm_, distance);
-  max_deviation_steps_ =
-      std::max(max_deviation_steps_, distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
-  if (distance <= left_mm) watch_z_and_e(items_.front());
+  note_deviation(distance);
+  if (steps_of(distance) <= left_line_steps) watch_z_and_e(items_.front());
   pass_reached_lines();
 }
 
@@ -77,8 +70,7 @@ double PathCheck::part_of_way(const Item& item) const {
   for (std::size_t i = 0; i < 2; ++i) {
     const double line = item.to[i] - item.from[i];
     length_squared += square(line);
-    projection +=
-        line * (static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] - item.from[i]);
+    projection += line * (place_[i] - item.from[i]);
   }
   return length_squared > 0 ? std::clamp(projection / length_squared, 0.0, 1.0) : 0.0;
 }
@@ -89,6 +81,7 @@ void PathCheck::watch_z_and_e(Item& item) {
   const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
   if (item.apart || !long_enough || part < middle_from || part > middle_to) return;
   for (const std::size_t axis : {2UZ, 3UZ}) {
+    if (axis == 2 && !grid_.mechanism().has_own_z()) continue;
     const bool turns = item.arc && (axis == item.arc->first || axis == item.arc->second);
     if (turns || std::abs(way(axis)) < least_steps) continue;
     const double done =
@@ -98,8 +91,14 @@ void PathCheck::watch_z_and_e(Item& item) {
   lines_apart_ += item.apart ? 1 : 0;
 }
 
-double PathCheck::place_mm(std::size_t axis) const {
-  return static_cast<double>(position_[axis] - origin_[axis]) / steps_per_mm_[axis];
+double PathCheck::steps_of(double distance_mm) const {
+  const double steps_mm = distance_mm - grid_.mechanism().chord_deviation_mm();
+  return steps_mm > 0 ? steps_mm / grid_.step_mm(place_) : 0;
+}
+
+void PathCheck::note_deviation(double distance_mm) {
+  max_deviation_mm_ = std::max(max_deviation_mm_, distance_mm);
+  max_deviation_steps_ = std::max(max_deviation_steps_, steps_of(distance_mm));
 }
 
 // Of an arc in another plane only its range on X or Y counts, at the place on the other of them.
@@ -121,7 +120,7 @@ double PathCheck::distance_mm(const Item& item) const {
   std::array<double, 2> line{}, point{};
   for (std::size_t i = 0; i < 2; ++i) {
     line[i] = item.to[i] - item.from[i];
-    point[i] = static_cast<double>(position_[i] - origin_[i]) / steps_per_mm_[i] - item.from[i];
+    point[i] = place_[i] - item.from[i];
   }
   const double part = part_of_way(item);
   return std::hypot(point[0] - part * line[0], point[1] - part * line[1]);
@@ -133,6 +132,7 @@ void PathCheck::pass_reached_lines() {
 
 bool PathCheck::reached(const Item& item) const {
   if (item.homing || item.target[0] != position_[0] || item.target[1] != position_[1]) return false;
+  if (!grid_.mechanism().has_own_z() && item.target[2] != position_[2]) return false;
   if (!item.arc) return true;
   const double steps = item.arc->start_radius *
                        std::min(steps_per_mm_[item.arc->first], steps_per_mm_[item.arc->second]);
@@ -155,9 +155,7 @@ void PathCheck::finish() {
     end.arc.reset();
     end.from = end.to;
     const double distance = distance_mm(end);
-    max_deviation_mm_ = std::max(max_deviation_mm_, distance);
-    max_deviation_steps_ =
-        std::max(max_deviation_steps_, distance * std::min(steps_per_mm_[0], steps_per_mm_[1]));
+    note_deviation(distance);
   }
   items_.clear();
 }

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "sim/report/gcode_path.hpp"
-#include "sim/report/step_grid.hpp"
+#include "sim/report/motor_grid.hpp"
 
 namespace report {
 
@@ -18,9 +18,7 @@ namespace report {
 // line. Homing is free until it is finished.
 class PathCheck {
  public:
-  // `origin`: mechanical position of what the G-code calls 0.
-  void set_grid(const std::array<Resolution, 4>& steps_per_mm,
-                const std::array<std::int64_t, 4>& origin);
+  void set_grid(const MotorGrid& grid);
 
   // A line of the file, or homing, is requested from now on.
   void ask(const Move& move);
@@ -32,7 +30,8 @@ class PathCheck {
   void forget() { items_.clear(); }
 
   double max_deviation_mm() const { return max_deviation_mm_; }
-  // The same in steps of the coarser of X and Y.
+  // The same in steps of the coarser of X and Y, without what chords of lines may deviate; where
+  // motors are not axes, in the tool's way with a step of a motor there.
   double max_deviation_steps() const { return max_deviation_steps_; }
   // Lines of many steps in whose middle Z or E was not in the middle of its own way.
   std::uint64_t lines_apart() const { return lines_apart_; }
@@ -50,16 +49,18 @@ class PathCheck {
   double part_of_way(const Item& item) const;
   double distance_mm(const Item& item) const;
   double distance_from_arc_mm(const ArcShape& arc) const;
-  double place_mm(std::size_t axis) const;
+  double place_mm(std::size_t axis) const { return place_[axis]; }
+  double steps_of(double distance_mm) const;
+  void note_deviation(double distance_mm);
   bool reached(const Item& item) const;
   void watch_z_and_e(Item& item);
   void pass_reached_lines();
   void pass_lost_line();
 
   std::array<double, 3> steps_per_mm_{1, 1, 1};
-  std::array<Resolution, 4> resolution_{};
-  std::array<std::int64_t, 4> origin_{};
+  MotorGrid grid_;
   std::array<std::int64_t, 4> position_{};
+  std::array<double, 3> place_{};  // of the tool, mm
   std::deque<Item> items_;
   double max_deviation_mm_ = 0;
   double max_deviation_steps_ = 0;

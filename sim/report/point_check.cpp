@@ -28,24 +28,18 @@ double length_of(const Move& move) {
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
-                       sim::ClockRate rate, const MachineFacts& machine)
-    : origin_(start), rate_(rate), gcode_(machine), match_({.position = start}) {
-  for (std::size_t i = 0; i < resolution_.size(); ++i) {
-    resolution_[i] = resolution_of(steps_per_mm[i]);
+                       sim::ClockRate rate, const MachineFacts& machine,
+                       std::shared_ptr<const machine::Mechanism> mechanism)
+    : rate_(rate), gcode_(machine), match_({.position = start}) {
+  std::array<Resolution, 4> resolution{};
+  for (std::size_t i = 0; i < resolution.size(); ++i) {
+    resolution[i] = resolution_of(steps_per_mm[i]);
   }
+  grid_ = MotorGrid(std::move(mechanism), resolution, start);
+  grid_.move_origin({}, start);
   state_.position = start;
   path_.at(start);
   set_grid();
-}
-
-void PointCheck::set_grid() { path_.set_grid(resolution_, origin_); }
-
-Steps PointCheck::steps_at(const Point& point) const {
-  Steps steps{};
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    steps[i] = origin_[i] + nearest_step(point[i], resolution_[i]);
-  }
-  return steps;
 }
 
 void PointCheck::stepped(const devices::StepEdge& edge) {
@@ -130,7 +124,7 @@ void PointCheck::carry_out(const SentCommand& command) {
 }
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
-  match_.ask(steps_at(move.to), {command.file_line, command.text}, detour_of(move));
+  match_.ask(grid_.steps_at(move.to), {command.file_line, command.text}, detour_of(move));
   if (move.over) {
     path_.ask({move.from, *move.over, {}});
     path_.ask({*move.over, move.to, {}});
@@ -143,12 +137,13 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
 
 // The steps there and back again, beyond those from start to end.
 Steps PointCheck::detour_of(const Move& move) const {
+  if (!grid_.mechanism().is_cartesian()) return grid_.detour_of(move);
   Steps detour{};
   if (!move.arc) return detour;
   for (const std::size_t side : {0UZ, 1UZ}) {
     const std::size_t axis = side == 0 ? move.arc->first : move.arc->second;
     const auto step_at = [&](double part) {
-      return std::llround(move.arc->at(part)[side] * static_cast<double>(resolution_[axis]) /
+      return std::llround(move.arc->at(part)[side] * static_cast<double>(grid_.resolution()[axis]) /
                           static_cast<double>(billionths));
     };
     std::int64_t before = step_at(0);
@@ -165,35 +160,54 @@ Steps PointCheck::detour_of(const Move& move) const {
 
 void PointCheck::finish_homing(const Homing& homing) {
   Steps meant = match_.last_target();
-  for (std::size_t i = 0; i < homing.axes.size(); ++i) {
-    if (homing.axes[i]) {
+  if (grid_.mechanism().is_cartesian()) {
+    for (std::size_t i = 0; i < homing.axes.size(); ++i) {
+      if (!homing.axes[i]) continue;
       judged_.homed_elsewhere[i] =
           judged_.homed_elsewhere[i] || std::llabs(state_.position[i]) > furthest_home_steps;
-      origin_[i] = meant[i] = 0;
+      grid_.set_origin(i, 0);
+      meant[i] = 0;
     }
+  } else {
+    meant = home_motors(homing);
   }
   match_.restart(state_, meant);
   homed_ = true;
   set_grid();
 }
 
+// The axes that were not homed are where they were. Where both motors of a switch make a step at a
+// time, it may close half a step late.
+Steps PointCheck::home_motors(const Homing& homing) {
+  const auto real =
+      MotorGrid(grid_.shared_mechanism(), grid_.resolution(), {}).place_mm(state_.position);
+  const Point& meant = gcode_.position();
+  for (std::size_t i = 0; i < homing.axes.size(); ++i) {
+    if (!homing.axes[i]) continue;
+    const double off = std::abs(real[i] - millimeters(meant[i]));
+    judged_.homed_elsewhere[i] =
+        judged_.homed_elsewhere[i] || off * grid_.steps_per_mm(i) > furthest_home_steps;
+  }
+  grid_.move_origin(meant, state_.position);
+  return grid_.steps_at(meant);
+}
+
 // The place in millimetres stays what it is.
 void PointCheck::change_resolution(const NewResolution& resolution) {
-  const Point& place = gcode_.position();
-  for (std::size_t i = 0; i < resolution_.size(); ++i) {
+  const Steps before = grid_.steps_at(gcode_.position());
+  for (std::size_t i = 0; i < before.size(); ++i) {
     if (const auto value = resolution.steps_per_mm[i]; value && *value > 0) {
-      const std::int64_t here = origin_[i] + nearest_step(place[i], resolution_[i]);
-      resolution_[i] = *value;
-      origin_[i] = here - nearest_step(place[i], resolution_[i]);
+      grid_.set_resolution(i, *value);
+      const Steps now = grid_.steps_at(gcode_.position());
+      grid_.set_origin(i, grid_.origin()[i] + before[i] - now[i]);
     }
   }
   set_grid();
 }
 
 void PointCheck::stop_here() {
-  for (std::size_t i = 0; i < resolution_.size(); ++i) {
-    gcode_.stand_at(i, place_of_step(state_.position[i] - origin_[i], resolution_[i]));
-  }
+  const Point here = grid_.place_of_steps(state_.position);
+  for (std::size_t i = 0; i < here.size(); ++i) gcode_.stand_at(i, here[i]);
   match_.restart(state_, state_.position);
 }
 
@@ -202,13 +216,15 @@ void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judge
     MissedPoint missed{.file_line = point.line.file_line,
                        .text = std::move(point.line.text),
                        .seconds = rate_.seconds(point.nearest.clock)};
+    const Point wanted = grid_.place_of_steps(point.target);
+    const Point reached = grid_.place_of_steps(point.nearest.position);
     for (std::size_t i = 0; i < missed.axes.size(); ++i) {
       AxisArrival& axis = missed.axes[i];
-      axis.wanted_steps = point.target[i] - origin_[i];
-      axis.reached_steps = point.nearest.position[i] - origin_[i];
+      axis.wanted_steps = point.target[i] - grid_.origin()[i];
+      axis.reached_steps = point.nearest.position[i] - grid_.origin()[i];
       axis.missed = axis.wanted_steps != axis.reached_steps;
-      axis.wanted_mm = millimeters(place_of_step(axis.wanted_steps, resolution_[i]));
-      axis.reached_mm = millimeters(place_of_step(axis.reached_steps, resolution_[i]));
+      axis.wanted_mm = millimeters(wanted[i]);
+      axis.reached_mm = millimeters(reached[i]);
       judgement.missed_by_axis[i] += axis.missed ? 1 : 0;
     }
     ++judgement.missed;

@@ -13,6 +13,7 @@
 #include "sim/devices/step_edge.hpp"
 #include "sim/report/findings.hpp"
 #include "sim/report/gcode_path.hpp"
+#include "sim/report/motor_grid.hpp"
 #include "sim/report/path_check.hpp"
 #include "sim/report/point_match.hpp"
 #include "sim/report/step_grid.hpp"
@@ -29,9 +30,10 @@ namespace report {
 // what the motors do from its sending on is kept and judged then.
 class PointCheck : public devices::StepListener, public devices::HostListener {
  public:
-  // `start`: mechanical positions at the beginning, which the G-code calls 0 until it homes.
+  // `start`: mechanical positions at the beginning, where the G-code is at 0 until it homes.
   PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start, sim::ClockRate rate,
-             const MachineFacts& machine = {});
+             const MachineFacts& machine = {},
+             std::shared_ptr<const machine::Mechanism> mechanism = machine::cartesian_mechanism());
 
   void stepped(const devices::StepEdge& edge) override;
   void command_sent(sim::Clock now, std::size_t file_line, std::string_view command) override;
@@ -69,17 +71,16 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   void ask(const Move& move, const SentCommand& command);
   Steps detour_of(const Move& move) const;
   void finish_homing(const Homing& homing);
+  Steps home_motors(const Homing& homing);
   void change_resolution(const NewResolution& resolution);
   void stop_here();
   void close_state(sim::Clock now);
   void judge_states();
   void judge_states_until(sim::Clock until);
   void add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const;
-  Steps steps_at(const Point& point) const;
-  void set_grid();
+  void set_grid() { path_.set_grid(grid_); }
 
-  std::array<Resolution, 4> resolution_{};
-  Steps origin_{};  // mechanical position of what the G-code calls 0
+  MotorGrid grid_;
   sim::ClockRate rate_;
   GcodePath gcode_;
   std::deque<SentCommand> in_flight_;

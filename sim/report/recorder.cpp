@@ -33,7 +33,9 @@ MachineFacts facts_of(const machine::Printer& printer) {
     return Femtometers{std::llround(millimeters * nanometers_per_mm)} * 1'000'000;
   };
   MachineFacts facts{
-      {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)}, {}};
+      {length(retraction.length_mm), length(retraction.lift_mm), length(retraction.extra_mm)},
+      {},
+      home_of(*printer.description().mechanism)};
   for (std::size_t i = 0; i < facts.travel.size(); ++i) {
     facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
   }
@@ -47,8 +49,10 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      points_(resolutions(printer), start_positions(printer), simulation.rate(), facts_of(printer)),
-      tool_path_(simulation.rate(), resolutions(printer), start_positions(printer)),
+      points_(resolutions(printer), start_positions(printer), simulation.rate(), facts_of(printer),
+              printer.description().mechanism),
+      tool_path_(simulation.rate(), resolutions(printer), start_positions(printer),
+                 printer.description().mechanism),
       requested_path_(simulation.rate(), facts_of(printer)),
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
@@ -82,7 +86,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
 void Recorder::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                     bool executed) {
   if (!executed) return;
-  const Request request = GcodePath().read(command);
+  const Request request = GcodePath(facts_of(printer_)).read(command);
   if (const Homing* homing = std::get_if<Homing>(&request);
       homing && tool_path_.homed(homing->axes)) {
     requested_path_.begin_here();
@@ -100,7 +104,7 @@ AxisResult Recorder::axis_result(std::size_t axis) const {
           counts.illegal,
           counts.disabled,
           plant.slipped_steps(),
-          plant.frame_steps(),
+          printer_.frame_steps(axis),
           0,
           plant.peak_load()};
 }

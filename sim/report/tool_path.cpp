@@ -38,11 +38,13 @@ double distance(const ToolPoint& from, const ToolPoint& to) {
 }  // namespace
 
 ToolPath::ToolPath(sim::ClockRate rate, std::array<double, 4> steps_per_mm,
-                   std::array<std::int64_t, 4> positions)
+                   std::array<std::int64_t, 4> positions,
+                   std::shared_ptr<const machine::Mechanism> mechanism)
     : rate_(rate),
       steps_per_mm_(steps_per_mm),
       positions_(positions),
-      origin_{positions[0], positions[1], positions[2]},
+      mechanism_(std::move(mechanism)),
+      origin_mm_(place_mm()),
       tolerance_mm_(tolerance_steps / std::max(steps_per_mm[0], steps_per_mm[1])) {
   begin_here();
 }
@@ -52,7 +54,7 @@ bool ToolPath::homed(std::array<bool, 3> axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (axes[i] && !homed_[i]) {
       homed_[i] = any = true;
-      origin_[i] = 0;
+      origin_mm_[i] = 0;
     }
   }
   if (any) begin_here();
@@ -67,10 +69,18 @@ void ToolPath::begin_here() {
   moved_ = false;
 }
 
+std::array<double, 3> ToolPath::place_mm() const {
+  std::array<double, 3> motors{};
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    motors[i] = static_cast<double>(positions_[i]) / steps_per_mm_[i];
+  }
+  return mechanism_->place_of(motors);
+}
+
 ToolPoint ToolPath::present() const {
-  const auto mm = [this](std::size_t axis) {
-    return static_cast<float>(static_cast<double>(positions_[axis] - origin_[axis]) /
-                              steps_per_mm_[axis]);
+  const std::array<double, 3> place = place_mm();
+  const auto mm = [&](std::size_t axis) {
+    return static_cast<float>(place[axis] - origin_mm_[axis]);
   };
   return {mm(0), mm(1), mm(2), false, rate_.seconds(clock_)};
 }

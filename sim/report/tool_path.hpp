@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sim/devices/step_edge.hpp"
+#include "sim/machine/mechanism.hpp"
 #include "sim/simulation/clock_rate.hpp"
 
 namespace report {
@@ -26,7 +28,8 @@ class ToolPath : public devices::StepListener {
 
   // Positions in steps at the beginning, for x y z e.
   ToolPath(sim::ClockRate rate, std::array<double, 4> steps_per_mm,
-           std::array<std::int64_t, 4> positions);
+           std::array<std::int64_t, 4> positions,
+           std::shared_ptr<const machine::Mechanism> mechanism = machine::cartesian_mechanism());
 
   void stepped(const devices::StepEdge& edge) override;
   // These axes stand in the coordinates of the machine from now on. Where one of them did not
@@ -36,6 +39,7 @@ class ToolPath : public devices::StepListener {
   std::vector<ToolPoint> points() const;
 
  private:
+  std::array<double, 3> place_mm() const;
   ToolPoint present() const;
   void begin_here();
   void keep_present();
@@ -45,7 +49,8 @@ class ToolPath : public devices::StepListener {
   sim::ClockRate rate_;
   std::array<double, 4> steps_per_mm_;
   std::array<std::int64_t, 4> positions_;
-  std::array<std::int64_t, 3> origin_;
+  std::shared_ptr<const machine::Mechanism> mechanism_;
+  std::array<double, 3> origin_mm_;
   std::array<bool, 3> homed_{};
   double tolerance_mm_;
   sim::Clock clock_ = 0;  // of the latest edge of x, y or z

@@ -16,6 +16,8 @@ namespace sim {
 class ChipModel : public Chip {
  public:
   virtual void permit_software_stepping() = 0;
+  // Before anything is loaded. Throws where the model cannot have more than the chip.
+  virtual void set_memory_bytes(std::uint32_t bytes) = 0;
   virtual void count_into(EvaluationCounts& counts) = 0;
 
   // Whether snapshot() ever has one.

@@ -43,6 +43,7 @@ class JoinedModel : public ChipModel {
   ~JoinedModel() override { Verilated::threadContextp(context_.get()); }
 
   void permit_software_stepping() override;
+  void set_memory_bytes(std::uint32_t bytes) override;
   void count_into(EvaluationCounts& counts) override { clocks_->count_into(counts); }
   void advance(Clock limit) override;
   void reset() override;
@@ -94,6 +95,10 @@ JoinedModel::JoinedModel(std::uint32_t clock_hz, Edges edges) {
 void JoinedModel::permit_software_stepping() {
   model_->software_stepping = 1;
   processor_ = std::make_unique<processor::ProcessorModel>(COMPARISON_MEMORY_BYTES, CHIP_HAS_ZBB);
+}
+
+void JoinedModel::set_memory_bytes(std::uint32_t bytes) {
+  processor_ = std::make_unique<processor::ProcessorModel>(bytes, CHIP_HAS_ZBB);
 }
 
 void JoinedModel::set_inputs() {

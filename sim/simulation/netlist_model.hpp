@@ -5,6 +5,7 @@
 #include <verilated.h>
 
 #include <memory>
+#include <stdexcept>
 
 #include "sim/simulation/chip_model.hpp"
 #include "sim/simulation/model_clocks.hpp"
@@ -23,6 +24,9 @@ class NetlistModel : public ChipModel {
   ~NetlistModel() override;
 
   void permit_software_stepping() override { model_->software_stepping = 1; }
+  void set_memory_bytes(std::uint32_t) override {
+    throw std::runtime_error("the netlist has no more memory than the chip");
+  }
   void count_into(EvaluationCounts& counts) override { clocks_->count_into(counts); }
   void advance(Clock limit) override;
   void reset() override;

@@ -45,6 +45,8 @@ VerilatedChip::~VerilatedChip() = default;
 
 void VerilatedChip::permit_software_stepping() { model_->permit_software_stepping(); }
 
+void VerilatedChip::set_memory_bytes(std::uint32_t bytes) { model_->set_memory_bytes(bytes); }
+
 void VerilatedChip::count_into(EvaluationCounts& counts) { model_->count_into(counts); }
 
 void VerilatedChip::record(replay::IntervalRecorder& recorder) {

@@ -36,6 +36,9 @@ class VerilatedChip : public Chip {
   // the processor also gets the memory of the comparison, all 0, which is larger than the chip's;
   // the netlist has the chip's. Before a program is loaded.
   void permit_software_stepping();
+  // Of a chip with more than the default; before anything is loaded. Throws where the processor is
+  // a netlist.
+  void set_memory_bytes(std::uint32_t bytes);
 
   // Clocks are counted there from now on; the counts must outlive the last advance().
   void count_into(EvaluationCounts& counts);

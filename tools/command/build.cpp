@@ -7,12 +7,15 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <stdexcept>
 
+#include "machine_generator/description.hpp"
 #include "machine_generator/header.hpp"
+#include "machine_generator/kinematics_description.hpp"
 #include "tools/command/signals.hpp"
 #include "tools/files/file_text.hpp"
 #include "tools/files/write_file.hpp"
@@ -86,14 +89,23 @@ void build(const std::vector<std::string>& targets) {
 
 sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
   const std::string header = machine_generator::header_of(description);
+  const machine_generator::Machine machine = machine_generator::read_machine(description);
+  const std::string image_name =
+      fmt::format("other_machine_{}_{}", stepping,
+                  machine_generator::kinematics_name(machine.description.kinematics));
+  const std::string memory =
+      fmt::format("--defsym=chip_memory_bytes={}\n",
+                  std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));
   const FolderLock lock("other_machine_lock");  // until the image has been read
   const std::filesystem::path file =
       build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
+  const std::filesystem::path memory_file =
+      build_folder() / "generated" / "other_machine" / "memory_options";
   // The same text is not written again, so that nothing is built for it.
   if (files::text_of(file) != header) files::write_file(file, header);
-  build({"firmware_other_machine_" + stepping});
-  const std::filesystem::path image =
-      build_folder() / "firmware" / ("other_machine_" + stepping + ".elf");
+  if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);
+  build({"firmware_" + image_name});
+  const std::filesystem::path image = build_folder() / "firmware" / (image_name + ".elf");
   require_stack(image, description);
   return sim::read_elf(image);
 }

@@ -53,9 +53,9 @@ ProgressFacts facts_of(PrinterSetup& setup, const devices::FileHost& host) {
           host.total(),
           setup.simulation().seconds(),
           setup.simulation().now(),
-          printer.axis(0).position_mm(),
-          printer.axis(1).position_mm(),
-          printer.axis(2).position_mm(),
+          printer.place_mm()[0],
+          printer.place_mm()[1],
+          printer.place_mm()[2],
           printer.hotend_c(),
           printer.bed_c()};
 }
@@ -194,6 +194,12 @@ int print_and_report(const PrintOptions& options, const ReportFiles& reports) {
   StartTemperatures warm;
   if (options.printer.warm) warm = near_first_targets(*commands, description_of(options.printer));
   PrinterSetup setup(options.printer, warm);
+  if (options.replay.asked &&
+      setup.printer().description().memory_bytes.value_or(0) > CHIP_MEMORY_BYTES) {
+    return refuse(reports,
+                  "--replay needs the netlist, which has no more memory than the chip: the "
+                  "machine's memory_kib is larger");
+  }
   devices::FileHost host(
       *commands, setup.printer().serial_line(), setup.simulation().rate(),
       {.window = options.window, .answers_prompts = !options.no_answer, .note = show_note});

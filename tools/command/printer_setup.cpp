@@ -39,6 +39,7 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
       simulation_(chip_, sim::ClockRate(choices.clock_hz)),
       baud_(choices.baud.value_or(description_.baud)) {
   if (choices.stepping == "software") chip_.permit_software_stepping();
+  set_memory(choices.stepping == "software");
   sim::load(firmware_, chip_);
   set_speed_of_line();
   machine::PrinterOptions options{.baud = baud_,
@@ -52,6 +53,21 @@ PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperature
   }
   for (const std::string& fault : choices.faults) machine::add_fault(options.faults, fault);
   printer_.emplace(description_, options, simulation_);
+}
+
+// A machine whose firmware is larger needs a chip with more memory.
+void PrinterSetup::set_memory(bool software_stepping) {
+  if (!description_.memory_bytes) return;
+  const std::uint32_t present = software_stepping ? COMPARISON_MEMORY_BYTES : CHIP_MEMORY_BYTES;
+  if (*description_.memory_bytes <= present) return;
+  try {
+    chip_.set_memory_bytes(*description_.memory_bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("memory_kib of the machine is {}: {}; omit --processor netlist, --every-clock, "
+                    "--trace and --board",
+                    *description_.memory_bytes / 1024, error.what()));
+  }
 }
 
 // Both ends of the line have the same speed.

@@ -33,6 +33,7 @@ class PrinterSetup {
   std::uint32_t baud() const { return baud_; }
   // Writes into the loaded firmware how fast its end of the line is. After each load.
   void set_speed_of_line();
+  void set_memory(bool software_stepping);
 
  private:
   machine::Description description_;

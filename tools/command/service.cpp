@@ -157,9 +157,9 @@ void Service::show_status() {
   progress_.show_text(fmt::format(
       "{:8.1f} s  X{:7.2f} Y{:7.2f} Z{:6.2f}  hotend {:5.1f} °C  bed {:5.1f} °C  {:5.1f} lines/s"
       "  {:4.2f} of real time  {}",
-      seconds, printer.axis(0).position_mm(), printer.axis(1).position_mm(),
-      printer.axis(2).position_mm(), printer.hotend_c(), printer.bed_c(),
-      static_cast<double>(lines - shown_lines_) / wall_passed, ratio, connection()));
+      seconds, printer.place_mm()[0], printer.place_mm()[1], printer.place_mm()[2],
+      printer.hotend_c(), printer.bed_c(), static_cast<double>(lines - shown_lines_) / wall_passed,
+      ratio, connection()));
   shown_wall_ = wall;
   shown_seconds_ = seconds;
   shown_lines_ = lines;
