@@ -11,6 +11,7 @@
 #include "machine_generator/reader.hpp"
 #include "tests/sim/changed_description.hpp"
 #include "tests/temporary_folder.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
@@ -180,6 +181,52 @@ TEST(machine_generator, takes_only_files_of_a_bounded_size) {
   EXPECT_EQ(complaint_of_file(large), "");
   folder.write(large, std::string(most + 1, '\n'));
   EXPECT_EQ(complaint_of_file(large), large.string() + ": is larger than 1 MiB");
+}
+
+// A machine of the project with one text replaced by another.
+std::string complaint_about(const std::string& machine, const std::string& from,
+                            const std::string& to) {
+  std::string text = files::text_of(PROJECT_DIRECTORY "/firmware/machines/" + machine);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return tests::complaint_of(machine_generator::header_of, text.replace(at, from.size(), to));
+}
+
+TEST(machine_generator, takes_every_machine_of_the_project) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(PROJECT_DIRECTORY "/firmware/machines")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW(machine_generator::header_of(entry.path())) << entry.path();
+  }
+  const std::string header =
+      machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/delta.toml");
+  EXPECT_THAT(header, HasSubstr(".kinematics = motion::kinematics::Delta::Parameters{"));
+  EXPECT_THAT(header, HasSubstr("{.x = units::Nanometers{0}, .y = units::Nanometers{105000000}}"));
+}
+
+TEST(machine_generator, names_kinematics_that_do_not_fit) {
+  const std::string core_xy = "core_xy.toml", delta = "delta.toml";
+  EXPECT_THAT(complaint("kinematics = \"cartesian\"", "kinematics = \"polar\""),
+              HasSubstr("line 6: kinematics: must be \"cartesian\", \"core_xy\" or \"delta\""));
+  EXPECT_THAT(
+      complaint_about(core_xy, "[axes.y]\nsteps_per_mm = 80.0", "[axes.y]\nsteps_per_mm = 100.0"),
+      HasSubstr("axes.y.steps_per_mm: must be that of axes.x"));
+  EXPECT_THAT(complaint_about(delta, "rod_length_mm = 250.0", "rod_length_mm = 199.0"),
+              HasSubstr("delta.rod_length_mm: must be 1.053 times"));
+  EXPECT_THAT(complaint_about(delta, "rod_length_mm = 250.0", "rod_length_mm = 1001.0"),
+              HasSubstr("delta.rod_length_mm: is 1001, but must be 1 to 1000"));
+  EXPECT_THAT(complaint_about(delta, "printable_radius_mm = 85.0", "printable_radius_mm = 105.0"),
+              HasSubstr("delta.printable_radius_mm: must be below radius_mm"));
+  EXPECT_THAT(complaint_about(delta, "[0.0, 0.0, 0.0]", "[0.0, 0.5, 0.0]"),
+              HasSubstr("delta.end_stop_offset_mm: is 0.5"));
+  EXPECT_THAT(complaint_about(delta, "[0.0, 0.0, 0.0]", "[0.0, 0.0]"),
+              HasSubstr("delta.end_stop_offset_mm: must be a list of 3 numbers"));
+  EXPECT_THAT(complaint_about(delta, "height_mm = 250.0", ""),
+              HasSubstr("delta.height_mm: is missing"));
+  EXPECT_THAT(complaint_about(delta, "memory_kib = 128", "memory_kib = 130"),
+              HasSubstr("memory_kib: must be a multiple of 4"));
+  EXPECT_THAT(complaint_about(delta, "memory_kib = 128", "memory_kib = 260"),
+              HasSubstr("memory_kib: is 260, but must be 64 to 256"));
 }
 
 }  // namespace

@@ -4,8 +4,9 @@
 // Replays the edges and walks the G-code along with them: every point of the file is reached to
 // the step, in order, and between two points the path stays within a step of the straight line, or
 // of the circle of G2 and G3, which it goes round in the asked direction.
-// Homing (G28) may move as it likes as long as it ends with its axes at 0. Also looks at the
-// rising edges' spacing.
+// Homing (G28) may move as it likes as long as it ends with its axes at home. Also looks at the
+// rising edges' spacing. Where motors are not axes (--kinematics), the steps are the motors', and
+// of a delta the tool's way in space is looked at.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,9 +27,11 @@ namespace {
 using scenarios::axes;
 using StepsPerMm = std::array<double, axes>;
 using scenarios::Edges;
+using scenarios::MachineShape;
 using scenarios::Position;
 using scenarios::read_edges;
 using scenarios::RequestedMove;
+using scenarios::Vector;
 
 // Distance in steps of a point from the segment a-b on X and Y, Euclidean.
 double distance_xy(const Position& point, const RequestedMove& a, const RequestedMove& b) {
@@ -43,10 +46,24 @@ double distance_xy(const Position& point, const RequestedMove& a, const Requeste
   return std::hypot(px - along * dx, py - along * dy);
 }
 
+// Distance in mm of a point from the segment a-b in space.
+double distance_in_space(const Vector& point, const Vector& a, const Vector& b) {
+  double square = 0, product = 0;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    square += (b[i] - a[i]) * (b[i] - a[i]);
+    product += (point[i] - a[i]) * (b[i] - a[i]);
+  }
+  const double along = square > 0 ? std::clamp(product / square, 0.0, 1.0) : 0.0;
+  Vector off{};
+  for (std::size_t i = 0; i < point.size(); ++i) off[i] = point[i] - a[i] - along * (b[i] - a[i]);
+  return std::hypot(off[0], off[1], off[2]);
+}
+
 class Walk {
  public:
-  Walk(const Edges& edges, const std::vector<RequestedMove>& moves, const StepsPerMm& steps_per_mm)
-      : edges_(edges), moves_(moves), steps_per_mm_(steps_per_mm) {
+  Walk(const Edges& edges, const std::vector<RequestedMove>& moves, const StepsPerMm& steps_per_mm,
+       const MachineShape& shape)
+      : edges_(edges), moves_(moves), steps_per_mm_(steps_per_mm), shape_(shape) {
     position_ = edges.start;
     // Before homing only the frame knows where X, Y and Z are; E counts from where it is.
     position_[3] = 0;
@@ -81,10 +98,14 @@ class Walk {
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const auto low = std::min(from.steps[axis], move.steps[axis]);
         const auto high = std::max(from.steps[axis], move.steps[axis]);
+        const bool may_turn = !shape_.is_straight() && axis < 3;
+        if (may_turn) continue;
         if (position_[axis] < low || position_[axis] > high) return fail(move, "leaves the line");
       }
-      const double distance = distance_xy(position_, from, move);
-      if (trying_ && distance > 2) {
+      const double distance =
+          shape_.is_straight() ? distance_xy(position_, from, move)
+                               : distance_in_space(tool(), from.tool, move.tool) * steps_per_mm_[0];
+      if (trying_ && distance > 2 + (shape_.is_straight() ? 0 : 4)) {
         return false;  // still homing
       }
       note_distance(move, distance);
@@ -110,6 +131,12 @@ class Walk {
       if (std::abs(arc.sweep) - swept < -angle_of_steps(arc, 3)) return fail(move, "goes too far");
       for (std::size_t axis = 0; axis < axes; ++axis) {
         if (axis == arc.plane[0] || axis == arc.plane[1]) continue;
+        if (axis < 3 && !shape_.has_own_motor(axis)) {
+          const double height =
+              from.tool[axis] + part * (move.tool[axis] - from.tool[axis]) - tool()[axis];
+          if (std::abs(height) > 0.1) return fail(move, "another axis is out of step");
+          continue;
+        }
         const double way = static_cast<double>(move.steps[axis] - from.steps[axis]);
         const double off = static_cast<double>(position_[axis] - from.steps[axis]) - part * way;
         // A step of the plane is this much of the way.
@@ -121,11 +148,17 @@ class Walk {
     return true;
   }
 
+  Vector tool() const {
+    Vector motors{};
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+      motors[i] = static_cast<double>(position_[i]) / steps_per_mm_[i];
+    }
+    return shape_.tool_of(motors);
+  }
+
   std::complex<double> from_centre(const scenarios::RequestedArc& arc) const {
-    const auto mm = [&](std::size_t i) {
-      const std::size_t axis = arc.plane[i];
-      return static_cast<double>(position_[axis]) / steps_per_mm_[axis] - arc.centre[i];
-    };
+    const Vector here = tool();
+    const auto mm = [&](std::size_t i) { return here[arc.plane[i]] - arc.centre[i]; };
     return {mm(0), mm(1)};
   }
   double fewest_steps_per_mm(const scenarios::RequestedArc& arc) const {
@@ -189,6 +222,7 @@ class Walk {
   const Edges& edges_;
   const std::vector<RequestedMove>& moves_;
   StepsPerMm steps_per_mm_;
+  MachineShape shape_;
   Position position_{};
   std::size_t next_ = 0;
   bool trying_ = false;
@@ -204,17 +238,23 @@ int main(int argument_count, char** arguments) {
   std::string edges_file;
   std::array<double, axes> steps_per_mm{80, 80, 2560, 500};
   double tolerance = 1.0;
+  scenarios::MachineShape shape;
   std::int64_t shortest = 0;
   app.add_option("gcode", gcode)->required();
   app.add_option("edges", edges_file)->required();
   app.add_option("--steps-per-mm", steps_per_mm, "x y z e");
+  app.add_option("--kinematics", shape.kinematics, "cartesian, core_xy or delta")
+      ->check(CLI::IsMember({"cartesian", "core_xy", "delta"}));
+  app.add_option("--rod", shape.rod, "of a delta, mm");
+  app.add_option("--radius", shape.radius, "of a delta, mm");
+  app.add_option("--height", shape.height, "of a delta, mm");
   app.add_option("--tolerance", tolerance, "largest distance from the line on X and Y, in steps");
   app.add_option("--shortest-interval", shortest, "fewest clocks between two edges of an axis");
   CLI11_PARSE(app, argument_count, arguments);
   try {
-    const auto moves = scenarios::requested_moves(gcode, steps_per_mm);
+    const auto moves = scenarios::requested_moves(gcode, steps_per_mm, shape);
     const Edges edges = read_edges(edges_file);
-    Walk walk(edges, moves, steps_per_mm);
+    Walk walk(edges, moves, steps_per_mm, shape);
     const bool reached = walk.run();
     fmt::print("{} moves, {} instants, farthest from the line {:.3f} steps (line {})\n",
                moves.size(), edges.instants.size(), walk.worst_distance(), walk.worst_line());

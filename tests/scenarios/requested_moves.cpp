@@ -37,8 +37,8 @@ Words words_of(std::string line) {
 
 class Interpreter {
  public:
-  explicit Interpreter(const std::array<double, axes>& steps_per_mm)
-      : steps_per_mm_(steps_per_mm) {}
+  Interpreter(const std::array<double, axes>& steps_per_mm, const MachineShape& shape)
+      : steps_per_mm_(steps_per_mm), shape_(shape) {}
 
   void line(int number, const std::string& text) {
     const Words words = words_of(text);
@@ -172,8 +172,10 @@ class Interpreter {
       some |= homed[axis] = words.contains(letters[axis]);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!some) homed[axis] = true;
-      if (homed[axis]) physical_[axis] = offset_[axis] = 0;
+      if (!some || !shape_.is_straight()) homed[axis] = true;
+      if (!homed[axis]) continue;
+      physical_[axis] = units(shape_.home()[axis]);
+      offset_[axis] = 0;
     }
     add(number, true, homed);
   }
@@ -190,11 +192,18 @@ class Interpreter {
     RequestedMove move{.line = number,
                        .homing = homing,
                        .homed = homed,
+                       .tool = {},
                        .steps = {},
                        .exact_steps = {},
                        .arc = {}};
+    for (std::size_t axis = 0; axis < move.tool.size(); ++axis) {
+      move.tool[axis] = static_cast<double>(physical_[axis]) * unit_mm;
+    }
+    const Vector motors = shape_.motors_of(move.tool);
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      move.exact_steps[axis] = static_cast<double>(physical_[axis]) * unit_mm * steps_per_mm_[axis];
+      const double place =
+          axis < motors.size() ? motors[axis] : static_cast<double>(physical_[axis]) * unit_mm;
+      move.exact_steps[axis] = place * steps_per_mm_[axis];
       // Half away from zero; the tiny slack keeps binary fractions from turning an exact half.
       const double slack = std::copysign(1e-9, move.exact_steps[axis]);
       move.steps[axis] = std::llround(move.exact_steps[axis] + slack);
@@ -206,6 +215,7 @@ class Interpreter {
   static constexpr std::array<Plane, 3> planes{{{0, 1}, {2, 0}, {1, 2}}};
 
   std::array<double, axes> steps_per_mm_;
+  MachineShape shape_;
   Plane plane_ = planes[0];
   std::array<std::int64_t, axes> physical_{};  // 10^-5 mm
   std::array<std::int64_t, axes> offset_{};  // physical - logical
@@ -219,10 +229,11 @@ class Interpreter {
 }  // namespace
 
 std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
-                                           const std::array<double, axes>& steps_per_mm) {
+                                           const std::array<double, axes>& steps_per_mm,
+                                           const MachineShape& shape) {
   std::ifstream file(gcode);
   if (!file) throw std::runtime_error("cannot read " + gcode.string());
-  Interpreter interpreter(steps_per_mm);
+  Interpreter interpreter(steps_per_mm, shape);
   std::string text;
   for (int number = 1; std::getline(file, text); ++number) interpreter.line(number, text);
   return interpreter.take();

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "tests/scenarios/machine_shape.hpp"
+
 namespace scenarios {
 
 inline constexpr std::size_t axes = 4;  // x y z e
@@ -23,9 +25,10 @@ struct RequestedArc {
 
 struct RequestedMove {
   int line{};  // in the file, from 1
-  bool homing{};  // G28: ends with the homed axes at 0
+  bool homing{};  // G28: ends with the homed axes at home
   std::array<bool, axes> homed{};  // which
-  std::array<std::int64_t, axes> steps{};  // position requested at the end
+  Vector tool{};  // X Y Z requested at the end, mm
+  std::array<std::int64_t, axes> steps{};  // the motors' position for it
   std::array<double, axes> exact_steps{};  // the same before rounding
   std::optional<RequestedArc> arc;
 };
@@ -34,6 +37,7 @@ struct RequestedMove {
 // motion). Positions are mechanical: they start at 0 on every axis, E counts from its position at
 // the start. Without homing or a stop between G10 and G11.
 std::vector<RequestedMove> requested_moves(const std::filesystem::path& gcode,
-                                           const std::array<double, axes>& steps_per_mm);
+                                           const std::array<double, axes>& steps_per_mm,
+                                           const MachineShape& shape = {});
 
 }  // namespace scenarios

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines whose motors are not their axes print to the step, on the whole chip.
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "directories.hpp"
+#include "tests/scenarios/job.hpp"
+#include "tools/process/process.hpp"
+
+namespace {
+
+using scenarios::Print;
+
+// Lines in all directions, short and relative ones, an arc, and a second homing.
+const std::string gcode =
+    "M104 S200\nG28\nM109 S200\nG1 Z5 F2400\nG1 X20 Y20 Z0.3 F3000\nG1 X40 Y20 E1 F2400\n"
+    "G1 X40 Y40 E2\nG1 X20 Y40 E3\nG1 X20 Y20 E4\nG1 X35 Y33 E5\nG2 X35 Y33 I5 J0 E6\nG91\n"
+    "G1 X-3.333 Y1.017\nG1 X0.01 Y0.02 Z0.05\nG1 X-30 Y-25 Z2 F6000\nG90\nG28\n"
+    "G1 X5 Y10 Z30 F6000\nM114\nM84\n";
+
+Print print_on(const std::string& machine) {
+  Print print = scenarios::print_text(
+      gcode, {"--warm", "--machine",
+              std::string(PROJECT_DIRECTORY "/firmware/machines/") + machine + ".toml"});
+  EXPECT_EQ(print.job.status, 0) << print.job.output;
+  EXPECT_EQ(print.report["result"], "completed");
+  EXPECT_EQ(print.report["path"]["points_missed"], 0);
+  EXPECT_EQ(print.report["queue"]["underruns"], 0);
+  return print;
+}
+
+void expect_edges_as_requested(const Print& print, std::vector<std::string> options) {
+  std::vector<std::string> arguments{BUILD_DIRECTORY "/bin/check_edges",
+                                     (scenarios::scratch_folder() / "input.gcode").string(),
+                                     print.edges.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  EXPECT_EQ(process::run({.arguments = arguments}).exit_status, 0);
+}
+
+TEST(kinematics, core_xy_prints_to_the_step) {
+  const Print print = print_on("core_xy");
+  expect_edges_as_requested(print, {"--kinematics", "core_xy", "--steps-per-mm", "80", "80", "400",
+                                    "95.5", "--tolerance", "1.5"});
+  EXPECT_TRUE(print.said("Count A:1200 B:-400 Z:12000"));
+}
+
+TEST(kinematics, delta_prints_to_the_step_and_within_its_chords) {
+  const Print print = print_on("delta");
+  expect_edges_as_requested(
+      print, {"--kinematics", "delta", "--rod", "250", "--radius", "105", "--height", "250",
+              "--steps-per-mm", "80", "80", "80", "95.5", "--tolerance", "3"});
+}
+
+TEST(kinematics, needs_the_model_of_the_processor_where_the_machine_has_more_memory) {
+  const Print print = scenarios::print_text(
+      "G28\n",
+      {"--machine", PROJECT_DIRECTORY "/firmware/machines/core_xy.toml", "--processor", "netlist"});
+  EXPECT_NE(print.job.status, 0);
+  EXPECT_THAT(print.job.output, testing::HasSubstr("memory_kib"));
+}
+
+}  // namespace
