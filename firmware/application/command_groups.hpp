@@ -39,8 +39,8 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, shaping, factors, timer,
-                                     heat, reports, host, files, dry_runs));
+    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, shaping, factors,
+                                     timer, heat, reports, host, files, dry_runs));
   }
 
   Coordinates coordinates;

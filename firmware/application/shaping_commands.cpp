@@ -97,7 +97,7 @@ Progress ShapingCommands::set_advance(ActiveCommand& command) {
     return command.refuse("K not within 0 to 10");
   }
   settings.advance_microseconds = static_cast<std::uint32_t>(*seconds);
-  return set(command, settings, "Too long beside the shapers");
+  return set(command, settings, "Too long together with the shapers");
 }
 
 // What changes nothing does not stop the print: slicers repeat K for each feature.

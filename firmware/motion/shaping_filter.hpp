@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What shapers and linear advance make of planned positions that are known once in each slot of
-// time.
+// What shapers and linear advance make of planned positions that are known once in each slot.
 #pragma once
 
 #include <array>

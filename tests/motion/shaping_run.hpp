@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives planner and shaping as the firmware does, with a second planner beside it whose segments
+// Drives planner and shaping as the firmware does, with a second planner whose segments
 // say in exact arithmetic where each axis is to be.
 #pragma once
 

@@ -53,8 +53,8 @@ class Printer {
 };
 
 // 60 mm along X, a corner, 60 mm along Y. The ringing in steps as soon as X stands for good: after
-// `corner` seconds without shaping, and later by the shaper's length with it. Steps are fine, so that
-// those of rounding do not excite more than what is measured.
+// `corner` seconds without shaping, and later by the shaper's length with it. Steps are fine, so
+// that those of rounding excite less than what is measured.
 struct Corner {
   double ringing, seconds;
 };
