@@ -20,6 +20,7 @@ Plan plan_with(const std::string& file, const std::vector<std::string>& settings
   auto machine =
       machine_generator::read_machine(PROJECT_DIRECTORY "/firmware/machines/bed_slinger.toml");
   machine.description.name = machine.name;
+  machine.description.shaping.emplace();
   PrintPlanner planner(machine.description, clock_hz);
   for (const std::string& line : settings) planner.take(1, line);
   const auto commands = devices::read_gcode_file(PROJECT_DIRECTORY "/examples/" + file).value();
