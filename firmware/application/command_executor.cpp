@@ -80,14 +80,13 @@ bool CommandExecutor::take_line() {
 
 // The first stage of the line.
 CommandExecutor::Stage CommandExecutor::parse(std::string_view text) {
-  const auto command = gcode::parse(text);
-  if (command) {
-    active_.command = *command;
+  const auto error = gcode::parse(text, active_.command);
+  if (!error) {
     find_row();
     return Stage::executing;
   }
-  if (command.error().fault == gcode::ParseFault::empty_line) return Stage::answering;
-  parse_error_ = command.error();
+  if (error->fault == gcode::ParseFault::empty_line) return Stage::answering;
+  parse_error_ = error;
   return Stage::executing;
 }
 

@@ -67,9 +67,7 @@ units::Position multiplied(const units::Position& distance, std::uint64_t factor
 }  // namespace
 
 bool representable(const Positions& positions) {
-  return std::ranges::all_of(positions, [](const units::Position& position) {
-    return position <= motion::max_position && -position <= motion::max_position;
-  });
+  return std::ranges::all_of(positions, motion::is_in_range);
 }
 
 void Coordinates::follow(const Positions& machine) {
@@ -122,8 +120,8 @@ std::optional<units::Nanometers> Coordinates::rounded_length(const gcode::Comman
   return exact ? std::optional(exact->nearest()) : std::nullopt;
 }
 
-Positions Coordinates::target_of(const gcode::Command& command) const {
-  Positions target = logical_;
+void Coordinates::put_target_of(const gcode::Command& command, Positions& target) const {
+  target = logical_;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto value = length(command, units::axis_letters[i]);
     if (!value) continue;
@@ -134,12 +132,13 @@ Positions Coordinates::target_of(const gcode::Command& command) const {
       target[i] += workspaces_.origin(i);
     }
   }
-  return target;
 }
 
-Positions Coordinates::machine_target(const Positions& target, const Positions& machine) const {
-  Positions result;
+void Coordinates::put_machine_target(const Positions& target, const Positions& machine,
+                                     Positions& result) const {
+  result = machine;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (target[i] == logical_[i]) continue;
     units::Position distance = target[i] - logical_[i];
     if (i == units::index_of(units::Axis::e) && flow_percent_ != 100) {
       distance = scaled(distance, flow_percent_);
@@ -147,9 +146,8 @@ Positions Coordinates::machine_target(const Positions& target, const Positions& 
     if (i == units::index_of(units::Axis::e) && volumetric()) {
       distance = multiplied(distance, length_of_volume_);
     }
-    result[i] = machine[i] + distance;
+    result[i] += distance;
   }
-  return result;
 }
 
 void Coordinates::take_feedrate(const gcode::Command& command) {

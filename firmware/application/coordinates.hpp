@@ -87,9 +87,15 @@ class Coordinates {
   std::optional<units::Nanometers> rounded_length(const gcode::Command& command, char letter) const;
 
   // The logical positions that a move requests.
-  Positions target_of(const gcode::Command& command) const;
+  Positions target_of(const gcode::Command& command) const {
+    Positions target;
+    put_target_of(command, target);
+    return target;
+  }
+  void put_target_of(const gcode::Command& command, Positions& target) const;
   // The machine positions of a logical target, from where the machine is. Exact, flow included.
-  Positions machine_target(const Positions& target, const Positions& machine) const;
+  void put_machine_target(const Positions& target, const Positions& machine,
+                          Positions& result) const;
 
   // F in units per minute: kept for this and later moves; not more than 0 is ignored, as in Marlin.
   void take_feedrate(const gcode::Command& command);

@@ -44,12 +44,12 @@ Progress MotionCommands::arc(ActiveCommand& command, bool clockwise) {
 }
 
 Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
-  Target target;
-  if (const auto progress = take_target(command, target)) return *progress;
+  Positions logical, machine;
+  if (const auto progress = take_target(command, logical, machine)) return *progress;
   motion::ArcRequest request{.plane = coordinates_.plane(),
                              .clockwise = clockwise,
                              .start = motion_.position(),
-                             .target = target.machine};
+                             .target = machine};
   if (const auto progress = take_centre(command, request)) return *progress;
   const auto begun = arc_.begin(request);
   if (!begun) return command.refuse(motion::describe(begun.error()));
@@ -64,9 +64,9 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   arc_jumps_ = motion_.position_jumps();
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
-  if (takes_babystep(target.machine)) coordinates_.babystep_made();
-  coordinates_.set_logical(target.logical);
-  coordinates_.set_planned(target.machine);
+  if (takes_babystep(machine)) coordinates_.babystep_made();
+  coordinates_.set_logical(logical);
+  coordinates_.set_planned(machine);
   command.phase = ActiveCommand::Phase::appending;
   return Progress::again;
 }
@@ -107,15 +107,16 @@ Progress MotionCommands::append_chord(ActiveCommand& command) {
 }
 
 Progress MotionCommands::append(ActiveCommand& command) {
-  Target target;
-  if (const auto progress = take_target(command, target)) return *progress;
-  const bool with_babystep = takes_babystep(target.machine);
-  const auto accepted =
-      motion_.append({.target = target.machine, .feedrate = coordinates_.feedrate()});
+  Positions logical;
+  motion::LineMove move;
+  if (const auto progress = take_target(command, logical, move.target)) return *progress;
+  move.feedrate = coordinates_.feedrate();
+  const bool with_babystep = takes_babystep(move.target);
+  const auto accepted = motion_.append(move);
   if (!accepted) return command.refuse(motion::describe(accepted.error()));
   if (with_babystep) coordinates_.babystep_made();
-  coordinates_.set_logical(target.logical);
-  coordinates_.set_planned(motion_.position());
+  coordinates_.set_logical(logical);
+  coordinates_.set_planned(move.target);
   return Progress::done;
 }
 
@@ -125,13 +126,14 @@ bool MotionCommands::takes_babystep(const Positions& machine) const {
          machine[index_of(Axis::y)] != motion_.position()[index_of(Axis::y)];
 }
 
-std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Target& target) {
-  const Positions wanted = coordinates_.target_of(command.command);
-  if (!representable(wanted)) return command.refuse("Number out of range");
+std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Positions& logical,
+                                                    Positions& machine) {
+  coordinates_.put_target_of(command.command, logical);
+  if (!representable(logical)) return command.refuse("Number out of range");
 
-  Positions driven = wanted;
-  units::Position& extruder = driven[index_of(Axis::e)];
-  const units::Position before = coordinates_.logical()[index_of(Axis::e)];
+  units::Position& extruder = logical[index_of(Axis::e)];
+  const units::Position wanted = extruder;
+  const units::Position& before = coordinates_.logical()[index_of(Axis::e)];
   if (extruder != before) {
     const bool too_long =
         extruder - before > longest_extrusion || before - extruder > longest_extrusion;
@@ -144,11 +146,11 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Targ
     }
   }
 
-  target = {.logical = wanted, .machine = coordinates_.machine_target(driven, motion_.position())};
-  if (takes_babystep(target.machine)) {
-    target.machine[index_of(Axis::z)] += coordinates_.pending_babystep();
-  }
-  return refuse_beyond_limits(command, target.machine);
+  coordinates_.put_machine_target(logical, motion_.position(), machine);
+  // What is not extruded counts as done.
+  extruder = wanted;
+  if (takes_babystep(machine)) machine[index_of(Axis::z)] += coordinates_.pending_babystep();
+  return refuse_beyond_limits(command, machine);
 }
 
 std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& command,

@@ -36,15 +36,11 @@ class MotionCommands {
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
  private:
-  // Where a line leads: what the host believes then, and where the machine is.
-  struct Target {
-    Positions logical;
-    Positions machine;
-  };
-
   Progress append(ActiveCommand& command);
-  // Nothing where the line is not refused, and need not wait.
-  std::optional<Progress> take_target(ActiveCommand& command, Target& target);
+  // Where a line leads: what the host believes then, and where the machine is. Nothing where the
+  // line is not refused, and need not wait.
+  std::optional<Progress> take_target(ActiveCommand& command, Positions& logical,
+                                      Positions& machine);
   bool takes_babystep(const Positions& machine) const;
   Progress begin_arc(ActiveCommand& command, bool clockwise);
   std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);

@@ -108,11 +108,11 @@ void MotionTask::update(Now now) {
 
 // After every stop what was planned is void, and the planner learns where the axes are.
 void MotionTask::settle_stop() {
-  const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
-  if (!stop.stopped) {
+  if (!step_generator_.stopped()) {
     stopping_ = false;
     return;
   }
+  const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (stop.emergency_input) {
     emergency_input_ = true;
     return;
@@ -136,7 +136,7 @@ void MotionTask::settle_stop() {
 void MotionTask::lead_homing() {
   if (!step_generator_.idle() || !planner_.empty() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
-  if (step_generator_.stop_state().stopped) return;
+  if (step_generator_.stopped()) return;
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }
@@ -221,7 +221,7 @@ std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& mo
 
 bool MotionTask::at_rest() const {
   return planner_.empty() && step_generator_.idle() && !stopping_ && !homing_.active() &&
-         !step_generator_.stop_state().stopped;
+         !step_generator_.stopped();
 }
 
 void MotionTask::start_homing(units::AxisSet axes) {

@@ -10,14 +10,14 @@ namespace benchmark {
 
 ProcessorResult ParserWork::run(std::uint32_t iterations) {
   ProcessorResult result;
+  gcode::Command command;
   for (std::uint32_t i = 0; i < iterations; ++i) {
     TextLines lines(text_);
     while (const auto line = lines.next()) {
       ++result.units;
-      const auto command = gcode::parse(*line);
-      if (!command) continue;
+      if (gcode::parse(*line, command)) continue;
       for (const char letter : units::axis_letters) {
-        const auto value = command->value(letter);
+        const auto value = command.value(letter);
         if (value) result.checksum = 31 * result.checksum + static_cast<std::uint32_t>(*value);
       }
     }

@@ -182,6 +182,8 @@ StepGenerator::Stop StepGenerator::stop_state() const {
   return result;
 }
 
+bool StepGenerator::stopped() const { return platform::read<registers::Status>().stopped; }
+
 void StepGenerator::acknowledge_stop() {
   platform::write(registers::Command{.acknowledge_stop = true});
 }

@@ -107,6 +107,8 @@ class StepGenerator {
   void brake();
   // The stop that waits for its acknowledgement, whether by end stop, input or software.
   Stop stop_state() const;
+  // Whether there is one.
+  bool stopped() const;
   // Permits motion again; without effect while the emergency stop input is active.
   void acknowledge_stop();
 

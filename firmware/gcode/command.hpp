@@ -31,6 +31,15 @@ class Command {
   // Of M117, M118, M23 ..., or between quotes: a part of the parsed line, which must outlive it.
   std::string_view text{};
 
+  // Empty again, as at first.
+  void clear() {
+    letter = {};
+    code = {};
+    subcode = {};
+    text = {};
+    present_ = valued_ = negative_ = 0;
+  }
+
   bool is(char wanted_letter, std::uint16_t wanted_code) const {
     return letter == wanted_letter && code == wanted_code;
   }

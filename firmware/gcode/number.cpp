@@ -3,6 +3,8 @@
 #include "gcode/number.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "units/event_bound.hpp"
@@ -21,7 +23,7 @@ static_assert(scale[0] == billionths_per_unit && scale[kept_decimals] == 1);
 // Appends a decimal digit; false on overflow.
 bool append(std::uint32_t& value, std::uint32_t digit) {
   constexpr std::uint32_t largest = std::numeric_limits<std::uint32_t>::max();
-  if (value > largest / 10 || (value == largest / 10 && digit > largest % 10)) return false;
+  if (value >= largest / 10 && (value > largest / 10 || digit > largest % 10)) return false;
   value = value * 10 + digit;
   return true;
 }
@@ -33,63 +35,66 @@ std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
 }
 
 // Reads the digits after the point. False if rounding reaches a whole unit.
-bool read_fraction(std::string_view line, std::size_t& position, std::uint32_t& billionths) {
-  unsigned decimals = 0;
+bool read_fraction(const char*& here, const char* end, std::uint32_t& billionths) {
+  const char* const first = here;
+  std::uint32_t value = 0;
   units::LoopBound<kept_decimals> kept;
-  while (position < line.size() && is_digit(line[position]) && decimals < kept_decimals) {
+  while (here != end && is_digit(*here) && here - first < std::ptrdiff_t{kept_decimals}) {
     kept.next();
-    billionths = billionths * 10 + digit_value(line[position++]);
-    ++decimals;
+    value = value * 10 + digit_value(*here++);
   }
-  billionths *= scale[decimals];
+  value *= scale[static_cast<std::size_t>(here - first)];
   // Decimals that are not kept: the first one alone decides the rounding.
-  if (position < line.size() && is_digit(line[position])) {
-    if (line[position] >= '5') ++billionths;
+  if (here != end && is_digit(*here)) {
+    if (*here >= '5') ++value;
     units::LoopBound<units::longest_text> dropped;
-    while (position < line.size() && is_digit(line[position])) {
+    while (here != end && is_digit(*here)) {
       dropped.next();
-      ++position;
-      units::happens<units::Event::character_read>(position);
+      ++here;
+      units::happens<units::Event::character_read>(reinterpret_cast<std::uintptr_t>(here));
     }
   }
-  if (billionths < billionths_per_unit) return true;
-  billionths = 0;
-  return false;
+  const bool is_fraction = value < billionths_per_unit;
+  billionths = is_fraction ? value : 0;
+  return is_fraction;
 }
 
 }  // namespace
 
 std::expected<Number, ParseError> read_number(std::string_view line, std::size_t& position) {
-  const std::size_t start = position;
+  const char* const begin = line.data();
+  const char* const end = begin + line.size();
+  const char* here = begin + position;
+  const auto fail_at = [begin](ParseFault fault, const char* place) {
+    return fail(fault, static_cast<std::size_t>(place - begin));
+  };
+  const char* const start = here;
   Number number{};
-  if (position < line.size() && (line[position] == '-' || line[position] == '+')) {
-    number.negative = line[position++] == '-';
-  }
-  const std::size_t first_digit = position;
+  if (here != end && (*here == '-' || *here == '+')) number.negative = *here++ == '-';
+  const char* const first_digit = here;
+  std::uint32_t whole = 0;
   units::LoopBound<units::longest_text> whole_digits;
-  while (position < line.size() && is_digit(line[position])) {
+  while (here != end && is_digit(*here)) {
     whole_digits.next();
-    if (!append(number.whole, digit_value(line[position]))) {
-      return fail(ParseFault::number_overflow, start);
-    }
-    ++position;
-    units::happens<units::Event::character_read>(position);
+    if (!append(whole, digit_value(*here))) return fail_at(ParseFault::number_overflow, start);
+    ++here;
+    units::happens<units::Event::character_read>(reinterpret_cast<std::uintptr_t>(here));
   }
-  std::size_t digits = position - first_digit;
-  if (position < line.size() && line[position] == '.') {
-    const std::size_t point = position++;
-    if (!read_fraction(line, position, number.billionths)) {
-      if (number.whole == std::numeric_limits<std::uint32_t>::max()) {
-        return fail(ParseFault::number_overflow, start);
+  std::ptrdiff_t digits = here - first_digit;
+  if (here != end && *here == '.') {
+    const char* const point = here++;
+    if (!read_fraction(here, end, number.billionths)) {
+      if (whole == std::numeric_limits<std::uint32_t>::max()) {
+        return fail_at(ParseFault::number_overflow, start);
       }
-      ++number.whole;
+      ++whole;
     }
-    digits += position - point - 1;
+    digits += here - point - 1;
   }
-  if (digits == 0) return fail(ParseFault::malformed_number, start);
-  if (position < line.size() && starts_number(line[position])) {
-    return fail(ParseFault::malformed_number, position);
-  }
+  if (digits == 0) return fail_at(ParseFault::malformed_number, start);
+  if (here != end && starts_number(*here)) return fail_at(ParseFault::malformed_number, here);
+  number.whole = whole;
+  position = static_cast<std::size_t>(here - begin);
   return number;
 }
 

@@ -49,9 +49,9 @@ bool may_end_in_text(const Command& command) { return command.is('M', 0) || comm
 
 class LineParser {
  public:
-  explicit LineParser(std::string_view line) : line_(line) {}
+  LineParser(std::string_view line, Command& command) : line_(line), command_(command) {}
 
-  std::expected<Command, ParseError> parse() {
+  std::optional<ParseError> parse() {
     // It goes back once, in M0 and M1.
     units::EventBound<units::Event::character_read, 2 * longest_text> places;
     if (!skip_blanks_and_comments()) return failure();
@@ -66,7 +66,7 @@ class LineParser {
     }
     if (takes_text(command_)) {
       if (!read_text()) return failure();
-      return command_;
+      return std::nullopt;
     }
     // Each letter once; what follows the last of them ends the line or is refused.
     constexpr std::uint32_t letters = 'Z' - 'A' + 1;
@@ -74,7 +74,7 @@ class LineParser {
     for (;;) {
       if (!skip_blanks_and_comments()) return failure();
       parameters.next();
-      if (at_end()) return command_;
+      if (at_end()) return std::nullopt;
       if (!read_parameter()) return failure();
     }
   }
@@ -93,8 +93,8 @@ class LineParser {
     error_ = {fault, static_cast<std::uint32_t>(position)};
     return false;
   }
-  std::unexpected<ParseError> failure() const { return std::unexpected(error_); }
-  std::unexpected<ParseError> fail(ParseFault fault, std::size_t position) {
+  std::optional<ParseError> failure() const { return error_; }
+  std::optional<ParseError> fail(ParseFault fault, std::size_t position) {
     set_error(fault, position);
     return failure();
   }
@@ -240,12 +240,21 @@ class LineParser {
 
   std::string_view line_;
   std::size_t position_{};
-  Command command_;
+  Command& command_;
   ParseError error_{};
 };
 
 }  // namespace
 
-std::expected<Command, ParseError> parse(std::string_view line) { return LineParser(line).parse(); }
+std::optional<ParseError> parse(std::string_view line, Command& command) {
+  command.clear();
+  return LineParser(line, command).parse();
+}
+
+std::expected<Command, ParseError> parse(std::string_view line) {
+  std::expected<Command, ParseError> result;
+  if (const auto error = parse(line, *result)) result = std::unexpected(*error);
+  return result;
+}
 
 }  // namespace gcode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <expected>
+#include <optional>
 #include <string_view>
 
 #include "gcode/command.hpp"
@@ -13,5 +14,8 @@ namespace gcode {
 // `line` comes without line number, checksum and line end, and has at most units::longest_text
 // bytes. It must outlive the command's text.
 std::expected<Command, ParseError> parse(std::string_view line);
+
+// The same into `command`, without a copy; nothing where that holds the command then.
+std::optional<ParseError> parse(std::string_view line, Command& command);
 
 }  // namespace gcode

@@ -140,6 +140,7 @@ void EmergencyQueue::put(EmergencyCommand command) {
 }
 
 std::optional<EmergencyCommand> EmergencyQueue::next() {
+  if (pending_ == 0) return std::nullopt;
   units::LoopBound<EmergencyCommand::kinds> asked;
   for (const Kind kind : {Kind::kill, Kind::cancel, Kind::quick_stop, Kind::cancel_wait,
                           Kind::prompt_response, Kind::speed, Kind::pause, Kind::resume}) {

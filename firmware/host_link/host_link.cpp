@@ -52,11 +52,10 @@ bool has_star_in_message(const ReceivedLine& line) {
   return rest.empty();
 }
 
-// The same line with the star and all after it as text.
-ReceivedLine without_checksum(ReceivedLine line) {
+// The star and all after it become text.
+void drop_checksum(ReceivedLine& line) {
   line.text = {line.text.data(), line.behind_star.data() + line.behind_star.size()};
   line.checksum = Checksum::none;
-  return line;
 }
 
 }  // namespace
@@ -68,10 +67,13 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   last_heard_ = now;
   last_exchange_ = now;
   units::LoopBound<most_bytes> received;
-  for (const char byte : bytes) {
+  while (!bytes.empty()) {
     received.next();
-    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(byte));
-    if (receiver_.put(byte)) handle(receiver_.take());
+    bytes = bytes.subspan(receiver_.put_text(bytes));
+    if (bytes.empty()) return;
+    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(bytes.front()));
+    if (receiver_.put(bytes.front())) handle(receiver_.take());
+    bytes = bytes.subspan(1);
   }
 }
 
@@ -86,10 +88,9 @@ void HostLink::hang_up() {
   rescues_left_ = 0;
 }
 
-void HostLink::handle(const ReceivedLine& received) {
+void HostLink::handle(ReceivedLine line) {
   // Among numbered lines it may be one that has lost its number.
-  const bool message = has_star_in_message(received) && !in_numbered_session();
-  const ReceivedLine line = message ? without_checksum(received) : received;
+  if (has_star_in_message(line) && !in_numbered_session()) drop_checksum(line);
   std::optional<EmergencyCommand> emergency;
   if (trusted(line)) emergency = emergency_in(line.text);
   if (trusted(line) && !emergency && comes_from_a_person(line)) emergency = speed_in(line.text);

@@ -113,7 +113,7 @@ class HostLink {
   static constexpr std::size_t notice_count = 5;
   static std::string_view describe(Notice notice);
 
-  void handle(const ReceivedLine& received);
+  void handle(ReceivedLine line);
   void handle_plain(const ReceivedLine& line, bool emergency);
   void handle_framed(const ReceivedLine& line, bool emergency);
   void handle_framed_unfinished(const ReceivedLine& line);
@@ -157,6 +157,7 @@ class HostLink {
   std::array<std::uint8_t, notice_count> notices_owed_{};
   std::uint8_t oks_owed_{};
   bool resend_owed_{};
+  bool owes_{};  // any of these
   bool wait_for_room_{};  // that Resend is due to a full queue
   LineError error_owed_{LineError::none};
   std::uint8_t rescues_left_{};

@@ -77,12 +77,15 @@ bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report)
 }
 
 void HostLink::answer_ok(std::optional<LineNumber> number) {
-  if (!put_ok(number, {})) count_up(oks_owed_, 1);
+  if (put_ok(number, {})) return;
+  count_up(oks_owed_, 1);
+  owes_ = true;
 }
 
 void HostLink::notify(Notice notice) {
   ++statistics_.refused;
   count_up(notices_owed_[static_cast<std::size_t>(notice)], 1);
+  owes_ = true;
   send_owed();
 }
 
@@ -90,6 +93,7 @@ void HostLink::request_resend(LineError error) {
   numbering_.asked_for_resend(now_);
   error_owed_ = error;
   resend_owed_ = true;
+  owes_ = true;
   if (queue_.room() == 0) wait_for_room_ = true;
   send_owed();
 }
@@ -100,6 +104,7 @@ void HostLink::drop_owed_resend() {
   resend_owed_ = false;
   wait_for_room_ = false;
   count_up(oks_owed_, 1);
+  owes_ = true;
 }
 
 bool HostLink::put_notice(std::size_t index) {
@@ -131,6 +136,7 @@ bool HostLink::put_resend() {
 }
 
 void HostLink::send_owed() {
+  if (!owes_) return;
   for (std::size_t index = 0; index < notice_count; ++index) {
     if (notices_owed_[index] != 0 && !put_notice(index)) return;
   }
@@ -145,6 +151,7 @@ void HostLink::send_owed() {
     --oks_owed_;
     units::happens<units::Event::ok_repaid>(oks_owed_);
   }
+  owes_ = resend_owed_;
 }
 
 void HostLink::end_unfinished_line() {

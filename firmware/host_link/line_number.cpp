@@ -25,8 +25,9 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
   for (; position < text.size() && is_digit(text[position]); ++position) {
     digits.next();
     const auto digit = static_cast<std::uint32_t>(text[position] - '0');
-    if (magnitude > (limit - digit) / 10) return std::nullopt;
-    magnitude = magnitude * 10 + digit;
+    const std::uint64_t longer = std::uint64_t{magnitude} * 10 + digit;
+    if (longer > limit) return std::nullopt;
+    magnitude = static_cast<std::uint32_t>(longer);
   }
   text.remove_prefix(position);
   return negative ? 0 - magnitude : magnitude;

@@ -3,10 +3,12 @@
 // longer than the buffer is known to be whole or not.
 #include "host_link/line_receiver.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "host_link/line_number.hpp"
 #include "units/digits.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
@@ -14,6 +16,7 @@ namespace {
 
 using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+constexpr bool is_mere_text(char c) { return c >= ' ' && c <= '~' && c != '*'; }
 constexpr bool is_text(char c) { return c == '\t' || (c >= ' ' && c <= '~'); }
 
 // Noise that leaves the checksum intact mostly corrupts this.
@@ -45,6 +48,27 @@ bool LineReceiver::put(char byte) {
   const bool line_feed_of_pair = byte == line_feed && after_carriage_return_;
   after_carriage_return_ = byte == carriage_return;
   return !line_feed_of_pair;
+}
+
+std::size_t LineReceiver::put_text(std::span<const char> bytes) {
+  if (star_seen_ || length_ >= max_line_length) return 0;
+  const std::size_t most = std::min<std::size_t>(bytes.size(), max_line_length - length_);
+  const char* here = bytes.data();
+  const char* const end = here + most;
+  char* to = buffer_.data() + length_;
+  std::uint32_t exclusive_or = exclusive_or_;
+  units::LoopBound<max_line_length> characters;
+  for (; here != end && is_mere_text(*here); ++here) {
+    characters.next();
+    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(*here));
+    *to++ = *here;
+    exclusive_or ^= static_cast<unsigned char>(*here);
+  }
+  const auto count = static_cast<std::size_t>(here - bytes.data());
+  if (count != 0) after_carriage_return_ = false;
+  exclusive_or_ = static_cast<std::uint8_t>(exclusive_or);
+  length_ += static_cast<std::uint32_t>(count);
+  return count;
 }
 
 ReceivedLine LineReceiver::take() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "host_link/line_number.hpp"
@@ -40,6 +41,8 @@ class LineReceiver {
   // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty
   // lines are lines.
   bool put(char byte);
+  // Puts the first of these bytes, as long as they are mere text: returns how many, perhaps none.
+  std::size_t put_text(std::span<const char> bytes);
   // The incomplete line, which is then discarded.
   ReceivedLine take();
 

@@ -28,7 +28,7 @@ units::MicrometersPerSecond jerk_limited_speed(const Direction& change, std::siz
     const auto most = static_cast<std::uint64_t>(limits.axes[i].jerk.count())
                       << direction_fraction_bits;
     if (std::uint64_t{limited} * part > most) {
-      limited = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of(part)).floor());
+      limited = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of_word(part)).floor());
     }
   }
   return units::MicrometersPerSecond(static_cast<std::int32_t>(limited));

@@ -23,6 +23,7 @@ constexpr std::uint32_t few_ticks = 4;
 constexpr int extruder_leads_bits = 5;
 // Acceleration of a segment, in ticks per clock^2: format and some room for it, see Segment.
 constexpr int max_acceleration_exponent = -22;
+constexpr Scaled one = Scaled::of_word(1);
 constexpr SpecificEnergy max_work{std::uint64_t{1} << 60};
 
 units::MicrometersPerSecond at_least_slowest(Scaled speed) {
@@ -30,7 +31,9 @@ units::MicrometersPerSecond at_least_slowest(Scaled speed) {
       static_cast<std::int32_t>(std::max<std::uint64_t>(speed.floor(), 1)));
 }
 
-Scaled scaled(std::int32_t positive) { return Scaled::of(static_cast<std::uint32_t>(positive)); }
+Scaled scaled(std::int32_t positive) {
+  return Scaled::of_word(static_cast<std::uint32_t>(positive));
+}
 
 // Of X, Y and Z, in nm. The squares of up to 31 bits are exact; longer distances are halved first.
 Scaled spatial_length(const units::PerAxis<units::Nanometers>& distance) {
@@ -63,6 +66,7 @@ Geometry::Geometry(const Limits& limits, const StepTiming& timing)
     time_per_step_[i] = Scaled::of(1'000) / Scaled::of(rate);
     length_per_step_[i] = Scaled::of(1'000'000'000) / Scaled::of(steps_per_meter);
   }
+  longest_exponent_ = std::ranges::max(time_per_step_).exponent();
   rate_factor_ = Scaled::of(2'000).square_root() / clock;
   max_tick_acceleration_ =
       clock * clock * Scaled::of(1, max_acceleration_exponent) / Scaled::of(1'000);
@@ -74,7 +78,8 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
   const Scaled spatial = spatial_length(distance);
   const std::uint64_t extruded = magnitude(distance[extruder].count());
   Path path{.length = spatial,
-            .extruder_leads = Scaled::of(extruded, -extruder_leads_bits) > spatial,
+            .inverse = {},
+            .extruder_leads = extruded != 0 && Scaled::of(extruded, -extruder_leads_bits) > spatial,
             .direction = {},
             .feedrate = feedrate,
             .acceleration = {}};
@@ -92,12 +97,17 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
   path.acceleration = path.extruder_leads ? limits_.retract_acceleration
                       : prints            ? limits_.print_acceleration
                                           : limits_.travel_acceleration;
-  const Scaled inverse = Scaled::of(1) / path.length;
+  path.inverse = one / path.length;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    if (distance[i].count() == 0) continue;
-    const Scaled part = Scaled::of(magnitude(distance[i].count())) * inverse;
-    const auto size = static_cast<std::int32_t>(part.floor(direction_fraction_bits));
-    path.direction[i] = distance[i].count() < 0 ? -size : size;
+    const std::uint64_t all = magnitude(distance[i].count());
+    if (all == 0) continue;
+    const std::uint32_t size =
+        all >> 32 == 0 ? path.inverse.floor_of_product(static_cast<std::uint32_t>(all),
+                                                       direction_fraction_bits)
+                       : static_cast<std::uint32_t>(
+                             (Scaled::of(all) * path.inverse).floor(direction_fraction_bits));
+    const auto part = static_cast<std::int32_t>(size);
+    path.direction[i] = distance[i].count() < 0 ? -part : part;
   }
   return path;
 }
@@ -110,25 +120,22 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
                 .acceleration = {},
                 .work = {},
                 .extruder_leads = path.extruder_leads};
-  line.steps = displacement.steps;
-  line.ticks = 0;
-  Scaled time_of_steps;  // ms, at least
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const std::uint32_t steps = magnitude(line.steps[i]);
-    if (steps == 0) continue;
-    line.ticks = std::max(line.ticks, steps);
-    time_of_steps = std::max(time_of_steps, Scaled::of(steps) * time_per_step_[i]);
-  }
+  const Scaled time_of_steps = take_steps(displacement, line);
   Scaled length = path.length;
-  const Scaled least_length = scaled(result.speed.count()) * time_of_steps;
+  Scaled speed = scaled(result.speed.count());
+  const Scaled least_length = speed * time_of_steps;
   if (least_length > length) {
     // A line shorter than its rounded steps has them in too short a time. That is only a matter of
     // rounding, and no reason to slow down: it counts as longer, but not as longer than its steps.
     length = std::max(length, std::min(least_length, length_of_few_steps(line, path)));
-    if (least_length > length) result.speed = at_least_slowest(length / time_of_steps);
+    if (least_length > length) {
+      result.speed = at_least_slowest(length / time_of_steps);
+      speed = scaled(result.speed.count());
+    }
   }
-  const Scaled microseconds_times_speed = Scaled::of(1'000) * length;
-  const Scaled time = microseconds_times_speed / scaled(result.speed.count());
+  constexpr Scaled thousand = Scaled::of_word(1'000);
+  const Scaled microseconds_times_speed = thousand * length;
+  const Scaled time = microseconds_times_speed / speed;
   line.nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
   if (line.nominal_time < least_time) {
     result.speed = at_least_slowest(microseconds_times_speed /
@@ -141,7 +148,8 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
                                     Scaled::of(static_cast<std::uint64_t>(most_time.count())));
     line.nominal_time = most_time;
   }
-  const Scaled ticks_per_length = Scaled::of(line.ticks) / length;
+  const Scaled inverse = length == path.length ? path.inverse : one / length;
+  const Scaled ticks_per_length = Scaled::of_word(line.ticks) * inverse;
   result.acceleration = limited_acceleration(path, ticks_per_length);
   const std::uint64_t work = (scaled(result.acceleration.count()) * length).floor();
   line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
@@ -151,6 +159,29 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
   return result;
 }
 
+// The time of the axis that takes longest, as exactly as times of the slowest axis are.
+Scaled Geometry::take_steps(const Displacement& displacement, Line& line) const {
+  std::uint32_t ticks = 0;
+  std::uint64_t longest = 0, compared = 0;
+  int exponent = 0;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    line.steps[i] = displacement.steps[i];
+    const std::uint32_t steps = magnitude(displacement.steps[i]);
+    if (steps == 0) continue;
+    ticks = std::max(ticks, steps);
+    const Scaled& step = time_per_step_[i];
+    const std::uint64_t time = step.product_of_mantissa(steps);
+    if (time == 0) continue;
+    const std::uint64_t in_common = time >> (longest_exponent_ - step.exponent());
+    if (in_common < compared) continue;
+    compared = in_common;
+    longest = time;
+    exponent = step.exponent();
+  }
+  line.ticks = ticks;
+  return Scaled::of(longest, exponent);
+}
+
 Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
   Scaled length;
   if (line.ticks > few_ticks) return length;
@@ -158,7 +189,7 @@ Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
   units::LoopBound<units::axis_count> bound;
   for (std::size_t i = 0; i < axes; ++i) {
     bound.next();
-    length = std::max(length, Scaled::of(magnitude(line.steps[i])) * length_per_step_[i]);
+    length = std::max(length, Scaled::of_word(magnitude(line.steps[i])) * length_per_step_[i]);
   }
   return length;
 }
@@ -171,10 +202,10 @@ units::MicrometersPerSecondSquared Geometry::limited_acceleration(const Path& pa
     const auto most = static_cast<std::uint64_t>(limits_.axes[i].max_acceleration.count())
                       << direction_fraction_bits;
     if (std::uint64_t{acceleration} * part > most) {
-      acceleration = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of(part)).floor());
+      acceleration = static_cast<std::uint32_t>((Scaled::of(most) / Scaled::of_word(part)).floor());
     }
   }
-  if (Scaled::of(acceleration) * ticks_per_length > max_tick_acceleration_) {
+  if (Scaled::of_word(acceleration) * ticks_per_length > max_tick_acceleration_) {
     acceleration = static_cast<std::uint32_t>((max_tick_acceleration_ / ticks_per_length).floor());
   }
   return units::MicrometersPerSecondSquared(

@@ -86,12 +86,14 @@ class Geometry {
  private:
   struct Path {
     Scaled length;  // nm, of X, Y and Z, or of E where that leads
+    Scaled inverse;  // of the length
     bool extruder_leads;
     Direction direction;
     units::MicrometersPerSecond feedrate;
     units::MicrometersPerSecondSquared acceleration;
   };
   Path path_of(const Displacement& displacement, units::MicrometersPerSecond feedrate) const;
+  Scaled take_steps(const Displacement& displacement, Line& line) const;
   Scaled length_of_few_steps(const Line& line, const Path& path) const;
   units::MicrometersPerSecondSquared limited_acceleration(const Path& path,
                                                           Scaled ticks_per_length) const;
@@ -99,6 +101,7 @@ class Geometry {
   Limits limits_;
   units::Hertz clock_;
   units::PerAxis<Scaled> time_per_step_{};  // at the highest rate, ms
+  int longest_exponent_{};  // of these
   units::PerAxis<Scaled> length_per_step_{};  // nm
   Scaled rate_factor_{};  // ticks per clock of 1 tick/nm at an energy of 1
   Scaled max_tick_acceleration_{};  // um/s^2 at 1 tick/nm that the segment's format can hold

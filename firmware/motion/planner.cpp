@@ -14,9 +14,7 @@ namespace motion {
 namespace {
 
 bool in_range(const units::PerAxis<units::Position>& target) {
-  return std::ranges::all_of(target, [](const units::Position& position) {
-    return position >= -max_position && position <= max_position;
-  });
+  return std::ranges::all_of(target, is_in_range);
 }
 
 // Rounded, but not to 0 where a step is due: a displacement with steps has a length.
@@ -43,29 +41,33 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
 
   constexpr std::int64_t most_steps = 0x7FFF'FFFF;
   Displacement displacement;
-  units::PerAxis<std::int64_t> target_steps;
-  units::PerAxis<StepParts> residual;
+  units::PerAxis<StepPosition> ends;
+  units::AxisSet others;  // than where the last line ended
   bool moves = false;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    StepPosition target{.steps = position_steps_[i], .residual = residual_[i]};
-    if (move.target[i] != line_end_[i]) {
-      target = steps_at(move.target[i], limits().axes[i].steps_per_meter);
+    if (move.target[i] == line_end_[i]) {
+      displacement.residual[i] = residual_[i] + residual_[i];
+      continue;
     }
-    const std::int64_t steps = target.steps - position_steps_[i];
+    others.insert(static_cast<units::Axis>(i));
+    const StepPosition end = steps_at(move.target[i], limits().axes[i].steps_per_meter);
+    const std::int64_t steps = end.steps - position_steps_[i];
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
     displacement.distance[i] = distance_between(line_end_[i], move.target[i], steps);
     displacement.steps[i] = static_cast<std::int32_t>(steps);
-    displacement.residual[i] = residual_[i] + target.residual;
-    target_steps[i] = target.steps;
-    residual[i] = target.residual;
+    displacement.residual[i] = residual_[i] + end.residual;
+    ends[i] = end;
     moves |= steps != 0;
   }
   target_ = move.target;
   if (!moves) return {};
   append(displacement, move, now);
-  line_end_ = move.target;
-  position_steps_ = target_steps;
-  residual_ = residual;
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    if (!others.contains(static_cast<units::Axis>(i))) continue;
+    line_end_[i] = move.target[i];
+    position_steps_[i] = ends[i].steps;
+    residual_[i] = ends[i].residual;
+  }
   return {};
 }
 
@@ -133,17 +135,20 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
     hand_over_first(now);
   }
   const Phase& phase = profile_.phases[next_phase_];
-  Segment segment{.steps = steps_,
-                  .start = start_,
-                  .line_ticks = ticks_,
-                  .ticks = phase.ticks,
-                  .continues_line = next_phase_ > 0,
-                  .rate = phase.rate,
-                  .acceleration = phase.acceleration,
-                  .stop_mask = stop_mask_};
+  // Made where it is returned, not copied there.
+  std::optional<Segment> made;
+  Segment& segment = made.emplace();
+  segment.steps = steps_;
+  segment.start = start_;
+  segment.line_ticks = ticks_;
+  segment.ticks = phase.ticks;
+  segment.continues_line = next_phase_ > 0;
+  segment.rate = phase.rate;
+  segment.acceleration = phase.acceleration;
+  segment.stop_mask = stop_mask_;
   ++next_phase_;
   segment.ends_motion = resting_ && next_phase_ == profile_.count;
-  return segment;
+  return made;
 }
 
 bool Planner::may_hand_over(units::Microseconds now) const {
@@ -158,8 +163,8 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 
 void Planner::hand_over_first(units::Microseconds now) {
   const Line& first = line(0);
-  profile_ = profile_of(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
-                        limits().min_cruise_percent);
+  make_profile(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
+               limits().min_cruise_percent, profile_);
   steps_ = first.steps;
   start_ = first.start;
   ticks_ = first.ticks;

@@ -30,7 +30,7 @@ std::uint32_t ticks_needed(SpecificEnergy low, SpecificEnergy high, Scaled per_t
 }
 
 SpecificEnergy energy_of_ticks(std::uint32_t ticks, Scaled per_tick) {
-  return SpecificEnergy((Scaled::of(ticks) * per_tick).floor());
+  return SpecificEnergy((Scaled::of_word(ticks) * per_tick).floor());
 }
 
 // The energies of the phases, and their ticks.
@@ -50,7 +50,7 @@ SpecificEnergy peak_of(const Line& line, SpecificEnergy entry, SpecificEnergy ex
 }
 
 EnergyCourse course_of(const Line& line, SpecificEnergy exit, std::uint32_t min_cruise_percent) {
-  const Scaled per_tick = scaled(line.work) / Scaled::of(line.ticks);
+  const Scaled per_tick = scaled(line.work) / Scaled::of_word(line.ticks);
   const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), line.nominal);
   EnergyCourse course{.entry = std::clamp(line.entry, least, line.nominal),
                       .peak = {},
@@ -79,62 +79,81 @@ EnergyCourse course_of(const Line& line, SpecificEnergy exit, std::uint32_t min_
   return course;
 }
 
+std::uint64_t rate_of(const Line& line, SpecificEnergy energy) {
+  const Scaled rate = scaled(energy).square_root() * line.rate_of_root;
+  return std::clamp<std::uint64_t>(rate.floor(rate_fraction_bits), 1, highest_rate);
+}
+
 // Collects the phases of a profile.
 class Builder {
  public:
-  Builder(const Line& line, units::Hertz clock) : line_(line), clock_(clock) {}
+  Builder(const Line& line, Profile& profile) : line_(line), profile_(profile) {
+    profile_.count = 0;
+  }
 
-  void add(std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to) {
-    if (ticks == 0) return;
-    Phase& phase = profile_.phases[profile_.count++];
-    phase.ticks = ticks;
-    phase.rate = rate_of(from);
-    if (from == to) {
-      clocks_ += clocks_of(ticks, phase.rate);
-      return;
-    }
-    clocks_ += clocks_of(ticks, phase.rate / 2 + rate_of(to) / 2);
+  // From an energy to another, and between their rates.
+  void add_ramp(std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to,
+                std::uint64_t from_rate, std::uint64_t to_rate) {
+    Phase& phase = add(ticks, from_rate, from_rate / 2 + to_rate / 2);
     // (rate^2 - rate^2) / (2 ticks)
-    const Scaled difference = scaled(std::max(from, to) - std::min(from, to));
-    const Scaled size = difference * line_.rate_of_root * line_.rate_of_root / Scaled::of(ticks);
+    const Scaled difference = scaled(to > from ? to - from : from - to);
+    const Scaled size =
+        difference * line_.rate_of_root * line_.rate_of_root / Scaled::of_word(ticks);
     const auto acceleration = static_cast<std::int64_t>(
         std::min(size.half().floor(acceleration_fraction_bits), largest_acceleration));
     phase.acceleration = to > from ? acceleration : -acceleration;
     phase.rate += static_cast<std::uint64_t>(phase.acceleration >> half_acceleration_shift);
   }
 
-  Profile profile() {
-    const Scaled time = Scaled::of(clocks_) * Scaled::of(1'000'000) / Scaled::of(clock_.count());
+  Phase& add(std::uint32_t ticks, std::uint64_t rate, std::uint64_t mean_rate) {
+    clocks_ += (Scaled::of_word(ticks, rate_fraction_bits) / Scaled::of(mean_rate)).floor();
+    Phase& phase = profile_.phases[profile_.count++];
+    phase.ticks = ticks;
+    phase.rate = rate;
+    phase.acceleration = 0;
+    return phase;
+  }
+
+  void set_time(units::Hertz clock) {
+    constexpr std::uint32_t second = 1'000'000;
+    const std::uint32_t megahertz = clock.count() / second;
+    if (clocks_ >> 32 == 0 && megahertz * second == clock.count()) {
+      profile_.time = units::Microseconds(static_cast<std::uint32_t>(clocks_) / megahertz);
+      return;
+    }
+    const Scaled time =
+        Scaled::of(clocks_) * Scaled::of_word(second) / Scaled::of_word(clock.count());
     profile_.time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
-    return profile_;
   }
 
  private:
-  std::uint64_t rate_of(SpecificEnergy energy) const {
-    const Scaled rate = scaled(energy).square_root() * line_.rate_of_root;
-    return std::clamp<std::uint64_t>(rate.floor(rate_fraction_bits), 1, highest_rate);
-  }
-
-  static std::uint64_t clocks_of(std::uint32_t ticks, std::uint64_t mean_rate) {
-    return (Scaled::of(ticks, rate_fraction_bits) / Scaled::of(mean_rate)).floor();
-  }
-
   const Line& line_;
-  units::Hertz clock_;
-  Profile profile_{};
+  Profile& profile_;
   std::uint64_t clocks_{};
 };
 
 }  // namespace
 
-Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                   std::uint8_t min_cruise_percent) {
+void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                  std::uint8_t min_cruise_percent, Profile& profile) {
   const EnergyCourse course = course_of(line, exit, min_cruise_percent);
-  Builder builder(line, clock);
-  builder.add(course.accelerating, course.entry, course.peak);
-  builder.add(line.ticks - course.accelerating - course.braking, course.peak, course.peak);
-  builder.add(course.braking, course.peak, course.exit);
-  return builder.profile();
+  Builder builder(line, profile);
+  const std::uint32_t cruising = line.ticks - course.accelerating - course.braking;
+  const std::uint64_t peak_rate = rate_of(line, course.peak);
+  const auto ramp = [&](std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to) {
+    if (ticks == 0) return;
+    if (from == to) {
+      builder.add(ticks, peak_rate, peak_rate);
+    } else if (to == course.peak) {
+      builder.add_ramp(ticks, from, to, rate_of(line, from), peak_rate);
+    } else {
+      builder.add_ramp(ticks, from, to, peak_rate, rate_of(line, to));
+    }
+  };
+  ramp(course.accelerating, course.entry, course.peak);
+  if (cruising != 0) builder.add(cruising, peak_rate, peak_rate);
+  ramp(course.braking, course.peak, course.exit);
+  builder.set_time(clock);
 }
 
 }  // namespace motion

@@ -39,7 +39,14 @@ struct Profile {
 //
 // Where the nominal speed is not reached, at least `min_cruise_percent` of what is left for ramps
 // is cruised: short lines to and fro do not shake the machine (Klipper's minimum_cruise_ratio).
-Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                   std::uint8_t min_cruise_percent = 0);
+void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                  std::uint8_t min_cruise_percent, Profile& profile);
+
+inline Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                          std::uint8_t min_cruise_percent = 0) {
+  Profile profile;
+  make_profile(line, exit, clock, min_cruise_percent, profile);
+  return profile;
+}
 
 }  // namespace motion

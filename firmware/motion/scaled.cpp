@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic of 32 significant bits, with at most two 32-bit divisions in a quotient and one
-// in a root.
+// Arithmetic of 32 significant bits, with two 32-bit divisions in a quotient and in a root.
 #include "motion/scaled.hpp"
 
+#include <array>
 #include <bit>
 
 #include "units/loop_bound.hpp"
@@ -37,28 +37,43 @@ std::uint32_t divide(std::uint32_t high, std::uint32_t low, std::uint32_t diviso
   return (first << 16) + second;
 }
 
-// Root and rest of a 32-bit number, digit by digit.
+// Root and rest of a number.
 struct Root {
   std::uint32_t root;
   std::uint32_t rest;
 };
 
-Root root_of_word(std::uint32_t radicand) {
-  std::uint32_t root = 0;
-  std::uint32_t rest = radicand;
-  for (std::uint32_t bit = 1u << 30; bit != 0; bit >>= 2) {
-    const std::uint32_t trial = root + bit;
-    root >>= 1;
-    if (rest >= trial) {
-      rest -= trial;
-      root += bit;
-    }
+// The roots of 64, 65, ... 255 times 256, rounded down.
+constexpr auto byte_roots = [] {
+  std::array<std::uint8_t, 192> roots{};
+  std::uint32_t root = 128;
+  for (std::uint32_t i = 0; i < roots.size(); ++i) {
+    while ((root + 1) * (root + 1) <= (i + 64) * 256) ++root;
+    roots[i] = static_cast<std::uint8_t>(root);
   }
+  return roots;
+}();
+
+// The root of a word >= 2^30: half of it from the table, where the lower byte adds at most 1, the
+// other half by one division (P. Zimmermann, Karatsuba Square Root, INRIA RR-3805, 1999).
+Root root_of_word(std::uint32_t radicand) {
+  const std::uint32_t upper = radicand >> 16;
+  std::uint32_t half = byte_roots[(upper >> 8) - 64];
+  std::uint32_t upper_rest = upper - half * half;
+  if (upper_rest > 2 * half) {
+    upper_rest -= 2 * half + 1;
+    ++half;
+  }
+  const std::uint32_t numerator = upper_rest << 8 | (radicand >> 8 & 0xFF);
+  const std::uint32_t digit = numerator / (2 * half);
+  const std::uint32_t root = (half << 8) + digit;
+  const std::uint32_t rest = radicand - root * root;
+  // A digit that is too large by 1 leaves a rest below 0.
+  if ((rest >> 31) != 0) return {root - 1, rest + 2 * root - 1};
   return {root, rest};
 }
 
-// The root of high * 2^32 + low for high >= 2^30: half of it from the high word, the other half by
-// one division (P. Zimmermann, Karatsuba Square Root, INRIA RR-3805, 1999).
+// The root of high * 2^32 + low for high >= 2^30, likewise from that of the high word.
 std::uint32_t root_of_double_word(std::uint32_t high, std::uint32_t low) {
   const Root upper = root_of_word(high);
   const std::uint32_t next = low >> 16;
@@ -76,14 +91,11 @@ std::uint32_t root_of_double_word(std::uint32_t high, std::uint32_t low) {
 Scaled Scaled::of(std::uint64_t value, int exponent) {
   const auto high = static_cast<std::uint32_t>(value >> 32);
   const auto low = static_cast<std::uint32_t>(value);
-  if (high == 0) {
-    if (low == 0) return {};
-    const int zeros = std::countl_zero(low);
-    return Scaled(low << zeros, exponent - zeros);
-  }
-  const int zeros = std::countl_zero(high);
-  if (zeros == 0) return Scaled(high, exponent + 32);
-  return Scaled(high << zeros | low >> (32 - zeros), exponent + 32 - zeros);
+  if (high == 0) return of_word(low, exponent);
+  const Scaled upper = of_word(high, exponent + 32);
+  const int zeros = exponent + 32 - upper.exponent_;
+  if (zeros == 0) return upper;
+  return Scaled(upper.mantissa_ | low >> (32 - zeros), upper.exponent_);
 }
 
 Scaled Scaled::operator*(Scaled factor) const {

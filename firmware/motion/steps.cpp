@@ -16,17 +16,33 @@ struct Quotient {
   std::uint32_t rest;  // in 2^9
 };
 
+constexpr auto divisor = static_cast<std::uint32_t>(one_step.count());
+static_assert(std::uint64_t{divisor} << 9 == nanometers_per_meter);
+
+// value / divisor, and `value` becomes the rest.
+std::uint32_t take_quotient(std::uint32_t& value) {
+  // 2^52 / divisor, rounded down, less by 0.21: the estimate is at most 1 too small.
+  constexpr std::uint32_t reciprocal = (std::uint64_t{1} << 52) / divisor;
+  auto quotient = static_cast<std::uint32_t>(std::uint64_t{value} * reciprocal >> 52);
+  value -= quotient * divisor;
+  if (value >= divisor) {
+    value -= divisor;
+    ++quotient;
+  }
+  return quotient;
+}
+
 // value / 10^9 for value < 2^63: 10^9 is 2^9 * 1 953 125, and the latter has 21 bits, so that three
-// 32-bit divisions of 32, 11 and 11 new bits suffice.
+// 32-bit quotients of 32, 11 and 11 new bits suffice. Without divisions, which take long.
 Quotient divide_by_billion(std::uint64_t value) {
-  constexpr auto divisor = static_cast<std::uint32_t>(one_step.count());
-  static_assert(std::uint64_t{divisor} << 9 == nanometers_per_meter);
-  const auto upper = static_cast<std::uint32_t>(value >> 31);
   const auto lower = static_cast<std::uint32_t>(value >> 9) & 0x3F'FFFF;
-  const std::uint32_t middle = upper % divisor << 11 | lower >> 11;
-  const std::uint32_t last = middle % divisor << 11 | (lower & 0x7FF);
-  return {(std::uint64_t{upper / divisor} << 22) + (middle / divisor << 11) + last / divisor,
-          last % divisor};
+  auto rest = static_cast<std::uint32_t>(value >> 31);
+  const std::uint32_t first = rest < divisor ? 0 : take_quotient(rest);
+  rest = rest << 11 | lower >> 11;
+  const std::uint32_t second = take_quotient(rest);
+  rest = rest << 11 | (lower & 0x7FF);
+  const std::uint32_t third = take_quotient(rest);
+  return {(std::uint64_t{first} << 22) + (second << 11) + third, rest};
 }
 
 std::int64_t with_sign_of(std::int64_t sign, std::uint64_t value) {
@@ -40,7 +56,7 @@ StepPosition steps_at(const units::Position& position, units::StepsPerMeter step
   constexpr std::uint64_t product_fits = (std::uint64_t{1} << 63) / 10'000'001;
   static_assert(max_steps_per_meter.count() < 10'000'001);
   const auto factor = static_cast<std::uint32_t>(steps_per_meter.count());
-  const bool negative = position < units::Position();
+  const bool negative = position.whole() < units::Nanometers();
   const units::Position size = negative ? -position : position;
   auto distance = static_cast<std::uint64_t>(size.whole().count());
   std::uint64_t steps = 0;
@@ -63,12 +79,12 @@ StepPosition steps_at(const units::Position& position, units::StepsPerMeter step
 }
 
 units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per_meter) {
-  const auto divisor = static_cast<std::uint32_t>(steps_per_meter.count());
-  if (divisor == 0) return {};
+  const auto per_meter = static_cast<std::uint32_t>(steps_per_meter.count());
+  if (per_meter == 0) return {};
   const std::uint64_t count = units::magnitude(steps);
-  const std::uint64_t meters = count / divisor;
-  const std::uint64_t rest = count % divisor * nanometers_per_meter;
-  const std::uint64_t distance = meters * nanometers_per_meter + (rest + divisor / 2) / divisor;
+  const std::uint64_t meters = count / per_meter;
+  const std::uint64_t rest = count % per_meter * nanometers_per_meter;
+  const std::uint64_t distance = meters * nanometers_per_meter + (rest + per_meter / 2) / per_meter;
   return units::Nanometers(with_sign_of(steps, distance));
 }
 

@@ -14,6 +14,14 @@ namespace motion {
 // Positions beyond this (1000 km of filament) are refused.
 inline constexpr units::Nanometers max_position{1'000'000'000'000'000};
 
+inline bool is_in_range(const units::Position& position) {
+  // Nearly all are decided by the upper word.
+  constexpr auto sure = static_cast<std::int32_t>(max_position.count() >> 32);
+  const auto upper = static_cast<std::int32_t>(position.whole().count() >> 32);
+  if (upper > -sure && upper < sure) return true;
+  return position >= -max_position && position <= max_position;
+}
+
 // Parts of a step, 1 953 125 of which are one (10^9 / 2^9: what the division leaves).
 using StepParts = units::Quantity<struct StepPartUnit, std::int32_t>;
 inline constexpr StepParts one_step{1'953'125};

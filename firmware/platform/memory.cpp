@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Word loops with a tail of bytes: nearly all copies of the firmware are of a few words, aligned.
+// Loops of four words with tails of words and bytes: nearly all copies of the firmware are of a few words, aligned.
 #include "platform/memory.hpp"
 
 #include <cstdint>
@@ -12,6 +12,8 @@ namespace {
 // Objects of any type may be looked at as words.
 using Word [[gnu::may_alias]] = std::uint32_t;
 constexpr std::uintptr_t within_word = sizeof(Word) - 1;
+// In one round of a loop.
+constexpr std::size_t block_words = 4, block_bytes = block_words * sizeof(Word);
 
 bool on_word(const void* address) {
   return (reinterpret_cast<std::uintptr_t>(address) & within_word) == 0;
@@ -20,6 +22,8 @@ bool on_word(const void* address) {
 // Behind the words there are at most 3 bytes. A loop of its own for them has a bound where nothing
 // is known of the length, and leaves that of a known length to be counted.
 using TailBound = units::LoopBound<within_word>;
+// Likewise words behind the blocks.
+using WordsBound = units::LoopBound<block_words - 1, 1>;
 struct NoBound {
   static void next() {}
 };
@@ -47,38 +51,65 @@ template <class Bound>
 
 }  // namespace
 
-void copy(void* to, const void* from, std::size_t bytes) {
-  if (on_word(to) && on_word(from)) {
-    auto* words = static_cast<Word*>(to);
-    const auto* source = static_cast<const Word*>(from);
-    for (std::size_t count = bytes / sizeof(Word); count != 0; --count) *words++ = *source++;
-    copy_bytes<TailBound>(words, source, bytes & within_word);
-    return;
+void* copy(void* to, const void* from, std::size_t bytes) {
+  if (!on_word(to) || !on_word(from)) {
+    copy_bytes<NoBound>(to, from, bytes);
+    return to;
   }
-  copy_bytes<NoBound>(to, from, bytes);
+  auto* words = static_cast<Word*>(to);
+  const auto* source = static_cast<const Word*>(from);
+  for (std::size_t count = bytes / block_bytes; count != 0; --count) {
+    const Word first = source[0], second = source[1], third = source[2], fourth = source[3];
+    words[0] = first;
+    words[1] = second;
+    words[2] = third;
+    words[3] = fourth;
+    source += block_words;
+    words += block_words;
+  }
+  if (bytes % block_bytes == 0) return to;
+  WordsBound bound;
+  for (std::size_t count = bytes % block_bytes / sizeof(Word); count != 0; --count) {
+    bound.next();
+    *words++ = *source++;
+  }
+  copy_bytes<TailBound>(words, source, bytes & within_word);
+  return to;
 }
 
-void move(void* to, const void* from, std::size_t bytes) {
+void* move(void* to, const void* from, std::size_t bytes) {
   // Forwards, what is read has not been written yet wherever it goes to lower addresses.
   if (reinterpret_cast<std::uintptr_t>(to) <= reinterpret_cast<std::uintptr_t>(from)) {
-    copy(to, from, bytes);
-    return;
+    return copy(to, from, bytes);
   }
   auto* end = static_cast<unsigned char*>(to) + bytes;
   const auto* source = static_cast<const unsigned char*>(from) + bytes;
   for (; bytes != 0; --bytes) *--end = *--source;
+  return to;
 }
 
-void fill(void* begin, unsigned char byte, std::size_t bytes) {
-  if (on_word(begin)) {
-    constexpr std::uint32_t in_every_byte = 0x0101'0101;
-    const std::uint32_t word = byte * in_every_byte;
-    auto* words = static_cast<Word*>(begin);
-    for (std::size_t count = bytes / sizeof(Word); count != 0; --count) *words++ = word;
-    fill_bytes<TailBound>(words, byte, bytes & within_word);
-    return;
+void* fill(void* begin, unsigned char byte, std::size_t bytes) {
+  if (!on_word(begin)) {
+    fill_bytes<NoBound>(begin, byte, bytes);
+    return begin;
   }
-  fill_bytes<NoBound>(begin, byte, bytes);
+  constexpr std::uint32_t in_every_byte = 0x0101'0101;
+  const std::uint32_t word = byte * in_every_byte;
+  auto* words = static_cast<Word*>(begin);
+  for (std::size_t count = bytes / block_bytes; count != 0; --count) {
+    words[0] = word;
+    words[1] = word;
+    words[2] = word;
+    words[3] = word;
+    words += block_words;
+  }
+  WordsBound bound;
+  for (std::size_t count = bytes % block_bytes / sizeof(Word); count != 0; --count) {
+    bound.next();
+    *words++ = word;
+  }
+  fill_bytes<TailBound>(words, byte, bytes & within_word);
+  return begin;
 }
 
 }  // namespace platform

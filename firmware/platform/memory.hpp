@@ -6,10 +6,10 @@
 
 namespace platform {
 
-// The pieces do not overlap.
-void copy(void* to, const void* from, std::size_t bytes);
+// All return where they write to. The pieces do not overlap.
+void* copy(void* to, const void* from, std::size_t bytes);
 // They may overlap.
-void move(void* to, const void* from, std::size_t bytes);
-void fill(void* begin, unsigned char byte, std::size_t bytes);
+void* move(void* to, const void* from, std::size_t bytes);
+void* fill(void* begin, unsigned char byte, std::size_t bytes);
 
 }  // namespace platform

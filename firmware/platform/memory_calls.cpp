@@ -7,18 +7,15 @@
 extern "C" {
 
 void* memcpy(void* to, const void* from, std::size_t bytes) {
-  platform::copy(to, from, bytes);
-  return to;
+  return platform::copy(to, from, bytes);
 }
 
 void* memmove(void* to, const void* from, std::size_t bytes) {
-  platform::move(to, from, bytes);
-  return to;
+  return platform::move(to, from, bytes);
 }
 
 void* memset(void* begin, int byte, std::size_t bytes) {
-  platform::fill(begin, static_cast<unsigned char>(byte), bytes);
-  return begin;
+  return platform::fill(begin, static_cast<unsigned char>(byte), bytes);
 }
 
 }  // extern "C"

@@ -101,6 +101,8 @@ StepGenerator::Stop StepGenerator::stop_state() const {
   return result;
 }
 
+bool StepGenerator::stopped() const { return stop_state().stopped; }
+
 void StepGenerator::acknowledge_stop() {
   platform::write(hardware::Command{.acknowledge_stop = true});
   platform::write(pins::Stop{.stopped = true});

@@ -16,6 +16,14 @@ class Position {
   static constexpr std::int32_t femtometers_per_nanometer = 1'000'000;
 
   constexpr Position() = default;
+  // One by one, since compilers that save space make a call of a copy of three words.
+  [[gnu::always_inline]] constexpr Position(const Position& other)
+      : whole_(other.whole_), femtometers_(other.femtometers_) {}
+  [[gnu::always_inline]] constexpr Position& operator=(const Position& other) {
+    whole_ = other.whole_;
+    femtometers_ = other.femtometers_;
+    return *this;
+  }
   // NOLINTNEXTLINE(google-explicit-constructor): a length in nanometres is a position.
   constexpr Position(Nanometers whole) : whole_(whole) {}
   // Any 0 <= femtometers; whole nanometres among them are carried.
