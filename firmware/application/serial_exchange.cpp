@@ -15,6 +15,8 @@ namespace {
 // answer it and to hand over the next, so that what has begun from rest does not run dry.
 constexpr unsigned lines_without_look = 2;
 constexpr std::size_t bytes_of_a_line = 32;
+// Others wait for the next pass, so that this one has a bound.
+constexpr unsigned most_lines_of_a_pass = 32;
 
 }  // namespace
 
@@ -49,13 +51,12 @@ void Application::receive(Now now, std::size_t most) {
 
 // Between lines, and after the last, a stop is executed, and a query answered if it is next:
 // the planner, full, has many for a start from rest. True if something has come that may have to
-// be executed.
+// be executed, or if there are more lines.
 bool Application::refill() {
   bool come = false;
   bool more = true;
-  // Meanwhile none is planned; the last round finds no line.
-  units::LoopBound<motion::Planner::capacity + 1> handed_over;
-  for (unsigned lines = 1; more && !halted_; ++lines) {
+  units::LoopBound<most_lines_of_a_pass> handed_over;
+  for (unsigned lines = 1; more && !halted_ && lines <= most_lines_of_a_pass; ++lines) {
     handed_over.next();
     more = motion_.refill();
     if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
@@ -70,7 +71,7 @@ bool Application::refill() {
     if (!halted_) executor_.answer_questions(now);
     transmit();
   }
-  return come;
+  return come || more;
 }
 
 void Application::transmit() {

@@ -71,8 +71,7 @@ std::uint8_t button_in(std::string_view parameters) {
 
 }  // namespace
 
-std::uint32_t take_m_code(std::string_view& text) {
-  if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
+std::uint32_t take_code_behind_m(std::string_view& text) {
   std::size_t end = 1;
   units::LoopBound<max_line_length> blanks;
   while (end < text.size() && is_blank(text[end])) {

@@ -25,8 +25,12 @@ struct EmergencyCommand {
 };
 
 // The code of the M command at the start of `text`, which is then moved after it; 0 if
-// there is none. `m 0112` is 112, as for the parser.
-std::uint32_t take_m_code(std::string_view& text);
+// there is none. `m 0112` is 112, as for the parser. Most lines have none: that takes no call.
+std::uint32_t take_code_behind_m(std::string_view& text);
+[[gnu::always_inline]] inline std::uint32_t take_m_code(std::string_view& text) {
+  if (text.empty() || (text[0] != 'M' && text[0] != 'm')) return 0;
+  return take_code_behind_m(text);
+}
 
 // The emergency command (M112, M108, M410, M602, M876 or //action:) in a line's text (without line
 // number and checksum), if it is one. M602 answers a prompt as M876 does.

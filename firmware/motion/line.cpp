@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
@@ -31,15 +32,33 @@ units::MicrometersPerSecond at_least_slowest(Scaled speed) {
       static_cast<std::int32_t>(std::max<std::uint64_t>(speed.floor(), 1)));
 }
 
+// By 0 .. 31 bits, without the call that is made for more.
+std::uint64_t shifted_right(std::uint64_t value, int bits) {
+  const auto high = static_cast<std::uint32_t>(value >> 32);
+  const std::uint32_t low = static_cast<std::uint32_t>(value) >> bits | high << (31 - bits) << 1;
+  return std::uint64_t{high >> bits} << 32 | low;
+}
+
 Scaled scaled(std::int32_t positive) {
   return Scaled::of_word(static_cast<std::uint32_t>(positive));
+}
+
+// Of X, Y and Z, each below 2^31 nm.
+Scaled length_of_words(const units::PerAxis<units::Nanometers>& distance) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < extruder; ++i) {
+    const auto side = static_cast<std::int32_t>(distance[i].count());
+    sum += static_cast<std::uint64_t>(std::int64_t{side} * side);
+  }
+  return Scaled::of(sum).square_root();
 }
 
 // Of X, Y and Z, in nm. The squares of up to 31 bits are exact; longer distances are halved first.
 Scaled spatial_length(const units::PerAxis<units::Nanometers>& distance) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i < extruder; ++i) any |= magnitude(distance[i].count());
-  const int shift = std::max(0, static_cast<int>(std::bit_width(any)) - 31);
+  if (any >> 31 == 0) return length_of_words(distance);
+  const int shift = static_cast<int>(std::bit_width(any)) - 31;
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < extruder; ++i) {
     const std::uint64_t side = static_cast<std::uint32_t>(magnitude(distance[i].count()) >> shift);
@@ -115,12 +134,15 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
 Course Geometry::make_line(const Displacement& displacement, units::MicrometersPerSecond feedrate,
                            units::Microseconds least_time, Line& line) const {
   const Path path = path_of(displacement, feedrate);
-  Course result{.direction = path.direction,
+  line.steps = displacement.steps;
+  const std::uint32_t ticks = line.ticks();
+  Course result{.ticks = ticks,
+                .direction = path.direction,
                 .speed = path.feedrate,
                 .acceleration = {},
                 .work = {},
                 .extruder_leads = path.extruder_leads};
-  const Scaled time_of_steps = take_steps(displacement, line);
+  const Scaled time_of_steps = this->time_of_steps(displacement);
   Scaled length = path.length;
   Scaled speed = scaled(result.speed.count());
   const Scaled least_length = speed * time_of_steps;
@@ -136,55 +158,56 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
   constexpr Scaled thousand = Scaled::of_word(1'000);
   const Scaled microseconds_times_speed = thousand * length;
   const Scaled time = microseconds_times_speed / speed;
-  line.nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
-  if (line.nominal_time < least_time) {
+  units::Microseconds nominal_time(static_cast<std::int64_t>(time.floor()));
+  if (nominal_time < least_time) {
     result.speed = at_least_slowest(microseconds_times_speed /
                                     Scaled::of(static_cast<std::uint64_t>(least_time.count())));
-    line.nominal_time = least_time;
+    nominal_time = least_time;
   }
-  const units::Microseconds most_time = longest_tick * line.ticks;
-  if (line.nominal_time > most_time) {
+  const units::Microseconds most_time = longest_tick * ticks;
+  if (nominal_time > most_time) {
     result.speed = at_least_slowest(microseconds_times_speed /
                                     Scaled::of(static_cast<std::uint64_t>(most_time.count())));
-    line.nominal_time = most_time;
+    nominal_time = most_time;
   }
+  constexpr units::Microseconds longest_time{std::numeric_limits<std::uint32_t>::max()};
+  line.least_time_us = static_cast<std::uint32_t>(std::min(nominal_time, longest_time).count());
   const Scaled inverse = length == path.length ? path.inverse : one / length;
-  const Scaled ticks_per_length = Scaled::of_word(line.ticks) * inverse;
+  const Scaled ticks_per_length = Scaled::of_word(ticks) * inverse;
   result.acceleration = limited_acceleration(path, ticks_per_length);
   const std::uint64_t work = (scaled(result.acceleration.count()) * length).floor();
   line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
   result.work = line.work;
-  line.rate_of_root = rate_factor_ * ticks_per_length;
-  line.nominal = energy_of(result.speed);
+  const Scaled rate_of_root = rate_factor_ * ticks_per_length;
+  line.rate_mantissa = rate_of_root.mantissa();
+  line.rate_exponent = static_cast<std::int8_t>(rate_of_root.exponent());
+  line.speed = result.speed;
   return result;
 }
 
-// The time of the axis that takes longest, as exactly as times of the slowest axis are.
-Scaled Geometry::take_steps(const Displacement& displacement, Line& line) const {
-  std::uint32_t ticks = 0;
+// The time of the axis that takes longest, as exactly as times of the slowest axis are. Steps take
+// from 1 s to 20 ns and less, which 31 bits cover.
+Scaled Geometry::time_of_steps(const Displacement& displacement) const {
   std::uint64_t longest = 0, compared = 0;
   int exponent = 0;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    line.steps[i] = displacement.steps[i];
     const std::uint32_t steps = magnitude(displacement.steps[i]);
     if (steps == 0) continue;
-    ticks = std::max(ticks, steps);
     const Scaled& step = time_per_step_[i];
     const std::uint64_t time = step.product_of_mantissa(steps);
     if (time == 0) continue;
-    const std::uint64_t in_common = time >> (longest_exponent_ - step.exponent());
+    const std::uint64_t in_common = shifted_right(time, longest_exponent_ - step.exponent());
     if (in_common < compared) continue;
     compared = in_common;
     longest = time;
     exponent = step.exponent();
   }
-  line.ticks = ticks;
   return Scaled::of(longest, exponent);
 }
 
 Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
   Scaled length;
-  if (line.ticks > few_ticks) return length;
+  if (line.ticks() > few_ticks) return length;
   const std::size_t axes = path.extruder_leads ? units::axis_count : extruder;
   units::LoopBound<units::axis_count> bound;
   for (std::size_t i = 0; i < axes; ++i) {

@@ -2,6 +2,7 @@
 // One straight line of the planner: its steps, speed and acceleration limits.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "motion/limits.hpp"
@@ -9,6 +10,7 @@
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
 #include "units/axes.hpp"
+#include "units/magnitude.hpp"
 #include "units/quantity.hpp"
 
 namespace motion {
@@ -39,18 +41,31 @@ struct StepTiming {
   units::Microseconds longest_pass{40'000};  // between two looks at whether it needs segments
 };
 
+// In 56 bytes, since the planner keeps many.
 struct Line {
   units::PerAxis<std::int32_t> steps{};
-  std::uint32_t ticks{};  // the largest |steps|
   std::uint8_t stop_mask{};  // end stops that end all motion
   LineStart start{};
-  Scaled rate_of_root{};  // tick rate in ticks per clock = this * sqrt(energy)
+  std::int8_t rate_exponent{};  // -120 .. -30, and mantissa: see rate_of_root
+  std::uint32_t rate_mantissa{};
   SpecificEnergy work{};  // of the acceleration over the whole length
-  SpecificEnergy nominal{};  // energies of the speed requested,
-  SpecificEnergy max_entry{};  // of the highest allowed at the start,
-  SpecificEnergy entry{};  // and of the planned one at the start
-  units::Microseconds nominal_time{};
+  SpecificEnergy max_entry{};  // energies of the highest speed allowed at the start,
+  SpecificEnergy entry{};  // and of the planned one
+  units::MicrometersPerSecond speed{};  // requested, under the limits
+  std::uint32_t least_time_us{};  // at this speed; what is longer than 71 minutes counts as that
+
+  // The largest |steps|.
+  std::uint32_t ticks() const {
+    std::uint32_t most = 0;
+    for (const std::int32_t count : steps) most = std::max(most, units::magnitude(count));
+    return most;
+  }
+  // Tick rate in ticks per clock = this * sqrt(energy).
+  Scaled rate_of_root() const { return Scaled::of_parts(rate_mantissa, rate_exponent); }
+  SpecificEnergy nominal() const { return energy_of(speed); }
+  units::Microseconds least_time() const { return units::Microseconds(least_time_us); }
 };
+static_assert(sizeof(Line) == 56);
 
 // A displacement as the G-code requests it, and in the steps that realise it.
 struct Displacement {
@@ -61,6 +76,7 @@ struct Displacement {
 
 // The properties of a line on which its junctions depend.
 struct Course {
+  std::uint32_t ticks{};
   Direction direction{};
   units::MicrometersPerSecond speed{};  // nominal
   units::MicrometersPerSecondSquared acceleration{};
@@ -93,7 +109,7 @@ class Geometry {
     units::MicrometersPerSecondSquared acceleration;
   };
   Path path_of(const Displacement& displacement, units::MicrometersPerSecond feedrate) const;
-  Scaled take_steps(const Displacement& displacement, Line& line) const;
+  Scaled time_of_steps(const Displacement& displacement) const;
   Scaled length_of_few_steps(const Line& line, const Path& path) const;
   units::MicrometersPerSecondSquared limited_acceleration(const Path& path,
                                                           Scaled ticks_per_length) const;

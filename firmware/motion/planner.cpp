@@ -20,17 +20,16 @@ bool in_range(const units::PerAxis<units::Position>& target) {
 // Rounded, but not to 0 where a step is due: a displacement with steps has a length.
 units::Nanometers distance_between(const units::Position& from, const units::Position& to,
                                    std::int64_t steps) {
-  const units::Nanometers distance = (to - from).nearest();
+  constexpr std::int32_t half = units::Position::femtometers_per_nanometer / 2;
+  const std::int32_t femtometers = to.femtometers() - from.femtometers();
+  units::Nanometers distance = to.whole() - from.whole();
+  if (femtometers >= half) distance += units::Nanometers(1);
+  if (femtometers < -half) distance -= units::Nanometers(1);
   if (distance != units::Nanometers() || steps == 0) return distance;
   return units::Nanometers(steps < 0 ? -1 : 1);
 }
 
 }  // namespace
-
-Planner::Planner(const Limits& limits, const StepTiming& timing)
-    : timing_(timing), geometry_(limits, timing) {}
-
-void Planner::set_limits(const Limits& limits) { geometry_ = Geometry(limits, timing_); }
 
 std::expected<void, Fault> Planner::append(const LineMove& move, units::Microseconds now) {
   if (move.feedrate < units::MicrometersPerSecond(1)) {
@@ -78,7 +77,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   const Course course =
       geometry_.make_line(displacement, std::min(move.feedrate, max_speed),
                           std::max(timing_.least_line_time, supply_.least_time(stock(now))), added);
-  added.start = line_start(added.steps, added.ticks, displacement.residual);
+  added.start = line_start(added.steps, course.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {
     added.max_entry = energy_from_rest(course, limits());
@@ -88,7 +87,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
     added.max_entry = junction_energy(last_course_, course, limits());
   }
   last_course_ = course;
-  planned_time_ += added.nominal_time;
+  planned_time_ += added.least_time();
   ++count_;
   look_ahead();
 }
@@ -105,26 +104,27 @@ Stock Planner::stock(units::Microseconds now) const {
 // those before it.
 void Planner::look_ahead() {
   std::size_t changed = count_ - 1;
+  Line* here = &line(changed);
   SpecificEnergy exit{};
   units::LoopBound<capacity> backwards;
   for (; changed > settled_; --changed) {
     backwards.next();
-    Line& here = line(changed);
-    const SpecificEnergy entry = std::min(here.max_entry, exit + here.work);
-    if (entry == here.entry && changed + 1 < count_) break;
-    here.entry = entry;
+    const SpecificEnergy entry = std::min(here->max_entry, exit + here->work);
+    if (entry == here->entry && changed + 1 < count_) break;
+    here->entry = entry;
     exit = entry;
+    here = (here == lines_.data() ? lines_.data() + capacity : here) - 1;
   }
   units::LoopBound<capacity, 1> forwards;
-  for (std::size_t i = changed; i + 1 < count_; ++i) {
+  for (std::size_t i = changed + 1; i < count_; ++i) {
     forwards.next();
-    const SpecificEnergy reachable = line(i).entry + line(i).work;
-    Line& next = line(i + 1);
-    if (next.entry >= reachable) {
-      next.entry = reachable;
-      settled_ = i + 1;
-    } else if (next.entry == next.max_entry) {
-      settled_ = i + 1;
+    const SpecificEnergy reachable = here->entry + here->work;
+    here = here + 1 == lines_.data() + capacity ? lines_.data() : here + 1;
+    if (here->entry >= reachable) {
+      here->entry = reachable;
+      settled_ = i;
+    } else if (here->entry == here->max_entry) {
+      settled_ = i;
     }
   }
 }
@@ -140,7 +140,7 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
   Segment& segment = made.emplace();
   segment.steps = steps_;
   segment.start = start_;
-  segment.line_ticks = ticks_;
+  segment.line_ticks = profile_.ticks;
   segment.ticks = phase.ticks;
   segment.continues_line = next_phase_ > 0;
   segment.rate = phase.rate;
@@ -167,45 +167,15 @@ void Planner::hand_over_first(units::Microseconds now) {
                limits().min_cruise_percent, profile_);
   steps_ = first.steps;
   start_ = first.start;
-  ticks_ = first.ticks;
   stop_mask_ = first.stop_mask;
   next_phase_ = 0;
   busy_until_ = std::max(busy_until_, now) + profile_.time;
-  planned_time_ -= first.nominal_time;
+  planned_time_ -= first.least_time();
   first_ = (first_ + 1) % capacity;
   --count_;
   settled_ = settled_ > 0 ? settled_ - 1 : 0;
   resting_ = count_ == 0;
   if (resting_) flush_ = false;
-}
-
-void Planner::clear() {
-  count_ = 0;
-  settled_ = 0;
-  resting_ = true;
-  flush_ = false;
-  planned_time_ = {};
-  busy_until_ = {};
-  profile_.count = 0;
-  next_phase_ = 0;
-}
-
-void Planner::set_position(const units::PerAxis<units::Position>& position) {
-  target_ = line_end_ = position;
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    const StepPosition here = steps_at(position[i], limits().axes[i].steps_per_meter);
-    position_steps_[i] = here.steps;
-    residual_[i] = here.residual;
-  }
-}
-
-void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
-  position_steps_ = steps;
-  residual_ = {};
-  for (std::size_t i = 0; i < units::axis_count; ++i) {
-    line_end_[i] = position_of(steps[i], limits().axes[i].steps_per_meter);
-  }
-  target_ = line_end_;
 }
 
 }  // namespace motion

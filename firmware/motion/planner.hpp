@@ -33,7 +33,7 @@ struct LineMove {
 
 class Planner {
  public:
-  static constexpr std::size_t capacity = 32;
+  static constexpr std::size_t capacity = 64;
   // Motion from rest waits until this much of it is planned, or for at most this long, or
   // for flush().
   static constexpr units::Microseconds start_delay{100'000};
@@ -108,7 +108,6 @@ class Planner {
   // The line whose phases are being handed over.
   units::PerAxis<std::int32_t> steps_{};
   LineStart start_{};
-  std::uint32_t ticks_{};
   std::uint8_t stop_mask_{};
   Profile profile_{};
   std::size_t next_phase_{};

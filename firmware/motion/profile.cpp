@@ -36,58 +36,63 @@ SpecificEnergy energy_of_ticks(std::uint32_t ticks, Scaled per_tick) {
 // The energies of the phases, and their ticks.
 struct EnergyCourse {
   SpecificEnergy entry, peak, exit;
+  std::uint32_t ticks;  // of the line
   std::uint32_t accelerating, braking;
 };
 
 // The highest energy between these ends.
-SpecificEnergy peak_of(const Line& line, SpecificEnergy entry, SpecificEnergy exit,
-                       std::uint32_t min_cruise_percent) {
-  if (min_cruise_percent == 0) return line.nominal;
+SpecificEnergy peak_of(const Line& line, SpecificEnergy nominal, SpecificEnergy entry,
+                       SpecificEnergy exit, std::uint32_t min_cruise_percent) {
+  if (min_cruise_percent == 0) return nominal;
   // The work is at most 2^60.
   const SpecificEnergy ramps = line.work / 128 * (128 - min_cruise_percent * 128 / 100);
   const SpecificEnergy peak = entry / 2 + exit / 2 + ramps / 2;
-  return std::min(line.nominal, std::max({entry, exit, peak}));
+  return std::min(nominal, std::max({entry, exit, peak}));
 }
 
 EnergyCourse course_of(const Line& line, SpecificEnergy exit, std::uint32_t min_cruise_percent) {
-  const Scaled per_tick = scaled(line.work) / Scaled::of_word(line.ticks);
-  const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), line.nominal);
-  EnergyCourse course{.entry = std::clamp(line.entry, least, line.nominal),
+  const std::uint32_t ticks = line.ticks();
+  const Scaled per_tick = scaled(line.work) / Scaled::of_word(ticks);
+  const SpecificEnergy nominal = line.nominal();
+  const SpecificEnergy least = std::min(SpecificEnergy(per_tick.half().floor()), nominal);
+  EnergyCourse course{.entry = std::clamp(line.entry, least, nominal),
                       .peak = {},
-                      .exit = std::clamp(exit, least, line.nominal),
+                      .exit = std::clamp(exit, least, nominal),
+                      .ticks = ticks,
                       .accelerating = 0,
                       .braking = 0};
-  course.peak = peak_of(line, course.entry, course.exit, min_cruise_percent);
+  course.peak = peak_of(line, nominal, course.entry, course.exit, min_cruise_percent);
   course.accelerating = ticks_needed(course.entry, course.peak, per_tick);
   course.braking = ticks_needed(course.exit, course.peak, per_tick);
-  if (std::uint64_t{course.accelerating} + course.braking <= line.ticks) return course;
+  if (std::uint64_t{course.accelerating} + course.braking <= ticks) return course;
 
   // The nominal speed is not reached: the peak lies where both ramps meet, at the nearest tick.
   const SpecificEnergy top = line.work + course.exit;
   const SpecificEnergy gained = top > course.entry ? top - course.entry : SpecificEnergy();
   const std::uint32_t half_ticks = ticks_between(SpecificEnergy(), gained, per_tick);
-  course.accelerating = std::min((half_ticks + 1) / 2, line.ticks);
-  course.braking = line.ticks - course.accelerating;
+  course.accelerating = std::min((half_ticks + 1) / 2, ticks);
+  course.braking = ticks - course.accelerating;
   if (course.accelerating == 0) {
     course.peak = course.entry;
   } else if (course.braking == 0) {
     course.peak = course.exit;
   } else {
     course.peak = std::min({course.entry + energy_of_ticks(course.accelerating, per_tick),
-                            course.exit + energy_of_ticks(course.braking, per_tick), line.nominal});
+                            course.exit + energy_of_ticks(course.braking, per_tick), nominal});
   }
   return course;
 }
 
 std::uint64_t rate_of(const Line& line, SpecificEnergy energy) {
-  const Scaled rate = scaled(energy).square_root() * line.rate_of_root;
+  const Scaled rate = scaled(energy).square_root() * line.rate_of_root();
   return std::clamp<std::uint64_t>(rate.floor(rate_fraction_bits), 1, highest_rate);
 }
 
 // Collects the phases of a profile.
 class Builder {
  public:
-  Builder(const Line& line, Profile& profile) : line_(line), profile_(profile) {
+  Builder(const Line& line, Profile& profile)
+      : rate_of_root_(line.rate_of_root()), profile_(profile) {
     profile_.count = 0;
   }
 
@@ -97,8 +102,7 @@ class Builder {
     Phase& phase = add(ticks, from_rate, from_rate / 2 + to_rate / 2);
     // (rate^2 - rate^2) / (2 ticks)
     const Scaled difference = scaled(to > from ? to - from : from - to);
-    const Scaled size =
-        difference * line_.rate_of_root * line_.rate_of_root / Scaled::of_word(ticks);
+    const Scaled size = difference * rate_of_root_ * rate_of_root_ / Scaled::of_word(ticks);
     const auto acceleration = static_cast<std::int64_t>(
         std::min(size.half().floor(acceleration_fraction_bits), largest_acceleration));
     phase.acceleration = to > from ? acceleration : -acceleration;
@@ -127,7 +131,7 @@ class Builder {
   }
 
  private:
-  const Line& line_;
+  Scaled rate_of_root_;
   Profile& profile_;
   std::uint64_t clocks_{};
 };
@@ -138,7 +142,8 @@ void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
                   std::uint8_t min_cruise_percent, Profile& profile) {
   const EnergyCourse course = course_of(line, exit, min_cruise_percent);
   Builder builder(line, profile);
-  const std::uint32_t cruising = line.ticks - course.accelerating - course.braking;
+  profile.ticks = course.ticks;
+  const std::uint32_t cruising = course.ticks - course.accelerating - course.braking;
   const std::uint64_t peak_rate = rate_of(line, course.peak);
   const auto ramp = [&](std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to) {
     if (ticks == 0) return;

@@ -23,6 +23,7 @@ inline constexpr std::size_t most_phases = 3;
 struct Profile {
   std::array<Phase, most_phases> phases{};
   std::size_t count{};
+  std::uint32_t ticks{};  // of all
   units::Microseconds time{};
 };
 

@@ -45,6 +45,11 @@ class Scaled {
   // The integer part of this * 2^scale, at most 2^64 - 1.
   std::uint64_t floor(int scale = 0) const;
 
+  // mantissa * 2^exponent, the mantissa 0 or in 2^31 .. 2^32 - 1.
+  static constexpr Scaled of_parts(std::uint32_t mantissa, int exponent) {
+    return Scaled(mantissa, exponent);
+  }
+  std::uint32_t mantissa() const { return mantissa_; }
   int exponent() const { return exponent_; }
   // value * mantissa, so that value * this is the result * 2^exponent.
   std::uint64_t product_of_mantissa(std::uint32_t value) const {

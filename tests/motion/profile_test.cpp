@@ -49,8 +49,8 @@ TEST(profile, keeps_ticks_rates_and_acceleration_of_random_lines) {
     const auto clock_hz = static_cast<std::uint32_t>(4'000'000 + random() % 96'000'000);
     const auto steps = static_cast<std::int32_t>(1 + (random() >> (50 + random() % 14)));
     Line line = x_line(steps, static_cast<std::int32_t>(1 + random() % 200'000), clock_hz);
-    line.entry = random_energy(random, {}, line.nominal);
-    const SpecificEnergy highest = std::min(line.nominal, line.entry + line.work);
+    line.entry = random_energy(random, {}, line.nominal());
+    const SpecificEnergy highest = std::min(line.nominal(), line.entry + line.work);
     const SpecificEnergy lowest =
         line.entry > line.work ? line.entry - line.work : SpecificEnergy();
     const SpecificEnergy exit = random_energy(random, lowest, highest);
@@ -58,7 +58,7 @@ TEST(profile, keeps_ticks_rates_and_acceleration_of_random_lines) {
 
     const double clock = clock_hz;
     const double ticks_per_s2 = 1'500 * 80;  // of 1500 mm/s^2 on X
-    const double nominal = std::sqrt(2e-3 * static_cast<double>(line.nominal.count())) * 80e-3;
+    const double nominal = std::sqrt(2e-3 * static_cast<double>(line.nominal().count())) * 80e-3;
     const double floor = std::min(std::sqrt(ticks_per_s2), nominal);
     const auto expected = [&](SpecificEnergy energy) {
       const double rate = std::sqrt(2e-3 * static_cast<double>(energy.count())) * 80e-3;
@@ -80,7 +80,7 @@ TEST(profile, keeps_ticks_rates_and_acceleration_of_random_lines) {
       rate = end_rate(phase);
       seconds += 2 * phase.ticks / (start_rate(phase) + rate) / clock;
     }
-    ASSERT_EQ(ticks, line.ticks);
+    ASSERT_EQ(ticks, line.ticks());
     ASSERT_NEAR(rate / expected(exit), 1, 1e-5) << "end of line " << i;
     ASSERT_NEAR(static_cast<double>(profile.time.count()) * 1e-6, seconds, 4e-6 + seconds * 1e-6);
   }

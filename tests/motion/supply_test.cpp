@@ -109,7 +109,9 @@ TEST(supply, matches_the_speed_to_hosts_of_any_pace) {
               std::max(lines / lines_per_second, lines * 0.2 / 150) + 0.3 + 3 / lines_per_second);
     std::printf("%4.0f lines/s: %.3f s, speeds within a factor of %.2f\n", lines_per_second,
                 result.seconds, variation(result));
-    EXPECT_LT(variation(result), lines_per_second < 750 ? 1.6 : 2.5) << lines_per_second;
+    // What the ring has collected before the start is executed at the speed requested, half as much
+    // again as that of 500 lines/s.
+    EXPECT_LT(variation(result), lines_per_second < 750 ? 1.75 : 2.5) << lines_per_second;
   }
 }
 

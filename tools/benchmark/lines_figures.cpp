@@ -20,6 +20,9 @@ constexpr double hot_c = 220;
 // A prime, so that no loop of the firmware keeps step with it.
 constexpr sim::Clock sample_clocks = 211;
 constexpr double bits_per_byte = 10, ok_bytes = 3;
+// Lines in flight: Printrun and OctoPrint wait for each answer, printcore has 2 after a Resend, Cura
+// 4, and 8 are as many as fit.
+constexpr std::size_t windows[]{1, 2, 4, 8};
 constexpr std::array parts{"line",      "parse", "execute", "plan",
                            "hand over", "heat",  "loop",    "library"};
 
@@ -53,7 +56,7 @@ std::vector<LinesFigure> measure_lines(const LinesScope& scope,
   std::vector<LinesFigure> figures;
   for (const auto& [baud, program] : scope.programs) {
     const sim::ElfImage firmware = sim::read_elf(program);
-    for (const std::size_t window : {std::size_t{1}, std::size_t{4}, std::size_t{8}}) {
+    for (const std::size_t window : windows) {
       say(fmt::format("printing lines at {} baud, {} in flight", baud, window));
       const LinkRun run = run_link(firmware, scope.machine,
                                    {.lines = lines.lines,

@@ -23,8 +23,7 @@ struct LinesScope {
 
 struct LinesFigure {
   std::uint32_t baud{};
-  std::size_t
-      window{};  // lines in flight: 1 as Printrun and OctoPrint, 4 as Cura, or as many as fit
+  std::size_t window{};  // lines in flight
   double lines_per_second{};
   double line_limit{};  // lines/s that the bits permit
   double busy_percent{};
