@@ -101,9 +101,10 @@ TEST(pace, a_factor_of_a_person_slows_the_move_under_way_and_those_behind) {
 TEST(pace, a_factor_of_a_person_does_not_wait_for_the_lines_before_it) {
   Printer printer;
   Job job = job_under_way(printer);
-  for (int i = 1; i <= 32; ++i) job.line("G1 X" + std::to_string(100 + i));
-  printer.send(job.framed("G1 X140"));
-  printer.send(job.framed("G1 X150"));
+  constexpr int full = motion::Planner::capacity;
+  for (int i = 1; i <= full; ++i) job.line("G1 X" + std::to_string(100 + i));
+  printer.send(job.framed("G1 X170"));
+  printer.send(job.framed("G1 X180"));
   printer.run(0.1);
   printer.send("M220 S50 ; slower");
   printer.run(0.1);

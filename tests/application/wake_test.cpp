@@ -11,6 +11,9 @@
 
 namespace {
 
+// Into the planner's ring and the link's queue.
+constexpr int more_lines_than_fit = motion::Planner::capacity + host_link::LineQueue::capacity;
+
 using application_test::clock_hz;
 
 // Of time, while bytes come and otherwise.
@@ -127,9 +130,9 @@ TEST(wake, the_processor_sleeps_where_there_is_nothing_to_do) {
   EXPECT_LE(loop.passes, 126u);
   // Held with a full planner: the move in hand waits for room that is not made.
   std::string lines = "G92 X0\n";
-  for (int i = 1; i <= 39; ++i) lines += "G1 X" + std::to_string(i) + " F600\n";
+  for (int i = 1; i < more_lines_than_fit; ++i) lines += "G1 X" + std::to_string(i) + " F600\n";
   loop.live(lines, 0.02, byte_clocks_3m);
-  EXPECT_LT(std::ranges::count(loop.take_replies(), '\n'), 40);
+  EXPECT_LT(std::ranges::count(loop.take_replies(), '\n'), more_lines_than_fit);
   loop.live("//action:pause\n", 0.05);
   loop.live({}, 1.0);
   EXPECT_LE(loop.passes, 510u);
@@ -142,7 +145,7 @@ TEST(wake, the_processor_sleeps_where_there_is_nothing_to_do) {
 TEST(wake, a_move_that_waits_for_room_is_taken_in_the_wake_that_makes_it) {
   Loop loop;
   std::string lines = "G92 X0\nG91\nG1 F600\n";
-  for (int i = 0; i < 40; ++i) lines += "G1 X0.5\n";
+  for (int i = 0; i < more_lines_than_fit; ++i) lines += "G1 X0.5\n";
   loop.live(lines, 0.02, byte_clocks_3m);
   loop.take_replies();
   // Motion makes room for a line each 50 ms; a pass that does takes the next move before it sleeps.
@@ -163,7 +166,7 @@ TEST(wake, a_full_step_queue_is_looked_at_more_often_than_at_rest) {
   loop.live("M201 X50000\nM204 P50000 T50000\nG91\nG1 F4800\n", 10 * millisecond);
   loop.take_replies();
   // Back and forth, so that each line has three segments; more lines than the planner holds.
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < more_lines_than_fit / 4; ++i) {
     loop.live("G1 X.12\nG1 X-.12\nG1 X.12\nG1 X-.12\n", 2 * millisecond, 1);
   }
   loop.live({}, 16 * millisecond);
