@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops of four words with tails of words and bytes: nearly all copies of the firmware are of a few words, aligned.
+// Loops of four words with tails of words and bytes: nearly all copies are of a few words, aligned.
 #include "platform/memory.hpp"
 
 #include <cstdint>
