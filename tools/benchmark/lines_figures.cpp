@@ -20,8 +20,8 @@ constexpr double hot_c = 220;
 // A prime, so that no loop of the firmware keeps step with it.
 constexpr sim::Clock sample_clocks = 211;
 constexpr double bits_per_byte = 10, ok_bytes = 3;
-// Lines in flight: Printrun and OctoPrint wait for each answer, printcore has 2 after a Resend, Cura
-// 4, and 8 are as many as fit.
+// Lines in flight: Printrun and OctoPrint wait for each answer, printcore has 2 after a Resend,
+// Cura 4, and 8 are as many as fit.
 constexpr std::size_t windows[]{1, 2, 4, 8};
 constexpr std::array parts{"line",      "parse", "execute", "plan",
                            "hand over", "heat",  "loop",    "library"};
