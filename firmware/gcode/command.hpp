@@ -37,6 +37,7 @@ class Command {
     code = {};
     subcode = {};
     text = {};
+    in_machine_coordinates = {};
     present_ = valued_ = negative_ = 0;
   }
 

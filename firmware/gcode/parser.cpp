@@ -59,7 +59,7 @@ class LineParser {
     if (!read_name_of_objects() && !read_letter_and_code()) return failure();
     skip_blanks();
     if (command_.is('G', 53) && !at_end() && capital(here()) == 'G') {
-      command_ = {};
+      command_.clear();
       command_.in_machine_coordinates = true;
       if (!read_letter_and_code()) return failure();
       skip_blanks();

@@ -228,5 +228,31 @@ TEST(parser, has_a_phrase_of_its_own_for_each_fault) {
   }
 }
 
+// The executor parses each line into the same command.
+TEST(parser, leaves_nothing_of_the_line_before_in_a_command) {
+  const auto all_of = [](const Command& command) {
+    std::string text = std::string(1, command.letter) + std::to_string(command.code) + "." +
+                       std::to_string(command.subcode) +
+                       (command.in_machine_coordinates ? " machine " : " ") +
+                       std::string(command.text);
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      if (command.has(letter)) text += letter;
+      if (const auto value = command.value(letter)) text += std::to_string(*value);
+    }
+    return text;
+  };
+  const std::vector<std::string_view> lines{
+      "G53 G1 X-1.5 Y2 E.25 F600", "G38.2 Z-3", "M117 text", "G28 X", "M862.3 P\"MK3S\"",
+      "EXCLUDE_OBJECT_END",        "G1 X1 X2",  "T0",        "M105"};
+  for (const std::string_view before : lines) {
+    for (const std::string_view line : lines) {
+      Command used;
+      static_cast<void>(parse(before, used));
+      if (parse(line, used)) continue;
+      EXPECT_EQ(all_of(used), all_of(parsed(line))) << before << ", then " << line;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gcode
