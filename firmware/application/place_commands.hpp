@@ -18,7 +18,7 @@ class PlaceCommands {
   PlaceCommands(MotionTask& motion, MotionCommands& moves, Coordinates& coordinates)
       : motion_(motion), moves_(moves), coordinates_(coordinates) {}
 
-  static constexpr std::int32_t slots = 4;  // of G60
+  static constexpr std::int32_t slots = 2;  // of G60
 
   // G27: first Z, then X and Y at once, to 10 mm from the left and from the back as in Marlin. P0
   // lifts Z to 20 mm where it is lower, P1 leads it there, P2 lifts it by 20 mm, as far as it can.

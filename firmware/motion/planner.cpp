@@ -102,9 +102,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   Course course =
       geometry_.make_line(displacement, std::min(move.feedrate, max_speed),
                           std::max(timing_.least_line_time, supply_.least_time(stock(now))), added);
-  if (!kinematics_.straight()) {
-    kinematics::limit_to_motors(limits(), displacement, added, course);
-  }
+  if (!kinematics_.straight()) kinematics::limit_to_motors(limits(), displacement, added, course);
   added.start = line_start(added.steps, course.ticks, displacement.residual);
   added.stop_mask = move.stop_mask;
   if (count_ == 0) {

@@ -108,7 +108,7 @@ class GcodePath {
   Point machine_{};
   Point logical_{};  // what the file calls it
   FileCoordinates coordinates_;
-  std::array<std::optional<SavedPlace>, 4> saved_;
+  std::array<std::optional<SavedPlace>, 2> saved_;
   Femtometers babystep_{};  // of M290, still to be made
   double filament_mm_{};  // the diameter of M200
   bool volumetric_ = false;

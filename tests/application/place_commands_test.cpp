@@ -60,12 +60,12 @@ TEST(places, of_parking_need_homing) {
 }
 
 TEST_F(Places, that_are_saved_are_found_again) {
-  execute({"G1 E2", "G60", "G1 X50 Y60 Z7 E1", "G60 S3", "G1 X70 Y70", "G61"});
+  execute({"G1 E2", "G60", "G1 X50 Y60 Z7 E1", "G60 S1", "G1 X70 Y70", "G61"});
   expect(10, 20, 5);
   EXPECT_NEAR(printer.mm(e), 1, step);  // E does not move,
   execute({"G1 E3"});  // but its coordinate is that of the place
   EXPECT_NEAR(printer.mm(e), 2, step);
-  execute({"G61 S3 X Y5 F3000"});
+  execute({"G61 S1 X Y5 F3000"});
   expect(50, 65, 5);
 }
 
@@ -78,7 +78,7 @@ TEST_F(Places, that_are_saved_are_the_machines) {
 
 TEST_F(Places, that_are_not_saved_are_refused) {
   printer.talk("-> G61\n<* No position saved in this slot\n<- ok\n");
-  printer.talk("-> G60 S4\n<* S not within 0 to 3\n<- ok\n");
+  printer.talk("-> G60 S2\n<* S not within 0 to 1\n<- ok\n");
   execute({"G60 S1"});
   printer.talk("-> G61 S0\n<* No position saved in this slot\n<- ok\n");
 }

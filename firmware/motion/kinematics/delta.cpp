@@ -96,9 +96,7 @@ bool Delta::reaches(const Place& tool) const {
 Place Delta::motors_of(const Place& tool) const {
   Place motors = tool;
   const Nanometers x = tool[0].nearest(), y = tool[1].nearest();
-  for (std::size_t i = 0; i < spatial_axes; ++i) {
-    motors[i] = tool[2] + Nanometers(rise(i, x, y));
-  }
+  for (std::size_t i = 0; i < spatial_axes; ++i) motors[i] = tool[2] + Nanometers(rise(i, x, y));
   return motors;
 }
 
