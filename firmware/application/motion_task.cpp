@@ -87,7 +87,6 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
 
 bool MotionTask::start() {
   step_generator_.acknowledge_stop();
-  step_generator_.stop();  // update() learns where a program before this one has left the axes
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =
@@ -95,6 +94,7 @@ bool MotionTask::start() {
   end_stops_.configure(
       {.enabled = end_stops_of(machine_.limits),
        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
+  step_generator_.stop();  // update() learns where a program before this one has left the axes
   step_generator_.enable_stop_interrupt(true);
   step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
   pace_.set_limits(machine_.limits);

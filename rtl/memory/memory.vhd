@@ -48,10 +48,37 @@ architecture rtl of memory is
 
   type bank_words_t is array (banks_t) of std_ulogic_vector(31 downto 0);
 
-  -- What each bank shows, and what it shows or one of the banks after it.
-  signal bank_instruction, bank_data, instruction_from, data_from : bank_words_t;
-  -- The data requested lies after this bank.
-  signal data_after : std_ulogic_vector(banks_t);
+  -- The address is in this bank: the bits of all larger banks are set, and its own is not, but for the last.
+  function is_in(bank : banks_t; address : unsigned(31 downto 2)) return std_ulogic is
+    variable found : std_ulogic := '1';
+  begin
+    for other in banks_t loop
+      if other < bank then
+        found := found and address(bank_bits(other));
+      elsif other = bank and bank < banks_t'high then
+        found := found and not address(bank_bits(other));
+      end if;
+    end loop;
+    return found;
+  end function;
+
+  -- No signal depends on another part of itself: the model's evaluation relies on that.
+  function selected(words : bank_words_t; chosen : std_ulogic_vector(banks_t)) return std_ulogic_vector is
+    variable word : std_ulogic_vector(31 downto 0) := (others => '0');
+  begin
+    if banks_t'high = 0 then
+      return words(0);
+    end if;
+    for bank in banks_t loop
+      word := word or (words(bank) and chosen(bank));
+    end loop;
+    return word;
+  end function;
+
+  -- What each bank shows, and which of them was requested.
+  signal bank_instruction, bank_data : bank_words_t;
+  signal upper_shown, lower_shown, data_shown : std_ulogic_vector(banks_t);
+  signal upper_instruction, lower_instruction : std_ulogic_vector(31 downto 0);
 
 begin
 
@@ -100,58 +127,25 @@ begin
 
     end generate;
 
-    first : if bank = 0 generate
-      data_here <= not data_after(bank);
-    end generate;
+    data_here <= is_in(bank, data_request.address);
 
-    later : if bank > 0 generate
-      data_here <= data_after(bank - 1) and not data_after(bank);
-    end generate;
-
-    last : if bank = banks_t'high generate
-      data_after(bank) <= '0';
-      instruction_from(bank) <= bank_instruction(bank);
-      data_from(bank) <= bank_data(bank);
-    end generate;
-
-    earlier : if bank < banks_t'high generate
-      -- The address's bit of the bank's size: where it is set the request is for a bank after this one. Of
-      -- what is shown it is remembered.
-      signal upper_shown_after, lower_shown_after, data_shown_after : std_ulogic;
+    remember : process
     begin
-
-      after_first : if bank = 0 generate
-        data_after(bank) <= data_request.address(bits);
-      end generate;
-
-      after_later : if bank > 0 generate
-        data_after(bank) <= data_after(bank - 1) and data_request.address(bits);
-      end generate;
-
-      remember : process
-      begin
-        wait until rising_edge(clk);
-        if instruction_request.enable then
-          upper_shown_after <= instruction_request.upper_address(bits);
-          lower_shown_after <= instruction_request.lower_address(bits);
-        end if;
-        if data_request.enable then
-          data_shown_after <= data_request.address(bits);
-        end if;
-      end process;
-
-      instruction_from(bank)(31 downto 16) <=
-        instruction_from(bank + 1)(31 downto 16) when upper_shown_after else
-        bank_instruction(bank)(31 downto 16);
-      instruction_from(bank)(15 downto 0) <=
-        instruction_from(bank + 1)(15 downto 0) when lower_shown_after else
-        bank_instruction(bank)(15 downto 0);
-      data_from(bank) <= data_from(bank + 1) when data_shown_after else bank_data(bank);
-    end generate;
+      wait until rising_edge(clk);
+      if instruction_request.enable then
+        upper_shown(bank) <= is_in(bank, instruction_request.upper_address);
+        lower_shown(bank) <= is_in(bank, instruction_request.lower_address);
+      end if;
+      if data_request.enable then
+        data_shown(bank) <= data_here;
+      end if;
+    end process;
 
   end generate;
 
-  instruction_data <= instruction_from(0);
-  data <= data_from(0);
+  upper_instruction <= selected(bank_instruction, upper_shown);
+  lower_instruction <= selected(bank_instruction, lower_shown);
+  instruction_data <= upper_instruction(31 downto 16) & lower_instruction(15 downto 0);
+  data <= selected(bank_data, data_shown);
 
 end architecture;

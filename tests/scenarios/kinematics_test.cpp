@@ -18,7 +18,7 @@ const std::string gcode =
     "M104 S200\nG28\nM109 S200\nG1 Z5 F2400\nG1 X20 Y20 Z0.3 F3000\nG1 X40 Y20 E1 F2400\n"
     "G1 X40 Y40 E2\nG1 X20 Y40 E3\nG1 X20 Y20 E4\nG1 X35 Y33 E5\nG2 X35 Y33 I5 J0 E6\nG91\n"
     "G1 X-3.333 Y1.017\nG1 X0.01 Y0.02 Z0.05\nG1 X-30 Y-25 Z2 F6000\nG90\nG28\n"
-    "G1 X5 Y10 Z30 F6000\nM114\nM84\n";
+    "G1 X5 Y10 Z30 F6000\nM400\nM114\nM84\n";
 
 Print print_on(const std::string& machine) {
   Print print = scenarios::print_text(
