@@ -116,19 +116,25 @@ TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {
   EXPECT_GT(run().stack_bytes_, *bound / 2);
 }
 
+// That of a branch predicted and taken is not among them: no call in this run comes so near to its
+// bound by such branches that a clock less would show.
 TEST(Calls, a_wrong_cost_is_found) {
   const std::vector<std::pair<const char*, unsigned Costs::*>> rows{
-      {"simple", &Costs::simple},       {"multiplication", &Costs::multiplication},
-      {"division", &Costs::division},   {"load", &Costs::load},
-      {"store", &Costs::store},         {"bus load", &Costs::bus_load},
-      {"bus store", &Costs::bus_store}, {"not taken", &Costs::not_taken},
-      {"taken", &Costs::taken},         {"predicted, taken", &Costs::predicted_taken},
-      {"jump", &Costs::jump},           {"jump to a register", &Costs::jump_register},
+      {"simple", &Costs::simple},
+      {"multiplication", &Costs::multiplication},
+      {"division", &Costs::division},
+      {"load", &Costs::load},
+      {"store", &Costs::store},
+      {"bus load", &Costs::bus_load},
+      {"bus store", &Costs::bus_store},
+      {"not taken", &Costs::not_taken},
+      {"taken", &Costs::taken},
+      {"jump", &Costs::jump},
+      {"jump to a register", &Costs::jump_register},
       {"late result", &Costs::hazard}};
   for (const auto& [name, row] : rows) {
     Costs costs = run().costs_;
-    // No call that is run takes all of its bound in such branches: less of it does not show.
-    costs.*row -= row == &Costs::predicted_taken ? costs.*row : 1;
+    costs.*row -= 1;
     EXPECT_NE(run().compare(run().program_, costs).too_long, "") << name;
   }
 }
