@@ -13,12 +13,6 @@
 
 namespace sim {
 
-namespace {
-
-constexpr std::uint32_t memory_start = 0x8000'0000;
-
-}  // namespace
-
 NetlistModel::NetlistModel(std::uint32_t clock_hz, Edges edges)
     : context_(std::make_unique<VerilatedContext>()) {
   permit_tracing(*context_);
@@ -93,19 +87,10 @@ namespace {
 // Each bank of the memory has a lane for each byte of a word.
 #define RAM(part) printer_core__DOT__with_processor_computing__DOT__ram__DOT__##part##_bytes
 
-// The word's byte in each lane.
 template <typename Root>
-auto bytes_of_word(Root& root, std::uint32_t address) {
-  const std::uint32_t word = (address - memory_start) / 4;
-#define BYTE(lane)                                                                      \
-  byte_in_banks(word, root.RAM(banks_n1_lanes_##lane), root.RAM(banks_n2_lanes_##lane), \
-                root.RAM(banks_n3_lanes_##lane))
-  const std::array bytes{BYTE(n1), BYTE(n2), BYTE(n3), BYTE(n4)};
-#undef BYTE
-  if (address < memory_start || bytes[0] == nullptr) {
-    throw std::out_of_range(fmt::format("no memory at {:#010x}", address));
-  }
-  return bytes;
+auto bytes_at(Root& root, std::uint32_t address) {
+  return bytes_of_word(address, STEPFABRIC_MEMORY_LANE(root, n1), STEPFABRIC_MEMORY_LANE(root, n2),
+                       STEPFABRIC_MEMORY_LANE(root, n3), STEPFABRIC_MEMORY_LANE(root, n4));
 }
 
 #undef RAM
@@ -115,7 +100,7 @@ auto bytes_of_word(Root& root, std::uint32_t address) {
 std::uint32_t NetlistModel::read_memory(std::uint32_t address) const {
   std::uint32_t word = 0;
   unsigned shift = 0;
-  for (const auto* byte : bytes_of_word(std::as_const(*model_->rootp), address)) {
+  for (const auto* byte : bytes_at(std::as_const(*model_->rootp), address)) {
     word |= std::uint32_t{*byte} << shift;
     shift += 8;
   }
@@ -123,7 +108,7 @@ std::uint32_t NetlistModel::read_memory(std::uint32_t address) const {
 }
 
 void NetlistModel::write_memory(std::uint32_t address, std::uint32_t word) {
-  for (auto* byte : bytes_of_word(*model_->rootp, address)) {
+  for (auto* byte : bytes_at(*model_->rootp, address)) {
     *byte = static_cast<std::uint8_t>(word);
     word >>= 8;
   }

@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // G27, G60, G61 and M290, by where the axes go.
-#include <gtest/gtest.h>
-
-#include <initializer_list>
-#include <string>
-
-#include "tests/application/dialogue.hpp"
+#include "tests/application/homed_printer.hpp"
 
 namespace application_test {
 namespace {
 
-constexpr std::size_t x = 0, y = 1, z = 2, e = 3;
-constexpr double step = 0.002;  // of E, the coarsest of those that are compared, in mm
-
-class Places : public testing::Test {
+class Places : public HomedPrinter {
  protected:
-  // Homed, with a hot nozzle, at X10 Y20 Z5 E0.
-  Places() {
-    printer.chip.heaters[0].celsius = 200;
-    execute({"G28", "M104 S200", "G1 X10 Y20 Z5 F6000"});
-  }
-  void execute(std::initializer_list<std::string_view> lines) {
-    for (const std::string_view line : lines) printer.talk("-> " + std::string(line) + "\n<- ok\n");
-    printer.talk("-> M400\n<- ok\n");
-  }
-  void expect(double at_x, double at_y, double at_z) const {
-    EXPECT_NEAR(printer.mm(x), at_x, step);
-    EXPECT_NEAR(printer.mm(y), at_y, step);
-    EXPECT_NEAR(printer.mm(z), at_z, step);
-  }
+  Places() { execute({"G1 X10 Y20 Z5 F6000"}); }
   double travel(std::size_t axis) const {
     return static_cast<double>(machine_under_test().limits.axes[axis].travel.count()) / 1e6;
   }
-
-  Printer printer;
 };
 
 TEST_F(Places, of_parking_are_10_mm_from_the_left_and_from_the_back) {

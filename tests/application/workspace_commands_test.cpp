@@ -1,37 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // G53 to G59.3, G92.1, M200, M206 and M428, by where the axes go.
-#include <gtest/gtest.h>
-
-#include <initializer_list>
-#include <string>
-
-#include "tests/application/dialogue.hpp"
+#include "tests/application/homed_printer.hpp"
 
 namespace application_test {
 namespace {
 
-constexpr std::size_t x = 0, y = 1, z = 2, e = 3;
-constexpr double step = 0.002;  // of E, the coarsest of those that are compared, in mm
-
-class Workspace : public testing::Test {
+class Workspace : public HomedPrinter {
  protected:
-  // Homed, with a hot nozzle, at X10 Y10 Z5 E0.
-  Workspace() {
-    printer.chip.heaters[0].celsius = 200;
-    execute({"G28", "M104 S200", "G1 X10 Y10 Z5 F6000"});
-  }
-  // Sends the lines, each of which is answered by nothing but ok, and waits for the end of motion.
-  void execute(std::initializer_list<std::string_view> lines) {
-    for (const std::string_view line : lines) printer.talk("-> " + std::string(line) + "\n<- ok\n");
-    printer.talk("-> M400\n<- ok\n");
-  }
-  void expect(double at_x, double at_y, double at_z) const {
-    EXPECT_NEAR(printer.mm(x), at_x, step);
-    EXPECT_NEAR(printer.mm(y), at_y, step);
-    EXPECT_NEAR(printer.mm(z), at_z, step);
-  }
-
-  Printer printer;
+  Workspace() { execute({"G1 X10 Y10 Z5 F6000"}); }
 };
 
 TEST_F(Workspace, has_nine_systems_each_with_its_shift) {

@@ -27,6 +27,19 @@ TEST(repository, every_source_file_names_its_licence_at_the_top) {
   }
 }
 
+// The page is not generated, so what it says of the firmware is compared.
+TEST(repository, the_page_looks_for_the_head_among_all_lines_that_the_printer_may_have_taken) {
+  const auto number_in = [](const fs::path& file, const std::string& name) {
+    const std::string text = text_of(project / file);
+    std::smatch match;
+    EXPECT_TRUE(std::regex_search(text, match, std::regex(name + " = ([0-9]+);"))) << file;
+    return match.empty() ? 0 : std::stoi(match[1]);
+  };
+  EXPECT_GE(number_in("host/web/page/path_data.js", "mostAhead"),
+            number_in("firmware/motion/planner.hpp", "capacity") +
+                number_in("firmware/host_link/line_queue.hpp", "capacity"));
+}
+
 TEST(repository, every_folder_of_sources_explains_itself_in_a_readme) {
   std::set<fs::path> folders;
   for (const fs::path& file : files({".vhd", ".cpp", ".hpp", ".gcode", ".csv"})) {

@@ -2,41 +2,27 @@
 // Two motors that stand still move X and Y with crossed belts: their sum and their difference.
 #pragma once
 
-#include "motion/kinematics/division.hpp"
-#include "motion/kinematics/kinematics.hpp"
+#include "motion/kinematics/straight.hpp"
 
 namespace motion::kinematics {
 
 // As Marlin's COREXY: motor A, on the pins of X, is at X + Y, motor B, on those of Y, at X - Y.
 // Both directions are exact: what G-code can request is a multiple of 200 fm.
-class CoreXy {
+class CoreXy : public Straight {
  public:
   struct Parameters {};
-  static constexpr bool may_home_motors = false;
-  using Chords = NoDivision;
 
   constexpr CoreXy() = default;
   explicit constexpr CoreXy(const Parameters&) {}
 
   static constexpr bool identity() { return false; }
-  static constexpr bool straight() { return true; }
-  static constexpr bool homes_motors() { return false; }
   static constexpr std::string_view motor_letters() { return "ABZ"; }
-  static constexpr bool reaches(const Place&) { return true; }
   static constexpr Place motors_of(const Place& tool) {
     return {tool[0] + tool[1], tool[0] - tool[1], tool[2], tool[3]};
   }
   static constexpr Place place_of(const Place& motors) {
     return {half(motors[0] + motors[1]), half(motors[0] - motors[1]), motors[2], motors[3]};
   }
-  static constexpr std::uint32_t chords(const Place&, const Place&, units::MicrometersPerSecond) {
-    return 1;
-  }
-  static constexpr units::MicrometersPerSecond speed_limit(const Place&, const Place&,
-                                                           units::MicrometersPerSecondSquared) {
-    return max_speed;
-  }
-  static constexpr Home home() { return {}; }
 
  private:
   // Rounded down to a femtometre.

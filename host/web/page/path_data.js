@@ -54,8 +54,8 @@ class PathData {
   placeOf(position) { return position.steps.map((steps, axis) => steps / this.stepsPerMm[axis]); }
 }
 
-// So many commands at most are taken and not made yet: the planner's lines and what is under way.
-const mostAhead = 48;
+// So many commands at most are taken and not made yet: the 64 lines of the planner, and what is handed over or waits.
+const mostAhead = 96;
 
 const nearMm = 0.1;  // steps are exact, but points are rounded and some left out
 
