@@ -33,17 +33,16 @@ Progress CoordinateCommands::select_system(ActiveCommand& command, std::size_t s
 
 // Without D only whether it holds: S0 lets E count mm again, S1 mm³ of the diameter before.
 Progress CoordinateCommands::set_filament(ActiveCommand& command) {
-  units::Nanometers diameter = filament_;
   if (const auto asked = coordinates_.rounded_length(command.command, 'D')) {
-    diameter = *asked;
+    constexpr std::int64_t unit = Coordinates::nanometers_per_micrometer;
+    const units::Nanometers diameter((asked->count() + unit / 2) / unit * unit);
     if (diameter.count() != 0 &&
         (diameter < Coordinates::least_filament || diameter > Coordinates::thickest_filament)) {
       return command.refuse("D is neither 0 nor 0.5 to 10 mm");
     }
-    filament_ = diameter;
+    coordinates_.set_filament(diameter);
   }
-  const bool counts = command.command.integer('S').value_or(1) != 0;
-  coordinates_.set_filament(counts ? diameter : units::Nanometers());
+  coordinates_.set_volumetric(command.command.integer('S').value_or(1) != 0);
   return Progress::done;
 }
 
@@ -51,7 +50,7 @@ Progress CoordinateCommands::set_filament(ActiveCommand& command) {
 Progress CoordinateCommands::report_filament(ActiveCommand& command) {
   host_link::TextLine line;
   line.text("M200 S").integer(coordinates_.volumetric() ? 1 : 0).text(" D");
-  return command.say(line.decimal(filament_.count(), 6, 3));
+  return command.say(line.decimal(coordinates_.filament().count(), 6, 3));
 }
 
 Progress CoordinateCommands::set_home_offset(ActiveCommand& command) {

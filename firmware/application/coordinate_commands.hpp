@@ -43,7 +43,6 @@ class CoordinateCommands {
  private:
   MotionTask& motion_;
   Coordinates& coordinates_;
-  units::Nanometers filament_{};  // of the last M200 D
 };
 
 }  // namespace application

@@ -51,15 +51,18 @@ units::Position scaled(const units::Position& distance, std::int32_t percent) {
           rest * femtometers_per_part + static_cast<std::uint32_t>(femtometers)};
 }
 
-// `factor` is in 2^-32, at most 8; the distance is at most the 200 mm of a line of E.
+// `factor` is in 2^-32, at most 8. By the upper bits and the lower 16 of the distance, so that no
+// product is too large.
 units::Position multiplied(const units::Position& distance, std::uint64_t factor) {
   const bool back = distance < units::Position();
   const units::Position size = back ? -distance : distance;
-  const std::uint64_t whole = static_cast<std::uint64_t>(size.whole().count()) * factor;
+  const auto whole = static_cast<std::uint64_t>(size.whole().count());
+  const std::uint64_t low = (whole & 0xFFFF) * factor;
+  const std::uint64_t high = (whole >> 16) * factor + (low >> 16);  // in 2^-16
   constexpr std::uint32_t nanometer = units::Position::femtometers_per_nanometer;
-  const std::uint64_t femtometers =
-      (whole & 0xFFFF'FFFF) * nanometer + static_cast<std::uint64_t>(size.femtometers()) * factor;
-  const units::Position product{units::Nanometers(static_cast<std::int64_t>(whole >> 32)),
+  const std::uint64_t femtometers = (((high & 0xFFFF) << 16) | (low & 0xFFFF)) * nanometer +
+                                    static_cast<std::uint64_t>(size.femtometers()) * factor;
+  const units::Position product{units::Nanometers(static_cast<std::int64_t>(high >> 16)),
                                 static_cast<std::uint32_t>(femtometers >> 32)};
   return back ? -product : product;
 }
@@ -72,17 +75,24 @@ bool representable(const Positions& positions) {
 
 void Coordinates::follow(const Positions& machine) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    logical_[i] = logical_[i] + (machine[i] - planned_[i]);
+    units::Position distance = machine[i] - planned_[i];
+    if (i == units::index_of(units::Axis::e) && volumetric_) {
+      // Of less than 2 m of filament, which is more than a planner has.
+      distance = units::Nanometers(distance.whole().count() * (std::int64_t{1} << 32) /
+                                   static_cast<std::int64_t>(length_of_volume_));
+    }
+    logical_[i] += distance;
   }
   planned_ = machine;
 }
 
 void Coordinates::set_filament(units::Nanometers diameter) {
   filament_ = diameter;
-  if (diameter.count() == 0) return;
+  volumetric_ = diameter.count() != 0;
+  if (!volumetric_) return;
   // 4 / (pi d^2), d in um
   constexpr std::uint64_t four_by_pi = 2'935'890'503'282'001'226;  // in 2^-61
-  const auto micrometers = static_cast<std::uint32_t>(diameter.count() / 1000);
+  const auto micrometers = static_cast<std::uint32_t>(diameter.count() / nanometers_per_micrometer);
   length_of_volume_ = (four_by_pi / (std::uint64_t{micrometers} * micrometers) * 1'000'000) >> 29;
 }
 

@@ -33,10 +33,13 @@ class Coordinates {
   motion::Plane plane() const { return plane_; }
   // M221, percent of what lines request; 1 or more.
   void set_flow(std::int32_t percent) { flow_percent_ = percent; }
-  // M200: E counts mm³ of filament of this diameter; 0: mm, as from the start.
+  // M200: E counts mm³ of filament of this diameter, in whole um; 0: mm, as from the start. What it
+  // was last can be switched off and on.
+  static constexpr std::int64_t nanometers_per_micrometer = 1'000;
   static constexpr units::Nanometers least_filament{500'000}, thickest_filament{10'000'000};
   void set_filament(units::Nanometers diameter);
-  bool volumetric() const { return filament_.count() != 0; }
+  void set_volumetric(bool on) { volumetric_ = on && filament_.count() != 0; }
+  bool volumetric() const { return volumetric_; }
   units::Nanometers filament() const { return filament_; }
   // M290: how much higher Z is than the host's coordinate says, since Z was homed, and what of it
   // is still to be made with the next line along X or Y.
@@ -117,6 +120,7 @@ class Coordinates {
   units::Position babystep_{};
   units::Position pending_babystep_{};
   units::Nanometers filament_{};
+  bool volumetric_{};
   std::uint64_t length_of_volume_{};  // mm for a mm³, in 2^-32
   std::int32_t flow_percent_{100};
   std::int32_t speed_percent_{100};

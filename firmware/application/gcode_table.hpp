@@ -45,7 +45,8 @@ inline constexpr auto gcode_table = [] {
       g(30, handler<&HostCommands::report_not_fitted>, "not fitted: probe"),
       g(53, handler<&HostCommands::accept>,
         "in front of G0 to G3: absolute X Y Z are in the machine's coordinates; alone without "
-        "effect"),
+        "effect",
+        {}, {.refuses_others = true}),
       g(54, handler<&CoordinateCommands::select_system, 0u>,
         "coordinates of the first of nine systems, each with the shift that G92 has given it"),
       g(55, handler<&CoordinateCommands::select_system, 1u>, "of the second"),
@@ -195,7 +196,7 @@ inline constexpr auto gcode_table = [] {
       m(280, handler<&HostCommands::report_not_fitted>, "not fitted: servo"),
       m(290, handler<&PlaceCommands::step_baby>,
         "moves Z under the host's coordinates, by at most 2 mm: at once at rest, otherwise within "
-        "the next line along X or Y",
+        "the next straight line along X or Y",
         babystep, {.report = handler<&PlaceCommands::report_babystep>}),
       m(300, handler<&HostCommands::accept>, "accepted; there is no beeper", tone),
       m(301, handler<&HostCommands::report_not_fitted>,

@@ -38,7 +38,7 @@ class HeatTask {
   // At the end of a pass, after all tasks: the watchdog's second key, if update() has
   // fed the first.
   void complete_feed();
-  // Until reset: no heat, no supply, and the watchdog is not fed any more.
+  // Until M999 or a reset: no heat, no supply, and the watchdog is not fed any more.
   void shut_down();
 
   // What fan and filament take away from now on.

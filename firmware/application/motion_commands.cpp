@@ -64,7 +64,6 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   arc_jumps_ = motion_.position_jumps();
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
-  if (takes_babystep(machine)) coordinates_.babystep_made();
   coordinates_.set_logical(logical);
   coordinates_.set_planned(machine);
   command.phase = ActiveCommand::Phase::appending;
@@ -112,6 +111,10 @@ Progress MotionCommands::append(ActiveCommand& command) {
   if (const auto progress = take_target(command, logical, move.target)) return *progress;
   move.feedrate = coordinates_.feedrate();
   const bool with_babystep = takes_babystep(move.target);
+  if (with_babystep) {
+    move.target[index_of(Axis::z)] += coordinates_.pending_babystep();
+    if (const auto progress = refuse_beyond_limits(command, move.target)) return *progress;
+  }
   const auto accepted = motion_.append(move);
   if (!accepted) return command.refuse(motion::describe(accepted.error()));
   if (with_babystep) coordinates_.babystep_made();
@@ -132,9 +135,9 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Posi
   coordinates_.put_target_of(command.command, logical);
   if (!representable(logical)) return command.refuse("Number out of range");
 
-  units::Position& extruder = logical[index_of(Axis::e)];
-  const units::Position wanted = extruder;
-  const units::Position& before = coordinates_.logical()[index_of(Axis::e)];
+  coordinates_.put_machine_target(logical, motion_.position(), machine);
+  units::Position& extruder = machine[index_of(Axis::e)];
+  const units::Position& before = motion_.position()[index_of(Axis::e)];
   if (extruder != before) {
     const bool too_long =
         extruder - before > longest_extrusion || before - extruder > longest_extrusion;
@@ -143,14 +146,10 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Posi
           too_long ? "echo: too long extrusion prevented"sv : "echo: cold extrusion prevented"sv;
       if (command.lines_said == 0 && command.say(notice) == Progress::again) return Progress::again;
       command.lines_said = 1;
-      extruder = before;
+      extruder = before;  // what is not extruded counts as done
     }
   }
 
-  coordinates_.put_machine_target(logical, motion_.position(), machine);
-  // What is not extruded counts as done.
-  extruder = wanted;
-  if (takes_babystep(machine)) machine[index_of(Axis::z)] += coordinates_.pending_babystep();
   return refuse_beyond_limits(command, machine);
 }
 

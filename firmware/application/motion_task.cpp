@@ -101,6 +101,10 @@ bool MotionTask::start() {
   if (!shapes()) return true;
   shaping_->set_timing(planner_.timing());
   shaping_->set_limits(machine_.limits);
+  return restore_shaping();
+}
+
+bool MotionTask::restore_shaping() {
   return set_shaping(machine_.shaping.value_or(motion::ShapingSettings()));
 }
 
@@ -206,13 +210,6 @@ void MotionTask::set_limits(const motion::Limits& limits) {
   planner_.set_limits(limits);
   pace_.set_limits(limits);
   if (shapes()) shaping_->set_limits(limits);
-}
-
-void MotionTask::set_kinematics(const motion::kinematics::Chosen& kinematics) {
-  const auto positions = planner_.position();
-  located_ = homed_ = {};
-  planner_.set_kinematics(kinematics);
-  set_position(positions);
 }
 
 void MotionTask::set_steps_per_meter(const motion::Limits& limits) {

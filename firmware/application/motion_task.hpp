@@ -51,8 +51,11 @@ class MotionTask {
   std::expected<void, motion::Fault> append(const motion::LineMove& move);
   // What has been appended starts without waiting for more.
   void flush() {
-    planner_.flush();
-    chords_.flush();
+    if (chords_.done()) {
+      planner_.flush();
+    } else {
+      chords_.flush();
+    }
   }
   // Input shaping and linear advance are fitted.
   // Inlined for certain, so that link-time optimisation drops what depends on it.
@@ -61,6 +64,8 @@ class MotionTask {
   const motion::ShapingSettings& shaping() const { return shaping_->settings(); }
   // Only at rest. False, and nothing done, where a shaper's frequency is out of range.
   bool set_shaping(const motion::ShapingSettings& settings);
+  // What the machine description says. As above.
+  bool restore_shaping();
 
   // Planner empty, step generator idle, no stop or homing under way.
   bool at_rest() const;
@@ -74,7 +79,7 @@ class MotionTask {
 
   // M410: no step from now on. Positions stay correct; what was planned is discarded.
   void quick_stop();
-  // Until reset: as above, and motors off.
+  // Until M999 or a reset: as above, and motors off.
   void shut_down();
   bool stopping() const { return stopping_; }
   // The emergency stop input has ended motion.
@@ -95,8 +100,6 @@ class MotionTask {
   std::uint8_t end_stops() const { return end_stops_.triggered(); }
 
   const motion::kinematics::Chosen& kinematics() const { return planner_.kinematics(); }
-  // Only at rest. Where the axes are is not known any more.
-  void set_kinematics(const motion::kinematics::Chosen& kinematics);
   const motion::Limits& limits() const { return planner_.limits(); }
   void set_limits(const motion::Limits& limits);
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.

@@ -8,6 +8,10 @@
 namespace application {
 
 std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove move) {
+  // Where the tool is says nothing before.
+  if (kinematics().homes_motors() && homed_.empty()) {
+    return std::unexpected(motion::Fault::not_homed);
+  }
   if (!kinematics().reaches(move.target)) {
     return std::unexpected(motion::Fault::target_out_of_reach);
   }
@@ -19,7 +23,7 @@ std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove mo
   move.feedrate =
       std::min({move.feedrate, motion::kinematics::speed_of_axes(limits(), from, move.target),
                 kinematics().speed_limit(from, move.target, acceleration)});
-  chords_.begin(from, move, kinematics().chords(from, move.target, move.feedrate));
+  chords_.begin(from, move, kinematics().chords(from, move.target));
   const auto accepted = append_line(chords_.next());
   if (!accepted) chords_.cancel();
   return accepted;

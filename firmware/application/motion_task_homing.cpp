@@ -96,8 +96,8 @@ motion::LineMove MotionTask::homing_move(const motion::HomingMove& request) cons
     move.target[i] += request.distance;
   }
   // Three motors at this speed: along the line through all of them by sqrt(3).
-  move.feedrate = units::MicrometersPerSecond(
-      std::min(request.speed.count() / 1000 * 1732 + 1, motion::max_speed.count()));
+  move.feedrate = units::MicrometersPerSecond(static_cast<std::int32_t>(std::min<std::int64_t>(
+      std::int64_t{request.speed.count()} * 1732 / 1000 + 1, motion::max_speed.count())));
   return move;
 }
 

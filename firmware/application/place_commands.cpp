@@ -44,6 +44,10 @@ Progress PlaceCommands::park(ActiveCommand& command) {
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
       if (!motion_.homed().contains(axis)) return command.refuse("Home XYZ first");
     }
+    // A delta's travel is not by axes.
+    if (motion_.limits().of(Axis::x).travel < park_border) {
+      return command.refuse("No place to park");
+    }
     const auto manner = command.integer('P').value_or(0);
     const Position high(std::min(park_height, motion_.limits().of(Axis::z).travel));
     if (manner == 2) {
@@ -68,7 +72,9 @@ Progress PlaceCommands::park(ActiveCommand& command) {
 
 Progress PlaceCommands::save_position(ActiveCommand& command) {
   const auto slot = static_cast<std::size_t>(command.integer('S').value_or(0));
-  places_[slot] = {.machine = motion_.position(), .extruder = coordinates_.logical()[e]};
+  Positions& place = places_[slot];
+  place = coordinates_.logical();
+  for (std::size_t i = 0; i < e; ++i) place[i] = place[i] - coordinates_.workspaces().origin(i);
   saved_ = static_cast<std::uint8_t>(saved_ | 1u << slot);
   return Progress::done;
 }
@@ -82,12 +88,16 @@ Progress PlaceCommands::restore_position(ActiveCommand& command) {
   for (std::size_t i = 0; i < e; ++i) {
     if (!axes.contains(static_cast<Axis>(i))) continue;
     const auto added = coordinates_.length(command.command, units::axis_letters[i]);
-    target[i] = places_[slot].machine[i] + added.value_or(Position());
+    target[i] += places_[slot][i] + coordinates_.workspaces().origin(i) -
+                 coordinates_.logical()[i] + added.value_or(Position());
   }
+  const units::MicrometersPerSecond before = coordinates_.kept_feedrate();
   coordinates_.take_feedrate(command.command);
   const Progress progress = append(command, target, coordinates_.feedrate());
-  if (!command.refused && axes.contains(Axis::e)) {
-    coordinates_.set_logical(Axis::e, places_[slot].extruder);
+  if (command.refused) {
+    coordinates_.keep_feedrate(before);
+  } else if (axes.contains(Axis::e)) {
+    coordinates_.set_logical(Axis::e, places_[slot][e]);
   }
   return progress;
 }
@@ -100,14 +110,16 @@ Progress PlaceCommands::step_baby(ActiveCommand& command) {
   Positions target = motion_.position();
   target[z] += coordinates_.pending_babystep() + step;
   if (const auto refused = moves_.refuse_beyond_limits(command, target)) return *refused;
+  const bool at_once = motion_.at_rest();
+  if (at_once) {
+    const auto accepted =
+        motion_.append({.target = target, .feedrate = motion_.limits().of(Axis::z).max_speed});
+    if (!accepted) return command.refuse(motion::describe(accepted.error()));
+    motion_.flush();
+    coordinates_.set_planned(motion_.position());
+  }
   coordinates_.add_babystep(step);
-  if (!motion_.at_rest()) return Progress::done;
-  const auto accepted =
-      motion_.append({.target = target, .feedrate = motion_.limits().of(Axis::z).max_speed});
-  if (!accepted) return command.refuse(motion::describe(accepted.error()));
-  motion_.flush();
-  coordinates_.babystep_made();
-  coordinates_.set_planned(motion_.position());
+  if (at_once) coordinates_.babystep_made();
   return Progress::done;
 }
 

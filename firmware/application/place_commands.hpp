@@ -31,18 +31,14 @@ class PlaceCommands {
   Progress report_babystep(ActiveCommand& command);
 
  private:
-  struct Place {
-    Positions machine{};
-    units::Position extruder{};  // what the host calls it
-  };
-
   Progress append(ActiveCommand& command, const Positions& machine,
                   units::MicrometersPerSecond feedrate);
 
   MotionTask& motion_;
   MotionCommands& moves_;
   Coordinates& coordinates_;
-  std::array<Place, slots> places_{};
+  // In the host's coordinates without what shifts them, so without the lift of G10 and baby steps.
+  std::array<Positions, slots> places_{};
   std::uint8_t saved_{};  // a bit for each slot
   std::uint32_t jumps_{};  // of the position, when parking began
 };

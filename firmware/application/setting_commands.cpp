@@ -192,7 +192,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     }
     motion_.set_steps_per_meter(machine_.limits);
     // As at the start, so it is accepted or was refused then.
-    if (motion_.shapes()) static_cast<void>(motion_.set_shaping(*machine_.shaping));
+    if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     coordinates_.set_planned(motion_.position());
     command.phase = ActiveCommand::Phase::working;
   }

@@ -61,7 +61,10 @@ class LineParser {
     if (command_.is('G', 53) && !at_end() && capital(here()) == 'G') {
       command_.clear();
       command_.in_machine_coordinates = true;
+      const std::size_t start = position_;
       if (!read_letter_and_code()) return failure();
+      constexpr std::uint16_t last_move = 3;  // G0 to G3
+      if (command_.code > last_move) return fail(ParseFault::second_command, start);
       skip_blanks();
     }
     if (takes_text(command_)) {

@@ -39,7 +39,6 @@ class Planner {
 
   const kinematics::Chosen& kinematics() const { return kinematics_; }
   // Only while empty and at rest; the position must then be set.
-  void set_kinematics(const kinematics::Chosen& kinematics) { kinematics_ = kinematics; }
 
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);

@@ -105,6 +105,7 @@ Shaping::Output Shaping::next_segment(Planner& planner, units::Microseconds now,
 void Shaping::begin(const Segment& segment) {
   timeline_.begin(segment);
   elapsed_ = 0;
+  resting_slots_ = 0;
   between_segments_ = false;
   input_rests_ = segment.ends_motion;
 }

@@ -48,7 +48,6 @@ class ShapingFilter {
   bool configure(const ShapingSettings& settings, units::Hertz clock, int slot_bits);
 
   void push(const Sample& sample) { samples_[++newest_ % capacity] = sample; }
-  const Sample& newest() const { return samples_[newest_ % capacity]; }
   // All samples become this one.
   void fill(const Sample& sample) { samples_.fill(sample); }
 

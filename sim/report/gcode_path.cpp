@@ -130,7 +130,8 @@ Request GcodePath::move(const GcodeWords& words, bool machines) {
     logical_[i] += distance;
     move.to[i] += i == extruder ? filament_of(distance / 100 * flow_percent_) : distance;
   }
-  if (move.to[0] != move.from[0] || move.to[1] != move.from[1]) {
+  const bool straight = is_any(words, 'G', 0, 1);
+  if (straight && (move.to[0] != move.from[0] || move.to[1] != move.from[1])) {
     move.to[height] += babystep_;
     babystep_ = 0;
   }

@@ -79,12 +79,6 @@ class GcodePath {
   void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
 
  private:
-  // A place of G60, and what the file called it on E.
-  struct SavedPlace {
-    Point machine{};
-    Femtometers extruder{};
-  };
-
   void read_g(const GcodeWords& words, Request& request);
   bool read_coordinates(const GcodeWords& words);
   bool read_offsets(const GcodeWords& words);
@@ -108,7 +102,7 @@ class GcodePath {
   Point machine_{};
   Point logical_{};  // what the file calls it
   FileCoordinates coordinates_;
-  std::array<std::optional<SavedPlace>, 2> saved_;
+  std::array<std::optional<Point>, 2> saved_;  // of G60, as the file calls it without shifts
   Femtometers babystep_{};  // of M290, still to be made
   double filament_mm_{};  // the diameter of M200
   bool volumetric_ = false;

@@ -54,7 +54,10 @@ bool GcodePath::read_offsets(const GcodeWords& words) {
     return true;
   }
   if (words.is('M', 200)) {
-    if (const auto diameter = length(words, 'D')) filament_mm_ = millimeters(*diameter);
+    // In whole micrometres, as the chip says.
+    if (const auto diameter = length(words, 'D')) {
+      filament_mm_ = std::round(millimeters(*diameter) * 1000) / 1000;
+    }
     if (words.all().size() > 1) {
       volumetric_ = filament_mm_ != 0 && words.value('S').value_or(billionths) >= billionths;
     }
@@ -113,7 +116,9 @@ Request GcodePath::park(const GcodeWords& words) {
 void GcodePath::save(const GcodeWords& words) {
   const std::int64_t slot = words.value('S').value_or(0) / billionths;
   if (slot < 0 || slot >= static_cast<std::int64_t>(saved_.size())) return;
-  saved_[static_cast<std::size_t>(slot)] = SavedPlace{machine_, logical_[extruder]};
+  Point place = logical_;
+  for (std::size_t i = 0; i < straight_axes.size(); ++i) place[i] -= coordinates_.zero(i);
+  saved_[static_cast<std::size_t>(slot)] = place;
 }
 
 Request GcodePath::restore(const GcodeWords& words) {
@@ -125,10 +130,11 @@ Request GcodePath::restore(const GcodeWords& words) {
   Point place = machine_;
   for (std::size_t i = 0; i < straight_axes.size(); ++i) {
     if (!all && !words.has(straight_axes[i])) continue;
-    place[i] = saved->machine[i] + length(words, straight_axes[i]).value_or(0);
+    place[i] += (*saved)[i] + coordinates_.zero(i) - logical_[i] +
+                length(words, straight_axes[i]).value_or(0);
   }
   Request request = lead_to(place);
-  if (all || words.has('E')) logical_[extruder] = saved->extruder;
+  if (all || words.has('E')) logical_[extruder] = (*saved)[extruder];
   return request;
 }
 

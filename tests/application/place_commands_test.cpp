@@ -53,6 +53,24 @@ TEST_F(Places, that_are_saved_are_the_machines) {
   expect(11, 20, 5);
 }
 
+// The lift of G10 and baby steps are not part of them: G11 lowers by what G10 has lifted.
+TEST_F(Places, that_are_saved_know_nothing_of_lifts) {
+  execute({"M207 Z1", "G60", "G10", "G27", "G61", "G11"});
+  expect(10, 20, 5);
+  execute({"G10", "G60", "G11", "G1 X50", "G61"});
+  expect(10, 20, 5);
+  execute({"M290 Z0.1", "G1 X50", "G61"});
+  expect(10, 20, 5.1);
+}
+
+TEST_F(Places, that_are_refused_leave_the_feedrate) {
+  execute({"G60", "G1 X20 F1200"});
+  printer.talk("-> G61 Z-50 F60\n<* Move beyond the end of Z\n<- ok\n");
+  const auto before = printer.chip.time;
+  execute({"G1 X40"});
+  EXPECT_LT(static_cast<double>(printer.chip.time - before) / clock_hz, 5);  // 1 s at F1200
+}
+
 TEST_F(Places, that_are_not_saved_are_refused) {
   printer.talk("-> G61\n<* No position saved in this slot\n<- ok\n");
   printer.talk("-> G60 S2\n<* S not within 0 to 1\n<- ok\n");
@@ -78,6 +96,14 @@ TEST_F(Places, of_baby_steps_are_made_with_the_next_line_in_motion) {
   }
   execute({});
   expect(80, 20, 5.2);
+}
+
+TEST_F(Places, of_baby_steps_bend_no_arc) {
+  for (const char* line : {"G1 X60", "M290 Z0.05", "G18", "G2 X65 Z10 I5 K0", "G1 X70"}) {
+    printer.talk("-> " + std::string(line) + "\n<- ok\n");
+  }
+  execute({});
+  expect(70, 20, 10.05);
 }
 
 TEST_F(Places, of_baby_steps_lie_within_the_travel) {

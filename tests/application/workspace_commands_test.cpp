@@ -106,5 +106,40 @@ TEST_F(Workspace, counts_volumes_of_filament_with_m200) {
   printer.talk("-> M200 D0.2\n<* D is neither 0 nor 0.5 to 10 mm\n<- ok\n");
 }
 
+TEST_F(Workspace, limits_the_length_of_filament_and_not_its_volume) {
+  execute({"M83", "M200 D1.75", "G1 E300 F3000"});  // 125 mm
+  EXPECT_NEAR(printer.mm(e), 124.726, step);
+  execute({"M200 D0.5"});
+  printer.talk("-> G1 E100\n<- echo: too long extrusion prevented\n<- ok\n");  // 509 mm
+  printer.talk("-> M221 S999\n<- ok\n-> G1 E200\n<- echo: too long extrusion prevented\n<- ok\n");
+  EXPECT_NEAR(printer.mm(e), 124.726, step);
+}
+
+TEST_F(Workspace, takes_diameters_in_whole_micrometres) {
+  execute({"M200 D1.7509"});
+  printer.talk("-> M200\n<- M200 S1 D1.751\n<- ok\n");
+  execute({"G1 E24.0805 F300"});
+  EXPECT_NEAR(printer.mm(e), 10, step);
+}
+
+TEST_F(Workspace, counts_volumes_also_after_a_stop) {
+  execute({"M200 D1.75", "G92 E0"});
+  printer.talk("-> G1 E100 F600\n<- ok\n");
+  printer.run(2);
+  printer.talk("-> M410\n<- ok\n-> G92 X0\n<- ok\n");
+  const double made = printer.mm(e);
+  ASSERT_GT(made, 1);
+  execute({"G1 E100"});
+  EXPECT_NEAR(printer.mm(e), 41.576, 0.01);
+}
+
+TEST_F(Workspace, has_g53_before_moves_only) {
+  for (const char* line : {"G53 G28", "G53 G92 X5", "G53 G53 G1 X5"}) {
+    printer.talk("-> " + std::string(line) + "\n<* not executed\n<- ok\n");
+  }
+  printer.talk("-> G53 X5\n<* Unknown parameter\n<- ok\n");
+  expect(10, 10, 5);
+}
+
 }  // namespace
 }  // namespace application_test

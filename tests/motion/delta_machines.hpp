@@ -32,7 +32,13 @@ inline Delta::Parameters parameters(std::int64_t rod_mm, std::int64_t radius_mm,
                            .radius = units::Nanometers(radius_mm * per_mm),
                            .height = units::Nanometers(250 * per_mm),
                            .printable_radius = units::Nanometers(printable * per_mm)};
-  Delta::place_towers(result);
+  constexpr std::array<double, 3> degrees{210, 330, 90};
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const double angle = degrees[i] * std::numbers::pi / 180;
+    const auto radius = static_cast<double>(result.radius.count());
+    result.towers[i] = {.x = units::Nanometers(std::llround(radius * std::cos(angle))),
+                        .y = units::Nanometers(std::llround(radius * std::sin(angle)))};
+  }
   return result;
 }
 

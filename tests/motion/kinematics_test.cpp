@@ -110,7 +110,7 @@ TEST(delta, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
       const Place from = random.reached_by(delta), to = random.reached_by(delta);
       motion::kinematics::Division chords;
       chords.begin(from, {.target = to, .feedrate = units::MicrometersPerSecond(50'000)},
-                   delta.chords(from, to, units::MicrometersPerSecond(50'000)));
+                   delta.chords(from, to));
       most_chords = std::max<std::uint64_t>(most_chords, chords.left());
       Place begin = from;
       const Vector a = mm(from), b = mm(to);
@@ -141,19 +141,6 @@ TEST(delta, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
                 static_cast<unsigned long long>(most_chords));
     EXPECT_LE(worst, 0.01);
     EXPECT_GE(worst, 0.002);  // no more chords than needed
-  }
-}
-
-TEST(delta, m665_places_the_towers_as_the_description_does) {
-  Delta::Parameters trimmed = deltas[0];
-  trimmed.angle_trim = {1'500'000, -750'000, 0};
-  Delta::place_towers(trimmed);
-  const double radius = static_cast<double>(trimmed.radius.count());
-  const std::array<double, 3> degrees{211.5, 329.25, 90};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double angle = degrees[i] * std::numbers::pi / 180;
-    EXPECT_NEAR(static_cast<double>(trimmed.towers[i].x.count()), radius * std::cos(angle), 1.01);
-    EXPECT_NEAR(static_cast<double>(trimmed.towers[i].y.count()), radius * std::sin(angle), 1.01);
   }
 }
 

@@ -101,7 +101,33 @@ TEST(shaping, ends_each_motion_at_the_planned_step) {
     const ShapingRunResult result = run_shaping(options, moves);
     EXPECT_EQ(result.steps, planned_steps(options.limits, moves));
     EXPECT_EQ(result.wrong_slots, 0u);
+    EXPECT_EQ(result.wrong_ends, 0u);
     EXPECT_LE(result.worst_rate, 1.0);
+  }
+}
+
+// Moves of a step are shorter than a slot, and each begins when the one before has been played out.
+TEST(shaping, makes_moves_that_are_shorter_than_a_slot) {
+  motion::Planner planner(mendel(), timing_at(4'000'000));
+  motion::Shaping shaping;
+  shaping.set_timing(timing_at(4'000'000));
+  shaping.set_limits(mendel());
+  motion::ShapingSettings settings;
+  settings.shapers[0] = {.type = ShaperType::mzv, .millihertz = 30'000, .damping = 1000};
+  ASSERT_TRUE(shaping.configure(settings));
+  units::Microseconds now;
+  std::int64_t made = 0;
+  for (std::int64_t step = 1; step <= 20; ++step) {
+    ASSERT_TRUE(planner.append(
+        {.target = at(step * 12'500, 0, 0, 0), .feedrate = units::MicrometersPerSecond(10'000)},
+        now));
+    planner.flush();
+    for (int calls = 0; calls < 1000 && !(planner.empty() && shaping.at_rest()); ++calls) {
+      const auto output = shaping.next_segment(planner, now, false);
+      if (output.segment) made += output.segment->steps[0];
+      now += units::Microseconds(5'000);
+    }
+    EXPECT_EQ(made, step);
   }
 }
 

@@ -60,9 +60,8 @@ class Any {
   Place place_of(const Place& motors) const {
     return visit([&](const auto& model) -> Place { return model.place_of(motors); });
   }
-  std::uint32_t chords(const Place& from, const Place& to,
-                       units::MicrometersPerSecond feedrate) const {
-    return visit([&](const auto& model) { return model.chords(from, to, feedrate); });
+  std::uint32_t chords(const Place& from, const Place& to) const {
+    return visit([&](const auto& model) { return model.chords(from, to); });
   }
   units::MicrometersPerSecond speed_limit(const Place& from, const Place& to,
                                           units::MicrometersPerSecondSquared most) const {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "motion/kinematics/square_root.hpp"
-#include "motion/rotation.hpp"
 #include "motion/scaled.hpp"
 #include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
@@ -21,6 +20,8 @@ using units::Nanometers;
 // the printable radius the tool then leaves its line by less than chord_deviation.
 constexpr std::uint64_t carriage_deviation = 8'000;
 constexpr std::uint32_t least_rise = 1'000'000;
+// No bed is so far below its place: lengths stay below what their squares permit.
+constexpr units::Position lowest{Nanometers(-1'000'000'000)};
 
 constexpr std::uint64_t square(std::int64_t value) {
   const std::uint64_t size = magnitude(value);
@@ -41,20 +42,6 @@ Scaled spatial_length(const Place& from, const Place& to) {
 std::uint32_t narrow(Nanometers length) { return static_cast<std::uint32_t>(length.count()); }
 
 }  // namespace
-
-void Delta::place_towers(Parameters& parameters) {
-  constexpr std::array<std::int64_t, spatial_axes> angles{210'000'000, 330'000'000, 90'000'000};
-  constexpr std::int64_t turn = 360'000'000;  // 10^-6 degrees
-  const auto rounded = [](std::int64_t product) { return (product + (1 << 29)) >> 30; };
-  for (std::size_t i = 0; i < spatial_axes; ++i) {
-    const std::int64_t angle = angles[i] + parameters.angle_trim[i];
-    const auto part = static_cast<Angle>(((angle << 33) / turn + 1) >> 1);
-    const Rotation rotation = rotation_by(part);
-    const std::int64_t radius = parameters.radius.count();
-    parameters.towers[i] = {.x = Nanometers(rounded(radius * rotation.cosine)),
-                            .y = Nanometers(rounded(radius * rotation.sine))};
-  }
-}
 
 std::uint32_t Delta::rise(std::size_t tower, Nanometers x, Nanometers y) const {
   const std::uint64_t away = square((x - parameters_.towers[tower].x).count()) +
@@ -83,7 +70,7 @@ bool Delta::reaches(const Place& tool) const {
     if (tool[i] > most || -tool[i] > most) return false;
   }
   const std::uint64_t away = square(tool[0].nearest().count()) + square(tool[1].nearest().count());
-  if (away > square(most.count())) return false;
+  if (away > square(most.count()) || tool[2] < lowest) return false;
   const Nanometers room = parameters_.height - tool[2].nearest();
   const std::uint64_t rise =
       nearest_root(square(parameters_.rod.count()) - square(parameters_.radius.count()));
@@ -141,15 +128,12 @@ Place Delta::place_of(const Place& motors) const {
 
 // With the way w in XY and the rise h, the height of a carriage has a second derivative of at most
 // rod^2 / h^3 by w, and its middle leaves a chord of w by rod^2 w^2 / (8 h^3).
-std::uint32_t Delta::chords(const Place& from, const Place& to,
-                            units::MicrometersPerSecond feedrate) const {
+std::uint32_t Delta::chords(const Place& from, const Place& to) const {
   const Scaled rise = Scaled::of(lowest_rise(from, to));
   const Scaled way = Scaled::of(horizontal_length(from, to)) * Scaled::of(narrow(parameters_.rod));
   const Scaled by_deviation =
       way / (Scaled::of(8 * carriage_deviation) * rise * rise * rise).square_root();
-  const Scaled by_time = spatial_length(from, to) * Scaled::of(parameters_.segments_per_second) /
-                         (Scaled::of(1'000) * Scaled::of(magnitude(feedrate.count())));
-  return static_cast<std::uint32_t>(std::max(by_deviation, by_time).floor()) + 1;
+  return static_cast<std::uint32_t>(by_deviation.floor()) + 1;
 }
 
 // v^2 w^2 / l^2 * rod^2 / h^3 <= most

@@ -25,10 +25,8 @@ class Delta {
     units::Nanometers height{250'000'000};  // Z at home
     units::Nanometers printable_radius{80'000'000};
     std::array<Tower, spatial_axes> towers{};
-    // M666: what a carriage goes down from its end stop to be at home, 0 or below.
+    // What a carriage goes down from its end stop to be at home, 0 or below.
     std::array<units::Nanometers, spatial_axes> end_stop_offset{};
-    std::array<std::int32_t, spatial_axes> angle_trim{};  // M665 X Y Z, in 10^-6 degrees
-    std::uint16_t segments_per_second{};  // M665 S: chords at least; 0: those that are needed
   };
   static constexpr bool may_home_motors = true;
   using Chords = Division;
@@ -36,8 +34,6 @@ class Delta {
   Delta() : Delta(Parameters{}) {}
   explicit Delta(const Parameters& parameters) : parameters_(parameters) {}
 
-  // The towers of a radius and trims, for M665. Within 1 nm.
-  static void place_towers(Parameters& parameters);
   const Parameters& parameters() const { return parameters_; }
 
   static constexpr bool identity() { return false; }
@@ -51,8 +47,7 @@ class Delta {
   Place motors_of(const Place& tool) const;
   // By Newton's method; within 5 nm where the place is within reach, else any place.
   Place place_of(const Place& motors) const;
-  std::uint32_t chords(const Place& from, const Place& to,
-                       units::MicrometersPerSecond feedrate) const;
+  std::uint32_t chords(const Place& from, const Place& to) const;
   // At which the carriages' acceleration by the curvature of their ways is not above `most`.
   units::MicrometersPerSecond speed_limit(const Place& from, const Place& to,
                                           units::MicrometersPerSecondSquared most) const;

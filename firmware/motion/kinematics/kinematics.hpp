@@ -47,7 +47,7 @@ concept Model =
       { model.motors_of(place) } -> std::convertible_to<Place>;
       { model.place_of(place) } -> std::convertible_to<Place>;
       // In so many chords, equal in the tool's space, a line stays within chord_deviation.
-      { model.chords(place, place, limits.axes[0].max_speed) } -> std::same_as<std::uint32_t>;
+      { model.chords(place, place) } -> std::same_as<std::uint32_t>;
       // The tool's speed at which the motors' acceleration along a straight line is within this.
       {
         model.speed_limit(place, place, limits.print_acceleration)

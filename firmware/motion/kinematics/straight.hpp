@@ -15,9 +15,7 @@ class Straight {
   static constexpr bool straight() { return true; }
   static constexpr bool homes_motors() { return false; }
   static constexpr bool reaches(const Place&) { return true; }
-  static constexpr std::uint32_t chords(const Place&, const Place&, units::MicrometersPerSecond) {
-    return 1;
-  }
+  static constexpr std::uint32_t chords(const Place&, const Place&) { return 1; }
   static constexpr units::MicrometersPerSecond speed_limit(const Place&, const Place&,
                                                            units::MicrometersPerSecondSquared) {
     return max_speed;
