@@ -53,13 +53,13 @@ std::uint32_t Delta::rise(std::size_t tower, Nanometers x, Nanometers y) const {
 // Between two places a carriage is lowest above the tool at one of them: the distance from a tower
 // is convex along a line.
 std::uint32_t Delta::lowest_rise(const Place& from, const Place& to) const {
-  std::uint32_t lowest = ~std::uint32_t{0};
+  std::uint32_t least = ~std::uint32_t{0};
   for (std::size_t i = 0; i < spatial_axes; ++i) {
     for (const Place* place : {&from, &to}) {
-      lowest = std::min(lowest, rise(i, (*place)[0].nearest(), (*place)[1].nearest()));
+      least = std::min(least, rise(i, (*place)[0].nearest(), (*place)[1].nearest()));
     }
   }
-  return std::max(lowest, least_rise);
+  return std::max(least, least_rise);
 }
 
 // The rise of a carriage above the tool is concave, so it lies below its tangent above the origin,
