@@ -27,6 +27,7 @@ class ExactAxes {
   // What the host believes, in mm; nearly.
   double logical_mm(std::size_t axis) const;
   bool inches() const { return inches_; }
+  std::int64_t flow_percent() const { return flow_percent_; }
   bool relative(std::size_t axis) const { return axis == 3 ? extruder_relative_ : relative_; }
 
  private:

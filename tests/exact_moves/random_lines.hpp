@@ -23,7 +23,7 @@ class RandomLines {
   std::string arc(const ExactAxes& axes);
   std::string coordinates(const ExactAxes& axes, std::string line, bool far);
   std::uint64_t below(std::uint64_t limit) { return random_() % limit; }
-  double size_mm();
+  double size_mm(const ExactAxes& axes, std::size_t axis);
 
   std::mt19937_64 random_;
   double largest_mm_;
