@@ -44,7 +44,7 @@ struct MachineDescription {
   bool advanced_ok{};  // report the free places with each ok
   units::Milliseconds host_silence{};  // heaters off after it; 0 is never
   motion::Limits limits{};
-  [[no_unique_address]] motion::kinematics::Chosen::Parameters kinematics{};
+  motion::kinematics::Chosen::Parameters kinematics{};
   units::PerAxis<units::Nanometers> homing_search{};  // from an unknown place, at most
   units::PerAxis<drivers::DriverChipTimings> drivers{};
   HeaterDescription hotend{};
