@@ -36,7 +36,8 @@ char letter_of_quoted(const Command& command, std::string_view line) {
 }
 
 std::string written(const Command& command, std::string_view line) {
-  std::string text = fmt::format("{}{}", command.letter, command.code);
+  std::string text = fmt::format("{}{}{}", command.in_machine_coordinates ? "G53 " : "",
+                                 command.letter, command.code);
   if (command.subcode != 0) text += fmt::format(".{}", command.subcode);
   const char quoted = letter_of_quoted(command, line);
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
@@ -64,7 +65,8 @@ void require_the_same_again(const Command& command, std::string_view line) {
   fuzz::require(again.has_value(), "\"{}\" was taken, but \"{}\" is not: {}", line, text,
                 again ? "" : gcode::describe(again.error()));
   fuzz::require(again->letter == command.letter && again->code == command.code &&
-                    again->subcode == command.subcode && again->text == command.text,
+                    again->subcode == command.subcode && again->text == command.text &&
+                    again->in_machine_coordinates == command.in_machine_coordinates,
                 "\"{}\" is read as \"{}\", which is read as another command", line, text);
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     fuzz::require(again->has(letter) == command.has(letter) &&
@@ -76,7 +78,8 @@ void require_the_same_again(const Command& command, std::string_view line) {
 // The judge of prints reads lines apart from the firmware.
 void require_the_judges_numbers(const Command& command, std::string_view line) {
   if (!command.text.empty() || line.contains('"')) return;
-  const report::GcodeWords words(line);
+  const report::GcodeWords all(line);
+  const auto words = command.in_machine_coordinates ? all.without_first() : all;
   for (const report::GcodeWord& word : words.all()) {
     if (&word == words.all().data()) {
       fuzz::require(word.letter == command.letter, "the judge reads {} as \"{}\" begins",

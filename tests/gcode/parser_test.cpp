@@ -228,6 +228,16 @@ TEST(parser, has_a_phrase_of_its_own_for_each_fault) {
   }
 }
 
+TEST(parser, takes_a_move_after_g53_whatever_is_between) {
+  for (const char* line : {"G53 G1 X2", "g53g1x2", "G53 (for once) G1 X2", "G53\tG01 X2"}) {
+    const Command command = parsed(line);
+    EXPECT_TRUE(command.is('G', 1)) << line;
+    EXPECT_TRUE(command.in_machine_coordinates) << line;
+    EXPECT_EQ(command.value('X'), 2'000'000) << line;
+  }
+  EXPECT_FALSE(parsed("G53").in_machine_coordinates);
+}
+
 // The executor parses each line into the same command.
 TEST(parser, leaves_nothing_of_the_line_before_in_a_command) {
   const auto all_of = [](const Command& command) {
