@@ -38,7 +38,8 @@ class Farm : public host_test::SpooledPrint {
  protected:
   Farm() : SpooledPrint("farm") {
     begin_spooler("simulated:4");
-    for (const json& each : state().at("printers")) printers.push_back(each.at("name"));
+    const json all = state();
+    for (const json& each : all.at("printers")) printers.push_back(each.at("name"));
   }
 
   // Each user uploads one file after the other, some of them for one printer.
@@ -70,7 +71,8 @@ class Farm : public host_test::SpooledPrint {
   // Those that may start, as the queue says it.
   std::vector<Waiting> queue() {
     std::vector<Waiting> order;
-    for (const json& each : state().at("jobs")) {
+    const json all = state();
+    for (const json& each : all.at("jobs")) {
       if (each.at("state") == "queued") order.push_back({each.at("id"), each.at("wanted_printer")});
     }
     return order;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the stepping benchmark on hardware and on software, and prints a file with both; the lines
-// of the serial link; times the model of the chip; or runs the processor's benchmark, which is a
-// program of its own.
+// of the serial link; times the model of the chip, or uploads to the spooler; or runs the
+// processor's benchmark, which is a program of its own.
 #include "tools/command/bench_job.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +16,7 @@
 #include "tools/benchmark/model_profile.hpp"
 #include "tools/benchmark/model_speed.hpp"
 #include "tools/benchmark/stepping_report.hpp"
+#include "tools/benchmark/upload_speed.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/file_roles.hpp"
@@ -194,11 +195,24 @@ int bench_lines(const BenchOptions& options) {
   return success;
 }
 
+int bench_upload(const BenchOptions& options) {
+  benchmarks::UploadScope scope{.folder = options.report / "upload", .look = end_if_interrupted};
+  if (options.quick) {
+    scope.bytes = 10'000'000;
+    scope.runs = 2;
+  }
+  const auto figures = benchmarks::measure_uploads(scope, note);
+  if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(figures));
+  say("{}", benchmarks::to_table(figures));
+  return success;
+}
+
 int bench_one(const std::string& name, const BenchOptions& options) {
   if (name == "stepping") return bench_stepping(options);
   if (name == "model") return bench_model(options);
   if (name == "link") return bench_link(options);
   if (name == "lines") return bench_lines(options);
+  if (name == "upload") return bench_upload(options);
   return bench_processor(options);
 }
 
@@ -213,7 +227,7 @@ int bench(const BenchOptions& options) {
   if (chosen.profile && chosen.names != std::vector<std::string>{"model"}) {
     throw std::runtime_error("--profile is of the benchmark model: name it alone");
   }
-  if (chosen.names.empty()) chosen.names = {"lines", "link", "model", "processor", "stepping"};
+  if (chosen.names.empty()) chosen.names = {"lines", "link", "model", "processor", "stepping", "upload"};
   if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   }
