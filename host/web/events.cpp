@@ -46,7 +46,7 @@ std::shared_ptr<const spooler::Spooler::Snapshot> next_of(spooler::Spooler& spoo
 
 }  // namespace
 
-void add_event_route(httplib::Server& server, spooler::Spooler& spooler, Streams streams) {
+void add_event_route(Listener& server, spooler::Spooler& spooler, Streams streams) {
   server.Get(
       "/api/v1/events", [&spooler, streams](const httplib::Request&, httplib::Response& response) {
         const auto stream = std::make_shared<Stream>(streams);

@@ -9,6 +9,7 @@
 #include <array>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "host/web/ascii.hpp"
 #include "host/web/request_stream.hpp"
@@ -81,6 +82,31 @@ void Listener::stop() {
   } else {
     httplib::Server::stop();
   }
+}
+
+void Listener::Get(const std::string& pattern, Handler handler) {
+  routes_.push_back({.method = "GET", .pattern = pattern});
+  httplib::Server::Get(pattern, std::move(handler));
+}
+
+void Listener::Post(const std::string& pattern, HandlerWithContentReader handler) {
+  routes_.push_back({.method = "POST", .pattern = pattern});
+  httplib::Server::Post(pattern, std::move(handler));
+}
+
+void Listener::Put(const std::string& pattern, HandlerWithContentReader handler) {
+  routes_.push_back({.method = "PUT", .pattern = pattern});
+  httplib::Server::Put(pattern, std::move(handler));
+}
+
+void Listener::Patch(const std::string& pattern, HandlerWithContentReader handler) {
+  routes_.push_back({.method = "PATCH", .pattern = pattern});
+  httplib::Server::Patch(pattern, std::move(handler));
+}
+
+void Listener::Delete(const std::string& pattern, HandlerWithContentReader handler) {
+  routes_.push_back({.method = "DELETE", .pattern = pattern});
+  httplib::Server::Delete(pattern, std::move(handler));
 }
 
 bool Listener::process_and_close_socket(socket_t socket) {

@@ -3,12 +3,20 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "host/web/address.hpp"
 #include "host/web/connections.hpp"
 #include "host/web/http.hpp"
 
 namespace web {
+
+// A route that is served, as httplib has it.
+struct Route {
+  std::string method;
+  std::string pattern;  // regular expression of the whole path
+};
 
 // A handshake to go on in another protocol.
 bool wants_websocket(const httplib::Request& request);
@@ -22,6 +30,15 @@ class Listener final : public httplib::Server {
   // In the place of bind(). The socket is neither closed nor shut down: its owner listens on.
   void adopt(int socket);
   void stop();
+
+  // As httplib's, and noted in routes().
+  void Get(const std::string& pattern, Handler handler);
+  void Post(const std::string& pattern, HandlerWithContentReader handler);
+  void Put(const std::string& pattern, HandlerWithContentReader handler);
+  void Patch(const std::string& pattern, HandlerWithContentReader handler);
+  void Delete(const std::string& pattern, HandlerWithContentReader handler);
+  const std::vector<Route>& routes() const { return routes_; }
+
   // Those that are waited for are given up. To be called before stop().
   void end() { connections_.end(); }
 
@@ -36,6 +53,7 @@ class Listener final : public httplib::Server {
   bool process_and_close_socket(socket_t socket) override;
 
   Connections connections_;
+  std::vector<Route> routes_;
   bool is_adopted_ = false;
 };
 

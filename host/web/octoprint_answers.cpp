@@ -43,12 +43,13 @@ std::map<std::string, Json> fixed_answers() {
   return {{"version",
            {{"api", "0.1"},
             {"server", octoprint_version},
-            {"text", std::string("OctoPrint (StepFabric ") + stepfabric_version + ")"}}},
+            {"text", std::string("OctoPrint (StepFabric ") + stepfabric_version + ")"},
+            {"capabilities", {{"upload-by-put", true}}}}},  // of PrusaLink
           {"server", {{"version", octoprint_version}, {"safemode", nullptr}}},
           {"currentuser", {{"name", "stepfabric"}, {"groups", {"admins", "users"}}}},
           {"settings",
            {{"feature", {{"sdSupport", false}}},
-            {"webcam", {{"webcamEnabled", false}}},
+            {"webcam", {{"webcamEnabled", false}, {"streamUrl", ""}, {"snapshotUrl", ""}}},
             {"plugins", Json::object()}}},
           {"printerprofiles", {{"profiles", {{"_default", profile}}}}}};
 }

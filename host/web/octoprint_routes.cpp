@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // OctoPrint's routes, as far as slicers and small clients use them.
-#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
 #include "host/web/octoprint_answers.hpp"
@@ -11,20 +11,8 @@ namespace web {
 
 namespace {
 
-// All routes are there twice: at the root, and below a printer's name.
-const std::string prefix = "(?:/printers/([A-Za-z0-9_-]{1,32}))?/api/";
-
-// The printer that a request is for. Throws spooler::NoSuchPrinter.
-std::string printer_of(const httplib::Request& request, const spooler::Spooler& spooler) {
-  const auto names = spooler.printer_names();
-  const std::string name = request.matches[1];
-  if (name.empty()) {
-    if (names.empty()) throw spooler::NoSuchPrinter("at all");
-    return names.front();
-  }
-  if (!std::ranges::contains(names, name)) throw spooler::NoSuchPrinter(name);
-  return name;
-}
+// Some clients join address and path with two slashes.
+const std::string prefix = "/?" + std::string(printer_prefix) + "/api/";
 
 octoprint::View view_of(const httplib::Request& request, spooler::Spooler& spooler) {
   return octoprint::view_of(spooler.snapshot()->json, printer_of(request, spooler));
@@ -93,7 +81,40 @@ void do_printer_command(const std::string& printer, const Json& body, spooler::S
   }
 }
 
-void add_answers(httplib::Server& server) {
+// In whole degrees; a target of 0 switches the heater off.
+std::string target_line(const char* code, const Json& target) {
+  constexpr double most = 500;  // the firmware knows its own limits
+  if (!target.is_number() || !(target >= 0 && target <= most)) {
+    throw HttpError(400, "the target must be 0 to 500 °C");
+  }
+  return code + (" S" + std::to_string(std::lround(target.get<double>())));
+}
+
+void set_target(const std::string& printer, const Json& body, spooler::Spooler& spooler,
+                bool of_bed) {
+  if (text_of(body, "command") != "target") throw HttpError(400, "the only command is `target`");
+  std::string line;
+  if (of_bed) {
+    const Json offset = body.value("offset", Json(0));
+    if (offset != 0) throw HttpError(400, "there are no offsets");
+    line = target_line("M140", body.at("target"));
+  } else {
+    line = target_line("M104", body.at("targets").at("tool0"));
+  }
+  spooler.ask(printer, {{"do", "send"}, {"line", line}});
+}
+
+void add_heater_routes(Listener& server, spooler::Spooler& spooler) {
+  for (const bool of_bed : {true, false}) {
+    post(server, prefix + (of_bed ? "printer/bed" : "printer/tool"),
+         [&spooler, of_bed](const auto& request, auto& response, const Json& body) {
+           set_target(printer_of(request, spooler), body, spooler, of_bed);
+           answer_nothing(response);
+         });
+  }
+}
+
+void add_answers(Listener& server) {
   for (const auto& [name, json] : octoprint::fixed_answers()) {
     get(server, prefix + name, [json](const auto&, auto& response) { answer(response, json); });
   }
@@ -103,7 +124,7 @@ void add_answers(httplib::Server& server) {
 
 }  // namespace
 
-void add_octoprint_routes(httplib::Server& server, spooler::Spooler& spooler) {
+void add_octoprint_routes(Listener& server, spooler::Spooler& spooler) {
   add_answers(server);
   server.Post(prefix + "files/local",
               [&spooler](const httplib::Request& request, httplib::Response& response,
@@ -133,6 +154,7 @@ void add_octoprint_routes(httplib::Server& server, spooler::Spooler& spooler) {
          do_printer_command(printer_of(request, spooler), body, spooler);
          answer_nothing(response);
        });
+  add_heater_routes(server, spooler);
   post(server, prefix + "connection", [](const auto&, auto& response, const Json& body) {
     if (text_of(body, "command") != "connect") {
       throw HttpError(409, "the feeder keeps the connection");

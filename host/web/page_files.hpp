@@ -9,5 +9,6 @@ namespace web {
 extern const std::string_view page_html;
 extern const std::string_view page_style;
 extern const std::string_view page_script;
+extern const std::string_view openapi;
 
 }  // namespace web

@@ -33,7 +33,7 @@ std::filesystem::path path_of(const httplib::Request& request, spooler::Spooler&
 
 }  // namespace
 
-void add_picture_routes(httplib::Server& server, spooler::Spooler& spooler) {
+void add_picture_routes(Listener& server, spooler::Spooler& spooler) {
   get(server, one_job + "/path", [&spooler](const auto& request, auto& response) {
     response.set_content(planning::read_path_head(path_of(request, spooler)), "application/json");
   });

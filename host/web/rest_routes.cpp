@@ -36,7 +36,7 @@ Json whole_job(spooler::Spooler& source, queue::JobId id) {
   return json;
 }
 
-void add_job_routes(httplib::Server& server, spooler::Spooler& spooler) {
+void add_job_routes(Listener& server, spooler::Spooler& spooler) {
   server.Post(jobs, [&spooler](const httplib::Request& request, httplib::Response& response,
                                const httplib::ContentReader& read) {
     answer_errors_of(response, [&] {
@@ -78,7 +78,7 @@ void add_job_routes(httplib::Server& server, spooler::Spooler& spooler) {
 
 }  // namespace
 
-void add_rest_routes(httplib::Server& server, spooler::Spooler& spooler) {
+void add_rest_routes(Listener& server, spooler::Spooler& spooler) {
   get(server, "/api/v1/state", [&spooler](const auto&, auto& response) {
     response.set_content(spooler.snapshot()->text, "application/json");
   });

@@ -2,9 +2,11 @@
 // What the groups of routes share.
 #include "host/web/routes.hpp"
 
+#include <algorithm>
+
 namespace web {
 
-void post(httplib::Server& server, const std::string& pattern, JsonHandler handler) {
+void post(Listener& server, const std::string& pattern, JsonHandler handler) {
   server.Post(pattern, [handler = std::move(handler)](const httplib::Request& request,
                                                       httplib::Response& response,
                                                       const httplib::ContentReader& read) {
@@ -12,11 +14,22 @@ void post(httplib::Server& server, const std::string& pattern, JsonHandler handl
   });
 }
 
-void get(httplib::Server& server, const std::string& pattern, Handler handler) {
+void get(Listener& server, const std::string& pattern, Handler handler) {
   server.Get(pattern, [handler = std::move(handler)](const httplib::Request& request,
                                                      httplib::Response& response) {
     answer_errors_of(response, [&] { handler(request, response); });
   });
+}
+
+std::string printer_of(const httplib::Request& request, const spooler::Spooler& spooler) {
+  const auto names = spooler.printer_names();
+  const std::string name = request.matches[1];
+  if (name.empty()) {
+    if (names.empty()) throw spooler::NoSuchPrinter("at all");
+    return names.front();
+  }
+  if (!std::ranges::contains(names, name)) throw spooler::NoSuchPrinter(name);
+  return name;
 }
 
 UploadedJob take_upload(const httplib::Request& request, const httplib::Response& response,
@@ -50,7 +63,7 @@ const char* reason_of(int status) {
 
 }  // namespace
 
-void add_last_routes(httplib::Server& server) {
+void add_last_routes(Listener& server) {
   const auto not_found = [](const httplib::Request&, httplib::Response& response,
                             const httplib::ContentReader&) {
     answer_error(response, 404, reason_of(404));

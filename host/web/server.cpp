@@ -44,6 +44,7 @@ Server::Server(spooler::Spooler& spooler, const Address& address, const Rules& r
   add_picture_routes(*server_, spooler_);
   add_event_route(*server_, spooler_, {.ends = ends_, .streams = streams_});
   add_octoprint_routes(*server_, spooler_);
+  add_prusalink_routes(*server_, spooler_);
   add_last_routes(*server_);
   if (socket) {
     server_->adopt(socket->number);
@@ -60,5 +61,7 @@ Server::~Server() {
   server_->stop();
   thread_.join();
 }
+
+const std::vector<Route>& Server::routes() const { return server_->routes(); }
 
 }  // namespace web

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "host/spooler/spooler.hpp"
 #include "host/web/address.hpp"
@@ -17,6 +18,7 @@
 namespace web {
 
 class Listener;
+struct Route;
 
 class Server {
  public:
@@ -30,6 +32,7 @@ class Server {
 
   // With the port that was chosen.
   const Address& address() const { return address_; }
+  const std::vector<Route>& routes() const;
 
  private:
   spooler::Spooler& spooler_;

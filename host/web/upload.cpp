@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a form, one after the other.
+// The parts of a form, one after the other; or a body that is the file.
 #include "host/web/upload.hpp"
 
 #include <algorithm>
@@ -20,6 +20,12 @@ constexpr std::uintmax_t space_to_leave = 64 * 1024 * 1024;
 
 bool is_true(const std::string& value) { return value == "true" || value == "1" || value == "yes"; }
 
+void require_gcode(const std::string& file_name) {
+  if (is_gcode(file_name)) return;
+  throw HttpError(415, "no G-code: the name `" + queue::cleaned_name(file_name) +
+                           "` does not end with .gcode, .gco, .g or .nc");
+}
+
 class FormReader {
  public:
   FormReader(queue::Store::Upload& upload, const UploadLimits& limits)
@@ -34,9 +40,7 @@ class FormReader {
     if (!is_file_) return;
     if (!form.file_name.empty()) throw HttpError(400, "more than one file");
     form.file_name = *part.file_name;
-    if (is_gcode(form.file_name)) return;
-    throw HttpError(415, "no G-code: the name `" + queue::cleaned_name(form.file_name) +
-                             "` does not end with .gcode, .gco, .g or .nc");
+    require_gcode(form.file_name);
   }
   void take(std::string_view data) {
     total_ += data.size();
@@ -64,11 +68,14 @@ class FormReader {
   std::size_t total_ = 0, parts_ = 0;
 };
 
-std::uintmax_t announced_length(const httplib::Request& request) {
+// Of the body that is announced. Throws HttpError.
+void check_length(const httplib::Request& request, std::uintmax_t free_bytes,
+                  const UploadLimits& limits) {
   const std::string text = request.get_header_value("Content-Length");
   std::uintmax_t length = 0;
   std::from_chars(text.data(), text.data() + text.size(), length);
-  return length;
+  if (length > limits.bytes + 64 * 1024) throw HttpError(413, "the file is too long");
+  if (free_bytes < length + space_to_leave) throw HttpError(507, "the disk has no room for it");
 }
 
 }  // namespace
@@ -86,9 +93,7 @@ UploadForm read_form(const httplib::Request& request, const httplib::Response& r
   if (!type) throw HttpError(400, "a form with a file is expected");
   const auto boundary = boundary_of(*type);
   if (!boundary) throw HttpError(400, "the Content-Type has no boundary");
-  const std::uintmax_t length = announced_length(request);
-  if (length > limits.bytes + 64 * 1024) throw HttpError(413, "the file is too long");
-  if (free_bytes < length + space_to_leave) throw HttpError(507, "the disk has no room for it");
+  check_length(request, free_bytes, limits);
   FormReader form(upload, limits);
   form.form.prints = prints;
   MultipartReader parts(
@@ -116,6 +121,32 @@ UploadForm read_form(const httplib::Request& request, const httplib::Response& r
   if (form.form.file_name.empty()) throw HttpError(400, "the form has no file");
   if (upload.bytes() == 0) throw HttpError(400, "the file is empty");
   return form.form;
+}
+
+void read_file(const httplib::Request& request, const httplib::ContentReader& read,
+               const std::string& file_name, queue::Store::Upload& upload,
+               std::uintmax_t free_bytes, const UploadLimits& limits) {
+  if (form_type_of(request)) throw HttpError(415, "the file itself is expected, not a form");
+  require_gcode(file_name);
+  if (!request.has_header("Content-Length") && !request.has_header("Transfer-Encoding")) {
+    throw HttpError(411, "the length of the file is missing");
+  }
+  check_length(request, free_bytes, limits);
+  std::exception_ptr fault;
+  std::size_t total = 0;
+  const bool is_read = read([&](const char* data, std::size_t size) {
+    try {
+      total += size;
+      if (total > limits.bytes) throw HttpError(413, "the file is too long");
+      upload.write({data, size});
+    } catch (...) {
+      fault = std::current_exception();
+    }
+    return fault == nullptr;
+  });
+  if (fault) std::rethrow_exception(fault);
+  if (!is_read) throw HttpError(400, "the file ended early, or has a broken chunk");
+  if (upload.bytes() == 0) throw HttpError(400, "the file is empty");
 }
 
 }  // namespace web

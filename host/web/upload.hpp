@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A form with a file, written to the disk as it comes.
+// A file, in a form or alone, written to the disk as it comes.
 #pragma once
 
 #include <map>
@@ -30,5 +30,11 @@ UploadForm read_form(const httplib::Request& request, const httplib::Response& r
                      const httplib::ContentReader& read, queue::Store::Upload& upload,
                      std::uintmax_t free_bytes, const UploadLimits& limits = {},
                      bool prints = true);
+
+// Writes a body that is the file itself into `upload`. Throws HttpError: 400 empty or ended early,
+// 411 no length, 413 too long, 415 a form or no G-code by its name, 507 no space.
+void read_file(const httplib::Request& request, const httplib::ContentReader& read,
+               const std::string& file_name, queue::Store::Upload& upload,
+               std::uintmax_t free_bytes, const UploadLimits& limits = {});
 
 }  // namespace web

@@ -25,7 +25,7 @@ using host_test::number_of;
 // The flood of the work that this one is compared with; in CI a short one.
 constexpr double smallest_bytes = 50e3, largest_bytes = 150e6;
 constexpr double shortest_pause_s = 0.1, longest_pause_s = 10;
-const int flood_seconds = number_of("FLOOD_SECONDS", 20);
+const int flood_seconds = number_of("FLOOD_SECONDS", 12);
 const auto seed = static_cast<unsigned>(number_of("FLOOD_SEED", 1));
 // In steps of X: where all long lines have their speed, and beyond what homing reaches.
 constexpr std::int64_t train_from = 20 * 80, train_to = 180 * 80, behind_homing = 10 * 80;

@@ -24,6 +24,7 @@ class WebTest : public SpoolerTest {
   }
   httplib::Client client() const { return httplib::Client("127.0.0.1", port()); }
   int port() const { return server_->address().port; }
+  const std::vector<web::Route>& routes() const { return server_->routes(); }
 
   nlohmann::json got(const std::string& path) {
     const auto answer = client().Get(path);

@@ -3,6 +3,7 @@
 # cmake -DOUTPUT=page_files.cpp -DFOLDER=page "-DSCRIPTS=a.js;b.js" -P embed.cmake
 file(READ ${FOLDER}/index.html html)
 file(READ ${FOLDER}/page.css style)
+file(READ ${FOLDER}/../openapi.json openapi)
 set(script "")
 foreach(file IN LISTS SCRIPTS)
   file(READ ${FOLDER}/${file} part)
@@ -16,6 +17,7 @@ namespace web {
 const std::string_view page_html = R\"page_file(${html})page_file\";
 const std::string_view page_style = R\"page_file(${style})page_file\";
 const std::string_view page_script = R\"page_file(${script})page_file\";
+const std::string_view openapi = R\"page_file(${openapi})page_file\";
 
 }  // namespace web
 ")
