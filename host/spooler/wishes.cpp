@@ -112,8 +112,9 @@ void Spooler::remove(JobId id) {
   bool used = false;
   for (const std::string& file : queue_.files_in_use()) used |= file == job->file;
   remove_made_with(commands_of(*job));
-  // What the check still reads is removed at the next start.
-  if (!used && checker_.is_idle()) store_.remove(job->file);
+  // What its check still reads is removed at the next start.
+  const bool is_read = !checker_.is_idle() && checker_.job() == id;
+  if (!used && !is_read) store_.remove(job->file);
   changed();
 }
 

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <list>
+#include <mutex>
 #include <random>
+#include <thread>
 
 #include "tests/host/flood_measures.hpp"
 #include "tests/host/raw_client.hpp"
@@ -21,6 +23,7 @@ using namespace std::chrono_literals;
 using host_test::Clock;
 using host_test::json;
 using host_test::number_of;
+namespace fs = std::filesystem;
 
 // The flood of the work that this one is compared with; in CI a short one.
 constexpr double smallest_bytes = 50e3, largest_bytes = 150e6;
@@ -63,6 +66,11 @@ std::string print_of(int length_s) {
 class Flood : public host_test::SpooledPrint {
  protected:
   Flood() : SpooledPrint("flood") {}
+  ~Flood() override {
+    if (spooler) kill_spooler();
+    std::error_code ignored;
+    fs::remove_all(folder / "data" / "files", ignored);  // a gigabyte
+  }
 
   // The beginning of `text`, not to be printed; the number of its job, or 0.
   int upload_held(const std::string& text, std::size_t bytes) const {

@@ -192,6 +192,22 @@ TEST_F(CheckFaultTest, a_job_whose_plan_cannot_be_understood_is_refused) {
   EXPECT_THAT(spool().find(id)->reason, HasSubstr("the check failed: "));
 }
 
+TEST_F(CheckFaultTest, the_file_of_a_removed_job_goes_although_another_one_is_checked) {
+  check_with("if grep -q LONG \"$2\"; then\n  while [ ! -e end ]; do sleep 0.1; done\nfi\n"
+             "exec $real \"$@\"\n",
+             std::chrono::hours(1));
+  const auto removed = upload("G28 X\n", "a.gcode", true);
+  expect_state(removed, JobState::queued);
+  const std::filesystem::path file = spool().store().path_of(spool().find(removed)->file);
+  const auto checked = upload("G28 X ; LONG\n", "b.gcode", true);
+  expect_state(checked, JobState::checking);
+  spool().cancel(removed);
+  spool().remove(removed);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  folder_.write("end", "");
+  expect_state(checked, JobState::queued);
+}
+
 TEST_F(CheckFaultTest, a_file_of_nonsense_makes_no_long_report) {
   check_with("$real \"$@\" > said\nstatus=$?\ncp \"$4\" written\nexit $status\n",
              std::chrono::hours(1));

@@ -54,11 +54,11 @@ END
 {
   echo "solid plate"
   for corners in "0 2 1" "1 2 3" "4 5 6" "5 7 6" "0 1 4" "1 5 4" "2 6 3" "3 6 7" "0 4 2" "2 4 6" "1 3 5" "3 7 5"; do
-    echo "facet normal 0 0 0 outer loop"
+    printf 'facet normal 0 0 0\nouter loop\n'
     for corner in $corners; do
       echo "vertex $((corner % 2 * 10)) $((corner / 2 % 2 * 10)) $((corner / 4 * 2))"
     done
-    echo "endloop endfacet"
+    printf 'endloop\nendfacet\n'
   done
   echo "endsolid plate"
 } > "$folder/plate.stl"
