@@ -12,7 +12,7 @@ namespace web {
 namespace {
 
 // Some clients join address and path with two slashes.
-const std::string prefix = "/?" + std::string(printer_prefix) + "/api/";
+const std::string prefix = std::string(printer_prefix) + "//?api/";
 
 octoprint::View view_of(const httplib::Request& request, spooler::Spooler& spooler) {
   return octoprint::view_of(spooler.snapshot()->json, printer_of(request, spooler));

@@ -2,6 +2,8 @@
 // What slicers and clients of OctoPrint send, as their sources have it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "tests/host/web_fixture.hpp"
 
 namespace {
@@ -41,6 +43,32 @@ TEST_F(WebTest, cura_wants_a_location_below_api_and_sends_its_fields_after_the_f
   EXPECT_EQ(body.at("files").at("local").at("name"), "c d.gcode");
   EXPECT_TRUE(spool().find(1)->held);
   EXPECT_EQ(client().Get("/plugin/appkeys/probe")->status, 404);
+}
+
+TEST_F(WebTest, heaters_have_targets_within_reason) {
+  expect_soon([&] { return printer_state().at("link") == "ready"; }, "not ready");
+  EXPECT_EQ(posted("/api/printer/bed", {{"command", "target"}, {"target", 60.4}}), 204);
+  EXPECT_EQ(posted("//api/printer/tool", {{"command", "target"}, {"targets", {{"tool0", 200}}}}),
+            204);
+  const auto has = [this](const std::string& line) {
+    bool found = false;
+    left.with([&](host_test::LinkPrinter& each) {
+      found = std::ranges::contains(each.typed, line);
+    });
+    return found;
+  };
+  expect_soon([&] { return has("M140 S60") && has("M104 S200"); }, "no targets");
+  for (const json& target : {json(-1), json(501), json("60"), json(), json(1e300)}) {
+    EXPECT_EQ(posted("/api/printer/bed", {{"command", "target"}, {"target", target}}), 400);
+    EXPECT_EQ(
+        posted("/api/printer/tool", {{"command", "target"}, {"targets", {{"tool0", target}}}}),
+        400);
+  }
+  EXPECT_EQ(posted("/api/printer/bed", {{"command", "offset"}, {"offset", 1}}), 400);
+  EXPECT_EQ(posted("/api/printer/bed", {{"command", "target"}, {"target", 60}, {"offset", 5}}),
+            400);
+  EXPECT_EQ(posted("/api/printer/tool", {{"command", "target"}, {"targets", {{"tool1", 200}}}}),
+            400);
 }
 
 TEST_F(WebTest, a_client_follows_pauses_and_cancels_the_job) {
