@@ -21,9 +21,7 @@ std::string state_of(const Json& printer, const Json& job) {
   const bool is_there = printer.at("link") == "ready";
   if (!is_there) return "ERROR";
   if (job.is_null()) return printer.at("bed_clear") ? "READY" : "IDLE";
-  if (job.at("state") == "paused") {
-    return printer.at("waits_for_user") ? "ATTENTION" : "PAUSED";
-  }
+  if (job.at("state") == "paused") return printer.at("waits_for_user") ? "ATTENTION" : "PAUSED";
   return job.at("state") == "starting" ? "BUSY" : "PRINTING";
 }
 

@@ -60,9 +60,7 @@ class Farm : public host_test::SpooledPrint {
   }
   void change_the_order() {
     std::mt19937 random(seed);
-    const auto any_job = [&] {
-      return std::to_string(1 + random() % static_cast<unsigned>(jobs));
-    };
+    const auto any_job = [&] { return std::to_string(1 + random() % static_cast<unsigned>(jobs)); };
     for (int i = 0; i < jobs / 4; ++i) {
       const std::string body = "{\"before\":" + any_job() + "}";
       curl({"--data", body, address + "/api/v1/jobs/" + any_job() + "/move"});

@@ -186,8 +186,9 @@ TEST_F(Flood, bends_no_pulse_of_a_print) {
   const auto edges = host_test::edges_of(folder / "edges");
   const auto edges_alone = host_test::edges_of(folder / "alone.edges");
   const std::size_t moved = host_test::other_intervals(edges, edges_alone, behind_homing);
-  std::printf("%zu step edges, %zu at another distance from the one before than without; underruns: %d\n",
-              edges.size(), moved, report.at("queue").at("underruns").get<int>());
+  std::printf(
+      "%zu step edges, %zu at another distance from the one before than without; underruns: %d\n",
+      edges.size(), moved, report.at("queue").at("underruns").get<int>());
   EXPECT_EQ(moved, 0u);
   for (const char* heater : {"hotend", "bed"}) {
     expect_temperature_held(report, heater, alone.at(heater).at("band_c"));

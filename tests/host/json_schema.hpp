@@ -43,7 +43,9 @@ inline std::string misfit(const nlohmann::json& value, const nlohmann::json& sch
     const json properties = schema.value("properties", json::object());
     for (const auto& [name, field] : value.items()) {
       if (!properties.contains(name)) {
-        if (schema.contains("additionalProperties")) return place + "." + name + " is not described";
+        if (schema.contains("additionalProperties")) {
+          return place + "." + name + " is not described";
+        }
         continue;
       }
       auto fault = misfit(field, properties.at(name), document, place + "." + name);
@@ -56,8 +58,8 @@ inline std::string misfit(const nlohmann::json& value, const nlohmann::json& sch
       return place + " has " + std::to_string(value.size()) + " elements";
     }
     for (std::size_t i = 0; i < value.size() && schema.contains("items"); ++i) {
-      auto fault = misfit(value[i], schema.at("items"), document,
-                          place + "[" + std::to_string(i) + "]");
+      auto fault =
+          misfit(value[i], schema.at("items"), document, place + "[" + std::to_string(i) + "]");
       if (!fault.empty()) return fault;
     }
   }

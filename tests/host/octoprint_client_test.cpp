@@ -8,8 +8,7 @@
 
 namespace {
 
-class OctoPrintClient : public host_test::WebTest,
-                        public testing::WithParamInterface<const char*> {
+class OctoPrintClient : public host_test::WebTest, public testing::WithParamInterface<const char*> {
  protected:
   // That did not come from a job.
   std::vector<std::string> heater_lines() {
@@ -26,10 +25,10 @@ class OctoPrintClient : public host_test::WebTest,
 TEST_P(OctoPrintClient, follows_and_commands_a_printer) {
   serve({.key = "0123456789abcdef", .names = {}});
   begin_print(100'000, 10);
-  const auto client =
-      process::capture({.arguments = {"python3", PROJECT_DIRECTORY "/tests/host/octoprint_client.py",
-                                      std::to_string(port()), GetParam(), "0123456789abcdef"},
-                        .has_input = false});
+  const auto client = process::capture(
+      {.arguments = {"python3", PROJECT_DIRECTORY "/tests/host/octoprint_client.py",
+                     std::to_string(port()), GetParam(), "0123456789abcdef"},
+       .has_input = false});
   EXPECT_EQ(client.exit_status, 0) << client.output;
   const std::vector<std::string> wanted_lines{"M140 S60", "M140 S60", "M104 S200", "M104 S0",
                                               "M140 S0"};

@@ -52,9 +52,8 @@ TEST_F(WebTest, heaters_have_targets_within_reason) {
             204);
   const auto has = [this](const std::string& line) {
     bool found = false;
-    left.with([&](host_test::LinkPrinter& each) {
-      found = std::ranges::contains(each.typed, line);
-    });
+    left.with(
+        [&](host_test::LinkPrinter& each) { found = std::ranges::contains(each.typed, line); });
     return found;
   };
   expect_soon([&] { return has("M140 S60") && has("M104 S200"); }, "no targets");

@@ -18,8 +18,8 @@ class RecordedSlicer : public host_test::WebTest, public testing::WithParamInter
   RecordedSlicer() { serve({.key = "0123456789abcdef", .names = {}}); }
 
   static std::string request(const std::string& name) {
-    return files::text_of(std::string(PROJECT_DIRECTORY "/tests/host/slicers/") + GetParam() +
-                          "/" + name + ".request");
+    return files::text_of(std::string(PROJECT_DIRECTORY "/tests/host/slicers/") + GetParam() + "/" +
+                          name + ".request");
   }
 };
 

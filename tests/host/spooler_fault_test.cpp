@@ -193,9 +193,10 @@ TEST_F(CheckFaultTest, a_job_whose_plan_cannot_be_understood_is_refused) {
 }
 
 TEST_F(CheckFaultTest, the_file_of_a_removed_job_goes_although_another_one_is_checked) {
-  check_with("if grep -q LONG \"$2\"; then\n  while [ ! -e end ]; do sleep 0.1; done\nfi\n"
-             "exec $real \"$@\"\n",
-             std::chrono::hours(1));
+  check_with(
+      "if grep -q LONG \"$2\"; then\n  while [ ! -e end ]; do sleep 0.1; done\nfi\n"
+      "exec $real \"$@\"\n",
+      std::chrono::hours(1));
   const auto removed = upload("G28 X\n", "a.gcode", true);
   expect_state(removed, JobState::queued);
   const std::filesystem::path file = spool().store().path_of(spool().find(removed)->file);

@@ -227,7 +227,9 @@ int bench(const BenchOptions& options) {
   if (chosen.profile && chosen.names != std::vector<std::string>{"model"}) {
     throw std::runtime_error("--profile is of the benchmark model: name it alone");
   }
-  if (chosen.names.empty()) chosen.names = {"lines", "link", "model", "processor", "stepping", "upload"};
+  if (chosen.names.empty()) {
+    chosen.names = {"lines", "link", "model", "processor", "stepping", "upload"};
+  }
   if (chosen.names.size() > 1 && !chosen.json.empty()) {
     throw std::runtime_error("--json holds the figures of one benchmark: name it");
   }

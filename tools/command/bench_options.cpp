@@ -11,7 +11,8 @@ void add_options(CLI::App& app, BenchOptions& options) {
       "bench",
       "Measure in clocks: stepping in hardware and software, the processor, the throughput of the "
       "serial line; and on this machine the speed of the simulation and of uploads to the spooler.");
-  job.add_option("names", options.names, "stepping, processor, model, lines, link, upload; default: all")
+  job.add_option("names", options.names,
+                 "stepping, processor, model, lines, link, upload; default: all")
       ->type_name("NAME...")
       ->check(CLI::IsMember({"stepping", "processor", "model", "lines", "link", "upload"}));
   job.add_option("--json", options.json, "write the figures")->type_name("FILE");
