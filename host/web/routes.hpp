@@ -49,8 +49,8 @@ void get(Listener& server, const std::string& pattern, Handler handler);
 
 // Routes of other servers are there twice: at the root, and below a printer's name.
 inline constexpr const char* printer_prefix = "(?:/printers/([A-Za-z0-9_-]{1,32}))?";
-// The printer that a request of such a route is for: the first match, or the first printer. Throws
-// spooler::NoSuchPrinter.
+// The printer that a request of such a route is for: the first match, or the first printer.
+// Throws spooler::NoSuchPrinter.
 std::string printer_of(const httplib::Request& request, const spooler::Spooler& spooler);
 
 struct UploadedJob {

@@ -65,7 +65,7 @@ TEST_F(PrusaLinkTest, refuses_what_is_no_upload_and_writes_nothing) {
   EXPECT_EQ(put("/api/v1/files/local/a.exe"), 415);
   EXPECT_EQ(put("/api/v1/files/local/a.gcode", {}, ""), 400);
   EXPECT_EQ(put("/api/v1/files/local/a.gcode", {{"Overwrite", "yes"}}), 400);
-  EXPECT_EQ(put("/printers/nobody/api/v1/files/local/a.gcode"), 404);
+  EXPECT_EQ(put("/printers/middle/api/v1/files/local/a.gcode"), 404);
   const std::string head = "PUT /api/v1/files/local/a.gcode HTTP/1.1\r\nHost: 127.0.0.1\r\n";
   EXPECT_THAT(raw(port(), head + "\r\n"), HasSubstr(" 411 "));
   EXPECT_THAT(raw(port(), head + "Content-Length: 9999999999\r\n\r\nG28"), HasSubstr(" 413 "));

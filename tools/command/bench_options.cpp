@@ -10,7 +10,7 @@ void add_options(CLI::App& app, BenchOptions& options) {
   CLI::App& job = *app.add_subcommand(
       "bench",
       "Measure in clocks: stepping in hardware and software, the processor, the throughput of the "
-      "serial line; and on this machine the speed of the simulation and of uploads to the spooler.");
+      "serial line; and on this machine the speed of the simulation and of uploads.");
   job.add_option("names", options.names,
                  "stepping, processor, model, lines, link, upload; default: all")
       ->type_name("NAME...")
