@@ -39,7 +39,7 @@ class RequestStream final : public httplib::Stream {
   Connections& connections_;
   mutable Awaited awaited_;  // is_writable() waits too
   Clock::time_point began_ = Clock::now(), read_at_ = began_;
-  std::array<char, 16 * 1024> buffer_;
+  std::array<char, 128 * 1024> buffer_;  // an upload wakes its client less often than with less
   std::size_t used_ = 0, filled_ = 0;  // of the buffer
   std::size_t total_ = 0, head_bytes_ = 0;  // that have come
   std::array<char, 3> last_{};  // of the head
