@@ -5,8 +5,10 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
@@ -24,6 +26,15 @@ constexpr std::size_t longest_reply = 512;
 
 Time now() {
   return std::chrono::duration_cast<Time>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+constexpr std::int64_t never_ms = std::numeric_limits<std::int64_t>::max();
+
+// Since the machine's start, also while it slept: as the spooler counts.
+std::int64_t boot_ms() {
+  timespec time{};
+  clock_gettime(CLOCK_BOOTTIME, &time);
+  return std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1'000'000;
 }
 
 int locked(const std::filesystem::path& folder) {
@@ -154,7 +165,9 @@ std::string Feeder::obey(const std::string& line) {
     const Json json = Json::parse(line);
     wish = json.at("do");
     job = json.value("job", Json());
-    if (wish == "start") {
+    if (wish == "start" && boot_ms() > json.value("not_after_ms", never_ms)) {
+      refusal = "the start came after the end of the printer's lease";
+    } else if (wish == "start") {
       refusal = conversation_.start(job.get<std::int64_t>(), json.at("file"), json.at("commands"));
     } else if (wish == "pause") {
       refusal = conversation_.pause();

@@ -43,6 +43,8 @@ Error current_error() {
     return {400, error.what()};
   } catch (const spooler::Refused& error) {
     return {400, error.what()};
+  } catch (const queue::Unavailable& error) {
+    return {503, error.what()};
   } catch (const Json::exception&) {
     return {invalid_params, "a parameter has a wrong type"};
   } catch (const std::system_error& error) {

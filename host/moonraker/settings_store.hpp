@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/queue/database.hpp"
+#include "host/queue/sqlite_database.hpp"
 
 namespace moonraker {
 
@@ -35,7 +35,7 @@ class SettingsStore {
   void write(const std::string& space, const nlohmann::json& document);
 
   mutable std::mutex mutex_;
-  mutable queue::Database database_;
+  mutable queue::SqliteDatabase database_;
 };
 
 }  // namespace moonraker

@@ -1,63 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
-// SQLite with statements and transactions that end with their scope.
+// Statements and transactions of a database; SQLite and PostgreSQL are behind it.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
-
-struct sqlite3;
-struct sqlite3_stmt;
+#include <variant>
+#include <vector>
 
 namespace queue {
 
-// All calls throw std::runtime_error with SQLite's message. For one thread at a time.
+// The database cannot be reached, or does not answer in time. Nothing was changed.
+struct Unavailable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+// The connection was lost in a commit, and whether it was made could not be found out yet.
+struct OutcomeUnknown : Unavailable {
+  using Unavailable::Unavailable;
+};
+
+using Value = std::variant<std::int64_t, double, std::string>;
+struct Result {
+  std::vector<std::vector<Value>> rows;
+  std::int64_t changes = 0;  // rows inserted, updated or deleted
+};
+
+// For one thread at a time. All calls throw std::runtime_error with the database's message, and
+// Unavailable.
 class Database {
  public:
-  // Made where it is missing. With its log (WAL) and synchronous=FULL a commit has reached the
-  // disk when it returns.
-  explicit Database(const std::filesystem::path& file);
+  Database() = default;
+  virtual ~Database() = default;
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
 
-  // Without results and values.
-  void execute(const std::string& sql);
-  std::int64_t last_id() const;
-  std::int64_t changes() const;
+  // Any number of statements, without results and values.
+  virtual void execute(const std::string& sql) = 0;
+  // One statement; a value for each question mark.
+  virtual Result run(const std::string& sql, const std::vector<Value>& values) = 0;
 
  private:
-  friend class Statement;
-  struct Closer {
-    void operator()(sqlite3* handle) const;
-  };
-  std::unique_ptr<sqlite3, Closer> handle_;
+  friend class Transaction;
+  // From here to the end nobody else writes, so what is read stays true.
+  virtual void begin() = 0;
+  // It has reached the disk when it returns. Also throws OutcomeUnknown.
+  virtual void commit() = 0;
+  virtual void roll_back() noexcept = 0;
 };
 
 class Statement {
  public:
-  Statement(Database& database, const std::string& sql);
+  Statement(Database& database, std::string sql) : database_(database), sql_(std::move(sql)) {}
 
   // The next value, in the order of the question marks.
   Statement& bind(std::int64_t value);
   Statement& bind(double value);
   Statement& bind(std::string_view text);
-  // To the next row of the result; false after the last one.
+  // To the next row of the result; false after the last one. The first call runs it.
   bool step();
-  // For a statement without results.
-  void run();
+  // For a statement without results: how many rows it has changed.
+  std::int64_t run();
 
   // Of the present row; columns count from 0.
-  std::int64_t integer(int column) const;
-  double real(int column) const;
-  std::string text(int column) const;
+  std::int64_t integer(std::size_t column) const;
+  double real(std::size_t column) const;
+  const std::string& text(std::size_t column) const;
 
  private:
-  struct Finalizer {
-    void operator()(sqlite3_stmt* handle) const;
-  };
-  sqlite3* database_;
-  std::unique_ptr<sqlite3_stmt, Finalizer> handle_;
-  int bound_ = 0;
+  Database& database_;
+  std::string sql_;
+  std::vector<Value> values_;
+  Result result_;
+  std::size_t next_ = 0;  // row; 0: it has not run
 };
 
 // Undone at the end of its scope unless it was committed.
@@ -67,11 +82,12 @@ class Transaction {
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
+  // Whatever comes of it, it cannot be tried again.
   void commit();
 
  private:
   Database& database_;
-  bool committed_ = false;
+  bool over_ = false;
 };
 
 }  // namespace queue

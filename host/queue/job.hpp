@@ -28,6 +28,7 @@ struct Job {
   std::int64_t starts{};  // how often it went to a printer
   std::int64_t uploaded_ms{};  // since 1970, as all times
   std::int64_t changed_ms{};
+  bool operator==(const Job&) const = default;
 };
 
 // A change of state that was committed.

@@ -5,31 +5,19 @@
 #include <chrono>
 
 #include "host/queue/bed.hpp"
+#include "host/queue/sqlite_database.hpp"
+#include "host/queue/sqlite_tables.hpp"
 
 namespace queue {
 
 namespace {
 
-constexpr const char* tables = R"(
-CREATE TABLE IF NOT EXISTS jobs(
-  id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL, file TEXT NOT NULL,
-  bytes INTEGER NOT NULL, state TEXT NOT NULL, held INTEGER NOT NULL, wanted_printer TEXT NOT NULL,
-  printer TEXT NOT NULL, reason TEXT NOT NULL, result TEXT NOT NULL, seconds REAL NOT NULL,
-  filament_mm REAL NOT NULL, commands INTEGER NOT NULL, starts INTEGER NOT NULL,
-  uploaded_ms INTEGER NOT NULL, changed_ms INTEGER NOT NULL, place INTEGER NOT NULL);
-CREATE UNIQUE INDEX IF NOT EXISTS one_active_job ON jobs(printer)
-  WHERE state IN ('starting', 'printing', 'paused');
-CREATE TABLE IF NOT EXISTS changes(
-  job INTEGER NOT NULL REFERENCES jobs(id) ON DELETE CASCADE, from_state TEXT NOT NULL,
-  to_state TEXT NOT NULL, why TEXT NOT NULL, time_ms INTEGER NOT NULL);
-CREATE INDEX IF NOT EXISTS changes_of_job ON changes(job);
-CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL);
-CREATE TABLE IF NOT EXISTS kept_files(file TEXT PRIMARY KEY);
-)";
-
-constexpr const char* columns =
-    "SELECT id, name, file, bytes, state, held, wanted_printer, printer, reason, result, seconds, "
-    "filament_mm, commands, starts, uploaded_ms, changed_ms FROM jobs ";
+// With this as the result of the check.
+std::string columns_with(const std::string& result) {
+  return "SELECT id, name, file, bytes, state, held, wanted_printer, printer, reason, " + result +
+         ", seconds, filament_mm, commands, starts, uploaded_ms, changed_ms FROM jobs ";
+}
+const std::string columns = columns_with("result");
 constexpr const char* final_states = "('refused', 'finished', 'cancelled', 'failed')";
 
 std::int64_t now_ms() {
@@ -72,30 +60,45 @@ std::string sentence(const Job& job, std::string_view rest) {
 
 }  // namespace
 
-Queue::Queue(const std::filesystem::path& database) : database_(database) {
-  database_.execute(tables);
+Queue::Queue(const std::filesystem::path& database)
+    : database_(std::make_unique<SqliteDatabase>(database)) {
+  make_sqlite_tables(*database_);
+}
+
+Queue::Queue(std::unique_ptr<Database> database, Member member)
+    : database_(std::move(database)), member_(std::move(member)) {
+  join();
 }
 
 JobId Queue::add(const NewJob& job) {
+  Transaction transaction(*database_);
+  const JobId id = insert(job);
+  transaction.commit();
+  return id;
+}
+
+JobId Queue::insert(const NewJob& job) {
   const std::int64_t now = now_ms();
-  Statement(database_,
-            "INSERT INTO jobs(name, file, bytes, state, held, wanted_printer, printer, reason, "
-            "result, seconds, filament_mm, commands, starts, uploaded_ms, changed_ms, place) "
-            "VALUES(?, ?, ?, 'uploaded', ?, ?, '', '', '', 0, 0, 0, 0, ?, ?, "
-            "(SELECT coalesce(max(place), 0) + 1 FROM jobs))")
-      .bind(job.name)
+  Statement row(*database_,
+                "INSERT INTO jobs(name, file, bytes, state, held, wanted_printer, printer, reason, "
+                "result, seconds, filament_mm, commands, starts, uploaded_ms, changed_ms, place) "
+                "VALUES(?, ?, ?, 'uploaded', ?, ?, '', '', '', 0, 0, 0, 0, ?, ?, "
+                "(SELECT coalesce(max(place), 0) + 1 FROM jobs)) RETURNING id");
+  row.bind(job.name)
       .bind(job.file)
       .bind(job.bytes)
       .bind(std::int64_t{job.held})
       .bind(job.wanted_printer)
       .bind(now)
       .bind(now)
-      .run();
-  return database_.last_id();
+      .step();
+  const JobId id = row.integer(0);
+  if (member_) take_check(id);
+  return id;
 }
 
 std::optional<Job> Queue::find(JobId id) {
-  Statement row(database_, std::string(columns) + "WHERE id = ?");
+  Statement row(*database_, columns + "WHERE id = ?");
   row.bind(id);
   if (!row.step()) return std::nullopt;
   return job_of(row);
@@ -107,8 +110,11 @@ Job Queue::found(JobId id) {
   return *std::move(job);
 }
 
-std::vector<Job> Queue::jobs(std::int64_t final_limit) {
-  Statement rows(database_, std::string(columns) + "WHERE state NOT IN " + final_states +
+std::vector<Job> Queue::jobs(std::int64_t final_limit) { return jobs_with("result", final_limit); }
+std::vector<Job> Queue::overview(std::int64_t final_limit) { return jobs_with("''", final_limit); }
+
+std::vector<Job> Queue::jobs_with(const std::string& result, std::int64_t final_limit) {
+  Statement rows(*database_, columns_with(result) + "WHERE state NOT IN " + final_states +
                                 " OR id IN (SELECT id FROM jobs WHERE state IN " + final_states +
                                 " ORDER BY changed_ms DESC, id DESC LIMIT ?) ORDER BY place, id");
   rows.bind(final_limit);
@@ -116,7 +122,7 @@ std::vector<Job> Queue::jobs(std::int64_t final_limit) {
 }
 
 std::vector<Change> Queue::history(JobId id) {
-  Statement rows(database_,
+  Statement rows(*database_,
                  "SELECT from_state, to_state, why, time_ms FROM changes WHERE job = ? "
                  "ORDER BY rowid");
   rows.bind(id);
@@ -135,14 +141,20 @@ void Queue::write_change(const Job& job, JobState to, std::string_view why) {
   if (!is_permitted(job.state, to)) {
     throw NotPermitted(sentence(job, " and cannot become ") + std::string(name_of(to)));
   }
+  if (is_active(job.state)) require_lease(job.printer);
+  if (job.state == JobState::uploaded || job.state == JobState::checking) require_check(job, to);
+  set_state(job, to, why);
+}
+
+void Queue::set_state(const Job& job, JobState to, std::string_view why) {
   const std::int64_t now = now_ms();
-  Statement(database_, "UPDATE jobs SET state = ?, reason = ?, changed_ms = ? WHERE id = ?")
+  Statement(*database_, "UPDATE jobs SET state = ?, reason = ?, changed_ms = ? WHERE id = ?")
       .bind(name_of(to))
       .bind(why)
       .bind(now)
       .bind(job.id)
       .run();
-  Statement(database_,
+  Statement(*database_,
             "INSERT INTO changes(job, from_state, to_state, why, time_ms) VALUES(?, ?, ?, ?, ?)")
       .bind(job.id)
       .bind(name_of(job.state))
@@ -154,13 +166,14 @@ void Queue::write_change(const Job& job, JobState to, std::string_view why) {
 
 void Queue::change(JobId id, JobState to, std::string_view why) {
   if (to == JobState::starting) throw NotPermitted("only start() makes a job `starting`");
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   write_change(found(id), to, why);
   transaction.commit();
 }
 
 void Queue::start(JobId id, const std::string& printer) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
+  require_lease(printer);
   const Job job = found(id);
   if (job.held) throw NotPermitted(sentence(job, " and held"));
   if (!job.wanted_printer.empty() && job.wanted_printer != printer) {
@@ -169,7 +182,7 @@ void Queue::start(JobId id, const std::string& printer) {
   if (!bed_is_clear(printer)) throw NotPermitted("the bed of " + printer + " is not clear");
   if (active_on(printer)) throw NotPermitted(printer + " has a job");
   write_change(job, JobState::starting, "on " + printer);
-  Statement(database_, "UPDATE jobs SET printer = ?, starts = starts + 1 WHERE id = ?")
+  Statement(*database_, "UPDATE jobs SET printer = ?, starts = starts + 1 WHERE id = ?")
       .bind(printer)
       .bind(id)
       .run();
@@ -178,17 +191,17 @@ void Queue::start(JobId id, const std::string& printer) {
 }
 
 void Queue::take_back(JobId id, std::string_view why) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   const Job job = found(id);
   if (job.state != JobState::starting) throw NotPermitted(sentence(job, ", not starting"));
   write_change(job, JobState::queued, why);
-  Statement(database_, "UPDATE jobs SET starts = starts - 1 WHERE id = ?").bind(id).run();
+  Statement(*database_, "UPDATE jobs SET starts = starts - 1 WHERE id = ?").bind(id).run();
   if (bed_is_taken(job.printer)) write_bed(job.printer, static_cast<std::int64_t>(Bed::clear));
   transaction.commit();
 }
 
 std::optional<Job> Queue::next_for(const std::string& printer) {
-  Statement row(database_, std::string(columns) +
+  Statement row(*database_, columns +
                                "WHERE state = 'queued' AND held = 0 AND wanted_printer IN ('', ?) "
                                "ORDER BY place, id LIMIT 1");
   row.bind(printer);
@@ -197,7 +210,7 @@ std::optional<Job> Queue::next_for(const std::string& printer) {
 }
 
 std::optional<Job> Queue::active_on(const std::string& printer) {
-  Statement row(database_, std::string(columns) +
+  Statement row(*database_, columns +
                                "WHERE printer = ? AND state IN ('starting', 'printing', 'paused')");
   row.bind(printer);
   if (!row.step()) return std::nullopt;
@@ -206,7 +219,8 @@ std::optional<Job> Queue::active_on(const std::string& printer) {
 
 void Queue::set_check(JobId id, std::string_view check, double seconds, double filament_mm,
                       std::int64_t commands) {
-  Statement(database_,
+  Transaction transaction(*database_);
+  const auto changed = Statement(*database_,
             "UPDATE jobs SET result = ?, seconds = ?, filament_mm = ?, commands = ? WHERE id = ?")
       .bind(check)
       .bind(seconds)
@@ -214,7 +228,8 @@ void Queue::set_check(JobId id, std::string_view check, double seconds, double f
       .bind(commands)
       .bind(id)
       .run();
-  if (database_.changes() == 0) throw NoSuchJob(id);
+  if (changed == 0) throw NoSuchJob(id);
+  transaction.commit();
 }
 
 void Queue::check_waits(JobId id) {
@@ -225,9 +240,9 @@ void Queue::check_waits(JobId id) {
 }
 
 void Queue::set_held(JobId id, bool held) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   check_waits(id);
-  Statement(database_, "UPDATE jobs SET held = ? WHERE id = ?")
+  Statement(*database_, "UPDATE jobs SET held = ? WHERE id = ?")
       .bind(std::int64_t{held})
       .bind(id)
       .run();
@@ -235,34 +250,36 @@ void Queue::set_held(JobId id, bool held) {
 }
 
 void Queue::move(JobId id, std::optional<JobId> next) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   check_waits(id);
   std::int64_t place = 0;
   if (next) {
     found(*next);
-    Statement of_next(database_, "SELECT place FROM jobs WHERE id = ?");
+    Statement of_next(*database_, "SELECT place FROM jobs WHERE id = ?");
     of_next.bind(*next);
     of_next.step();
     place = of_next.integer(0);
-    Statement(database_, "UPDATE jobs SET place = place + 1 WHERE place >= ?").bind(place).run();
+    Statement(*database_, "UPDATE jobs SET place = place + 1 WHERE place >= ?").bind(place).run();
   } else {
-    Statement last(database_, "SELECT coalesce(max(place), 0) + 1 FROM jobs");
+    Statement last(*database_, "SELECT coalesce(max(place), 0) + 1 FROM jobs");
     last.step();
     place = last.integer(0);
   }
-  Statement(database_, "UPDATE jobs SET place = ? WHERE id = ?").bind(place).bind(id).run();
+  Statement(*database_, "UPDATE jobs SET place = ? WHERE id = ?").bind(place).bind(id).run();
   transaction.commit();
 }
 
 void Queue::rename(JobId id, const std::string& name) {
-  Statement(database_, "UPDATE jobs SET name = ? WHERE id = ?").bind(name).bind(id).run();
-  if (database_.changes() == 0) throw NoSuchJob(id);
+  Transaction transaction(*database_);
+  Statement named(*database_, "UPDATE jobs SET name = ? WHERE id = ?");
+  if (named.bind(name).bind(id).run() == 0) throw NoSuchJob(id);
+  transaction.commit();
 }
 
 void Queue::set_wanted_printer(JobId id, const std::string& printer) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   check_waits(id);
-  Statement(database_, "UPDATE jobs SET wanted_printer = ? WHERE id = ?")
+  Statement(*database_, "UPDATE jobs SET wanted_printer = ? WHERE id = ?")
       .bind(printer)
       .bind(id)
       .run();
@@ -270,22 +287,29 @@ void Queue::set_wanted_printer(JobId id, const std::string& printer) {
 }
 
 JobId Queue::print_again(JobId id, const std::optional<std::string>& printer) {
+  Transaction transaction(*database_);
   const Job job = found(id);
   if (job.state == JobState::refused || !is_final(job.state)) {
     throw NotPermitted(sentence(job, " and cannot be printed again"));
   }
-  return add({.name = job.name,
-              .file = job.file,
-              .bytes = job.bytes,
-              .held = false,
-              .wanted_printer = printer.value_or(job.wanted_printer)});
+  const JobId again = insert({.name = job.name,
+                              .file = job.file,
+                              .bytes = job.bytes,
+                              .held = false,
+                              .wanted_printer = printer.value_or(job.wanted_printer)});
+  transaction.commit();
+  return again;
 }
 
 void Queue::remove(JobId id) {
-  Transaction transaction(database_);
+  Transaction transaction(*database_);
   const Job job = found(id);
   if (!is_final(job.state)) throw NotPermitted(sentence(job, " and not over"));
-  Statement(database_, "DELETE FROM jobs WHERE id = ?").bind(id).run();
+  if (member_) {
+    delete_with_files(job);
+  } else {
+    Statement(*database_, "DELETE FROM jobs WHERE id = ?").bind(id).run();
+  }
   transaction.commit();
 }
 

@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +15,7 @@
 
 #include "host/queue/database.hpp"
 #include "host/queue/job.hpp"
+#include "host/queue/lease.hpp"
 
 namespace queue {
 
@@ -22,6 +26,11 @@ struct NotPermitted : std::runtime_error {
 // No job has this number.
 struct NoSuchJob : std::runtime_error {
   explicit NoSuchJob(JobId id) : std::runtime_error("there is no job " + std::to_string(id)) {}
+};
+
+// Another spooler has the printer, or this one was away for longer than its lease.
+struct LeaseLost : NotPermitted {
+  using NotPermitted::NotPermitted;
 };
 
 struct NewJob {
@@ -35,13 +44,18 @@ struct NewJob {
 // For one thread at a time. Calls throw std::runtime_error where the database fails, and NoSuchJob.
 class Queue {
  public:
+  // In this file (SQLite), of one spooler.
   explicit Queue(const std::filesystem::path& database);
+  // Of several spoolers, each with a number of its own.
+  Queue(std::unique_ptr<Database> database, Member member);
 
   // At the end of the order.
   JobId add(const NewJob& job);
   std::optional<Job> find(JobId id);
   // In their order; `final_limit`: at most so many that are over, the latest ones.
   std::vector<Job> jobs(std::int64_t final_limit = 1000);
+  // The same without the results of checks, which may be long.
+  std::vector<Job> overview(std::int64_t final_limit);
   std::vector<Change> history(JobId id);
 
   // The state `to`, as the table permits; throws NotPermitted. Not for `starting`: start().
@@ -81,15 +95,50 @@ class Queue {
   // It was clear when the last job was started, and no one has said anything else since.
   bool bed_is_taken(const std::string& printer);
   void set_bed_clear(const std::string& printer, bool clear);
+  // Printers with a clear bed.
+  std::set<std::string> clear_beds();
+
+  // What several spoolers need (leases.cpp). Without them each lease is held.
+  bool is_shared() const { return member_.has_value(); }
+  // The lease of a printer that this one has not. Empty: it is held now; elsewhere why not. Where
+  // another spooler had it, the printer's active job becomes `interrupted` and its bed not clear.
+  std::string claim(const std::string& printer);
+  // All that are held, to be called several times in their time; those that another spooler has got
+  // meanwhile are not held any more. Takes over the checks of spoolers that are away.
+  void renew();
+  // Those of printers without an active job.
+  void release();
+  bool holds(const std::string& printer) const;
+  // Until when at least it is held, by boot_ms(). Without other spoolers: for ever.
+  std::int64_t held_until(const std::string& printer) const;
+  std::vector<Lease> leases();
+  // Jobs that this spooler is to check, or has checked.
+  std::set<JobId> checks();
+  // The first job of an upload, to find out whether an add() of unknown outcome was committed.
+  std::optional<JobId> job_of_upload(const std::string& file);
 
  private:
+  JobId insert(const NewJob& job);
+  std::vector<Job> jobs_with(const std::string& result, std::int64_t final_limit);
+  void join();
+  void take_check(JobId id);
+  void delete_with_files(const Job& job);
+  void require_lease(const std::string& printer);  // throws LeaseLost
+  void require_check(const Job& job, JobState to);  // throws NotPermitted
+  void set_state(const Job& job, JobState to, std::string_view why);
   Job found(JobId id);
   void check_waits(JobId id);  // throws NotPermitted
   std::int64_t read_bed(const std::string& printer);
   void write_bed(const std::string& printer, std::int64_t bed);
   void write_change(const Job& job, JobState to, std::string_view why);
 
-  Database database_;
+  std::unique_ptr<Database> database_;
+  std::optional<Member> member_;
+  struct Held {
+    std::int64_t token{};
+    std::int64_t until_ms{};  // by boot_ms()
+  };
+  std::map<std::string, Held> held_;  // by printer
 };
 
 }  // namespace queue

@@ -12,6 +12,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "host/queue/random_name.hpp"
+
 namespace queue {
 
 namespace fs = std::filesystem;
@@ -24,6 +26,10 @@ constexpr std::size_t longest_name = 120;
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
+
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u; }
+
+}  // namespace
 
 std::string random_name() {
   std::array<unsigned char, 12> bytes{};
@@ -38,10 +44,6 @@ std::string random_name() {
   }
   return name;
 }
-
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0u) == 0x80u; }
-
-}  // namespace
 
 void sync_folder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -130,7 +132,10 @@ std::vector<std::string> Store::files() const {
   return names;
 }
 
-Store::Upload::Upload(const Store& store) : store_(store), name_(random_name() + ".gcode") {
+Store::Upload::Upload(const Store& store) : Upload(store, random_name() + ".gcode") {}
+
+Store::Upload::Upload(const Store& store, std::string name)
+    : store_(store), name_(std::move(name)) {
   const fs::path temporary = store_.path_of(name_ + std::string(temporary_ending));
   file_ = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (file_ < 0) fail("cannot write " + temporary.string());

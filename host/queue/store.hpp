@@ -42,6 +42,8 @@ class Store {
   class Upload {
    public:
     explicit Upload(const Store& store);
+    // With a name that is known already, as of a file from another store. Takes the place of one.
+    Upload(const Store& store, std::string name);
     ~Upload();
     Upload(const Upload&) = delete;
     Upload& operator=(const Upload&) = delete;

@@ -143,6 +143,11 @@ void Checker::begin(std::int64_t job, const fs::path& file, const fs::path& comm
     } catch (const std::exception& error) {  // the same at each attempt
       result_ = refused(std::string("the check failed: ") + error.what());
     }
+    try {
+      if (result_.accepted && publish_) publish_(job_, commands_file);
+    } catch (const std::exception& error) {
+      result_ = not_done(error.what());
+    }
     done_ = true;
   });
 }

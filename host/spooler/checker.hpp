@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
@@ -38,7 +39,12 @@ CheckResult check(const std::filesystem::path& program, const std::filesystem::p
 // One check at a time, in another thread.
 class Checker {
  public:
-  explicit Checker(std::filesystem::path program) : program_(std::move(program)) {}
+  // Is given the job and its commands, next to which the other files are, in the checker's thread,
+  // where a file was accepted. Where it throws, the check is repeated.
+  using Publish = std::function<void(std::int64_t job, std::filesystem::path commands_file)>;
+
+  explicit Checker(std::filesystem::path program, Publish publish = {})
+      : program_(std::move(program)), publish_(std::move(publish)) {}
   ~Checker();
   Checker(const Checker&) = delete;
   Checker& operator=(const Checker&) = delete;
@@ -53,6 +59,7 @@ class Checker {
 
  private:
   std::filesystem::path program_;
+  Publish publish_;
   std::thread thread_;
   std::int64_t job_ = 0;
   std::filesystem::path commands_file_;

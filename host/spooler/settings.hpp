@@ -20,6 +20,9 @@ struct Settings {
   std::uint32_t baud = 250'000;
   std::string simulation_speed = "real";  // or max
   std::chrono::milliseconds check_interval{20'000};  // until a check that failed is tried again
+  std::string database{};  // address of a PostgreSQL server's; empty: queue.db in `data`
+  std::string place{};  // of this spooler, for people at others on the same database
+  std::chrono::milliseconds lease_time{15'000};  // of each printer, on such a database
 };
 
 }  // namespace spooler

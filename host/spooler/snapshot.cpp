@@ -2,6 +2,8 @@
 // The state of everything, for people and programs.
 #include "host/spooler/snapshot.hpp"
 
+#include <algorithm>
+
 #include "host/spooler/spooler.hpp"
 
 namespace spooler {
@@ -36,7 +38,11 @@ Json to_json(const queue::Job& job) {
 
 Json Spooler::to_json(const FeederLink& printer) {
   const FeederState& state = printer.last_state();
-  const auto job = queue_.active_on(printer.name());
+  const auto job = std::ranges::find_if(view_.jobs, [&](const queue::Job& each) {
+    return is_active(each.state) && each.printer == printer.name();
+  });
+  const auto refusal = lease_refusals_.find(printer.name());
+  const std::string no_lease = refusal == lease_refusals_.end() ? "" : refusal->second;
   Json console = Json::array();
   const auto& lines = printer.console();
   const std::size_t begin =
@@ -50,9 +56,9 @@ Json Spooler::to_json(const FeederLink& printer) {
       {"simulated", printer.is_simulated()},
       {"feeder", printer.is_heard()},
       {"link", printer.is_heard() ? state.link : "unknown"},
-      {"fault", printer.is_heard() ? state.fault : ""},
+      {"fault", !no_lease.empty() ? no_lease : printer.is_heard() ? state.fault : ""},
       {"phase", state.phase},
-      {"job", job ? Json(job->id) : Json()},
+      {"job", job != view_.jobs.end() ? Json(job->id) : Json()},
       {"feeder_job", state.job ? Json(*state.job) : Json()},
       {"done", state.done},
       {"commands", state.commands},
@@ -63,22 +69,50 @@ Json Spooler::to_json(const FeederLink& printer) {
       {"bed", {number(state.bed), number(state.bed_target), number(state.bed_power)}},
       {"position", state.position},
       {"answered_ms", printer.temperatures().heard_ms()},
-      {"bed_clear", queue_.bed_is_clear(printer.name())},
+      {"bed_clear", view_.clear_beds.contains(printer.name())},
       {"console", console}};
+}
+
+// Printers of other spoolers.
+Json Spooler::others_to_json() const {
+  Json others = Json::array();
+  for (const queue::Lease& lease : view_.leases) {
+    if (lease.is_mine) continue;
+    others.push_back({{"name", lease.printer},
+                      {"place", lease.place},
+                      {"lease", lease.is_over ? "ended" : "held"}});
+  }
+  return others;
+}
+
+Spooler::View Spooler::read_view() {
+  View view{.jobs = queue_.overview(most_jobs_over),
+            .clear_beds = queue_.clear_beds(),
+            .leases = queue_.leases()};
+  viewed_ms_ = now_ms();
+  return view;
 }
 
 std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
   const std::scoped_lock lock(mutex_);
   if (snapshot_) return snapshot_;
+  try {
+    view_ = read_view();
+  } catch (const queue::Unavailable&) {  // what was seen last, as such
+    view_.is_old = true;
+  }
   Json json{{"version", version_},
             {"now_ms", now_ms()},
             {"fault", !fault_.empty()           ? fault_
                       : !failed_checks_.empty() ? failed_checks_.begin()->second.fault
                                                 : notice_},
             {"printers", Json::array()},
+            {"other_printers", others_to_json()},
+            {"queue_is_old", view_.is_old},
+            {"queue_ms", viewed_ms_},
             {"jobs", Json::array()}};
   for (const auto& printer : printers_) json["printers"].push_back(to_json(*printer));
-  for (const queue::Job& job : queue_.jobs(most_jobs_over)) {
+  for (const queue::Job& job : view_.jobs) {
     Json each = spooler::to_json(job);
     std::filesystem::path file = commands_of(job);
     each["has_path"] = std::filesystem::exists(file.replace_extension(path_ending));

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <thread>
+#include <utility>
 
 namespace spooler {
 
@@ -53,22 +54,25 @@ Spooler::Spooler(Settings settings)
     : settings_(std::move(settings)),
       lock_(settings_.data),
       store_(settings_.data / "files"),
-      queue_(settings_.data / "queue.db"),
-      checker_(settings_.tool_program) {
+      queue_(queue_of(settings_)),
+      checker_(settings_.tool_program, publish_of(settings_)) {
   for (const PrinterSpec& printer : settings_.printers) {
     printers_.push_back(std::make_unique<FeederLink>(settings_, printer));
   }
   recover();
+  keep_leases();
+  view_ = read_view();
 }
 
 Spooler::~Spooler() = default;
 
 // What the last spooler left in the middle. Active jobs are followed when their feeders are heard.
 void Spooler::recover() {
-  keep_files_of_a_lost_queue();
+  if (!queue_.is_shared()) keep_files_of_a_lost_queue();
   store_.remove_all_but(queue_.files_in_use());
-  for (const Job& job : queue_.jobs()) {
-    if (job.state == JobState::checking) {
+  const std::set<queue::JobId> own = queue_.checks();
+  for (const Job& job : queue_.overview(0)) {
+    if (job.state == JobState::checking && (!queue_.is_shared() || own.contains(job.id))) {
       queue_.change(job.id, JobState::uploaded, "the spooler ended during the check");
     }
   }
@@ -92,6 +96,7 @@ void Spooler::run(const std::function<bool()>& ended) {
   }
   const std::scoped_lock lock(mutex_);
   for (const auto& printer : printers_) printer->end_if_idle();
+  release_leases();
   changed();
 }
 
@@ -99,23 +104,32 @@ void Spooler::run(const std::function<bool()>& ended) {
 bool Spooler::pass() {
   const std::scoped_lock lock(mutex_);
   std::string fault;
+  bool good = true;
   const auto attempt = [&](const std::function<bool()>& step) {
     try {
       if (step()) changed();
+    } catch (const queue::Unavailable& error) {  // the next attempt waits by itself
+      fault = error.what();
+      if (!std::exchange(view_.is_old, true)) changed();
     } catch (const std::exception& error) {
       fault = error.what();
+      good = false;
     }
   };
-  attempt([this] { return check_files(); });
-  for (const auto& printer : printers_) {  // the fault of one does not stop the others
-    attempt([&] { return printer->update(); });
-    attempt([&] { return follow(*printer); });
+  // The fault of one does not stop the others.
+  for (const auto& printer : printers_) attempt([&] { return printer->update(); });
+  attempt([this] { return keep_leases(); });
+  if (is_time_to_look()) {
+    attempt([this] { return end_fetch(); });
+    attempt([this] { return check_files(); });
+    for (const auto& printer : printers_) attempt([&] { return follow(*printer); });
+    attempt([this] { return look_at_others(); });
   }
   if (fault != fault_) {
     fault_ = fault;
     changed();
   }
-  return fault.empty();
+  return good;
 }
 
 void Spooler::note_check(const CheckResult& result) {
@@ -154,7 +168,9 @@ bool Spooler::check_files() {
     is_changed = true;
   }
   if (!checker_.is_idle()) return is_changed;
-  for (const Job& job : queue_.jobs(0)) {
+  const std::set<queue::JobId> own = queue_.checks();
+  for (const Job& job : queue_.overview(0)) {
+    if (queue_.is_shared() && !own.contains(job.id)) continue;
     if (job.state == JobState::checking) {  // its result could not be written
       queue_.change(job.id, JobState::uploaded, "the check did not end");
       return true;
@@ -166,6 +182,7 @@ bool Spooler::check_files() {
     if (waits) {
       continue;  // the others do not
     }
+    if (!has_files({store_.path_of(job.file)}, job)) continue;
     queue_.change(job.id, JobState::checking, "");
     checker_.begin(job.id, store_.path_of(job.file), commands_of(job));
     return true;
@@ -176,7 +193,7 @@ bool Spooler::check_files() {
 // True where a job has changed.
 bool Spooler::follow(FeederLink& printer) {
   const auto state = printer.state();
-  if (!state || printer.is_asked()) return false;
+  if (!state || printer.is_asked() || !queue_.holds(printer.name())) return false;
   if (const auto job = queue_.active_on(printer.name())) return follow_job(printer, *job, *state);
   if (state->job) {
     // Its outcome is committed, or it is none of this queue: then a person cancels it.
@@ -192,17 +209,24 @@ void Spooler::start_next(FeederLink& printer) {
   if (blocked != blocked_until_.end() && std::chrono::steady_clock::now() < blocked->second) return;
   if (!queue_.bed_is_clear(printer.name())) return;
   const auto job = queue_.next_for(printer.name());
-  if (!job) return;
-  queue_.start(job->id, printer.name());
+  if (!job || !has_files({commands_of(*job)}, *job)) return;
+  try {
+    queue_.start(job->id, printer.name());
+  } catch (const queue::NotPermitted&) {
+    if (!queue_.is_shared()) throw;
+    return;  // another spooler was faster, or has the printer
+  }
   changed();
   send_start(printer, *job);
 }
 
 void Spooler::send_start(FeederLink& printer, const Job& job) {
+  // Where this process stands still meanwhile, another spooler may have the printer by then.
   printer.ask({{"do", "start"},
                {"job", job.id},
                {"file", commands_of(job).string()},
-               {"commands", job.commands}},
+               {"commands", job.commands},
+               {"not_after_ms", queue_.held_until(printer.name())}},
               [this, id = job.id, name = printer.name()](const std::string& refusal) {
                 if (refusal.empty() || refusal == FeederLink::connection_lost) return;
                 blocked_until_[name] = std::chrono::steady_clock::now() + block_time;

@@ -11,12 +11,14 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "host/queue/queue.hpp"
 #include "host/queue/store.hpp"
+#include "host/spooler/background.hpp"
 #include "host/spooler/checker.hpp"
 #include "host/spooler/feeder_link.hpp"
 #include "host/spooler/settings.hpp"
@@ -32,10 +34,20 @@ struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The upload is not in the queue: it may be sent again.
+struct NotAdded : queue::Unavailable {
+  using Unavailable::Unavailable;
+};
+
+// The queue that the settings name: a file of this spooler's, or a server's, which others have too.
+queue::Queue queue_of(const Settings& settings);
+Checker::Publish publish_of(const Settings& settings);
+
 // All calls are for any thread. Apart from the exceptions above they throw those of queue::Queue.
 class Spooler {
  public:
-  // Throws std::runtime_error where another spooler has the folder, or it cannot be used.
+  // Throws std::runtime_error where another spooler has the folder, or it or the database cannot be
+  // used.
   explicit Spooler(Settings settings);
   ~Spooler();
   Spooler(const Spooler&) = delete;
@@ -45,7 +57,8 @@ class Spooler {
   void run(const std::function<bool()>& ended);
 
   const queue::Store& store() const { return store_; }
-  // The job is committed when it returns, and its file with it.
+  // The job is committed when it returns, and its file with it. Throws queue::Unavailable where it
+  // is not, and queue::OutcomeUnknown where that cannot be found out.
   queue::JobId add(queue::Store::Upload& upload, const std::string& name, bool held,
                    const std::string& printer);
 
@@ -108,6 +121,26 @@ class Spooler {
     std::string fault;
   };
 
+  // What people see of the queue.
+  struct View {
+    std::vector<queue::Job> jobs;
+    std::set<std::string> clear_beds;
+    std::vector<queue::Lease> leases;
+    bool is_old = false;  // the database is away
+    bool operator==(const View&) const = default;
+  };
+
+  bool keep_leases();
+  void release_leases();
+  bool look_at_others();
+  bool is_time_to_look() const;
+  bool has_files(const std::vector<std::filesystem::path>& files, const queue::Job& job);
+  bool end_fetch();
+  void share(const std::string& file);
+  queue::JobId find_added(const std::string& file, const std::string& why);
+  void check_known(const std::string& printer);
+  View read_view();
+
   void recover();
   void keep_files_of_a_lost_queue();
   bool pass();
@@ -124,6 +157,7 @@ class Spooler {
   std::optional<std::filesystem::path> made_of(queue::JobId id, const char* ending);
   void changed();
   nlohmann::json to_json(const FeederLink& printer);
+  nlohmann::json others_to_json() const;
 
   Settings settings_;
   FolderLock lock_;
@@ -132,6 +166,14 @@ class Spooler {
   Checker checker_;
   std::vector<std::unique_ptr<FeederLink>> printers_;
   std::map<std::string, std::chrono::steady_clock::time_point> blocked_until_;
+
+  // Of a queue with several spoolers.
+  Background fetcher_;
+  std::string fetch_fault_;
+  std::map<std::string, std::string> lease_refusals_;  // by printer; empty: it is held
+  std::chrono::steady_clock::time_point renew_at_{}, look_at_{}, fetch_at_{};
+  View view_;
+  std::int64_t viewed_ms_ = 0;
 
   std::mutex mutex_;
   std::condition_variable changed_;

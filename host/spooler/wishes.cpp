@@ -18,18 +18,23 @@ JobId Spooler::add(queue::Store::Upload& upload, const std::string& name, bool h
                    const std::string& printer) {
   if (!printer.empty()) {
     const std::scoped_lock lock(mutex_);
-    link(printer);
+    check_known(printer);
   }
   const std::int64_t bytes = upload.bytes();
   const std::string file = upload.keep();
-  const std::scoped_lock lock(mutex_);
-  const JobId id = queue_.add({.name = queue::cleaned_name(name),
-                               .file = file,
-                               .bytes = bytes,
-                               .held = held,
-                               .wanted_printer = printer});
-  changed();
-  return id;
+  share(file);
+  try {
+    const std::scoped_lock lock(mutex_);
+    const JobId id = queue_.add({.name = queue::cleaned_name(name),
+                                 .file = file,
+                                 .bytes = bytes,
+                                 .held = held,
+                                 .wanted_printer = printer});
+    changed();
+    return id;
+  } catch (const queue::OutcomeUnknown& error) {
+    return find_added(file, error.what());
+  }
 }
 
 void Spooler::cancel(JobId id) {
@@ -83,14 +88,14 @@ void Spooler::rename(JobId id, const std::string& name) {
 
 void Spooler::set_wanted_printer(JobId id, const std::string& printer) {
   const std::scoped_lock lock(mutex_);
-  if (!printer.empty()) link(printer);
+  if (!printer.empty()) check_known(printer);
   queue_.set_wanted_printer(id, printer);
   changed();
 }
 
 JobId Spooler::print_again(JobId id, const std::optional<std::string>& printer) {
   const std::scoped_lock lock(mutex_);
-  if (printer && !printer->empty()) link(*printer);
+  if (printer && !printer->empty()) check_known(*printer);
   const auto job = queue_.find(id);
   if (!job) throw queue::NoSuchJob(id);
   JobId again = id;
@@ -137,6 +142,11 @@ std::vector<queue::Change> Spooler::history(JobId id) {
 FeederLink& Spooler::link(const std::string& printer) {
   for (const auto& each : printers_) {
     if (each->name() == printer) return *each;
+  }
+  for (const queue::Lease& lease : view_.leases) {
+    if (lease.printer != printer || lease.is_mine) continue;
+    throw Refused("printer " + printer + " belongs to the spooler on " + lease.place +
+                  ": do it there");
   }
   throw NoSuchPrinter(printer);
 }

@@ -85,6 +85,8 @@ void answer_errors_of(httplib::Response& response, const std::function<void()>& 
     answer_error(response, 409, error.what());
   } catch (const spooler::Refused& error) {
     answer_error(response, 409, error.what());
+  } catch (const queue::Unavailable& error) {
+    answer_error(response, 503, error.what());
   } catch (const nlohmann::json::exception& error) {
     answer_error(response, 400, "a field of the body has a wrong type");
   } catch (const std::system_error& error) {

@@ -8,6 +8,7 @@
 
 #include "directories.hpp"
 #include "host/feeder/feeder_names.hpp"
+#include "host/queue/sqlite_database.hpp"
 #include "host/spooler/feeder_link.hpp"
 #include "host/spooler/spooler.hpp"
 #include "tests/host/spooler_fixture.hpp"
@@ -24,7 +25,7 @@ TEST_F(SpoolerTest, goes_on_when_the_queue_can_be_written_again) {
   const auto id = begin_print(800, 50);
   expect_state(id, JobState::printing);
   {
-    queue::Database other(data() / "queue.db");
+    queue::SqliteDatabase other(data() / "queue.db");
     queue::Transaction lock(other);  // the spooler's writes fail after some seconds
     expect_soon([&] { return left.executed().size() >= wanted.size(); }, "it stands still");
     std::this_thread::sleep_for(std::chrono::seconds(7));

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -40,6 +41,11 @@ fs::path usual_data() {
   return fs::path(home) / ".local" / "share" / "stepfabric" / "spool";
 }
 
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unnamed machine";
+}
+
 spooler::Settings settings_of(const SpoolOptions& options) {
   const fs::path programs = build_folder() / "bin";
   return {.data = fs::absolute(options.data.empty() ? usual_data() : options.data),
@@ -47,7 +53,9 @@ spooler::Settings settings_of(const SpoolOptions& options) {
           .feeder_program = programs / "stepfabric_feeder",
           .tool_program = programs / "stepfabric",
           .baud = options.baud,
-          .simulation_speed = options.simulation_speed};
+          .simulation_speed = options.simulation_speed,
+          .database = options.database,
+          .place = host_name() + " (" + options.listen + ")"};
 }
 
 const std::string as_another_user =

@@ -17,6 +17,7 @@ struct SpoolOptions {
   std::filesystem::path data;  // empty: spool in $XDG_DATA_HOME/stepfabric
   std::string listen = "127.0.0.1:5080";
   std::vector<std::string> printers{"simulated"};
+  std::string database;  // PostgreSQL's address; empty: a file in `data`
   std::filesystem::path key;  // file; empty: no key is needed
   std::vector<std::string> host_names;
   bool builds = true;  // what the spooler starts

@@ -21,6 +21,11 @@ void add_options(CLI::App& app, SpoolOptions& options) {
                  "a printer's name and serial port, or simulated[:N]; may be repeated")
       ->type_name("NAME=PORT")
       ->capture_default_str();
+  job.add_option("--database", options.database,
+                 "a PostgreSQL database for the queue of several spoolers; default: a file in the "
+                 "folder of --data. The password is in ~/.pgpass or PGPASSFILE, or the address is "
+                 "service=NAME")
+      ->type_name("postgresql://USER@HOST/NAME");
   job.add_option("--key", options.key,
                  "file with the key that clients send as X-Api-Key; readable for you alone")
       ->type_name("FILE");
@@ -78,6 +83,11 @@ too, and the next `spool` with the same --data attaches to it again.
 
 With --moonraker 127.0.0.1 the first printer's Moonraker is at http://127.0.0.1:7125/; the command
 BED_CLEAR, a macro in front ends, confirms that the bed is clear.
+
+With --database several of these, each on its machine with its printers and its --data, have one
+queue: what is uploaded at one is printed by the first free printer of any. The files are in the
+database. Each printer's name is unique; a lease keeps a second spooler from using it. Without the
+server prints go on, uploads are answered 503, and it is connected to again by itself.
 
 Notifications (--webhook, --mqtt): a bed to be cleared, a job started, paused, finished, cancelled,
 failed, refused or interrupted, a printer that waits for a person, one that is lost or back. A

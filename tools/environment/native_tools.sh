@@ -14,6 +14,7 @@ native_tools_suffice() {
   at_least ghdl 5.0 && at_least verilator 5.032 && at_least cmake 3.25 && at_least ninja 1.10 &&
     at_least g++ 14.0 && at_least riscv64-unknown-elf-g++ 14.0 && at_least yosys 0.52 &&
     at_least gnuplot 5.4 && command -v ccache >/dev/null && command -v z3 >/dev/null && command -v curl >/dev/null &&
+    [ -x /usr/lib/postgresql/17/bin/postgres ] &&
     command -v mosquitto_sub >/dev/null && command -v systemd-analyze >/dev/null && command -v udevadm >/dev/null &&
     python3 -c 'import websockets.sync.client' 2>/dev/null &&
     command -v chromium >/dev/null && command -v chromedriver >/dev/null &&
@@ -39,6 +40,7 @@ native_libraries_compile() {
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>
 #include <png.h>
+#include <pqxx/pqxx>
 #include <sqlite3.h>
 #include <toml++/toml.hpp>
 #include <zlib.h>
