@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "host/queue/job_state.hpp"
 
@@ -30,6 +31,9 @@ struct Job {
   std::int64_t changed_ms{};
   bool operator==(const Job&) const = default;
 };
+
+// "job 3 is queued" and the rest.
+std::string sentence(const Job& job, std::string_view rest);
 
 // A change of state that was committed.
 struct Change {

@@ -53,12 +53,12 @@ std::vector<Job> jobs_of(Statement& statement) {
   return found;
 }
 
+}  // namespace
+
 std::string sentence(const Job& job, std::string_view rest) {
   return "job " + std::to_string(job.id) + " is " + std::string(name_of(job.state)) +
          std::string(rest);
 }
-
-}  // namespace
 
 Queue::Queue(const std::filesystem::path& database)
     : database_(std::make_unique<SqliteDatabase>(database)) {
@@ -173,8 +173,21 @@ void Queue::change(JobId id, JobState to, std::string_view why) {
 
 void Queue::start(JobId id, const std::string& printer) {
   Transaction transaction(*database_);
+  write_start(found(id), printer);
+  transaction.commit();
+}
+
+bool Queue::start_if_next(JobId id, const std::string& printer) {
+  Transaction transaction(*database_);
+  const auto next = next_for(printer);
+  if (!next || next->id != id) return false;
+  write_start(*next, printer);
+  transaction.commit();
+  return true;
+}
+
+void Queue::write_start(const Job& job, const std::string& printer) {
   require_lease(printer);
-  const Job job = found(id);
   if (job.held) throw NotPermitted(sentence(job, " and held"));
   if (!job.wanted_printer.empty() && job.wanted_printer != printer) {
     throw NotPermitted(sentence(job, " for another printer"));
@@ -184,10 +197,9 @@ void Queue::start(JobId id, const std::string& printer) {
   write_change(job, JobState::starting, "on " + printer);
   Statement(*database_, "UPDATE jobs SET printer = ?, starts = starts + 1 WHERE id = ?")
       .bind(printer)
-      .bind(id)
+      .bind(job.id)
       .run();
   write_bed(printer, static_cast<std::int64_t>(Bed::taken));
-  transaction.commit();
 }
 
 void Queue::take_back(JobId id, std::string_view why) {
@@ -229,87 +241,6 @@ void Queue::set_check(JobId id, std::string_view check, double seconds, double f
       .bind(id)
       .run();
   if (changed == 0) throw NoSuchJob(id);
-  transaction.commit();
-}
-
-void Queue::check_waits(JobId id) {
-  const Job job = found(id);
-  if (is_final(job.state) || is_active(job.state)) {
-    throw NotPermitted(sentence(job, " and no longer waits"));
-  }
-}
-
-void Queue::set_held(JobId id, bool held) {
-  Transaction transaction(*database_);
-  check_waits(id);
-  Statement(*database_, "UPDATE jobs SET held = ? WHERE id = ?")
-      .bind(std::int64_t{held})
-      .bind(id)
-      .run();
-  transaction.commit();
-}
-
-void Queue::move(JobId id, std::optional<JobId> next) {
-  Transaction transaction(*database_);
-  check_waits(id);
-  std::int64_t place = 0;
-  if (next) {
-    found(*next);
-    Statement of_next(*database_, "SELECT place FROM jobs WHERE id = ?");
-    of_next.bind(*next);
-    of_next.step();
-    place = of_next.integer(0);
-    Statement(*database_, "UPDATE jobs SET place = place + 1 WHERE place >= ?").bind(place).run();
-  } else {
-    Statement last(*database_, "SELECT coalesce(max(place), 0) + 1 FROM jobs");
-    last.step();
-    place = last.integer(0);
-  }
-  Statement(*database_, "UPDATE jobs SET place = ? WHERE id = ?").bind(place).bind(id).run();
-  transaction.commit();
-}
-
-void Queue::rename(JobId id, const std::string& name) {
-  Transaction transaction(*database_);
-  Statement named(*database_, "UPDATE jobs SET name = ? WHERE id = ?");
-  if (named.bind(name).bind(id).run() == 0) throw NoSuchJob(id);
-  transaction.commit();
-}
-
-void Queue::set_wanted_printer(JobId id, const std::string& printer) {
-  Transaction transaction(*database_);
-  check_waits(id);
-  Statement(*database_, "UPDATE jobs SET wanted_printer = ? WHERE id = ?")
-      .bind(printer)
-      .bind(id)
-      .run();
-  transaction.commit();
-}
-
-JobId Queue::print_again(JobId id, const std::optional<std::string>& printer) {
-  Transaction transaction(*database_);
-  const Job job = found(id);
-  if (job.state == JobState::refused || !is_final(job.state)) {
-    throw NotPermitted(sentence(job, " and cannot be printed again"));
-  }
-  const JobId again = insert({.name = job.name,
-                              .file = job.file,
-                              .bytes = job.bytes,
-                              .held = false,
-                              .wanted_printer = printer.value_or(job.wanted_printer)});
-  transaction.commit();
-  return again;
-}
-
-void Queue::remove(JobId id) {
-  Transaction transaction(*database_);
-  const Job job = found(id);
-  if (!is_final(job.state)) throw NotPermitted(sentence(job, " and not over"));
-  if (member_) {
-    delete_with_files(job);
-  } else {
-    Statement(*database_, "DELETE FROM jobs WHERE id = ?").bind(id).run();
-  }
   transaction.commit();
 }
 

@@ -64,6 +64,9 @@ class Queue {
   // where the job is held, wants another printer, the bed is not clear, or the printer has an
   // active job.
   void start(JobId id, const std::string& printer);
+  // The same where it is still the next one for this printer. False where it is not, as where
+  // another spooler was faster.
+  bool start_if_next(JobId id, const std::string& printer);
   // starting -> queued: not a byte has left, so the bed is as free as before, unless a person has
   // said meanwhile that it is not clear.
   void take_back(JobId id, std::string_view why);
@@ -119,6 +122,7 @@ class Queue {
 
  private:
   JobId insert(const NewJob& job);
+  void write_start(const Job& job, const std::string& printer);
   std::vector<Job> jobs_with(const std::string& result, std::int64_t final_limit);
   void join();
   void take_check(JobId id);

@@ -210,12 +210,7 @@ void Spooler::start_next(FeederLink& printer) {
   if (!queue_.bed_is_clear(printer.name())) return;
   const auto job = queue_.next_for(printer.name());
   if (!job || !has_files({commands_of(*job)}, *job)) return;
-  try {
-    queue_.start(job->id, printer.name());
-  } catch (const queue::NotPermitted&) {
-    if (!queue_.is_shared()) throw;
-    return;  // another spooler was faster, or has the printer
-  }
+  if (!queue_.start_if_next(job->id, printer.name())) return;
   changed();
   send_start(printer, *job);
 }

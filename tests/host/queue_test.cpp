@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The queue's states from its table, its order, and that only a free bed lets a job start.
+// The queue's states from its table, its order, and that only a free bed lets a job start: on SQLite
+// and on PostgreSQL.
 #include "host/queue/queue.hpp"
 
 #include <gmock/gmock.h>
@@ -7,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "tests/farm/farm_queue.hpp"
+#include "tests/farm/postgres_server.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace {
@@ -14,16 +17,30 @@ namespace {
 using namespace queue;
 using testing::ElementsAre;
 
-class QueueTest : public testing::Test {
+enum class Kind { sqlite, postgres };
+
+class QueueTest : public testing::TestWithParam<Kind> {
  protected:
-  std::filesystem::path database() const { return folder_.path() / "queue.db"; }
+  // Also again, as after a restart.
+  Queue open() const {
+    if (GetParam() == Kind::sqlite) return Queue(folder_.path() / "queue.db");
+    return farm_test::open_farm(address_, "spooler");
+  }
+  JobId add(NewJob job) {
+    if (GetParam() == Kind::postgres) farm_test::uploaded(address_, job.name);
+    job.file = job.name + ".gcode";
+    return jobs.add(job);
+  }
   JobId checked(const std::string& name) {
-    const JobId id = jobs.add({.name = name, .file = name + ".gcode", .bytes = 7});
+    const JobId id = add({.name = name, .file = {}, .bytes = 7});
     jobs.change(id, JobState::checking, "");
     jobs.change(id, JobState::queued, "");
     return id;
   }
   void start(JobId id, const std::string& printer = "left") {
+    if (!jobs.holds(printer)) {
+      ASSERT_EQ(jobs.claim(printer), "");
+    }
     jobs.set_bed_clear(printer, true);
     jobs.start(id, printer);
   }
@@ -39,7 +56,7 @@ class QueueTest : public testing::Test {
     for (JobState at = wanted; at != JobState::uploaded; at = way[at].from) {
       steps.insert(steps.begin(), at);
     }
-    const JobId id = jobs.add({.name = "job", .file = "job.gcode", .bytes = 7});
+    const JobId id = add({.name = "job", .file = {}, .bytes = 7});
     for (const JobState step : steps) go(id, step);
     return id;
   }
@@ -58,12 +75,22 @@ class QueueTest : public testing::Test {
 
  private:
   TemporaryFolder folder_;
+  std::string address_ =
+      GetParam() == Kind::postgres ? farm_test::shared_server().new_database() : "";
 
  protected:
-  Queue jobs{database()};
+  void SetUp() override {
+    for (const char* printer : {"left", "right"}) ASSERT_EQ(jobs.claim(printer), "");
+  }
+  Queue jobs{open()};
 };
 
-TEST_F(QueueTest, makes_each_change_of_the_table_and_no_other) {
+INSTANTIATE_TEST_SUITE_P(on, QueueTest, testing::Values(Kind::sqlite, Kind::postgres),
+                         [](const auto& each) {
+                           return each.param == Kind::sqlite ? "sqlite" : "postgres";
+                         });
+
+TEST_P(QueueTest, makes_each_change_of_the_table_and_no_other) {
   for (const JobState from : job_states) {
     for (const JobState to : job_states) {
       const JobId id = job_in(from);
@@ -105,13 +132,13 @@ TEST(job_states, each_has_a_name_that_leads_back_and_all_can_be_reached) {
   EXPECT_EQ(state_named("printed"), std::nullopt);
 }
 
-TEST_F(QueueTest, is_the_same_after_it_was_opened_again) {
+TEST_P(QueueTest, is_the_same_after_it_was_opened_again) {
   const JobId first = checked("first");
   start(first);
   jobs.set_check(first, R"({"lines":3})", 12.5, 30.25, 3);
   checked("second");
   jobs.set_bed_clear("right", true);
-  Queue again(database());
+  Queue again = open();
   ASSERT_EQ(again.jobs().size(), 2u);
   const Job job = *again.find(first);
   EXPECT_EQ(job.state, JobState::starting);
@@ -125,7 +152,7 @@ TEST_F(QueueTest, is_the_same_after_it_was_opened_again) {
   EXPECT_FALSE(again.bed_is_clear("left"));
 }
 
-TEST_F(QueueTest, keeps_the_order_that_people_give_it) {
+TEST_P(QueueTest, keeps_the_order_that_people_give_it) {
   const JobId a = checked("a"), b = checked("b"), c = checked("c");
   EXPECT_THAT(order(), ElementsAre("a", "b", "c"));
   jobs.move(c, a);
@@ -140,10 +167,10 @@ TEST_F(QueueTest, keeps_the_order_that_people_give_it) {
   start(c);
   EXPECT_THROW(jobs.move(c, a), NotPermitted);
   EXPECT_THROW(jobs.move(a, 999), NoSuchJob);
-  EXPECT_THAT(Queue(database()).jobs(), testing::SizeIs(3));
+  EXPECT_THAT(open().jobs(), testing::SizeIs(3));
 }
 
-TEST_F(QueueTest, starts_only_where_a_person_has_confirmed_the_free_bed) {
+TEST_P(QueueTest, starts_only_where_a_person_has_confirmed_the_free_bed) {
   const JobId first = checked("first"), second = checked("second");
   EXPECT_THROW(jobs.start(first, "left"), NotPermitted);
   jobs.set_bed_clear("right", true);
@@ -155,7 +182,7 @@ TEST_F(QueueTest, starts_only_where_a_person_has_confirmed_the_free_bed) {
   EXPECT_EQ(jobs.find(second)->state, JobState::queued);
 }
 
-TEST_F(QueueTest, gives_a_printer_one_job_at_a_time) {
+TEST_P(QueueTest, gives_a_printer_one_job_at_a_time) {
   const JobId first = checked("first"), second = checked("second");
   start(first);
   jobs.set_bed_clear("left", true);
@@ -164,7 +191,7 @@ TEST_F(QueueTest, gives_a_printer_one_job_at_a_time) {
   EXPECT_NO_THROW(start(second, "right"));
 }
 
-TEST_F(QueueTest, takes_a_start_back_with_the_bed_as_it_was) {
+TEST_P(QueueTest, takes_a_start_back_with_the_bed_as_it_was) {
   const JobId id = checked("job");
   start(id);
   jobs.take_back(id, "the feeder has not begun");
@@ -174,7 +201,7 @@ TEST_F(QueueTest, takes_a_start_back_with_the_bed_as_it_was) {
   EXPECT_THROW(jobs.take_back(id, ""), NotPermitted);
 }
 
-TEST_F(QueueTest, a_bed_that_is_not_clear_any_more_stays_so_when_a_start_is_taken_back) {
+TEST_P(QueueTest, a_bed_that_is_not_clear_any_more_stays_so_when_a_start_is_taken_back) {
   const JobId id = checked("job");
   start(id);
   EXPECT_TRUE(jobs.bed_is_taken("left"));
@@ -185,10 +212,10 @@ TEST_F(QueueTest, a_bed_that_is_not_clear_any_more_stays_so_when_a_start_is_take
   EXPECT_THROW(jobs.start(id, "left"), NotPermitted);
 }
 
-TEST_F(QueueTest, starts_no_held_job_and_none_that_is_for_another_printer) {
-  const JobId held = jobs.add({.name = "h", .file = "h.gcode", .bytes = 1, .held = true});
+TEST_P(QueueTest, starts_no_held_job_and_none_that_is_for_another_printer) {
+  const JobId held = add({.name = "h", .file = {}, .bytes = 1, .held = true});
   const JobId other =
-      jobs.add({.name = "o", .file = "o.gcode", .bytes = 1, .wanted_printer = "right"});
+      add({.name = "o", .file = {}, .bytes = 1, .held = false, .wanted_printer = "right"});
   for (const JobId id : {held, other}) {
     jobs.change(id, JobState::checking, "");
     jobs.change(id, JobState::queued, "");
@@ -200,7 +227,7 @@ TEST_F(QueueTest, starts_no_held_job_and_none_that_is_for_another_printer) {
   EXPECT_EQ(jobs.next_for("left")->id, held);
 }
 
-TEST_F(QueueTest, prints_again_as_a_new_job_and_forgets_only_what_is_over) {
+TEST_P(QueueTest, prints_again_as_a_new_job_and_forgets_only_what_is_over) {
   const JobId id = checked("job");
   EXPECT_THROW(jobs.remove(id), NotPermitted);
   EXPECT_THROW(jobs.print_again(id), NotPermitted);
@@ -215,14 +242,35 @@ TEST_F(QueueTest, prints_again_as_a_new_job_and_forgets_only_what_is_over) {
   EXPECT_THROW(jobs.print_again(refused), NotPermitted);
 }
 
-TEST_F(QueueTest, never_uses_a_number_twice) {
+TEST_P(QueueTest, never_uses_a_number_twice) {
   const JobId id = checked("job");
   jobs.change(id, JobState::cancelled, "");
   jobs.remove(id);
   EXPECT_GT(checked("next"), id);
 }
 
-TEST_F(QueueTest, says_which_job_is_missing) {
+TEST_P(QueueTest, starts_a_job_only_while_it_is_the_next_one_of_its_printer) {
+  const JobId first = checked("first"), second = checked("second");
+  jobs.set_bed_clear("left", true);
+  EXPECT_FALSE(jobs.start_if_next(second, "left"));
+  jobs.move(second, first);
+  EXPECT_FALSE(jobs.start_if_next(first, "left"));
+  EXPECT_TRUE(jobs.start_if_next(second, "left"));
+  EXPECT_EQ(jobs.find(second)->state, JobState::starting);
+  EXPECT_EQ(jobs.find(first)->state, JobState::queued);
+}
+
+TEST_P(QueueTest, keeps_texts_of_any_kind_readable) {
+  const JobId id = checked("job");
+  const std::string name = "it's 100 % \"näher\"? \\ ; $1 \xf0\x9f\x96\xa8";
+  jobs.rename(id, name);
+  EXPECT_EQ(jobs.find(id)->name, name);
+  jobs.change(id, JobState::cancelled, "a broken byte \xff of a file");
+  EXPECT_THAT(jobs.find(id)->reason, testing::StartsWith("a broken byte "));
+  EXPECT_THAT(jobs.find(id)->reason, testing::EndsWith(" of a file"));
+}
+
+TEST_P(QueueTest, says_which_job_is_missing) {
   EXPECT_THROW(jobs.change(5, JobState::checking, ""), NoSuchJob);
   EXPECT_THROW(jobs.remove(5), NoSuchJob);
   EXPECT_FALSE(jobs.find(5));
