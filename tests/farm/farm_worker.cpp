@@ -142,8 +142,8 @@ int main(int count, char** arguments) {
           worker.work();
         } catch (const queue::Unavailable&) {
           std::this_thread::sleep_for(20ms);
-        } catch (const queue::LeaseLost&) {
-          say("lost 0");
+        } catch (const queue::NotPermitted&) {  // another one has its printer, or its checks
+          say("refused 0");
         }
       }
     } catch (const queue::Unavailable&) {

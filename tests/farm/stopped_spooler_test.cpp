@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using namespace queue;
 
-const int stops = host_test::number_of("FARM_STOPS", 4);
+const int stops = host_test::number_of("FARM_STOPS", 3);
 constexpr auto lease_time = 800ms;
 
 class StoppedSpooler : public testing::Test {
