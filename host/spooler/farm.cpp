@@ -46,13 +46,13 @@ queue::Queue queue_of(const Settings& settings) {
 
 Checker::Publish publish_of(const Settings& settings) {
   if (settings.database.empty()) return {};
-  return [address = settings.database](std::int64_t job, std::filesystem::path file) {
+  return [address = settings.database](std::int64_t job, const std::filesystem::path& commands) {
     queue::SharedFiles shared(address);
-    // The commands last: where they are, all is.
-    for (const std::string ending : {path_ending, picture_ending, file.extension().c_str()}) {
-      file.replace_extension(ending);
-      if (std::filesystem::exists(file)) shared.put(file.filename(), file, job);
+    for (const char* ending : {path_ending, picture_ending}) {
+      const auto drawn = std::filesystem::path(commands).replace_extension(ending);
+      if (std::filesystem::exists(drawn)) shared.put(drawn.filename(), drawn, job);
     }
+    shared.put(commands.filename(), commands, job);
   };
 }
 

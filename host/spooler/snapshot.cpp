@@ -98,8 +98,9 @@ std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
   if (snapshot_) return snapshot_;
   try {
     view_ = read_view();
-  } catch (const queue::Unavailable&) {  // what was seen last, as such
+  } catch (const queue::Unavailable& error) {  // what was seen last, as such
     view_.is_old = true;
+    fault_ = error.what();
   }
   Json json{{"version", version_},
             {"now_ms", now_ms()},
