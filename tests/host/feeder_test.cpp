@@ -15,6 +15,7 @@
 #include "directories.hpp"
 #include "host/feeder/feeder.hpp"
 #include "host/feeder/local_socket.hpp"
+#include "host/queue/lease.hpp"
 #include "tests/host/pty_printer.hpp"
 #include "tests/temporary_folder.hpp"
 #include "tools/process/process.hpp"
@@ -122,6 +123,25 @@ TEST_F(FeederTest, prints_although_lines_are_damaged_and_an_ok_is_lost) {
   EXPECT_GE(state.at("resends"), 5);
   EXPECT_EQ(state.at("done"), 400);
   EXPECT_EQ(state.at("hotend").at(0), 21.5);
+}
+
+// Where its spooler stood still, another one may have the printer by then.
+TEST_F(FeederTest, begins_no_job_whose_start_comes_after_the_end_of_the_printers_lease) {
+  folder.write("job", "G1 X1\n");
+  connect();
+  state_with("link", "ready");
+  Json wish{{"do", "start"},
+            {"job", 3},
+            {"file", (folder.path() / "job").string()},
+            {"commands", 1},
+            {"not_after_ms", queue::boot_ms() - 1}};
+  EXPECT_THAT(refusal_of(wish), testing::HasSubstr("lease"));
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(printer.executed().size(), 0u);
+  wish["not_after_ms"] = queue::boot_ms() + 60'000;
+  EXPECT_EQ(refusal_of(wish), "");
+  state_with("phase", "finished");
+  EXPECT_EQ(printer.executed().size(), 1u);
 }
 
 TEST_F(FeederTest, goes_on_when_the_cable_is_in_again) {
