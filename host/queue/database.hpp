@@ -26,8 +26,8 @@ struct Result {
   std::int64_t changes = 0;  // rows inserted, updated or deleted
 };
 
-// For one thread at a time. All calls throw std::runtime_error with the database's message, and
-// Unavailable.
+// For one thread at a time. All calls throw std::runtime_error with the database's message, or
+// Unavailable, which is one.
 class Database {
  public:
   Database() = default;
@@ -42,7 +42,7 @@ class Database {
 
  private:
   friend class Transaction;
-  // From here to the end nobody else writes, so what is read stays true.
+  // From here to the end no other program writes, so what is read stays true.
   virtual void begin() = 0;
   // It has reached the disk when it returns. Also throws OutcomeUnknown.
   virtual void commit() = 0;

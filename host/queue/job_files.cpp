@@ -5,8 +5,9 @@
 namespace queue {
 
 std::vector<std::string> Queue::files_in_use() {
-  Statement rows(*database_, is_shared() ? "SELECT DISTINCT file FROM jobs"
-                                         : "SELECT file FROM jobs UNION SELECT file FROM kept_files");
+  Statement rows(*database_, is_shared()
+                                 ? "SELECT DISTINCT file FROM jobs"
+                                 : "SELECT file FROM jobs UNION SELECT file FROM kept_files");
   std::vector<std::string> files;
   while (rows.step()) files.push_back(rows.text(0));
   return files;
@@ -45,7 +46,9 @@ bool Queue::has_had_jobs() {
 void Queue::keep_files(const std::vector<std::string>& files) {
   Transaction transaction(*database_);
   for (const std::string& file : files) {
-    Statement(*database_, "INSERT INTO kept_files(file) VALUES(?) ON CONFLICT DO NOTHING").bind(file).run();
+    Statement(*database_, "INSERT INTO kept_files(file) VALUES(?) ON CONFLICT DO NOTHING")
+        .bind(file)
+        .run();
   }
   transaction.commit();
 }

@@ -20,7 +20,7 @@ struct Lease {
   std::string printer;
   std::string place;  // of the spooler that has it, or had it last
   bool is_mine = false;
-  bool is_over = false;  // nobody has it
+  bool is_over = false;  // no spooler has it
   bool operator==(const Lease&) const = default;
 };
 

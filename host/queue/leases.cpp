@@ -79,12 +79,13 @@ std::string Queue::claim(const std::string& printer) {
       write_bed(printer, static_cast<std::int64_t>(Bed::not_clear));
     }
   }
-  Statement(*database_, "INSERT INTO leases(printer, spooler, boot, token, ends_ms) "
-                        "VALUES(?, ?, ?, ?, " +
-                            server_ms +
-                            " + ?) ON CONFLICT(printer) DO UPDATE SET spooler = excluded.spooler, "
-                            "boot = excluded.boot, token = excluded.token, "
-                            "ends_ms = excluded.ends_ms")
+  Statement(*database_,
+            "INSERT INTO leases(printer, spooler, boot, token, ends_ms) "
+            "VALUES(?, ?, ?, ?, " +
+                server_ms +
+                " + ?) ON CONFLICT(printer) DO UPDATE SET spooler = excluded.spooler, "
+                "boot = excluded.boot, token = excluded.token, "
+                "ends_ms = excluded.ends_ms")
       .bind(printer)
       .bind(member_->id)
       .bind(member_->boot)
@@ -112,11 +113,12 @@ void Queue::renew() {
     if (mine.run() > 0) held[printer] = {.token = lease.token, .until_ms = until_ms};
   }
   // The checks of spoolers that are away.
-  Statement(*database_, "UPDATE checks SET spooler = ? WHERE spooler IN "
-                        "(SELECT id FROM spoolers WHERE ends_ms < " +
-                            server_ms +
-                            ") AND job IN (SELECT id FROM jobs WHERE state IN "
-                            "('uploaded', 'checking'))")
+  Statement(*database_,
+            "UPDATE checks SET spooler = ? WHERE spooler IN "
+            "(SELECT id FROM spoolers WHERE ends_ms < " +
+                server_ms +
+                ") AND job IN (SELECT id FROM jobs WHERE state IN "
+                "('uploaded', 'checking'))")
       .bind(member_->id)
       .run();
   transaction.commit();
@@ -128,8 +130,9 @@ void Queue::release() {
   Transaction transaction(*database_);
   for (const auto& [printer, lease] : held_) {
     if (active_on(printer)) continue;
-    Statement(*database_, "UPDATE leases SET ends_ms = 0 WHERE printer = ? AND spooler = ? "
-                          "AND token = ?")
+    Statement(*database_,
+              "UPDATE leases SET ends_ms = 0 WHERE printer = ? AND spooler = ? "
+              "AND token = ?")
         .bind(printer)
         .bind(member_->id)
         .bind(lease.token)
@@ -139,9 +142,7 @@ void Queue::release() {
   held_.clear();
 }
 
-bool Queue::holds(const std::string& printer) const {
-  return !member_ || held_.contains(printer);
-}
+bool Queue::holds(const std::string& printer) const { return !member_ || held_.contains(printer); }
 
 std::int64_t Queue::held_until(const std::string& printer) const {
   if (!member_) return std::numeric_limits<std::int64_t>::max();
@@ -153,9 +154,10 @@ void Queue::require_lease(const std::string& printer) {
   if (!member_) return;
   const auto lease = held_.find(printer);
   if (lease != held_.end()) {
-    Statement row(*database_, "SELECT 1 FROM leases WHERE printer = ? AND spooler = ? AND "
-                              "token = ? AND ends_ms > " +
-                                  server_ms);
+    Statement row(*database_,
+                  "SELECT 1 FROM leases WHERE printer = ? AND spooler = ? AND "
+                  "token = ? AND ends_ms > " +
+                      server_ms);
     row.bind(printer).bind(member_->id).bind(lease->second.token);
     if (row.step()) return;
   }

@@ -67,7 +67,9 @@ std::string whole_address(const std::string& address) {
 }
 
 // Without the line feed and the further lines that libpq gives.
-std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find('\n'))); }
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
+}
 
 bool ends_connection(const std::string& sqlstate) {
   return sqlstate.starts_with("57P") || sqlstate.starts_with("08") || sqlstate == "25P03";

@@ -46,11 +46,13 @@ CREATE TABLE leases(
 CREATE TABLE checks(
   job BIGINT PRIMARY KEY REFERENCES jobs(id) ON DELETE CASCADE,
   spooler TEXT NOT NULL REFERENCES spoolers(id));
-CREATE TABLE sessions(id TEXT PRIMARY KEY, mark TEXT NOT NULL, at TIMESTAMPTZ NOT NULL DEFAULT now());
+CREATE TABLE sessions(
+  id TEXT PRIMARY KEY, mark TEXT NOT NULL, at TIMESTAMPTZ NOT NULL DEFAULT now());
 )";
 
 std::int64_t number(PostgresConnection& connection, const std::string& sql) {
-  return connection.call([&](auto& work) { return work.exec(sql); })[0][0].template as<std::int64_t>();
+  return connection.call([&](auto& work) { return work.exec(sql); })[0][0]
+      .template as<std::int64_t>();
 }
 
 }  // namespace

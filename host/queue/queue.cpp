@@ -115,8 +115,8 @@ std::vector<Job> Queue::overview(std::int64_t final_limit) { return jobs_with("'
 
 std::vector<Job> Queue::jobs_with(const std::string& result, std::int64_t final_limit) {
   Statement rows(*database_, columns_with(result) + "WHERE state NOT IN " + final_states +
-                                " OR id IN (SELECT id FROM jobs WHERE state IN " + final_states +
-                                " ORDER BY changed_ms DESC, id DESC LIMIT ?) ORDER BY place, id");
+                                 " OR id IN (SELECT id FROM jobs WHERE state IN " + final_states +
+                                 " ORDER BY changed_ms DESC, id DESC LIMIT ?) ORDER BY place, id");
   rows.bind(final_limit);
   return jobs_of(rows);
 }
@@ -214,16 +214,16 @@ void Queue::take_back(JobId id, std::string_view why) {
 
 std::optional<Job> Queue::next_for(const std::string& printer) {
   Statement row(*database_, columns +
-                               "WHERE state = 'queued' AND held = 0 AND wanted_printer IN ('', ?) "
-                               "ORDER BY place, id LIMIT 1");
+                                "WHERE state = 'queued' AND held = 0 AND wanted_printer IN ('', ?) "
+                                "ORDER BY place, id LIMIT 1");
   row.bind(printer);
   if (!row.step()) return std::nullopt;
   return job_of(row);
 }
 
 std::optional<Job> Queue::active_on(const std::string& printer) {
-  Statement row(*database_, columns +
-                               "WHERE printer = ? AND state IN ('starting', 'printing', 'paused')");
+  Statement row(*database_,
+                columns + "WHERE printer = ? AND state IN ('starting', 'printing', 'paused')");
   row.bind(printer);
   if (!row.step()) return std::nullopt;
   return job_of(row);
@@ -232,14 +232,16 @@ std::optional<Job> Queue::active_on(const std::string& printer) {
 void Queue::set_check(JobId id, std::string_view check, double seconds, double filament_mm,
                       std::int64_t commands) {
   Transaction transaction(*database_);
-  const auto changed = Statement(*database_,
-            "UPDATE jobs SET result = ?, seconds = ?, filament_mm = ?, commands = ? WHERE id = ?")
-      .bind(check)
-      .bind(seconds)
-      .bind(filament_mm)
-      .bind(commands)
-      .bind(id)
-      .run();
+  const auto changed =
+      Statement(
+          *database_,
+          "UPDATE jobs SET result = ?, seconds = ?, filament_mm = ?, commands = ? WHERE id = ?")
+          .bind(check)
+          .bind(seconds)
+          .bind(filament_mm)
+          .bind(commands)
+          .bind(id)
+          .run();
   if (changed == 0) throw NoSuchJob(id);
   transaction.commit();
 }

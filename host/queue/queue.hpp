@@ -112,7 +112,7 @@ class Queue {
   // Those of printers without an active job.
   void release();
   bool holds(const std::string& printer) const;
-  // Until when at least it is held, by boot_ms(). Without other spoolers: for ever.
+  // Until when at least it is held, by boot_ms(). Without other spoolers: the highest number.
   std::int64_t held_until(const std::string& printer) const;
   std::vector<Lease> leases();
   // Jobs that this spooler is to check, or has checked.

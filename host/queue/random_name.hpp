@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names that nobody else chooses.
+// Names that are chosen once.
 #pragma once
 
 #include <string>

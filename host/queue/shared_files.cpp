@@ -104,8 +104,8 @@ void SharedFiles::fetch(const std::string& name, const Store& store) {
 std::vector<std::string> SharedFiles::made_for(JobId job) {
   Work work(connection_, "BEGIN READ ONLY");
   std::vector<std::string> names;
-  for (const pqxx::row& row : work.run("SELECT file FROM made_files WHERE job = $1 ORDER BY file",
-                                       pqxx::params{job})) {
+  for (const pqxx::row& row :
+       work.run("SELECT file FROM made_files WHERE job = $1 ORDER BY file", pqxx::params{job})) {
     names.emplace_back(row[0].view());
   }
   work.commit();

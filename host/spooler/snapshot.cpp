@@ -56,7 +56,9 @@ Json Spooler::to_json(const FeederLink& printer) {
       {"simulated", printer.is_simulated()},
       {"feeder", printer.is_heard()},
       {"link", printer.is_heard() ? state.link : "unknown"},
-      {"fault", !no_lease.empty() ? no_lease : printer.is_heard() ? state.fault : ""},
+      {"fault", !no_lease.empty()    ? no_lease
+                : printer.is_heard() ? state.fault
+                                     : ""},
       {"phase", state.phase},
       {"job", job != view_.jobs.end() ? Json(job->id) : Json()},
       {"feeder_job", state.job ? Json(*state.job) : Json()},

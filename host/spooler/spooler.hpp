@@ -46,8 +46,8 @@ Checker::Publish publish_of(const Settings& settings);
 // All calls are for any thread. Apart from the exceptions above they throw those of queue::Queue.
 class Spooler {
  public:
-  // Throws std::runtime_error where another spooler has the folder, or it or the database cannot be
-  // used.
+  // Throws std::runtime_error where another spooler has the folder, or where folder or database
+  // cannot be used.
   explicit Spooler(Settings settings);
   ~Spooler();
   Spooler(const Spooler&) = delete;

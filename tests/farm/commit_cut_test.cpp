@@ -89,7 +89,7 @@ TEST_F(CutCommit, each_commit_has_its_own_outcome) {
   EXPECT_EQ(count(), 2u);
 }
 
-TEST_F(CutCommit, a_network_that_swallows_everything_ends_the_call_and_holds_up_nobody_else) {
+TEST_F(CutCommit, a_network_that_swallows_everything_ends_the_call_and_holds_up_no_other_spooler) {
   proxy.cut(Cut::silence);
   EXPECT_THROW(jobs.add(job), Unavailable);
   watcher.add(job);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spooler's work with a farm's queue, for one printer and without end, and says on standard output
-// what was acknowledged and begun: to be killed, stopped, and cut off from its server.
+// Does a spooler's work with a farm's queue, for one printer and without end, and says on standard
+// output what was acknowledged and begun: to be killed, stopped, and cut off from its server.
 // Usage: farm_worker FOLDER ADDRESS NAME SEED LEASE_MS
 #include <unistd.h>
 
@@ -111,10 +111,12 @@ class Worker {
     if (!next || !jobs_.start_if_next(next->id, name_)) return;
     // The feeder looks at this.
     if (queue::boot_ms() > jobs_.held_until(name_)) return;
-    journal_.write({.job = next->id, .file = next->file, .phase = feeder::Phase::opening, .why = {}});
+    journal_.write(
+        {.job = next->id, .file = next->file, .phase = feeder::Phase::opening, .why = {}});
     say("sent " + std::to_string(next->id));  // the first byte
     jobs_.change(next->id, JobState::printing, "");
-    journal_.note({.job = next->id, .file = next->file, .phase = feeder::Phase::finished, .why = {}});
+    journal_.note(
+        {.job = next->id, .file = next->file, .phase = feeder::Phase::finished, .why = {}});
     jobs_.change(next->id, JobState::finished, "");
     journal_.clear();
   }

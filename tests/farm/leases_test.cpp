@@ -40,7 +40,7 @@ class Leases : public testing::Test {
   Queue a = open_farm(address, "a", lease_time), b = open_farm(address, "b", lease_time);
 };
 
-TEST_F(Leases, a_printer_belongs_to_one_spooler_and_the_other_is_told_which) {
+TEST_F(Leases, a_printer_belongs_to_one_spooler_and_the_other_hears_which) {
   EXPECT_EQ(a.claim("left"), "");
   const std::string refusal = b.claim("left");
   EXPECT_THAT(refusal, HasSubstr("left belongs to the spooler on machine of a"));
@@ -94,7 +94,7 @@ TEST_F(Leases, a_job_that_was_starting_is_interrupted_too) {
   EXPECT_FALSE(b.next_for("left"));
 }
 
-TEST_F(Leases, one_that_has_ended_is_taken_again_where_nobody_else_has_it) {
+TEST_F(Leases, one_that_has_ended_is_taken_again_where_no_other_one_has_it) {
   const JobId id = started(a, "job");
   let_it_end();
   EXPECT_THROW(a.change(id, JobState::printing, ""), LeaseLost);

@@ -26,9 +26,12 @@ constexpr std::chrono::seconds patience{60};  // on a machine under load
 std::vector<std::string> as_its_user(std::vector<std::string> call) {
   if (geteuid() != 0) return call;
   // The signal at the end of its parent is lost with the change of the user.
-  const std::vector<std::string> change{"setpriv", std::string("--reuid=") + user,
-                                        std::string("--regid=") + user, "--clear-groups",
-                                        "--pdeathsig", "INT"};
+  const std::vector<std::string> change{"setpriv",
+                                        std::string("--reuid=") + user,
+                                        std::string("--regid=") + user,
+                                        "--clear-groups",
+                                        "--pdeathsig",
+                                        "INT"};
   call.insert(call.begin(), change.begin(), change.end());
   return call;
 }
@@ -47,12 +50,12 @@ PostgresServer::PostgresServer() {
       }
     }
   }
-  const auto made = process::capture(
-      {.arguments = as_its_user({programs + "initdb", "--pgdata", data.string(), "--no-sync",
-                                 "--auth=trust", "--username=farm", "--encoding=UTF8",
-                                 "--locale=C.UTF-8"}),
-       .folder = folder_.path(),
-       .has_input = false});
+  const auto made =
+      process::capture({.arguments = as_its_user({programs + "initdb", "--pgdata", data.string(),
+                                                  "--no-sync", "--auth=trust", "--username=farm",
+                                                  "--encoding=UTF8", "--locale=C.UTF-8"}),
+                        .folder = folder_.path(),
+                        .has_input = false});
   if (made.exit_status != 0) throw std::runtime_error(made.output);
   start();
 }

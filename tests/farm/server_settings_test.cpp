@@ -35,8 +35,8 @@ class ServerSettings : public testing::Test {
 TEST_F(ServerSettings, commits_that_do_not_wait_for_the_disk_are_refused_with_the_remedy) {
   EXPECT_EQ(refusal(address), "");
   PostgresServer::execute(address, "ALTER DATABASE " + name + " SET synchronous_commit = off");
-  EXPECT_THAT(refusal(address), testing::AllOf(HasSubstr("synchronous_commit off"),
-                                               HasSubstr("could be lost")));
+  EXPECT_THAT(refusal(address),
+              testing::AllOf(HasSubstr("synchronous_commit off"), HasSubstr("could be lost")));
   PostgresServer::execute(address, "ALTER DATABASE " + name + " SET synchronous_commit = local");
   EXPECT_EQ(refusal(address), "");
 }
@@ -74,10 +74,10 @@ TEST_F(ServerSettings, tables_of_another_version_are_refused) {
 }
 
 TEST_F(ServerSettings, a_database_with_another_encoding_is_refused) {
-  PostgresServer::execute(address, "CREATE DATABASE latin ENCODING 'LATIN1' LOCALE 'C' "
-                                   "TEMPLATE template0");
-  EXPECT_THAT(refusal(PostgresServer::address(server.socket_folder(), "latin")),
-              HasSubstr("UTF8"));
+  PostgresServer::execute(address,
+                          "CREATE DATABASE latin ENCODING 'LATIN1' LOCALE 'C' "
+                          "TEMPLATE template0");
+  EXPECT_THAT(refusal(PostgresServer::address(server.socket_folder(), "latin")), HasSubstr("UTF8"));
 }
 
 TEST_F(ServerSettings, spoolers_that_begin_together_make_the_tables_once) {
@@ -90,8 +90,7 @@ TEST_F(ServerSettings, spoolers_that_begin_together_make_the_tables_once) {
 
 TEST_F(ServerSettings, a_server_that_is_away_is_said_to_be_so) {
   const TemporaryFolder empty;
-  EXPECT_THROW(PostgresDatabase(PostgresServer::address(empty.path(), "none")),
-               queue::Unavailable);
+  EXPECT_THROW(PostgresDatabase(PostgresServer::address(empty.path(), "none")), queue::Unavailable);
 }
 
 }  // namespace

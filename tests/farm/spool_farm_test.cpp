@@ -39,8 +39,8 @@ struct Answer {
 };
 
 Answer curl(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"curl", "--silent", "--max-time", "60", "--write-out",
-                                       "\n%{http_code}"});
+  arguments.insert(arguments.begin(),
+                   {"curl", "--silent", "--max-time", "60", "--write-out", "\n%{http_code}"});
   const std::string text = process::capture({.arguments = arguments, .has_input = false}).output;
   const std::size_t line = text.rfind('\n');
   return {.status = text.substr(line + 1), .body = text.substr(0, line)};

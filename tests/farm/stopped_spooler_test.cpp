@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spooler that stands still beyond its lease, as a machine that sleeps: when it goes on, it starts
-// and writes nothing for a printer that another one has by then.
+// A spooler that stands still beyond its lease, as on a machine that sleeps: when it goes on, it
+// starts and writes nothing for a printer that another one has by then.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -36,8 +36,9 @@ class StoppedSpooler : public testing::Test {
   std::int64_t changes_of_prints() const {
     pqxx::connection client(address);
     return pqxx::nontransaction(client)
-        .exec("SELECT count(*) FROM changes WHERE to_state IN ('starting', 'printing', 'finished') "
-              "OR from_state IN ('starting', 'printing')")[0][0]
+        .exec(
+            "SELECT count(*) FROM changes WHERE to_state IN ('starting', 'printing', 'finished') "
+            "OR from_state IN ('starting', 'printing')")[0][0]
         .as<std::int64_t>();
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The queue's states from its table, its order, and that only a free bed lets a job start: on SQLite
-// and on PostgreSQL.
+// On both databases: the queue's states from its table, its order, and that only a free bed lets a
+// job start.
 #include "host/queue/queue.hpp"
 
 #include <gmock/gmock.h>
