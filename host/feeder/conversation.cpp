@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which line is sent next, and how replies move that.
+// Where a conversation stands, and how replies move that.
 #include "host/feeder/conversation.hpp"
 
 #include <algorithm>
@@ -22,13 +22,12 @@ constexpr int most_asks = 8;
 constexpr Time settling{300};  // answers to what was asked may still come
 constexpr Time resend_ok_limit{1000};  // a firmware may send none
 constexpr Time report_delay{3000};  // lines without a number are refused soon after a Resend
-constexpr Time end_interval{3000};
 constexpr Time retry_interval{1000};  // of the journal
 
 }  // namespace
 
-Conversation::Conversation(Journal& journal, std::function<std::int64_t()> base)
-    : journal_(journal), make_base_(std::move(base)) {
+Conversation::Conversation(Journal& journal, std::function<std::int64_t()> base, Time pause_limit)
+    : journal_(journal), make_base_(std::move(base)), pause_limit_(pause_limit) {
   if (has_work()) begin_program();
   if (journal.damage().empty()) return;
   begin_closing({.job = 0,
@@ -126,6 +125,7 @@ void Conversation::become_ready(Time now) {
   last_answered_ = now;
   resend_at_.reset();
   strange_.reset();
+  heating_again_ = HeatingAgain::no;
   settled_at_ = now + settling;
   report_at_ = now + report_delay;
 }
@@ -134,7 +134,10 @@ void Conversation::heard(std::string_view line, Time now) {
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
   if (line.empty() || line == "wait") return;
   const bool reports = read_temperatures(line, temperatures_);
-  if (reports) say_if_asked(105, line);
+  if (reports) {
+    note_target();
+    say_if_asked(105, line);
+  }
   if (line.starts_with("ok")) return answer_ok(now);
   const bool heats = reports && line.find(" W:") != std::string_view::npos;  // a wait for heat
   if (heats || line.find("busy:") != std::string_view::npos) {
@@ -178,6 +181,7 @@ void Conversation::answer_ok(Time now) {
   if (link_ != Link::ready) return;
   resend_at_.reset();
   if (unanswered_ > 0) --unanswered_;
+  if (unanswered_ == 0) answer_heating();
 }
 
 void Conversation::answer_resend(std::int64_t number, Time now) {
@@ -238,6 +242,7 @@ void Conversation::update(Time now) {
     journal_.retry();
   }
   if (link_ == Link::closed) return;
+  watch_pause(now);
   if (link_ == Link::asking) {
     if (!asked_ || now - *asked_ >= ask_interval) ask(now);
     return;
@@ -254,46 +259,5 @@ void Conversation::update(Time now) {
   }
   if (unanswered_ == 0 && now >= settled_at_) send_next(now);
 }
-
-void Conversation::send_next(Time now) {
-  if (report_at_ && now >= *report_at_) {
-    report_at_.reset();
-    typed_.emplace_front("M154 S1");
-    return put("M155 S2\n", now);
-  }
-  if (!typed_.empty()) {
-    homed_.sent(typed_.front());
-    put(typed_.front() + "\n", now);
-    typed_.pop_front();
-    return;
-  }
-  const bool sends =
-      has_work() && (record()->phase == Phase::running || record()->phase == Phase::cancelling);
-  const bool ends = sends && next_ > length() + 2 && (next_ - length()) % 2 == 1;
-  if (sends && (!ends || now - last_sent_ > end_interval)) {
-    send_line(now);
-  } else if (now - last_sent_ > idle_interval) {
-    put("M105\n", now);
-  }
-}
-
-void Conversation::send_line(Time now) {
-  try {
-    const std::string text = text_of(next_);
-    homed_.sent(text);
-    put(framed(base_ + next_, text), now);
-    ++next_;
-  } catch (const std::exception& error) {  // the file of the commands is damaged
-    end_job(Phase::failed, error.what());
-  }
-}
-
-void Conversation::put(std::string_view text, Time now) {
-  output_ += text;
-  ++unanswered_;
-  last_sent_ = now;
-}
-
-std::string Conversation::take_output() { return std::exchange(output_, {}); }
 
 }  // namespace feeder

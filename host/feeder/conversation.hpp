@@ -39,8 +39,10 @@ class Conversation {
   static constexpr std::int64_t lowest_base = std::int64_t{1} << 20;
   static constexpr std::int64_t highest_base = std::int64_t{1} << 30;
 
-  // Goes on with what the journal holds. `base`: makes a random base.
-  Conversation(Journal& journal, std::function<std::int64_t()> base);
+  // Goes on with what the journal holds. `base`: makes a random base. `pause_limit`: the hotend of a
+  // job that is paused for so long is switched off, and heated again before the job goes on; 0:
+  // never.
+  Conversation(Journal& journal, std::function<std::int64_t()> base, Time pause_limit = {});
 
   void opened(Time now);
   void closed();
@@ -80,6 +82,8 @@ class Conversation {
   // The last report; nothing before the first, and after a loss of the printer.
   const std::optional<Position>& position() const { return position_; }
   bool waits_for_user() const { return waits_for_user_; }
+  // In degrees, where a long pause has switched the hotend off; 0 where it has not.
+  double hotend_to_restore() const { return record() ? record()->hotend_to_restore : 0; }
   // What is wrong with the journal, for people; or empty.
   const std::string& fault() const {
     return journal_.fault().empty() ? journal_.damage() : journal_.fault();
@@ -108,6 +112,12 @@ class Conversation {
   void answer_fatal(std::string_view line, Time now);
   void handle_action(std::string_view action);
   bool is_last_word(std::string_view line) const;
+  void watch_pause(Time now);
+  bool must_heat_again() const;
+  void heat_again(Time now);
+  void answer_heating();
+  void note_target();
+  void note_hotend_to_restore(double celsius);
   void send_next(Time now);
   void send_line(Time now);
   void put(std::string_view text, Time now);
@@ -119,6 +129,9 @@ class Conversation {
 
   Journal& journal_;
   std::function<std::int64_t()> make_base_;
+  Time pause_limit_;
+  std::optional<Time> cools_at_;  // of a job that is paused
+  enum class HeatingAgain : std::uint8_t { no, waits, asks } heating_again_{};
   std::unique_ptr<CommandFile> file_;
   Link link_ = Link::closed;
   std::string output_;
@@ -136,6 +149,8 @@ class Conversation {
   std::optional<std::int64_t> strange_;  // number that was wanted and is none of the job's
   bool waits_for_user_ = false;
   Temperatures temperatures_;
+  // Of the hotend: in the last report, and in two in a row, which no noise makes alike.
+  std::optional<double> reported_target_, target_;
   HomedAxes homed_;
   std::optional<Position> position_;
   std::uint64_t resends_ = 0;

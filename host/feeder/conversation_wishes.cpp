@@ -89,6 +89,7 @@ std::string Conversation::send(std::string_view text) {
   if (record() && record()->phase != Phase::paused && has_work() && !is_harmless(text)) {
     return "it could spoil the print: pause it first, or wait for its end";
   }
+  cools_at_.reset();  // somebody works on it
   if (code == 105 || code == 114) asked_codes_.insert(code);
   if (code == 108 || code == 410) {  // they act at once
     output_ += "M" + std::to_string(code) + "\n";

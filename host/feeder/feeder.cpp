@@ -85,7 +85,7 @@ std::string dumped(const Json& json) {
 Feeder::Feeder(const Options& options)
     : lock_(locked(options.folder)),
       journal_(options.folder / journal_name),
-      conversation_(journal_, random_base),
+      conversation_(journal_, random_base, options.pause_limit),
       port_(options.port, options.baud),
       listener_(options.folder, socket_name),
       replies_(longest_reply),
@@ -203,6 +203,7 @@ std::string Feeder::state() const {
       {"event", "state"},
       {"link", name_of(conversation_.link())},
       {"waits_for_user", conversation_.waits_for_user()},
+      {"hotend_to_restore", conversation_.hotend_to_restore()},
       {"resends", conversation_.resends()},
       {"hotend", {number(heat.hotend), number(heat.hotend_target), number(heat.hotend_power)}},
       {"bed", {number(heat.bed), number(heat.bed_target), number(heat.bed_power)}},

@@ -20,6 +20,7 @@ struct Options {
   std::filesystem::path folder;  // of journal, lock and socket
   std::filesystem::path port;
   std::uint32_t baud = 250'000;
+  Time pause_limit{};  // after which a paused job's hotend is switched off; 0: never
 };
 
 class Feeder {

@@ -63,7 +63,8 @@ Journal::Journal(fs::path file) : file_(std::move(file)) {
                      .base = json.at("base"),
                      .phase = phase_named(json.at("phase").get<std::string>()).value(),
                      .why = json.at("why"),
-                     .outcome = phase_named(json.at("outcome").get<std::string>()).value()};
+                     .outcome = phase_named(json.at("outcome").get<std::string>()).value(),
+                     .hotend_to_restore = json.value("hotend_to_restore", 0.0)};
   } catch (const std::exception& error) {
     const std::string aside = file_.string() + ".damaged";
     fs::rename(file_, aside);
@@ -92,7 +93,8 @@ void Journal::put(const Record& record) const {
                             {"base", record.base},
                             {"phase", name_of(record.phase)},
                             {"why", record.why},
-                            {"outcome", name_of(record.outcome)}};
+                            {"outcome", name_of(record.outcome)},
+                            {"hotend_to_restore", record.hotend_to_restore}};
   fill_spare(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   const bool exchanged =
       renameat2(AT_FDCWD, spare().c_str(), AT_FDCWD, file_.c_str(), RENAME_EXCHANGE) == 0;

@@ -33,6 +33,7 @@ struct Record {
   Phase phase{Phase::opening};
   std::string why;  // of its end
   Phase outcome{Phase::cancelled};  // what follows on `cancelling`
+  double hotend_to_restore{};  // in degrees, before the next line: a long pause has switched it off
 };
 
 class Journal {

@@ -24,7 +24,12 @@ int main(int count, char** arguments) {
   app.add_option("--folder", options.folder, "for journal, lock and socket")->required();
   app.add_option("--port", options.port, "serial port")->required();
   app.add_option("--baud", options.baud, "its speed")->check(CLI::Range(300, 10'000'000));
+  std::int64_t pause_limit_s = 0;
+  app.add_option("--pause-limit", pause_limit_s,
+                 "seconds after which a paused job's hotend is switched off; 0: never")
+      ->check(CLI::Range(0, 1'000'000));
   CLI11_PARSE(app, count, arguments);
+  options.pause_limit = std::chrono::seconds(pause_limit_s);
   signal(SIGPIPE, SIG_IGN);
   signal(SIGTERM, request_end);
   signal(SIGINT, request_end);

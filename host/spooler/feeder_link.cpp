@@ -28,7 +28,9 @@ std::vector<std::string> feeder_call(const Settings& settings, const PrinterSpec
           "--port",
           port.string(),
           "--baud",
-          std::to_string(settings.baud)};
+          std::to_string(settings.baud),
+          "--pause-limit",
+          std::to_string(std::chrono::seconds(settings.pause_limit).count())};
 }
 
 std::vector<std::string> chip_call(const Settings& settings, const std::filesystem::path& folder) {

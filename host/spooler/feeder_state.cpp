@@ -27,6 +27,7 @@ FeederState feeder_state_of(const nlohmann::json& message) {
                     .done = message.value("done", std::int64_t{}),
                     .commands = message.value("commands", std::int64_t{}),
                     .waits_for_user = message.at("waits_for_user"),
+                    .hotend_to_restore = message.value("hotend_to_restore", 0.0),
                     .resends = message.at("resends"),
                     .homed = message.value("homed", ""),
                     .hotend = number(message.at("hotend").at(0)),

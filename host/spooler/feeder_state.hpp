@@ -18,6 +18,7 @@ struct FeederState {
   std::int64_t done{};
   std::int64_t commands{};
   bool waits_for_user{};
+  double hotend_to_restore{};  // by resuming, after a long pause; 0: nothing
   std::uint64_t resends{};
   std::string homed;  // some of `xyz`
   // In degrees Celsius; powers from 0 to 1.

@@ -66,6 +66,7 @@ Json Spooler::to_json(const FeederLink& printer) {
       {"commands", state.commands},
       {"resends", state.resends},
       {"waits_for_user", state.waits_for_user},
+      {"hotend_to_restore", state.hotend_to_restore},
       {"homed", state.homed},
       {"hotend", {number(state.hotend), number(state.hotend_target), number(state.hotend_power)}},
       {"bed", {number(state.bed), number(state.bed_target), number(state.bed_power)}},

@@ -27,8 +27,8 @@ class ConversationTest : public testing::Test {
   void begin_feeder() {
     conversation_.reset();
     journal_.emplace(folder_.path() / "journal.json");
-    conversation_ =
-        std::make_unique<feeder::Conversation>(*journal_, [this] { return bases_ += 100'000; });
+    conversation_ = std::make_unique<feeder::Conversation>(
+        *journal_, [this] { return bases_ += 100'000; }, pause_limit);
     conversation_->on_said = [this](std::string_view line) { said += std::string(line) + "\n"; };
     conversation_->opened(now_);
   }
@@ -86,6 +86,7 @@ class ConversationTest : public testing::Test {
   feeder::Phase phase() const { return conversation_->record()->phase; }
   std::string why() const { return conversation_->record()->why; }
 
+  feeder::Time pause_limit{};  // of the next feeder that begins
   host_test::LinkPrinter printer;
   std::vector<std::string> wanted;
   std::string said;

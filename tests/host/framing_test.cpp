@@ -88,7 +88,8 @@ TEST(journal, is_the_same_after_it_was_read_again) {
                        .base = 1 << 20,
                        .phase = Phase::paused,
                        .why = "because",
-                       .outcome = Phase::failed});
+                       .outcome = Phase::failed,
+                       .hotend_to_restore = 204.5});
   Journal again(path);
   ASSERT_TRUE(again.record());
   EXPECT_EQ(again.record()->job, 5);
@@ -98,6 +99,7 @@ TEST(journal, is_the_same_after_it_was_read_again) {
   EXPECT_EQ(again.record()->phase, Phase::paused);
   EXPECT_EQ(again.record()->why, "because");
   EXPECT_EQ(again.record()->outcome, Phase::failed);
+  EXPECT_EQ(again.record()->hotend_to_restore, 204.5);
   again.clear();
   EXPECT_FALSE(Journal(path).record());
 }

@@ -2,6 +2,8 @@
 // What the firmware's main loop does, with a list in place of motors and heaters.
 #include "tests/host/link_printer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace host_test {
@@ -23,6 +25,8 @@ void LinkPrinter::restart() {
   skipped_ = 0;
   report_interval_ = {};
   in_hand_.reset();
+  hotend_target_ = 0;
+  heated_at_.reset();
 }
 
 void LinkPrinter::halt(std::string_view message) {
@@ -39,15 +43,40 @@ void LinkPrinter::obey(const EmergencyCommand& command) {
   using Kind = EmergencyCommand::Kind;
   if (command.kind == Kind::kill) halt("Error:Printer halted. kill() called!");
   if (command.kind == Kind::cancel_wait && waiting_) wait_is_over_ = true;
+  if (command.kind == Kind::cancel_wait && heated_at_) heated_at_ = std::chrono::milliseconds(0);
   if (command.kind == Kind::cancel) skipped_ = link_->waiting_lines();
 }
 
-// False while it waits for its user.
-bool LinkPrinter::execute(const host_link::AcceptedLine& line) {
+// True at the end of an M109, and for all other lines.
+bool LinkPrinter::is_heated(const std::string& text, std::chrono::milliseconds now) {
+  const bool waits = text.starts_with("M109 S");
+  if ((waits || text.starts_with("M104 S")) && !heated_at_) {
+    hotend_target_ = std::stod(text.substr(6));
+  }
+  if (!waits) return true;
+  if (!heated_at_) {
+    heated_at_ = now + heating_time;
+    reported_at_ = now;
+  }
+  if (now < *heated_at_) {
+    if (now - reported_at_ >= std::chrono::seconds(1)) {
+      reported_at_ = now;
+      say(temperatures() + " W:?");
+    }
+    return false;
+  }
+  heated_at_.reset();
+  return true;
+}
+
+// False while it waits for its user, or for heat.
+bool LinkPrinter::execute(const host_link::AcceptedLine& line, std::chrono::milliseconds now) {
   const std::string text(line.text);
+  if (skipped_ == 0 && !is_heated(text, now)) return false;
   if (skipped_ > 0) {
     --skipped_;
-  } else if (text.starts_with("M0") && !wait_is_over_) {
+    heated_at_.reset();
+  } else if ((text == "M0" || text.starts_with("M0 ")) && !wait_is_over_) {
     waiting_ = true;
     return false;
   } else if (line.number && text.starts_with("M118 ")) {
@@ -66,10 +95,15 @@ bool LinkPrinter::execute(const host_link::AcceptedLine& line) {
   return true;
 }
 
+std::string LinkPrinter::temperatures() const {
+  return fmt::format(" T:{:.2f} /{:.2f} B:20.25 /0.00 @:0 B@:0",
+                     hotend_target_ > 0 ? hotend_target_ : 21.5, hotend_target_);
+}
+
 void LinkPrinter::report(std::chrono::milliseconds now) {
   if (report_interval_.count() == 0 || now - reported_at_ < report_interval_) return;
   reported_at_ = now;
-  say(" T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0");
+  say(temperatures());
 }
 
 std::string LinkPrinter::work(std::chrono::milliseconds now) {
@@ -79,12 +113,12 @@ std::string LinkPrinter::work(std::chrono::milliseconds now) {
                   waiting_ ? host_link::Activity::paused_for_user : host_link::Activity::idle);
     while (const auto command = link_->emergency()) obey(*command);
     if (link_->query()) {
-      link_->query_answered(" T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0");
+      link_->query_answered(temperatures());
     } else if (waiting_ ? wait_is_over_ : true) {
-      const auto line = waiting_ ? in_hand_ : link_->next_line();
+      const auto line = waiting_ || heated_at_ ? in_hand_ : link_->next_line();
       in_hand_ = line;
-      if (line && execute(*line)) {
-        link_->finished(line->text == "M105" ? " T:21.50 /0.00 B:20.25 /0.00 @:0 B@:0" : "");
+      if (line && execute(*line, now)) {
+        link_->finished(line->text == "M105" ? temperatures() : "");
         in_hand_.reset();
       }
     }

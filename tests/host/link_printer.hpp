@@ -31,6 +31,10 @@ class LinkPrinter {
   // It says so, and goes on.
   void say(std::string_view message) { unsent_ += std::string(message) + "\n"; }
   bool waits() const { return waiting_; }
+  // M104 and M109 set it. M109 takes `heating_time`, and says so every second.
+  double hotend_target() const { return hotend_target_; }
+  bool heats() const { return heated_at_.has_value(); }
+  static constexpr std::chrono::milliseconds heating_time{20'000};
 
   // Texts with a number but for those of the feeder itself, in the order of their execution.
   std::vector<std::string> executed;
@@ -40,8 +44,10 @@ class LinkPrinter {
   bool said_at_rest = false;
 
  private:
+  std::string temperatures() const;
   void report(std::chrono::milliseconds now);
-  bool execute(const host_link::AcceptedLine& line);
+  bool execute(const host_link::AcceptedLine& line, std::chrono::milliseconds now);
+  bool is_heated(const std::string& text, std::chrono::milliseconds now);
   void obey(const host_link::EmergencyCommand& command);
 
   std::optional<host_link::HostLink> link_;
@@ -49,6 +55,8 @@ class LinkPrinter {
   std::string unsent_;
   bool lose_ok_ = false, halted_ = false, waiting_ = false, wait_is_over_ = false, at_rest_ = false;
   std::chrono::milliseconds report_interval_{0}, reported_at_{0};  // 0: by request only
+  double hotend_target_ = 0;
+  std::optional<std::chrono::milliseconds> heated_at_;  // when the M109 in hand ends
   std::size_t skipped_ = 0;  // lines that wait and are not executed
 };
 

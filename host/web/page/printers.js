@@ -15,7 +15,13 @@ function wordsOf(printer, job, jobs) {
   if (printer.link !== 'ready') return ['does not answer', 'bad', `Is it on? After an emergency stop or an error, ${reset}.`];
   if (printer.waits_for_user) return ['waits for you', 'warn', 'Do what its last line in the console asks, then press Resume.'];
   if (printer.phase === 'cancelling') return ['cancelling', 'warn', 'Its heaters are being switched off.'];
-  if (job && job.state === 'paused') return ['paused', 'warn', 'Its heaters stay on. Press Resume to go on.'];
+  const restored = printer.hotend_to_restore;
+  if (job && job.state === 'paused') {
+    return ['paused', 'warn', restored
+      ? `Its hotend was switched off after a long pause. Resume heats it to ${restored} °C and goes on.`
+      : 'Its heaters stay on. Press Resume to go on.'];
+  }
+  if (job && restored) return ['heating', 'good', `It goes on once the hotend has ${restored} °C again.`];
   if (job) return [job.state, 'good', ''];
   const broken = jobs.find(each => each.state === 'interrupted' && each.printer === printer.name);
   if (broken) return ['interrupted', 'bad', `In the queue, decide about ${broken.name}: print it again, or give it up.`];
