@@ -36,7 +36,9 @@ void Conversation::watch_pause(Time now) {
   if (!is_due) return;
   cools_at_ = now + again_interval;
   typed_.emplace_front("M104 S0");
-  if (!is_new) return;  // said before
+  if (!is_new) {
+    return;  // said before
+  }
   say(fmt::format("hotend switched off after {} min of pause; resuming the job heats it to {:g} C",
                   std::chrono::duration_cast<std::chrono::minutes>(pause_limit_).count(), target));
 }

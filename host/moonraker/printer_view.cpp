@@ -131,6 +131,10 @@ std::string PrinterView::message() const {
   const std::string job =
       "Job " + waiting_.at("id").dump() + " (" + waiting_.at("name").get<std::string>() + ")";
   if (!bed_is_clear()) return text + job + " waits until the bed is clear: confirm it by BED_CLEAR";
+  const auto& left = printer_.at("filament_mm");
+  if (!left.is_null() && waiting_.at("filament_mm") > left) {
+    return text + job + " waits for more filament: say in the spooler's page how much there is";
+  }
   if (waiting_.at("state") != "queued") return text + job + " is being checked";
   return text + job + " starts when the printer is ready";
 }

@@ -2,9 +2,8 @@
 // Jobs and their changes as rows. The database itself refuses two active jobs on one printer.
 #include "host/queue/queue.hpp"
 
-#include <chrono>
-
 #include "host/queue/bed.hpp"
+#include "host/queue/now.hpp"
 #include "host/queue/sqlite_database.hpp"
 #include "host/queue/sqlite_tables.hpp"
 
@@ -19,12 +18,6 @@ std::string columns_with(const std::string& result) {
 }
 const std::string columns = columns_with("result");
 constexpr const char* final_states = "('refused', 'finished', 'cancelled', 'failed')";
-
-std::int64_t now_ms() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 Job job_of(const Statement& row) {
   const auto state = state_named(row.text(4));
@@ -164,10 +157,12 @@ void Queue::set_state(const Job& job, JobState to, std::string_view why) {
       .run();
 }
 
-void Queue::change(JobId id, JobState to, std::string_view why) {
+void Queue::change(JobId id, JobState to, std::string_view why, double filament_mm) {
   if (to == JobState::starting) throw NotPermitted("only start() makes a job `starting`");
   Transaction transaction(*database_);
-  write_change(found(id), to, why);
+  const Job job = found(id);
+  write_change(job, to, why);
+  if (filament_mm > 0) use_filament(job.printer, filament_mm);
   transaction.commit();
 }
 
@@ -193,6 +188,9 @@ void Queue::write_start(const Job& job, const std::string& printer) {
     throw NotPermitted(sentence(job, " for another printer"));
   }
   if (!bed_is_clear(printer)) throw NotPermitted("the bed of " + printer + " is not clear");
+  if (!has_filament_for(job, printer)) {
+    throw NotPermitted(sentence(job, " and needs more filament than is left on " + printer));
+  }
   if (active_on(printer)) throw NotPermitted(printer + " has a job");
   write_change(job, JobState::starting, "on " + printer);
   Statement(*database_, "UPDATE jobs SET printer = ?, starts = starts + 1 WHERE id = ?")

@@ -59,10 +59,11 @@ class Queue {
   std::vector<Change> history(JobId id);
 
   // The state `to`, as the table permits; throws NotPermitted. Not for `starting`: start().
-  void change(JobId id, JobState to, std::string_view why);
+  // `filament_mm`: what the job's printer has used of it.
+  void change(JobId id, JobState to, std::string_view why, double filament_mm = 0);
   // queued -> starting on this printer, whose bed then counts as occupied. Throws NotPermitted
-  // where the job is held, wants another printer, the bed is not clear, or the printer has an
-  // active job.
+  // where the job is held, wants another printer, the bed is not clear, too little filament is
+  // left, or the printer has an active job.
   void start(JobId id, const std::string& printer);
   // The same where it is still the next one for this printer. False where it is not, as where
   // another spooler was faster.
@@ -100,6 +101,15 @@ class Queue {
   void set_bed_clear(const std::string& printer, bool clear);
   // Printers with a clear bed.
   std::set<std::string> clear_beds();
+  // When that of a printer was said to be clear, in ms since 1970; nothing where it is not clear.
+  std::optional<std::int64_t> clear_since(const std::string& printer);
+
+  // Filament that a person says is left, less what jobs have used since, in mm; nothing where it is
+  // not known, and then it limits no job.
+  std::optional<double> filament_left(const std::string& printer);
+  void set_filament_left(const std::string& printer, std::optional<double> millimetres);
+  std::map<std::string, double> filaments_left();
+  bool has_filament_for(const Job& job, const std::string& printer);
 
   // What several spoolers need (leases.cpp). Without them each lease is held.
   bool is_shared() const { return member_.has_value(); }
@@ -134,6 +144,7 @@ class Queue {
   void check_waits(JobId id);  // throws NotPermitted
   std::int64_t read_bed(const std::string& printer);
   void write_bed(const std::string& printer, std::int64_t bed);
+  void use_filament(const std::string& printer, double millimetres);
   void write_change(const Job& job, JobState to, std::string_view why);
 
   std::unique_ptr<Database> database_;

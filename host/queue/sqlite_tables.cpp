@@ -6,7 +6,7 @@ namespace queue {
 
 namespace {
 
-constexpr std::int64_t schema_version = 1;
+constexpr std::int64_t schema_version = 2;
 
 constexpr const char* tables = R"(
 CREATE TABLE IF NOT EXISTS jobs(
@@ -25,6 +25,11 @@ CREATE TABLE IF NOT EXISTS beds(printer TEXT PRIMARY KEY, clear INTEGER NOT NULL
 CREATE TABLE IF NOT EXISTS kept_files(file TEXT PRIMARY KEY);
 )";
 
+constexpr const char* since_version_2 = R"(
+ALTER TABLE beds ADD COLUMN said_ms INTEGER NOT NULL DEFAULT 0;
+CREATE TABLE filaments(printer TEXT PRIMARY KEY, left_mm REAL NOT NULL);
+)";
+
 }  // namespace
 
 void make_sqlite_tables(Database& database) {
@@ -35,8 +40,12 @@ void make_sqlite_tables(Database& database) {
     throw std::runtime_error("job database: it is of version " + std::to_string(found) +
                              ", and this program has " + std::to_string(schema_version));
   }
+  if (found == schema_version) return;
+  Transaction transaction(database);
   database.execute(tables);
-  if (found == 0) database.execute("PRAGMA user_version = " + std::to_string(schema_version));
+  database.execute(since_version_2);
+  database.execute("PRAGMA user_version = " + std::to_string(schema_version));
+  transaction.commit();
 }
 
 }  // namespace queue

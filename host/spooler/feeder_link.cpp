@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/feeder/feeder_names.hpp"
+#include "host/queue/now.hpp"
 #include "host/queue/store.hpp"
 
 namespace spooler {
@@ -125,12 +126,13 @@ void FeederLink::hear(const std::string& line) {
     if (event == "state") {
       FeederState state = feeder_state_of(message);
       changed_ |= state_ != state;
-      temperatures_.take(state, now_ms());
+      temperatures_.take(state, queue::now_ms());
       last_state_ = state;
       state_ = std::move(state);
       heard_at_ = Clock::now();
     } else if (event == "said") {
-      console_.push_back({.number = ++said_, .text = message.at("line"), .time_ms = now_ms()});
+      console_.push_back(
+          {.number = ++said_, .text = message.at("line"), .time_ms = queue::now_ms()});
       if (console_.size() > most_console_lines) console_.pop_front();
       changed_ = true;
     } else if (event == "answer" && !answers_.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "host/queue/now.hpp"
 #include "host/spooler/spooler.hpp"
 
 namespace spooler {
@@ -41,6 +42,7 @@ Json Spooler::to_json(const FeederLink& printer) {
   const auto job = std::ranges::find_if(view_.jobs, [&](const queue::Job& each) {
     return is_active(each.state) && each.printer == printer.name();
   });
+  const auto left = view_.filaments.find(printer.name());
   const auto refusal = lease_refusals_.find(printer.name());
   const std::string no_lease = refusal == lease_refusals_.end() ? "" : refusal->second;
   Json console = Json::array();
@@ -73,6 +75,7 @@ Json Spooler::to_json(const FeederLink& printer) {
       {"position", state.position},
       {"answered_ms", printer.temperatures().heard_ms()},
       {"bed_clear", view_.clear_beds.contains(printer.name())},
+      {"filament_mm", left != view_.filaments.end() ? Json(left->second) : Json()},
       {"console", console}};
 }
 
@@ -91,8 +94,9 @@ Json Spooler::others_to_json() const {
 Spooler::View Spooler::read_view() {
   View view{.jobs = queue_.overview(most_jobs_over),
             .clear_beds = queue_.clear_beds(),
+            .filaments = queue_.filaments_left(),
             .leases = queue_.leases()};
-  viewed_ms_ = now_ms();
+  viewed_ms_ = queue::now_ms();
   return view;
 }
 
@@ -106,7 +110,7 @@ std::shared_ptr<const Spooler::Snapshot> Spooler::snapshot() {
     fault_ = error.what();
   }
   Json json{{"version", version_},
-            {"now_ms", now_ms()},
+            {"now_ms", queue::now_ms()},
             {"fault", !fault_.empty()           ? fault_
                       : !failed_checks_.empty() ? failed_checks_.begin()->second.fault
                                                 : notice_},

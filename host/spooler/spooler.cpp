@@ -6,8 +6,11 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <thread>
 #include <utility>
+
+#include "host/queue/now.hpp"
 
 namespace spooler {
 
@@ -36,6 +39,13 @@ std::optional<JobState> state_for(const std::string& phase) {
   if (phase == "failed") return JobState::failed;
   if (phase == "interrupted") return JobState::interrupted;
   return std::nullopt;  // opening, cancelling
+}
+
+// In mm, as planned, for the part of its commands that were sent.
+double filament_used(const Job& job, const FeederState& state) {
+  if (state.phase == "finished" || state.commands <= 0) return job.filament_mm;
+  const double part = static_cast<double>(state.done) / static_cast<double>(state.commands);
+  return job.filament_mm * part;
 }
 
 }  // namespace
@@ -200,8 +210,19 @@ bool Spooler::follow(FeederLink& printer) {
     if (is_over(*state)) printer.ask({{"do", "forget"}, {"job", *state->job}}, {});
     return false;
   }
+  if (end_clear_bed(printer.name())) return true;
   if (state->link == "ready") start_next(printer);
   return false;
+}
+
+// What a person has said long ago may not be so any more. True where it has ended.
+bool Spooler::end_clear_bed(const std::string& printer) {
+  const std::int64_t limit = settings_.bed_clear_limit.count();
+  if (limit == 0) return false;
+  const auto since = queue_.clear_since(printer);
+  if (!since || std::abs(queue::now_ms() - *since) <= limit) return false;
+  queue_.set_bed_clear(printer, false);
+  return true;
 }
 
 void Spooler::start_next(FeederLink& printer) {
@@ -209,7 +230,8 @@ void Spooler::start_next(FeederLink& printer) {
   if (blocked != blocked_until_.end() && std::chrono::steady_clock::now() < blocked->second) return;
   if (!queue_.bed_is_clear(printer.name())) return;
   const auto job = queue_.next_for(printer.name());
-  if (!job || !has_files({commands_of(*job)}, *job)) return;
+  if (!job || !queue_.has_filament_for(*job, printer.name())) return;
+  if (!has_files({commands_of(*job)}, *job)) return;
   if (!queue_.start_if_next(job->id, printer.name())) return;
   changed();
   send_start(printer, *job);
@@ -259,7 +281,7 @@ bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState&
     queue_.change(job.id, JobState::printing, "");
     if (wanted == JobState::printing) return true;
   }
-  queue_.change(job.id, *wanted, state.why);
+  queue_.change(job.id, *wanted, state.why, is_over(state) ? filament_used(job, state) : 0);
   return true;
 }
 

@@ -78,6 +78,8 @@ class Spooler {
   // Refused where the bed has a print on it. "Not clear" while a job starts is written down and
   // refused: the start may have left already. Where it has not, the job is queued again.
   void set_bed_clear(const std::string& printer, bool clear);
+  // What is left on its spool, in mm; nothing: not known, and no job waits for it.
+  void set_filament_left(const std::string& printer, std::optional<double> millimetres);
   // pause, resume, cancel, stop, or send with a line.
   void ask(const std::string& printer, const nlohmann::json& wish);
   // Switches a simulated printer off and on.
@@ -125,6 +127,7 @@ class Spooler {
   struct View {
     std::vector<queue::Job> jobs;
     std::set<std::string> clear_beds;
+    std::map<std::string, double> filaments;  // left, in mm
     std::vector<queue::Lease> leases;
     bool is_old = false;  // the database is away
     bool operator==(const View&) const = default;
@@ -148,6 +151,7 @@ class Spooler {
   void note_check(const CheckResult& result);
   bool forget_failed_checks();
   bool follow(FeederLink& printer);
+  bool end_clear_bed(const std::string& printer);
   void start_next(FeederLink& printer);
   void send_start(FeederLink& printer, const queue::Job& job);
   bool follow_job(FeederLink& printer, const queue::Job& job, const FeederState& state);

@@ -2,7 +2,6 @@
 // One sample for each interval.
 #include "host/spooler/temperature_log.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -15,12 +14,6 @@ nlohmann::json hundredths(const std::optional<double>& value) {
 }
 
 }  // namespace
-
-std::int64_t now_ms() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 void TemperatureLog::take(const FeederState& state, std::int64_t time_ms) {
   if (state.link != "ready") return;

@@ -10,9 +10,6 @@
 
 namespace spooler {
 
-// Milliseconds since 1970.
-std::int64_t now_ms();
-
 class TemperatureLog {
  public:
   static constexpr std::int64_t interval_ms = 2000;

@@ -174,6 +174,13 @@ void Spooler::set_bed_clear(const std::string& printer, bool clear) {
   }
 }
 
+void Spooler::set_filament_left(const std::string& printer, std::optional<double> millimetres) {
+  const std::scoped_lock lock(mutex_);
+  link(printer);
+  queue_.set_filament_left(printer, millimetres);
+  changed();
+}
+
 void Spooler::restart(const std::string& printer) {
   const std::scoped_lock lock(mutex_);
   FeederLink& found = link(printer);

@@ -130,6 +130,14 @@ std::string text_of(const Json& body, const char* name) {
   return value;
 }
 
+std::optional<double> number_of(const Json& body, const char* name, double highest) {
+  const Json& value = field(body, name);
+  if (value.is_null()) return std::nullopt;
+  const bool fits = value.is_number() && value >= 0 && value <= highest;
+  if (!fits) throw wrong(name, "null, or a number that is not negative and not too large");
+  return value.get<double>();
+}
+
 queue::JobId job_of(const Json& body, const char* name) {
   const Json& value = field(body, name);
   const bool fits = value.is_number_unsigned() && value.get<std::uint64_t>() > 0 &&

@@ -48,6 +48,8 @@ Json body_of(const httplib::Request& request, const httplib::ContentReader& read
 // A field of the body, or an element of one. Throw HttpError 400, which names it.
 bool bool_of(const Json& body, const char* name);
 std::string text_of(const Json& body, const char* name);
+// Null, or a number from 0 to `highest`.
+std::optional<double> number_of(const Json& body, const char* name, double highest);
 queue::JobId job_of(const Json& body, const char* name);  // 1 to the largest number of 63 bits
 
 }  // namespace web

@@ -13,6 +13,8 @@ const std::string jobs = "/api/v1/jobs";
 const std::string one_job = jobs + "/([0-9]{1,15})";
 const std::string one_printer = "/api/v1/printers/([A-Za-z0-9_-]{1,32})";
 
+constexpr double longest_filament = 1e8;  // mm
+
 queue::JobId id_of(const httplib::Request& request) {
   const std::string text = request.matches[1];
   queue::JobId id = 0;
@@ -96,6 +98,11 @@ void add_rest_routes(Listener& server, spooler::Spooler& spooler) {
   post(server, one_printer + "/bed_clear",
        [&spooler](const auto& request, auto& response, const Json& body) {
          spooler.set_bed_clear(request.matches[1], bool_of(body, "clear"));
+         answer(response, Json::object());
+       });
+  post(server, one_printer + "/filament",
+       [&spooler](const auto& request, auto& response, const Json& body) {
+         spooler.set_filament_left(request.matches[1], number_of(body, "mm", longest_filament));
          answer(response, Json::object());
        });
   post(server, one_printer + "/restart",

@@ -119,7 +119,9 @@ TEST_F(PauseTest, a_kill_at_any_moment_after_resuming_prints_nothing_cold) {
     pause_for(limit + 5s);
     ASSERT_EQ(feed().resume(), "");
     run(moment);
-    if (printer.executed.size() > 20) return;  // it was heated before
+    if (printer.executed.size() > 20) {
+      return;  // it was heated before
+    }
     kill_feeder();
     expect_rest_is_printed_at(205);
     if (HasFatalFailure()) return;

@@ -44,6 +44,7 @@ void SpoolerTest::begin_spooler() {
                    {.name = "right", .port = folder_.path() / "right"}},
       .feeder_program = BUILD_DIRECTORY "/bin/stepfabric_feeder",
       .tool_program = check_program.empty() ? BUILD_DIRECTORY "/bin/stepfabric" : check_program,
+      .bed_clear_limit = bed_clear_limit,
       .check_interval = check_interval});
   thread_ = std::thread([this] { spooler_->run([this] { return ends_.load(); }); });
 }

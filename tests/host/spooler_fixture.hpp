@@ -56,6 +56,7 @@ class SpoolerTest : public testing::Test {
   // Of the next begin_spooler().
   std::filesystem::path check_program;  // empty: the real one
   std::chrono::milliseconds check_interval{20'000};
+  std::chrono::milliseconds bed_clear_limit{0};
 
  private:
   std::unique_ptr<spooler::Spooler> spooler_;

@@ -89,6 +89,14 @@ TEST_F(WebTest, changes_the_queue) {
   EXPECT_EQ(posted("/api/v1/jobs/1/move", {{"after", 1}}), 400);
   EXPECT_EQ(client().Post("/api/v1/jobs/1/move", "{", "application/json")->status, 400);
   EXPECT_EQ(posted("/api/v1/jobs/1/hold", {{"held", std::string(100'000, 'x')}}), 413);
+  for (const auto& wrong :
+       {nlohmann::json(-1), nlohmann::json("5"), nlohmann::json(1e9), nlohmann::json(true)}) {
+    EXPECT_EQ(posted("/api/v1/printers/left/filament", {{"mm", wrong}}), 400);
+  }
+  EXPECT_EQ(posted("/api/v1/printers/left/filament", {{"mm", 1234.5}}), 200);
+  EXPECT_EQ(posted("/api/v1/printers/left/filament"), 400);
+  EXPECT_EQ(posted("/api/v1/printers/nobody/filament", {{"mm", 1}}), 404);
+  EXPECT_EQ(spool().snapshot()->json.at("printers")[0].at("filament_mm"), 1234.5);
 }
 
 TEST_F(WebTest, prints_and_obeys_its_buttons) {

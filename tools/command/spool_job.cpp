@@ -53,6 +53,7 @@ spooler::Settings settings_of(const SpoolOptions& options) {
           .feeder_program = programs / "stepfabric_feeder",
           .tool_program = programs / "stepfabric",
           .baud = options.baud,
+          .bed_clear_limit = std::chrono::hours(options.bed_clear_limit_h),
           .pause_limit = std::chrono::minutes(options.pause_limit_min),
           .simulation_speed = options.simulation_speed,
           .database = options.database,

@@ -68,6 +68,12 @@ void add_options(CLI::App& app, SpoolOptions& options) {
   job.add_option("--baud", options.baud, "speed of the serial ports")
       ->check(CLI::Range(300, 10'000'000))
       ->capture_default_str();
+  job.add_option("--bed-clear-limit", options.bed_clear_limit_h,
+                 "so long after a person has said that a bed is clear a job may start there; 0: "
+                 "for ever")
+      ->type_name("HOURS")
+      ->check(CLI::Range(0, 10'000))
+      ->capture_default_str();
   job.add_option("--pause-limit", options.pause_limit_min,
                  "switch the hotend of a paused job off after so many minutes, and heat it again "
                  "before the job goes on; 0: never")

@@ -28,7 +28,25 @@ function wordsOf(printer, job, jobs) {
   if (!printer.bed_clear) {
     return ['is the bed clear?', 'warn', 'Take the print off, then press “The bed is clear”; the next job starts then.'];
   }
+  const next = jobs.find(each => each.state === 'queued' && !each.held && ['', printer.name].includes(each.wanted_printer));
+  if (next && printer.filament_mm !== null && next.filament_mm > printer.filament_mm) {
+    return ['too little filament', 'warn', `${next.name} needs ${metres(next.filament_mm)} m, ${metres(printer.filament_mm)} m is left. ` +
+      'Put another spool on and enter what it holds, or empty the field.'];
+  }
   return ['ready', 'good', ''];
+}
+
+const metres = mm => (mm / 1000).toFixed(2);
+
+// What is left on the spool. Empty: not known, and no job waits for it.
+function filamentField(part, path) {
+  part.filament = element('input', {type: 'number', min: 0, max: 100000, step: 'any', 'aria-label': `Filament left in m: ${part.name}`});
+  part.filament.addEventListener('change', () => {
+    const text = part.filament.value;
+    if (!part.filament.validity.valid) return show('Filament: enter the metres that are left, or nothing.');
+    post(path + 'filament', {mm: text === '' ? null : 1000 * Number(text)});
+  });
+  return element('p', {className: 'filament'}, 'Filament left: ', part.filament, ' m');
 }
 
 function heaterRow(part, id, label, name) {
@@ -58,6 +76,7 @@ function makeCard(name) {
     part.advice = element('p', {className: 'advice'}),
     element('p', {className: 'job'}, part.jobName = element('span', {className: 'name'}), ' ',
       part.job = element('span', {className: 'what'})),
+    filamentField(part, path),
     part.progress = element('progress', {max: 1, value: 0, 'aria-label': `Progress on ${name}`}),
     element('div', {className: 'buttons'},
       button('clear', 'The bed is clear', () => post(path + 'bed_clear', {clear: part.clear.dataset.to === 'true'}), 'main'),
@@ -125,6 +144,12 @@ function showButtons(part, printer, job) {
   part.restart.hidden = !printer.simulated;
 }
 
+function showFilament(part, left) {
+  if (document.activeElement === part.filament) return;  // somebody types
+  const text = left === null ? '' : String(Number(metres(left)));
+  if (part.filament.value !== text) part.filament.value = text;
+}
+
 function showPrinter(printer, state) {
   if (!cards.has(printer.name)) cards.set(printer.name, makeCard(printer.name));
   const part = cards.get(printer.name);
@@ -144,6 +169,7 @@ function showPrinter(printer, state) {
   showHeater(part, 'hotend', printer.hotend, state.now_ms, answers);
   showHeater(part, 'bed', printer.bed, state.now_ms, answers);
   showButtons(part, printer, job);
+  showFilament(part, printer.filament_mm);
   part.console.show(printer.console);
   part.view.load(job).then(() => part.view.progress(printer.done, answers ? printer.position : null));
 }

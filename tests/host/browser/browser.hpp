@@ -68,6 +68,7 @@ class Browser {
 
 // Keys of WebDriver that are no characters.
 namespace keys {
+inline constexpr const char* backspace = "\uE003";
 inline constexpr const char* tab = "\uE004";
 inline constexpr const char* enter = "\uE007";
 inline constexpr const char* escape = "\uE00C";

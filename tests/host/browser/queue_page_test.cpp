@@ -84,6 +84,32 @@ TEST_F(PageTest, a_held_job_waits_and_a_refused_one_says_what_to_do) {
   expect_no_complaint();
 }
 
+TEST_F(PageTest, a_job_waits_for_filament_until_a_person_says_that_there_is_enough) {
+  begin_spooler();
+  open_page();
+  const std::string field = ".card [aria-label^='Filament left']";
+  const auto enter = [&](const std::string& metres) {
+    browser().run("const field = document.querySelector(arguments[0]); field.focus(); field.select();",
+                  {field});
+    browser().press(metres.empty() ? keys::backspace : metres);
+    browser().press(keys::tab);
+  };
+  const auto left = [&] { return state().at("printers")[0].at("filament_mm"); };
+  enter("0.01");
+  expect_soon([&] { return left() == 10; }, "not taken");
+  choose_file("part.gcode", squares(2, 4));
+  expect_job("part.gcode", "queued");
+  clear_bed();
+  expect_text(".card .state", "too little filament");
+  expect_text(".card .advice", "part.gcode needs 0.02 m, 0.01 m is left");
+  enter("1.5");
+  expect_job("part.gcode", "printing");
+  expect_soon([&] { return left() == 1500; }, "not taken");
+  enter("");
+  expect_soon([&] { return left().is_null(); }, "an empty field is not known");
+  expect_no_complaint();
+}
+
 // With Tab, Enter, blank and arrow keys alone.
 TEST_F(PageTest, everything_is_reached_and_used_by_keyboard) {
   begin_spooler();
