@@ -19,9 +19,9 @@ using host_test::job;
 using host_test::json;
 using host_test::number_of;
 
-const int jobs_of_each = number_of("FARM_JOBS", 20) / 4;
+const int jobs_of_each = number_of("PRINTER_JOBS", 20) / 4;
 const int jobs = jobs_of_each * 4;
-const auto seed = static_cast<unsigned>(number_of("FARM_SEED", 1));
+const auto seed = static_cast<unsigned>(number_of("PRINTER_JOBS_SEED", 1));
 
 struct Waiting {
   int id{};
