@@ -109,10 +109,14 @@ class Worker {
     jobs_.set_bed_clear(name_, true);
     const auto next = jobs_.next_for(name_);
     if (!next || !jobs_.start_if_next(next->id, name_)) return;
-    // The feeder looks at this.
-    if (queue::boot_ms() > jobs_.held_until(name_)) return;
     journal_.write(
         {.job = next->id, .file = next->file, .phase = feeder::Phase::opening, .why = {}});
+    // As the feeder does, but after the journal, whose writing takes milliseconds: a stop in them is
+    // no fault of the queue.
+    if (queue::boot_ms() > jobs_.held_until(name_)) {
+      journal_.clear();
+      return;
+    }
     say("sent " + std::to_string(next->id));  // the first byte
     jobs_.change(next->id, JobState::printing, "");
     journal_.note(

@@ -25,7 +25,7 @@ using namespace queue;
 using farm_test::WorkerProcess;
 using host_test::number_of;
 
-const int kills = number_of("FARM_KILLS", 40), server_kills = number_of("FARM_SERVER_KILLS", 5);
+const int kills = number_of("FARM_KILLS", 24), server_kills = number_of("FARM_SERVER_KILLS", 3);
 const auto seed = static_cast<unsigned>(number_of("KILL_SEED", 7));
 constexpr int workers = 3;
 
