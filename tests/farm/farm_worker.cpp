@@ -111,7 +111,7 @@ class Worker {
     if (!next || !jobs_.start_if_next(next->id, name_)) return;
     journal_.write(
         {.job = next->id, .file = next->file, .phase = feeder::Phase::opening, .why = {}});
-    // As the feeder does, but after the journal, whose writing takes milliseconds: a stop in them is
+    // As the feeder does, but after the journal, whose writing takes milliseconds: a stop then is
     // no fault of the queue.
     if (queue::boot_ms() > jobs_.held_until(name_)) {
       journal_.clear();
