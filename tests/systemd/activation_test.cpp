@@ -4,6 +4,7 @@
 
 #include "tests/host/spooled_print.hpp"
 #include "tests/notify/strange_server.hpp"
+#include "tools/files/file_text.hpp"
 
 namespace {
 
