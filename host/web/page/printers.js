@@ -46,7 +46,7 @@ function filamentField(part, path) {
     if (!part.filament.validity.valid) return show('Filament: enter the metres that are left, or nothing.');
     post(path + 'filament', {mm: text === '' ? null : 1000 * Number(text)});
   });
-  return element('p', {className: 'filament'}, 'Filament left: ', part.filament, ' m');
+  return element('span', {className: 'filament'}, 'Filament left: ', part.filament, ' m');
 }
 
 function heaterRow(part, id, label, name) {
@@ -76,14 +76,14 @@ function makeCard(name) {
     part.advice = element('p', {className: 'advice'}),
     element('p', {className: 'job'}, part.jobName = element('span', {className: 'name'}), ' ',
       part.job = element('span', {className: 'what'})),
-    filamentField(part, path),
     part.progress = element('progress', {max: 1, value: 0, 'aria-label': `Progress on ${name}`}),
     element('div', {className: 'buttons'},
       button('clear', 'The bed is clear', () => post(path + 'bed_clear', {clear: part.clear.dataset.to === 'true'}), 'main'),
       button('pause', 'Pause', () => post(path + part.pause.dataset.does)),
       button('cancel', 'Cancel', async () => await mayCancel(`the print on ${name}`) && post(path + 'cancel')),
       button('restart', 'Switch off and on',
-        async () => (part.cancel.disabled || await mayRestart(name)) && post(path + 'restart'))),
+        async () => (part.cancel.disabled || await mayRestart(name)) && post(path + 'restart')),
+      filamentField(part, path)),
     element('div', {className: 'views'},
       element('div', {className: 'heaters'}, heaterRow(part, 'hotend', 'Hotend', name), heaterRow(part, 'bed', 'Bed', name)),
       part.view.box),
