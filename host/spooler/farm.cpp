@@ -7,6 +7,7 @@
 #include "host/queue/random_name.hpp"
 #include "host/queue/shared_files.hpp"
 #include "host/spooler/spooler.hpp"
+#include "host/spooler/spooler_id.hpp"
 #include "tools/files/write_file.hpp"
 
 namespace spooler {
@@ -21,24 +22,12 @@ constexpr std::chrono::milliseconds look_interval{300};
 constexpr std::chrono::seconds fetch_interval{5}, longest_lookup{15}, lookup_interval{1};
 constexpr const char* release_fault = "its lease could not be given back: ";
 
-// The number of the folder, which a restart finds again.
-std::string id_of(const std::filesystem::path& data) {
-  const std::filesystem::path file = data / "spooler_id";
-  std::string id;
-  std::ifstream(file) >> id;
-  if (!id.empty()) return id;
-  id = queue::random_name();
-  files::write_file(file, id + "\n");
-  queue::sync_folder(data);
-  return id;
-}
-
 }  // namespace
 
 queue::Queue queue_of(const Settings& settings) {
   if (settings.database.empty()) return queue::Queue(settings.data / "queue.db");
   return {std::make_unique<queue::PostgresDatabase>(settings.database),
-          queue::Member{.id = id_of(settings.data),
+          queue::Member{.id = spooler_id(settings.data),
                         .boot = queue::boot_id(),
                         .place = settings.place,
                         .lease_time = settings.lease_time}};

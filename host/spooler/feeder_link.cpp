@@ -2,6 +2,7 @@
 // Starting, attaching, and the lines of JSON.
 #include "host/spooler/feeder_link.hpp"
 
+#include <poll.h>
 #include <signal.h>
 
 #include <exception>
@@ -18,6 +19,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds attach_interval{200};
 constexpr std::chrono::seconds longest_silence{4};  // it speaks every second
+constexpr std::chrono::seconds stop_limit{5};
+constexpr int poll_ms = 20;
 constexpr std::size_t most_console_lines = 200;
 
 std::vector<std::string> feeder_call(const Settings& settings, const PrinterSpec& printer,
@@ -152,6 +155,23 @@ void FeederLink::ask(const nlohmann::json& wish, Answer answer) {
   }
   answers_.push_back(std::move(answer));
   connection_->send(wish.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+std::string FeederLink::stop() const {
+  const auto end = Clock::now() + stop_limit;
+  feeder::Connection connection = feeder::connect_to(folder_, feeder::socket_name);
+  connection.send(R"({"do":"stop"})");
+  while (connection.is_open() && Clock::now() < end) {
+    pollfd wait{connection.descriptor(), POLLIN, 0};
+    poll(&wait, 1, poll_ms);
+    for (const std::string& line : connection.exchange()) {
+      const auto message = nlohmann::json::parse(line, nullptr, false);
+      if (message.is_object() && message.value("event", "") == "answer") {
+        return message.value("refused", "");
+      }
+    }
+  }
+  return connection.is_open() ? "the printer's feeder does not answer" : connection_lost;
 }
 
 void FeederLink::end_if_idle() {

@@ -24,7 +24,7 @@ struct ConsoleLine {
   std::int64_t time_ms{};  // since 1970, when it was heard
 };
 
-// For one thread at a time.
+// For one thread at a time, but for stop().
 class FeederLink {
  public:
   static constexpr const char* connection_lost = "the printer's feeder has ended";
@@ -50,6 +50,10 @@ class FeederLink {
 
   const std::deque<ConsoleLine>& console() const { return console_; }
   const TemperatureLog& temperatures() const { return temperatures_; }
+
+  // M112, on a connection of its own, so that nothing that the spooler waits for holds it up. For any
+  // thread. Returns why it could not be given, or nothing.
+  std::string stop() const;
 
   // Ends feeder and simulated printer, if nothing is being printed.
   void end_if_idle();

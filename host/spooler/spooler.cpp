@@ -41,13 +41,6 @@ std::optional<JobState> state_for(const std::string& phase) {
   return std::nullopt;  // opening, cancelling
 }
 
-// In mm, as planned, for the part of its commands that were sent.
-double filament_used(const Job& job, const FeederState& state) {
-  if (state.phase == "finished" || state.commands <= 0) return job.filament_mm;
-  const double part = static_cast<double>(state.done) / static_cast<double>(state.commands);
-  return job.filament_mm * part;
-}
-
 }  // namespace
 
 Spooler::FolderLock::FolderLock(const std::filesystem::path& folder)
@@ -271,9 +264,13 @@ bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState&
       if (state.link == "ready") send_start(printer, job);
       return false;
     }
-    queue_.change(job.id, JobState::interrupted, "the feeder does not know the job any more");
+    queue_.change(job.id, JobState::interrupted, "the feeder does not know the job any more",
+                  filament_used(job, {}));
     return true;
   }
+  Progress& progress = progress_[printer.name()];
+  if (progress.job != job.id) progress = {.job = job.id, .done = 0};
+  progress.done = std::max(progress.done, state.done);
   const auto wanted = state_for(state.phase);
   if (!wanted || wanted == job.state) return false;
   // What happened between two looks is written down too.
@@ -283,6 +280,15 @@ bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState&
   }
   queue_.change(job.id, *wanted, state.why, is_over(state) ? filament_used(job, state) : 0);
   return true;
+}
+
+// In mm, as planned, for the part of its commands that were sent.
+double Spooler::filament_used(const Job& job, const FeederState& state) const {
+  if (state.phase == "finished" || job.commands <= 0) return job.filament_mm;
+  std::int64_t done = state.done;
+  const auto seen = progress_.find(job.printer);
+  if (seen != progress_.end() && seen->second.job == job.id) done = std::max(done, seen->second.done);
+  return job.filament_mm * static_cast<double>(done) / static_cast<double>(job.commands);
 }
 
 void Spooler::changed() {

@@ -80,7 +80,8 @@ class Spooler {
   void set_bed_clear(const std::string& printer, bool clear);
   // What is left on its spool, in mm; nothing: not known, and no job waits for it.
   void set_filament_left(const std::string& printer, std::optional<double> millimetres);
-  // pause, resume, cancel, stop, or send with a line.
+  // pause, resume, cancel, stop, or send with a line. A stop, also as M112, waits for nothing that
+  // the spooler does, such as a database that hangs.
   void ask(const std::string& printer, const nlohmann::json& wish);
   // Switches a simulated printer off and on.
   void restart(const std::string& printer);
@@ -151,10 +152,12 @@ class Spooler {
   void note_check(const CheckResult& result);
   bool forget_failed_checks();
   bool follow(FeederLink& printer);
+  void stop(const std::string& printer);
   bool end_clear_bed(const std::string& printer);
   void start_next(FeederLink& printer);
   void send_start(FeederLink& printer, const queue::Job& job);
   bool follow_job(FeederLink& printer, const queue::Job& job, const FeederState& state);
+  double filament_used(const queue::Job& job, const FeederState& state) const;
   FeederLink& link(const std::string& printer);
   // Of each job its own: a check of the same file for another job leaves it alone.
   std::filesystem::path commands_of(const queue::Job& job) const;
@@ -170,6 +173,12 @@ class Spooler {
   Checker checker_;
   std::vector<std::unique_ptr<FeederLink>> printers_;
   std::map<std::string, std::chrono::steady_clock::time_point> blocked_until_;
+  // Of the job on each printer, the most that its feeder has said: after a kill it does not know it.
+  struct Progress {
+    queue::JobId job{};
+    std::int64_t done{};
+  };
+  std::map<std::string, Progress> progress_;
 
   // Of a queue with several spoolers.
   Background fetcher_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people ask of the spooler.
+#include "host/feeder/typed_line.hpp"
 #include "host/spooler/spooler.hpp"
 
 namespace spooler {
@@ -11,6 +12,11 @@ using queue::JobState;
 namespace {
 
 constexpr std::chrono::seconds answer_limit{5};
+
+bool is_stop(const nlohmann::json& wish) {
+  return wish.at("do") == "stop" ||
+         (wish.at("do") == "send" && feeder::m_code_of(wish.at("line").get<std::string>()) == 112);
+}
 
 }  // namespace
 
@@ -188,7 +194,19 @@ void Spooler::restart(const std::string& printer) {
   found.restart_chip();
 }
 
+// The printers are the same from beginning to end.
+void Spooler::stop(const std::string& printer) {
+  for (const auto& each : printers_) {
+    if (each->name() != printer) continue;
+    if (const std::string refusal = each->stop(); !refusal.empty()) throw Refused(refusal);
+    return;
+  }
+  const std::scoped_lock lock(mutex_);
+  link(printer);
+}
+
 void Spooler::ask(const std::string& printer, const nlohmann::json& wish) {
+  if (is_stop(wish)) return stop(printer);
   // The answer may come when this call waits no longer.
   struct Waiting {
     std::optional<std::string> refusal;

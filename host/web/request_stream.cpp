@@ -60,12 +60,13 @@ RequestStream::RequestStream(int socket, Connections& connections) : connections
 bool RequestStream::is_readable() const { return !ended_ && used_ < filled_; }
 bool RequestStream::is_writable() const { return !ended_ && wait_to_write(); }
 
-Clock::time_point RequestStream::due() const {
+// Until the client has sent more.
+Clock::duration RequestStream::time_left() const {
   const WaitLimits& limits = connections_.limits();
-  if (!head_ended_) return began_ + limits.patience;
+  if (!head_ended_) return limits.patience - waited_;
   const std::chrono::duration<double> more(static_cast<double>(total_) / limits.bytes_per_second);
-  return std::min(began_ + 2 * limits.patience + std::chrono::duration_cast<Clock::duration>(more),
-                  read_at_ + limits.patience);
+  const Clock::duration all = 2 * limits.patience + std::chrono::duration_cast<Clock::duration>(more);
+  return std::min<Clock::duration>(all - waited_, limits.patience);
 }
 
 ssize_t RequestStream::read(char* bytes, std::size_t size) {
@@ -81,23 +82,24 @@ bool RequestStream::fill() {
   if (ended_) return false;
   bool is_there = wait_for(awaited_.socket, POLLIN, milliseconds(0));
   if (!is_there) {
-    awaited_.due = due();
+    const Clock::time_point begin = Clock::now();
+    const Clock::duration left = std::max(time_left(), Clock::duration::zero());
+    awaited_.due = begin + left;
     connections_.enter(awaited_);
-    is_there =
-        wait_for(awaited_.socket, POLLIN, std::chrono::ceil<milliseconds>(due() - Clock::now()));
+    is_there = wait_for(awaited_.socket, POLLIN, std::chrono::ceil<milliseconds>(left));
     connections_.leave(awaited_);
+    waited_ += Clock::now() - begin;
   }
   if (awaited_.given_up) {
     answer_and_end("503 Service Unavailable", "too many requests are on their way: try again");
     return false;
   }
-  if (!is_there || Clock::now() > due()) {
+  if (!is_there || time_left() < Clock::duration::zero()) {
     answer_and_end("408 Request Timeout", "the request came too slowly");
     return false;
   }
   const ssize_t count = recv(awaited_.socket, buffer_.data(), buffer_.size(), 0);
   if (count <= 0) return false;
-  read_at_ = Clock::now();
   used_ = 0;
   filled_ = static_cast<std::size_t>(count);
   total_ += filled_;

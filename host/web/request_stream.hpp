@@ -30,7 +30,7 @@ class RequestStream final : public httplib::Stream {
   socket_t socket() const override { return awaited_.socket; }
 
  private:
-  Clock::time_point due() const;
+  Clock::duration time_left() const;
   bool fill();
   void follow_head();
   bool wait_to_write() const;
@@ -38,7 +38,7 @@ class RequestStream final : public httplib::Stream {
 
   Connections& connections_;
   mutable Awaited awaited_;  // is_writable() waits too
-  Clock::time_point began_ = Clock::now(), read_at_ = began_;
+  Clock::duration waited_{};  // for the client, in all; what this server takes is not its fault
   std::array<char, 128 * 1024> buffer_;  // an upload wakes its client less often than with less
   std::size_t used_ = 0, filled_ = 0;  // of the buffer
   std::size_t total_ = 0, head_bytes_ = 0;  // that have come
