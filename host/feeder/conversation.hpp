@@ -39,9 +39,8 @@ class Conversation {
   static constexpr std::int64_t lowest_base = std::int64_t{1} << 20;
   static constexpr std::int64_t highest_base = std::int64_t{1} << 30;
 
-  // Goes on with what the journal holds. `base`: makes a random base. `pause_limit`: the hotend of a
-  // job that is paused for so long is switched off, and heated again before the job goes on; 0:
-  // never.
+  // Goes on with what the journal holds. `base`: makes a random base. `pause_limit`: the hotend of
+  // a job that is paused for so long is switched off, and hot again before it goes on; 0: never.
   Conversation(Journal& journal, std::function<std::int64_t()> base, Time pause_limit = {});
 
   void opened(Time now);

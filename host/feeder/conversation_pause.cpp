@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pause that lasts: the hotend is switched off, since filament chars in it, and it is heated again
+// A pause that lasts: the hotend is switched off, since filament chars in it, and heated again
 // before the job goes on. The bed stays warm, or the part would come loose.
 #include <fmt/format.h>
 
@@ -12,7 +12,8 @@ namespace feeder {
 namespace {
 
 constexpr Time again_interval{10'000};  // a line without a number may be refused after a Resend
-constexpr double same_target = 0.5;
+constexpr double same_target = 0.5, nearly_hot = 15;
+constexpr const char* hotend_off = "M104 S0";
 
 }  // namespace
 
@@ -28,14 +29,15 @@ void Conversation::watch_pause(Time now) {
   }
   if (!cools_at_) cools_at_ = now + pause_limit_;
   const double target = target_.value_or(0);
-  if (target <= 0) return;
+  // While the printer waits for its user no line is executed: nothing is said that is not done.
+  if (target <= 0 || unanswered_ > 0) return;
   const bool is_due = now >= *cools_at_;
   // Where it was switched off before, a person has heated it since.
   const bool is_new = target != hotend_to_restore() && (is_due || hotend_to_restore() > 0);
   if (is_new) note_hotend_to_restore(target);
   if (!is_due) return;
   cools_at_ = now + again_interval;
-  typed_.emplace_front("M104 S0");
+  if (typed_.empty() || typed_.front() != hotend_off) typed_.emplace_front(hotend_off);
   if (!is_new) {
     return;  // said before
   }
@@ -59,7 +61,8 @@ void Conversation::answer_heating() {
   } else if (heating_again_ == HeatingAgain::asks) {
     heating_again_ = HeatingAgain::no;
     const double target = temperatures_.hotend_target.value_or(0);
-    if (std::abs(target - hotend_to_restore()) < same_target) note_hotend_to_restore(0);
+    const bool is_hot = temperatures_.hotend.value_or(0) > hotend_to_restore() - nearly_hot;
+    if (is_hot && std::abs(target - hotend_to_restore()) < same_target) note_hotend_to_restore(0);
   }
 }
 

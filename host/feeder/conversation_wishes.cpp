@@ -89,8 +89,15 @@ std::string Conversation::send(std::string_view text) {
   if (record() && record()->phase != Phase::paused && has_work() && !is_harmless(text)) {
     return "it could spoil the print: pause it first, or wait for its end";
   }
-  cools_at_.reset();  // somebody works on it
-  if (code == 105 || code == 114) asked_codes_.insert(code);
+  const bool heats = code == 104 || code == 109 || code == 140 || code == 190;
+  if (heats && record() && record()->phase == Phase::cancelling) {
+    return "everything is being switched off";
+  }
+  if (code == 105 || code == 114) {
+    asked_codes_.insert(code);
+  } else {
+    cools_at_.reset();  // a person works on it
+  }
   if (code == 108 || code == 410) {  // they act at once
     output_ += "M" + std::to_string(code) + "\n";
     ++unanswered_;

@@ -117,7 +117,7 @@ Json metadata(Core& core, const queue::Job& job) {
   }
   const JobTimes times = times_of(core.spooler.history(job.id), 0);
   if (times.started > 0) json["print_start_time"] = times.started;
-  add_check(job, json);
+  if (const auto whole = core.spooler.find(job.id)) add_check(*whole, json);
   add_slicer(core.spooler.store().path_of(job.file), json);
   return json;
 }

@@ -18,6 +18,12 @@ namespace {
 
 const std::string server_ms = "(extract(epoch FROM clock_timestamp()) * 1000)::bigint";
 
+// A spooler at work renews several times in the time of a lease: more is left only where the
+// server's clock was set back since.
+bool is_running(std::int64_t left_ms, std::chrono::milliseconds lease_time) {
+  return left_ms > 0 && left_ms <= 2 * lease_time.count();
+}
+
 }  // namespace
 
 std::int64_t boot_ms() {
@@ -34,10 +40,21 @@ std::string boot_id() {
 
 void Queue::join() {
   Transaction transaction(*database_);
-  Statement(*database_, "INSERT INTO spoolers(id, place, ends_ms) VALUES(?, ?, " + server_ms +
-                            " + ?) ON CONFLICT(id) DO UPDATE SET place = excluded.place, "
-                            "ends_ms = excluded.ends_ms")
+  // A copy of a whole disk has its number too; two of one number would share their printers.
+  Statement row(*database_, "SELECT place, ends_ms - " + server_ms +
+                                " FROM spoolers WHERE id = ? AND boot <> ?");
+  row.bind(member_->id).bind(member_->boot);
+  if (row.step() && is_running(row.integer(1), member_->lease_time)) {
+    throw std::runtime_error("a spooler with the number of this one is at work on " + row.text(0) +
+                             ": remove the file spooler_id in the folder of --data where that is a "
+                             "copy; after a restart of the machine wait some seconds");
+  }
+  Statement(*database_, "INSERT INTO spoolers(id, boot, place, ends_ms) VALUES(?, ?, ?, " +
+                            server_ms +
+                            " + ?) ON CONFLICT(id) DO UPDATE SET boot = excluded.boot, "
+                            "place = excluded.place, ends_ms = excluded.ends_ms")
       .bind(member_->id)
+      .bind(member_->boot)
       .bind(member_->place)
       .bind(member_->lease_time.count())
       .run();
@@ -54,7 +71,7 @@ std::string Queue::claim(const std::string& printer) {
   if (!member_) return {};
   const std::int64_t before_ms = boot_ms();
   Transaction transaction(*database_);
-  Statement row(*database_, "SELECT spooler, boot, token, leases.ends_ms - " + server_ms +
+  Statement row(*database_, "SELECT spooler, leases.boot, token, leases.ends_ms - " + server_ms +
                                 ", place FROM leases JOIN spoolers ON spoolers.id = spooler "
                                 "WHERE printer = ?");
   row.bind(printer);
@@ -64,7 +81,7 @@ std::string Queue::claim(const std::string& printer) {
     // The lock of its folder says that the process which had it is gone.
     const bool may_go_on = was_mine && row.text(1) == member_->boot;
     const std::int64_t left_ms = row.integer(3);
-    if (left_ms > 0 && !may_go_on) {
+    if (is_running(left_ms, member_->lease_time) && !may_go_on) {
       return "printer " + printer + " belongs to the spooler on " + row.text(4) +
              ", whose lease ends in " + std::to_string(left_ms / 1000 + 1) +
              " s unless it is renewed";

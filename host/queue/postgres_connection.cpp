@@ -54,7 +54,8 @@ std::string whole_address(const std::string& address) {
   std::map<std::string, std::string> values(defaults.begin(), defaults.end());
   for (const PQconninfoOption* each = options.get(); each->keyword != nullptr; ++each) {
     if (each->val == nullptr) continue;
-    if (std::string_view(each->keyword) == "password") {
+    const std::string_view keyword = each->keyword;
+    if (keyword == "password" || keyword == "sslpassword") {
       throw std::runtime_error(
           "--database: no password here, where every user of this machine can read it; write it "
           "into ~/.pgpass, or a file that PGPASSFILE names");

@@ -25,7 +25,21 @@ constexpr const char* release_fault = "its lease could not be given back: ";
 }  // namespace
 
 queue::Queue queue_of(const Settings& settings) {
-  if (settings.database.empty()) return queue::Queue(settings.data / "queue.db");
+  // Files, journals and numbers of jobs in the folder are of one queue.
+  const std::filesystem::path own = settings.data / "queue.db";
+  if (settings.database.empty()) {
+    if (!std::filesystem::exists(own) && std::filesystem::exists(settings.data / spooler_id_file)) {
+      throw std::runtime_error(
+          settings.data.string() +
+          " was used with --database: without it name another folder by --data");
+    }
+    return queue::Queue(own);
+  }
+  if (std::filesystem::exists(own)) {
+    throw std::runtime_error(
+        settings.data.string() +
+        " has a queue of its own: for --database name another folder by --data");
+  }
   return {std::make_unique<queue::PostgresDatabase>(settings.database),
           queue::Member{.id = spooler_id(settings.data),
                         .boot = queue::boot_id(),

@@ -51,8 +51,8 @@ class FeederLink {
   const std::deque<ConsoleLine>& console() const { return console_; }
   const TemperatureLog& temperatures() const { return temperatures_; }
 
-  // M112, on a connection of its own, so that nothing that the spooler waits for holds it up. For any
-  // thread. Returns why it could not be given, or nothing.
+  // M112, on a connection of its own, so that nothing that the spooler waits for holds it up. For
+  // any thread. Returns why it could not be given, or nothing.
   std::string stop() const;
 
   // Ends feeder and simulated printer, if nothing is being printed.

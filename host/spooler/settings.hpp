@@ -18,7 +18,7 @@ struct Settings {
   // The program with the jobs `plan` and `serve`.
   std::filesystem::path tool_program;
   std::uint32_t baud = 250'000;
-  // So long after a person has said that a bed is clear nothing starts there; 0: for ever.
+  // So long after a person has said that a bed is clear nothing starts there; 0: no limit.
   std::chrono::milliseconds bed_clear_limit{0};
   std::chrono::minutes pause_limit{0};  // then a paused job's hotend is switched off; 0: never
   std::string simulation_speed = "real";  // or max

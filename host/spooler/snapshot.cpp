@@ -40,7 +40,7 @@ Json to_json(const queue::Job& job) {
 Json Spooler::to_json(const FeederLink& printer) {
   const FeederState& state = printer.last_state();
   const auto job = std::ranges::find_if(view_.jobs, [&](const queue::Job& each) {
-    return is_active(each.state) && each.printer == printer.name();
+    return is_active(each.state) && each.printer == printer.name() && queue_.holds(printer.name());
   });
   const auto left = view_.filaments.find(printer.name());
   const auto refusal = lease_refusals_.find(printer.name());

@@ -6,11 +6,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <thread>
 #include <utility>
-
-#include "host/queue/now.hpp"
 
 namespace spooler {
 
@@ -208,16 +206,6 @@ bool Spooler::follow(FeederLink& printer) {
   return false;
 }
 
-// What a person has said long ago may not be so any more. True where it has ended.
-bool Spooler::end_clear_bed(const std::string& printer) {
-  const std::int64_t limit = settings_.bed_clear_limit.count();
-  if (limit == 0) return false;
-  const auto since = queue_.clear_since(printer);
-  if (!since || std::abs(queue::now_ms() - *since) <= limit) return false;
-  queue_.set_bed_clear(printer, false);
-  return true;
-}
-
 void Spooler::start_next(FeederLink& printer) {
   const auto blocked = blocked_until_.find(printer.name());
   if (blocked != blocked_until_.end() && std::chrono::steady_clock::now() < blocked->second) return;
@@ -280,15 +268,6 @@ bool Spooler::follow_job(FeederLink& printer, const Job& job, const FeederState&
   }
   queue_.change(job.id, *wanted, state.why, is_over(state) ? filament_used(job, state) : 0);
   return true;
-}
-
-// In mm, as planned, for the part of its commands that were sent.
-double Spooler::filament_used(const Job& job, const FeederState& state) const {
-  if (state.phase == "finished" || job.commands <= 0) return job.filament_mm;
-  std::int64_t done = state.done;
-  const auto seen = progress_.find(job.printer);
-  if (seen != progress_.end() && seen->second.job == job.id) done = std::max(done, seen->second.done);
-  return job.filament_mm * static_cast<double>(done) / static_cast<double>(job.commands);
 }
 
 void Spooler::changed() {

@@ -173,10 +173,11 @@ class Spooler {
   Checker checker_;
   std::vector<std::unique_ptr<FeederLink>> printers_;
   std::map<std::string, std::chrono::steady_clock::time_point> blocked_until_;
-  // Of the job on each printer, the most that its feeder has said: after a kill it does not know it.
+  // Of the job on each printer, the most that its feeder has said: a new feeder does not know it.
   struct Progress {
     queue::JobId job{};
     std::int64_t done{};
+    std::int64_t since{};  // commands done when it was last said how much filament is left
   };
   std::map<std::string, Progress> progress_;
 

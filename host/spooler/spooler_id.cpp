@@ -31,7 +31,7 @@ std::string origin_of(const std::filesystem::path& data) {
 }  // namespace
 
 std::string spooler_id(const std::filesystem::path& data) {
-  const std::filesystem::path file = data / "spooler_id";
+  const std::filesystem::path file = data / spooler_id_file;
   const std::string origin = origin_of(data);
   std::string id, known_origin;
   std::ifstream stream(file);

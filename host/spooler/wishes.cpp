@@ -57,6 +57,10 @@ void Spooler::cancel(JobId id) {
       changed();
       return;
     }
+    if (is_active(job->state) && !queue_.holds(job->printer)) {
+      throw Refused("job " + std::to_string(id) +
+                    " is printed by another spooler: cancel it there");
+    }
     printer = job->printer;
     interrupted = job->state == JobState::interrupted;
   }
@@ -134,9 +138,11 @@ std::optional<Job> Spooler::find(JobId id) {
   return queue_.find(id);
 }
 
+// Without the results of checks: of a thousand jobs these are many megabytes.
 std::vector<Job> Spooler::jobs() {
+  constexpr std::int64_t most_over = 1000;
   const std::scoped_lock lock(mutex_);
-  return queue_.jobs();
+  return queue_.overview(most_over);
 }
 
 std::vector<queue::Change> Spooler::history(JobId id) {
@@ -182,8 +188,12 @@ void Spooler::set_bed_clear(const std::string& printer, bool clear) {
 
 void Spooler::set_filament_left(const std::string& printer, std::optional<double> millimetres) {
   const std::scoped_lock lock(mutex_);
-  link(printer);
+  const FeederState& state = link(printer).last_state();
   queue_.set_filament_left(printer, millimetres);
+  if (const auto job = queue_.active_on(printer)) {
+    const std::int64_t done = state.job == job->id ? state.done : 0;
+    progress_[printer] = {.job = job->id, .done = done, .since = done};
+  }
   changed();
 }
 
@@ -218,7 +228,11 @@ void Spooler::ask(const std::string& printer, const nlohmann::json& wish) {
   // A feeder that has not heard of the job yet must not start it after its cancel.
   const bool feeder_has_one = found.last_state().job && !is_over(found.last_state());
   if (wish.at("do") == "cancel" && !wish.contains("job") && !feeder_has_one) {
-    if (const auto job = queue_.active_on(printer)) whole["job"] = job->id;
+    try {
+      const auto job = queue_.active_on(printer);
+      if (job && queue_.holds(printer)) whole["job"] = job->id;
+    } catch (const queue::Unavailable&) {  // then by what the feeder knows
+    }
   }
   found.ask(whole, [this, waiting](const std::string& refusal) {
     waiting->refusal = refusal;

@@ -65,7 +65,8 @@ Clock::duration RequestStream::time_left() const {
   const WaitLimits& limits = connections_.limits();
   if (!head_ended_) return limits.patience - waited_;
   const std::chrono::duration<double> more(static_cast<double>(total_) / limits.bytes_per_second);
-  const Clock::duration all = 2 * limits.patience + std::chrono::duration_cast<Clock::duration>(more);
+  const Clock::duration all =
+      2 * limits.patience + std::chrono::duration_cast<Clock::duration>(more);
   return std::min<Clock::duration>(all - waited_, limits.patience);
 }
 

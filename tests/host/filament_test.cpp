@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A job starts only where enough filament is left, as far as a person has said how much; and a bed
-// is not clear for ever because somebody has said so once.
+// does not stay clear because a person has said so once.
 #include <gmock/gmock.h>
 
 #include <thread>
@@ -44,7 +44,7 @@ TEST_F(FilamentTest, a_job_waits_for_enough_and_what_it_uses_is_taken_off) {
   EXPECT_EQ(left_on("left"), 30) << "it is on the disk";
 }
 
-TEST_F(FilamentTest, nothing_waits_where_nobody_has_said_how_much_is_left) {
+TEST_F(FilamentTest, nothing_waits_where_it_is_not_known_how_much_is_left) {
   const auto id = upload(extruding(100));
   spool().set_filament_left("left", 1);
   spool().set_filament_left("left", std::nullopt);
@@ -79,6 +79,39 @@ TEST_F(FilamentTest, a_cancelled_job_has_used_what_was_sent) {
   EXPECT_NEAR(left_on("left"), 30'000 - executed, 10);
 }
 
+TEST_F(FilamentTest, what_is_said_in_the_middle_of_a_job_loses_only_the_rest) {
+  const auto id = upload(extruding(20'000));
+  expect_state(id, JobState::queued);
+  spool().set_bed_clear("left", true);
+  expect_executed(500);
+  spool().ask("left", {{"do", "pause"}});
+  expect_state(id, JobState::paused);
+  const auto before = left.executed().size();
+  spool().set_filament_left("left", 30'000);
+  spool().ask("left", {{"do", "resume"}});
+  expect_executed(before + 300);
+  spool().cancel(id);
+  expect_state(id, JobState::cancelled);
+  const auto since = static_cast<double>(left.executed().size() - before);
+  expect_soon([&] { return left_on("left") < 30'000; }, "nothing is taken off");
+  EXPECT_NEAR(left_on("left"), 30'000 - since, 20);
+}
+
+TEST_F(FilamentTest, a_killed_feeder_does_not_forget_what_was_used) {
+  const auto id = upload(extruding(20'000));
+  expect_state(id, JobState::queued);
+  spool().set_filament_left("left", 30'000);
+  spool().set_bed_clear("left", true);
+  expect_executed(500);
+  expect_soon([&] { return printer_state().at("done") >= 400; }, "no progress is reported");
+  signal_feeder(SIGSTOP);
+  left.with([](host_test::LinkPrinter& printer) { printer.restart(); });
+  kill_feeder();
+  expect_state(id, JobState::interrupted);
+  expect_soon([&] { return left_on("left") < 30'000; }, "nothing is taken off");
+  EXPECT_LT(left_on("left"), 30'000 - 390);
+}
+
 class BedLimitTest : public host_test::SpoolerTest {
  protected:
   BedLimitTest() {
@@ -91,7 +124,7 @@ class BedLimitTest : public host_test::SpoolerTest {
 TEST_F(BedLimitTest, a_bed_is_clear_for_a_limited_time) {
   spool().set_bed_clear("left", true);
   EXPECT_TRUE(printer_state().at("bed_clear"));
-  expect_soon([&] { return !printer_state().at("bed_clear").get<bool>(); }, "clear for ever");
+  expect_soon([&] { return !printer_state().at("bed_clear").get<bool>(); }, "it stays clear");
   const auto id = upload("G28 X\n");
   expect_state(id, JobState::queued);
   std::this_thread::sleep_for(1s);

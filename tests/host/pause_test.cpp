@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A long pause: the hotend does not stay hot, and no line of the job is executed before it is as hot
-// as it was.
+// A long pause: the hotend does not stay hot, and no line of the job is executed before it is as
+// hot as it was.
 #include <gmock/gmock.h>
 
 #include "tests/host/conversation_fixture.hpp"
@@ -176,6 +176,20 @@ TEST_F(PauseTest, a_person_who_heats_and_leaves_is_waited_for_as_long_again) {
   EXPECT_EQ(printer.hotend_target(), 0);
   ASSERT_EQ(feed().resume(), "");
   expect_rest_is_printed_at(190);
+}
+
+TEST_F(PauseTest, says_nothing_of_a_hotend_that_it_cannot_switch_off) {
+  begin_hot();
+  ASSERT_EQ(feed().pause(), "");
+  run(1s);
+  ASSERT_EQ(feed().send("M0 Look"), "");
+  run(2 * limit);
+  ASSERT_TRUE(printer.waits());
+  EXPECT_EQ(printer.hotend_target(), 205);
+  EXPECT_THAT(said, Not(HasSubstr("switched off")));
+  EXPECT_EQ(feed().hotend_to_restore(), 0);
+  ASSERT_EQ(feed().resume(), "");
+  expect_rest_is_printed_at(205);
 }
 
 TEST_F(PauseTest, cancelling_ends_the_heating) {

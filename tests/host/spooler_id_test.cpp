@@ -32,7 +32,7 @@ TEST(SpoolerId, is_new_where_another_folder_has_taken_the_place) {
   fs::create_directory(data);
   const std::string id = spooler_id(data);
   fs::rename(data, aside);
-  EXPECT_NE(spooler_id(aside), id) << "what was moved may run beside what takes its place";
+  EXPECT_NE(spooler_id(aside), id) << "what was moved may run together with what takes its place";
   fs::copy(aside, data, fs::copy_options::recursive);
   EXPECT_NE(spooler_id(data), id);
 }

@@ -95,7 +95,7 @@ TEST_F(WebTest, changes_the_queue) {
   }
   EXPECT_EQ(posted("/api/v1/printers/left/filament", {{"mm", 1234.5}}), 200);
   EXPECT_EQ(posted("/api/v1/printers/left/filament"), 400);
-  EXPECT_EQ(posted("/api/v1/printers/nobody/filament", {{"mm", 1}}), 404);
+  EXPECT_EQ(posted("/api/v1/printers/unknown/filament", {{"mm", 1}}), 404);
   EXPECT_EQ(spool().snapshot()->json.at("printers")[0].at("filament_mm"), 1234.5);
 }
 

@@ -70,8 +70,12 @@ TEST_F(ReportFiles, say_that_a_full_disk_takes_no_edges_before_anything_moves) {
 }
 
 TEST_F(ReportFiles, say_that_the_disk_became_full_of_edges) {
-  // A limit to the size of files ends writing as a full disk does. 28 800 edges take twice this.
-  const std::string limit = "ulimit -f 300; ";
+  // A limit to the size of files ends writing as a full disk does. 288 000 edges take three times
+  // this; the log of the build, which is written too, a third.
+  std::string moves = "G28 X\n";
+  for (int i = 0; i < 10; ++i) moves += "G1 X180 F12000\nG1 X0\n";
+  scenarios::write_file(gcode, moves);
+  const std::string limit = "ulimit -f 2000; ";
   EXPECT_EQ(shell(limit + print_line("--edges " + (folder / "edges.csv").string())), 1);
   expect_faulted("cannot write all of");
   EXPECT_THAT(json(), HasSubstr("edges.csv"));

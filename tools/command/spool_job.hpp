@@ -29,7 +29,7 @@ struct SpoolOptions {
   std::filesystem::path mqtt_login;  // file with user and password; empty: none
   std::string mqtt_topic = "stepfabric";
   std::uint32_t baud = 250'000;
-  std::int64_t bed_clear_limit_h = 24;  // so long a clear bed counts as such; 0: for ever
+  std::int64_t bed_clear_limit_h = 24;  // so long a clear bed counts as such; 0: no limit
   std::int64_t pause_limit_min = 30;  // then a paused job's hotend is switched off; 0: never
   std::string simulation_speed = "real";
 };

@@ -70,7 +70,7 @@ void add_options(CLI::App& app, SpoolOptions& options) {
       ->capture_default_str();
   job.add_option("--bed-clear-limit", options.bed_clear_limit_h,
                  "so long after a person has said that a bed is clear a job may start there; 0: "
-                 "for ever")
+                 "no limit")
       ->type_name("HOURS")
       ->check(CLI::Range(0, 10'000))
       ->capture_default_str();

@@ -19,7 +19,7 @@ function wordsOf(printer, job, jobs) {
   if (job && job.state === 'paused') {
     return ['paused', 'warn', restored
       ? `Its hotend was switched off after a long pause. Resume heats it to ${restored} °C and goes on.`
-      : 'Its heaters stay on. Press Resume to go on.'];
+      : 'Press Resume to go on. In a long pause its hotend is switched off, and heated again before it goes on.'];
   }
   if (job && restored) return ['heating', 'good', `It goes on once the hotend has ${restored} °C again.`];
   if (job) return [job.state, 'good', ''];
@@ -145,7 +145,7 @@ function showButtons(part, printer, job) {
 }
 
 function showFilament(part, left) {
-  if (document.activeElement === part.filament) return;  // somebody types
+  if (document.activeElement === part.filament) return;  // a person types
   const text = left === null ? '' : String(Number(metres(left)));
   if (part.filament.value !== text) part.filament.value = text;
 }

@@ -89,7 +89,7 @@ TEST_F(PageTest, a_job_waits_for_filament_until_a_person_says_that_there_is_enou
   open_page();
   const std::string field = ".card [aria-label^='Filament left']";
   const auto enter = [&](const std::string& metres) {
-    browser().run("const field = document.querySelector(arguments[0]); field.focus(); field.select();",
+    browser().run("const at = document.querySelector(arguments[0]); at.focus(); at.select();",
                   {field});
     browser().press(metres.empty() ? keys::backspace : metres);
     browser().press(keys::tab);
