@@ -117,7 +117,9 @@ Json metadata(Core& core, const queue::Job& job) {
   }
   const JobTimes times = times_of(core.spooler.history(job.id), 0);
   if (times.started > 0) json["print_start_time"] = times.started;
-  if (const auto whole = core.spooler.find(job.id)) add_check(*whole, json);
+  // Lists of jobs have no results of checks.
+  const auto whole = job.check.empty() ? core.spooler.find(job.id) : std::nullopt;
+  add_check(whole ? *whole : job, json);
   add_slicer(core.spooler.store().path_of(job.file), json);
   return json;
 }
