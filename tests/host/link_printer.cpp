@@ -51,11 +51,13 @@ void LinkPrinter::obey(const EmergencyCommand& command) {
 bool LinkPrinter::is_heated(const std::string& text, std::chrono::milliseconds now) {
   const bool waits = text.starts_with("M109 S");
   if ((waits || text.starts_with("M104 S")) && !heated_at_) {
-    hotend_target_ = std::stod(text.substr(6));
+    const double before = std::exchange(hotend_target_, std::stod(text.substr(6)));
+    if (is_hot_ && before == hotend_target_) return true;
   }
   if (!waits) return true;
   if (!heated_at_) {
     heated_at_ = now + heating_time;
+    is_hot_ = false;
     reported_at_ = now;
   }
   if (now < *heated_at_) {
@@ -65,6 +67,7 @@ bool LinkPrinter::is_heated(const std::string& text, std::chrono::milliseconds n
     }
     return false;
   }
+  is_hot_ = heated_at_ != std::chrono::milliseconds(0);  // not ended by M108
   heated_at_.reset();
   return true;
 }
@@ -97,7 +100,7 @@ bool LinkPrinter::execute(const host_link::AcceptedLine& line, std::chrono::mill
 
 std::string LinkPrinter::temperatures() const {
   return fmt::format(" T:{:.2f} /{:.2f} B:20.25 /0.00 @:0 B@:0",
-                     hotend_target_ > 0 ? hotend_target_ : 21.5, hotend_target_);
+                     hotend_target_ > 0 && is_hot_ ? hotend_target_ : 21.5, hotend_target_);
 }
 
 void LinkPrinter::report(std::chrono::milliseconds now) {

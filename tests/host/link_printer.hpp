@@ -31,7 +31,8 @@ class LinkPrinter {
   // It says so, and goes on.
   void say(std::string_view message) { unsent_ += std::string(message) + "\n"; }
   bool waits() const { return waiting_; }
-  // M104 and M109 set it. M109 takes `heating_time`, and says so every second.
+  // M104 and M109 set it. M109 takes `heating_time`, and says so every second; where M108 ends it
+  // before, the hotend is not hot.
   double hotend_target() const { return hotend_target_; }
   bool heats() const { return heated_at_.has_value(); }
   static constexpr std::chrono::milliseconds heating_time{20'000};
@@ -56,6 +57,7 @@ class LinkPrinter {
   bool lose_ok_ = false, halted_ = false, waiting_ = false, wait_is_over_ = false, at_rest_ = false;
   std::chrono::milliseconds report_interval_{0}, reported_at_{0};  // 0: by request only
   double hotend_target_ = 0;
+  bool is_hot_ = true;
   std::optional<std::chrono::milliseconds> heated_at_;  // when the M109 in hand ends
   std::size_t skipped_ = 0;  // lines that wait and are not executed
 };

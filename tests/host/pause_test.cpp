@@ -38,6 +38,7 @@ class PauseTest : public host_test::ConversationTest {
     run_until_executed(before + 1);
     ASSERT_GT(printer.executed.size(), before) << "it does not go on";
     EXPECT_EQ(printer.hotend_target(), celsius);
+    EXPECT_TRUE(celsius == 0 || *feed().temperatures().hotend > celsius - 20);
     EXPECT_FALSE(printer.heats()) << "a line was executed before the hotend was hot";
     run_to_end();
     EXPECT_EQ(phase(), Phase::finished);
@@ -190,6 +191,28 @@ TEST_F(PauseTest, says_nothing_of_a_hotend_that_it_cannot_switch_off) {
   EXPECT_EQ(feed().hotend_to_restore(), 0);
   ASSERT_EQ(feed().resume(), "");
   expect_rest_is_printed_at(205);
+}
+
+TEST_F(PauseTest, ending_the_wait_for_heat_lets_nothing_be_printed_cold) {
+  begin_hot();
+  pause_for(limit + 5s);
+  ASSERT_EQ(feed().resume(), "");
+  run(3s);
+  ASSERT_TRUE(printer.heats());
+  ASSERT_EQ(feed().send("M108"), "");
+  expect_rest_is_printed_at(205);
+}
+
+TEST_F(PauseTest, nothing_is_heated_while_everything_is_switched_off) {
+  begin_hot();
+  ASSERT_EQ(feed().cancel(), "");
+  run(100ms);
+  for (const char* line : {"M104 S200", "M109 S200", "M140 S60", "M190 S60"}) {
+    EXPECT_NE(feed().send(line), "") << line;
+  }
+  run(15s);
+  EXPECT_EQ(phase(), Phase::cancelled);
+  EXPECT_EQ(printer.hotend_target(), 0);
 }
 
 TEST_F(PauseTest, cancelling_ends_the_heating) {
