@@ -22,6 +22,14 @@ std::string extruding(int lines) {
 
 class FilamentTest : public host_test::SpoolerTest {
  protected:
+  // A long job on the left printer, of which 500 lines are executed.
+  queue::JobId begin_long_job() {
+    const auto id = upload(extruding(20'000));
+    expect_state(id, JobState::queued);
+    spool().set_bed_clear("left", true);
+    expect_executed(500);
+    return id;
+  }
   double left_on(const std::string& printer) { return printer_state(printer).at("filament_mm"); }
 };
 
@@ -67,11 +75,8 @@ TEST_F(FilamentTest, a_job_for_any_printer_goes_where_enough_is_left) {
 }
 
 TEST_F(FilamentTest, a_cancelled_job_has_used_what_was_sent) {
-  const auto id = upload(extruding(20'000));
-  expect_state(id, JobState::queued);
   spool().set_filament_left("left", 30'000);
-  spool().set_bed_clear("left", true);
-  expect_executed(500);
+  const auto id = begin_long_job();
   spool().cancel(id);
   expect_state(id, JobState::cancelled);
   const auto executed = static_cast<double>(left.executed().size());
@@ -80,10 +85,7 @@ TEST_F(FilamentTest, a_cancelled_job_has_used_what_was_sent) {
 }
 
 TEST_F(FilamentTest, what_is_said_in_the_middle_of_a_job_loses_only_the_rest) {
-  const auto id = upload(extruding(20'000));
-  expect_state(id, JobState::queued);
-  spool().set_bed_clear("left", true);
-  expect_executed(500);
+  const auto id = begin_long_job();
   spool().ask("left", {{"do", "pause"}});
   expect_state(id, JobState::paused);
   const auto before = left.executed().size();
@@ -98,11 +100,8 @@ TEST_F(FilamentTest, what_is_said_in_the_middle_of_a_job_loses_only_the_rest) {
 }
 
 TEST_F(FilamentTest, a_killed_feeder_does_not_forget_what_was_used) {
-  const auto id = upload(extruding(20'000));
-  expect_state(id, JobState::queued);
   spool().set_filament_left("left", 30'000);
-  spool().set_bed_clear("left", true);
-  expect_executed(500);
+  const auto id = begin_long_job();
   expect_soon([&] { return printer_state().at("done") >= 400; }, "no progress is reported");
   signal_feeder(SIGSTOP);
   left.with([](host_test::LinkPrinter& printer) { printer.restart(); });
