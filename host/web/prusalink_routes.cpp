@@ -32,6 +32,9 @@ Now now_of(const httplib::Request& request, spooler::Spooler& spooler) {
 
 // A boolean of a structured header field (RFC 8941).
 bool is_set(const httplib::Request& request, const char* header) {
+  if (request.get_header_value_count(header) > 1) {
+    throw HttpError(400, std::string("the header ") + header + " stands there twice");
+  }
   const std::string value = request.get_header_value(header);
   if (value.empty() || value == "?0") return false;
   if (value == "?1") return true;
@@ -46,6 +49,9 @@ void upload(const httplib::Request& request, httplib::Response& response,
             const httplib::ContentReader& read, spooler::Spooler& spooler) {
   if (request.matches[2] != prusalink::storage_name) {
     throw HttpError(404, "the only storage is `" + std::string(prusalink::storage_name) + "`");
+  }
+  if (request.has_header("Content-Range")) {
+    throw HttpError(400, "a part of a file is no job: send all of it, without Content-Range");
   }
   const bool prints = is_set(request, "Print-After-Upload");
   const std::string path = request.matches[3], name = queue::cleaned_name(path);

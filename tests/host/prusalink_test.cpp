@@ -52,6 +52,15 @@ TEST_F(PrusaLinkTest, holds_a_job_that_is_not_to_be_printed_and_keeps_it_to_the_
   EXPECT_EQ(spool().find(2)->wanted_printer, "");
 }
 
+TEST_F(PrusaLinkTest, refuses_parts_of_files_and_headers_that_contradict_themselves) {
+  EXPECT_EQ(put("/api/v1/files/local/a.gcode", {{"Content-Range", "bytes 0-5/900"}}), 400);
+  EXPECT_THAT(said, HasSubstr("Content-Range"));
+  EXPECT_EQ(put("/api/v1/files/local/a.gcode",
+                {{"Print-After-Upload", "?0"}, {"Print-After-Upload", "?1"}}),
+            400);
+  EXPECT_TRUE(spool().jobs().empty());
+}
+
 TEST_F(PrusaLinkTest, refuses_a_name_that_is_there_unless_it_may_overwrite) {
   EXPECT_EQ(put("/api/v1/files/local/a.gcode"), 201);
   EXPECT_EQ(put("/api/v1/files/local/a.gcode"), 409);
