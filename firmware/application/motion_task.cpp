@@ -24,6 +24,9 @@ constexpr std::int64_t longest_pass_clocks = 10 * least_line_clocks;
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 constexpr std::uint32_t watchdog_ms = 200;
 
+// A motor that stops dead swings about its place: if it reversed at once, it might lose steps.
+constexpr units::Milliseconds ringing_time{50};
+
 // The planner's, the one being handed over, those of as many segments, the one being executed.
 constexpr std::uint32_t deepest_queue = 255;
 // With shaping lines of as many slots are still under way.
@@ -115,15 +118,15 @@ bool MotionTask::set_shaping(const motion::ShapingSettings& settings) {
 void MotionTask::update(Now now) {
   step_generator_.feed_watchdog();
   pace_.update(now.microseconds, step_generator_.moving());
-  settle_stop();
+  settle_stop(now.milliseconds);
   if (!chords_.done() && planner_.has_room()) go_on_with_chords();
-  if (homing_.active()) lead_homing();
+  if (homing_.active()) lead_homing(now.milliseconds);
   pace_.set_homing(homing_.active());
   if (plan_is_done() && step_generator_.idle()) pace_.note_rest();
 }
 
 // After every stop what was planned is void, and the planner learns where the axes are.
-void MotionTask::settle_stop() {
+void MotionTask::settle_stop(units::Milliseconds now) {
   if (!step_generator_.stopped()) {
     stopping_ = false;
     return;
@@ -147,6 +150,7 @@ void MotionTask::settle_stop() {
   }
   planner_.set_position_steps(steps);
   stopped_by_end_stop_ = stop.end_stops != 0;
+  rings_until_ = now + ringing_time;
   ++position_jumps_;
   step_generator_.acknowledge_stop();
 }

@@ -119,8 +119,8 @@ class MotionTask {
     return planner_.empty() && (!shapes() || shaping_->at_rest());
   }
   motion::Shaping::Output next_segment();
-  void settle_stop();
-  void lead_homing();
+  void settle_stop(units::Milliseconds now);
+  void lead_homing(units::Milliseconds now);
   void carry_out(const motion::HomingRequest& request);
   void begin_line();
   void note_lost(units::Axis axis);
@@ -151,6 +151,7 @@ class MotionTask {
   units::AxisSet motors_on_;
   std::uint32_t position_jumps_{};
   bool stopped_by_end_stop_{};
+  units::Milliseconds rings_until_{};  // the motor that an end stop has stopped
   bool stopping_{};
   bool queue_full_{};
   bool emergency_input_{};

@@ -41,10 +41,10 @@ units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
   return std::max(homing.towards_positive ? -above : above, units::Nanometers(0));
 }
 
-void MotionTask::lead_homing() {
+void MotionTask::lead_homing(units::Milliseconds now) {
   if (!step_generator_.idle() || !plan_is_done() || !chords_.done() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
-  if (step_generator_.stopped()) return;
+  if (step_generator_.stopped() || now < rings_until_) return;
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }

@@ -45,6 +45,22 @@ TEST(homing_commands, sees_an_end_stop_whenever_it_is_reached) {
   }
 }
 
+// A rotor that was stopped at full speed swings about its place for some milliseconds.
+TEST(homing_commands, lets_the_motor_come_to_rest_before_it_turns_back) {
+  Printer printer;
+  printer.send("G28 X");
+  constexpr double millisecond = 0.001;
+  for (int i = 0; i < 60'000 && printer.chip.mechanical[x] > 0; ++i) printer.run(millisecond);
+  ASSERT_LE(printer.chip.mechanical[x], 0);
+  const auto stopped_at = printer.chip.mechanical[x];
+  int milliseconds = 0;
+  for (; milliseconds < 1'000 && printer.chip.mechanical[x] == stopped_at; ++milliseconds) {
+    printer.run(millisecond);
+  }
+  EXPECT_GE(milliseconds, 45);
+  EXPECT_LT(milliseconds, 500);
+}
+
 TEST(homing_commands, halts_when_an_end_stop_is_never_found) {
   Printer printer;
   printer.chip.end_stops_work = false;
