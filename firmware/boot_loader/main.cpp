@@ -15,7 +15,7 @@
 extern "C" {
 // Of start.S and boot_loader.ld.
 extern volatile std::uint32_t program_entry;
-extern std::uint8_t _program_memory[];
+extern std::uint8_t _program_memory[], _program_memory_end[];
 extern std::uint8_t _start[];
 
 std::uint32_t load_or_pass(bool requested);
@@ -50,11 +50,15 @@ bool knocked(std::uint32_t clock_hz) {
   return true;
 }
 
-// As reset.S has them: lui t0 with the loader's address, jalr to t0.
+// As reset.S has them: lui t0, %hi(loader); jalr zero, %lo(loader)(t0). The lower part is signed.
 Session::ResetCode way_back() {
+  constexpr std::uint32_t lui_t0 = 0x2B7, jalr_t0 = 0x00028067;
+  constexpr unsigned lower_bits = 12;
+  const std::uint32_t address = reinterpret_cast<std::uintptr_t>(_start);
+  const std::uint32_t upper = (address + (1u << (lower_bits - 1))) >> lower_bits << lower_bits;
   Session::ResetCode code;
-  put_word(code, 0, reinterpret_cast<std::uintptr_t>(_start) | 0x2B7);
-  put_word(code, 4, 0x00028067);
+  put_word(code, 0, upper | lui_t0);
+  put_word(code, 4, (address - upper) << (32 - lower_bits) | jalr_t0);
   return code;
 }
 
@@ -62,7 +66,8 @@ Session::ResetCode way_back() {
 std::uint32_t serve(std::uint32_t clock_hz) {
   FrameReceiver receiver;
   const std::uint32_t old_entry = program_entry;
-  Session session({_program_memory, _start}, reinterpret_cast<std::uintptr_t>(_program_memory),
+  Session session({_program_memory, _program_memory_end},
+                  reinterpret_cast<std::uintptr_t>(_program_memory),
                   old_entry != 0 ? std::optional(old_entry) : std::nullopt, way_back());
   std::uint32_t silences = 0;
   for (;;) {

@@ -11,6 +11,11 @@
 
 namespace boot_loader {
 
+// At the end of the chip's memory, and before that the loader's stack, which no program that is
+// loaded may overwrite. firmware/target/CMakeLists.txt reads them here.
+inline constexpr std::uint32_t loader_bytes = 2432;
+inline constexpr std::uint32_t loader_stack_bytes = 1280;
+
 // No frame and no line of G-code begins with it, and on the wire it is one low bit only: any
 // program that begins to listen in the middle of many of them hears nothing else.
 inline constexpr std::uint8_t knock = 0xFF;

@@ -166,7 +166,9 @@ TEST(boot_loader_chip, after_an_aborted_load_nothing_starts_until_a_whole_progra
 TEST(boot_loader_chip, a_program_that_would_overwrite_the_loader_leaves_the_firmware_running) {
   Bench bench;
   bench.milliseconds_to("start\n", 200);
-  EXPECT_THROW(loading::load(bench, small_program(CHIP_MEMORY_BYTES - 4096 + 1)), LoadFailed);
+  EXPECT_THROW(
+      loading::load(bench, small_program(loading::program_end - loading::memory_address + 1)),
+      LoadFailed);
   // It was not begun, so the firmware goes on after the next reset.
   bench.reset();
   EXPECT_LT(bench.milliseconds_to("start\n", 200), 200u);

@@ -22,7 +22,7 @@ using loading::Program;
 using std::chrono::milliseconds;
 
 // Of a program.
-constexpr std::size_t most_bytes = loading::loader_address - loading::memory_address;
+constexpr std::size_t most_bytes = loading::program_end - loading::memory_address;
 constexpr std::uint32_t address = loading::memory_address;
 constexpr std::uint32_t old_entry = address + 8;
 
@@ -70,7 +70,7 @@ class Chip : public loading::ByteStream {
   std::optional<std::size_t> stuck_byte;  // of the memory
   milliseconds time_per_frame{0};  // until its answer is there, one frame after the other
   std::vector<std::uint8_t> memory =
-      std::vector<std::uint8_t>(loading::loader_address - loading::memory_address);
+      std::vector<std::uint8_t>(loading::program_end - loading::memory_address);
   Session session{memory, address, old_entry, {}};
 
  private:

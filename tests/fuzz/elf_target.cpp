@@ -84,7 +84,7 @@ void require_loadable(std::span<const std::uint8_t> contents, const sim::ElfImag
     const loading::Program program = loading::parse_program(contents, "program.elf");
     const std::uint64_t end = program.address + program.bytes.size();
     fuzz::require(!program.bytes.empty() && program.address >= loading::memory_address &&
-                      end <= loading::loader_address,
+                      end <= loading::program_end,
                   "{} bytes at {:#x} are to be loaded", program.bytes.size(), program.address);
     require_bytes(image, loading::loader_address, [&program](std::uint32_t address) {
       return program.bytes.at(address - program.address);

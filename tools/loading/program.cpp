@@ -21,10 +21,11 @@ Program joined(const sim::ElfImage& image) {
   for (const sim::ElfSegment& segment : image.segments) {
     const auto size = static_cast<std::uint32_t>(segment.bytes.size());
     if (size == 0 || segment.address >= loader_address) continue;
-    if (segment.address < memory_address || size > loader_address - segment.address) {
+    if (segment.address < memory_address || segment.address >= program_end ||
+        size > program_end - segment.address) {
       throw std::runtime_error(fmt::format(
           "{} bytes at {:#010x} are not within {:#010x} to {:#010x}, what a program may fill", size,
-          segment.address, memory_address, loader_address));
+          segment.address, memory_address, program_end));
     }
     program.address = std::min(program.address, segment.address);
     end = std::max(end, segment.address + size);
@@ -74,9 +75,9 @@ Program parse_program(std::span<const std::uint8_t> contents, const std::string&
   if (contents.size() >= magic.size() && std::ranges::equal(magic, contents.first(magic.size()))) {
     return joined(sim::parse_elf(contents, name));
   }
-  if (contents.empty() || contents.size() > loader_address - memory_address) {
+  if (contents.empty() || contents.size() > program_end - memory_address) {
     throw std::runtime_error(fmt::format("{} has {} bytes; a program has 1 to {}", name,
-                                         contents.size(), loader_address - memory_address));
+                                         contents.size(), program_end - memory_address));
   }
   if (is_text(contents)) {
     throw std::runtime_error(

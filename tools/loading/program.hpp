@@ -8,11 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "firmware/boot_loader/protocol.hpp"
+
 namespace loading {
 
 inline constexpr std::uint32_t memory_address = 0x8000'0000;
-// The boot loader itself (firmware/boot_loader/boot_loader.ld).
-inline constexpr std::uint32_t loader_address = memory_address + CHIP_MEMORY_BYTES - 4096;
+// The boot loader itself (firmware/boot_loader/boot_loader.ld), and where its stack ends, which no
+// program that it loads may touch.
+inline constexpr std::uint32_t loader_address =
+    memory_address + CHIP_MEMORY_BYTES - boot_loader::loader_bytes;
+inline constexpr std::uint32_t program_end = loader_address - boot_loader::loader_stack_bytes;
 
 struct Program {
   std::uint32_t address{};
