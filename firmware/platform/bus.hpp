@@ -17,12 +17,12 @@ void bus_write(std::uint32_t address, std::uint32_t value);
 template <class Register>
 concept TwoWords = requires { typename Register::High; };
 
+// Inlined, so that only the fields that are used are taken apart.
 template <class Register>
-Register read() {
+[[gnu::always_inline]] inline Register read() {
   return Register::decode(bus_read(Register::address));
 }
 
-// As short as two reads by hand: without the attribute the compiler makes a call of it.
 template <TwoWords Register>
 [[gnu::always_inline]] inline Register read() {
   const auto low = read<typename Register::Low>();
@@ -30,12 +30,12 @@ template <TwoWords Register>
 }
 
 template <class Register>
-Register read(std::size_t index) {
+[[gnu::always_inline]] inline Register read(std::size_t index) {
   return Register::decode(bus_read(Register::address_of(index)));
 }
 
 template <class Register>
-void write(const Register& value) {
+[[gnu::always_inline]] inline void write(const Register& value) {
   if constexpr (TwoWords<Register>) {
     write(value.low());
     write(value.high());
@@ -45,7 +45,7 @@ void write(const Register& value) {
 }
 
 template <class Register>
-void write(std::size_t index, const Register& value) {
+[[gnu::always_inline]] inline void write(std::size_t index, const Register& value) {
   bus_write(Register::address_of(index), value.encode());
 }
 

@@ -27,7 +27,7 @@ struct Status {
   // What the step generator sees: filtered, of the right polarity, and enabled.
   std::uint32_t triggered{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .raw = (word & 0xFFu),
       .filtered = ((word >> 8u) & 0xFFu),
@@ -49,7 +49,7 @@ struct Filter {
   // Clocks for which a new level must last before it counts; also the delay of the filter.
   std::uint32_t cycles{};
 
-  static constexpr Filter decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Filter decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = (word & 0xFFFFu),
     };
@@ -67,7 +67,7 @@ struct Polarity {
   // 1: the switch is triggered while its pin is low.
   std::uint32_t active_low{};
 
-  static constexpr Polarity decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Polarity decode([[maybe_unused]] std::uint32_t word) {
     return {
       .active_low = (word & 0xFFu),
     };
@@ -85,7 +85,7 @@ struct Enable {
   // 1: the input counts. 0: it is never triggered.
   std::uint32_t inputs{};
 
-  static constexpr Enable decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Enable decode([[maybe_unused]] std::uint32_t word) {
     return {
       .inputs = (word & 0xFFu),
     };

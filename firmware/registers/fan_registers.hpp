@@ -19,7 +19,7 @@ struct Duty {
   // Slots of the 255 of a period in which the fan is on: 0 is off, 255 is always on.
   std::uint32_t slots{};
 
-  static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
     return {
       .slots = (word & 0xFFu),
     };
@@ -37,7 +37,7 @@ struct Period {
   // Clocks of one slot, a 255th of a period; 0 acts as 1.
   std::uint32_t slot_cycles{};
 
-  static constexpr Period decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Period decode([[maybe_unused]] std::uint32_t word) {
     return {
       .slot_cycles = (word & 0xFFFFFFu),
     };

@@ -26,7 +26,7 @@ struct Feed {
   // `first` not before a sixteenth of the watchdog's time since the last `first`; `second`, which restarts the watchdog, at any time after it.
   Key key{};
 
-  static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Feed decode([[maybe_unused]] std::uint32_t word) {
     return {
       .key = static_cast<Key>((word & 0xFFFFu)),
     };
@@ -44,7 +44,7 @@ struct Watchdog {
   // In ticks of `tick_cycles` clocks, cut to the maximum that is built in; about a second after reset.
   std::uint32_t ticks{};
 
-  static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = (word & 0xFFFFFu),
     };
@@ -62,7 +62,7 @@ struct SensorTimeout {
   // In ticks of `tick_cycles` clocks, cut to the maximum that is built in; about a second after reset.
   std::uint32_t ticks{};
 
-  static constexpr SensorTimeout decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SensorTimeout decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = (word & 0xFFFFFu),
     };
@@ -80,7 +80,7 @@ struct Slot {
   // In clocks; 0 acts as 1.
   std::uint32_t cycles{};
 
-  static constexpr Slot decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Slot decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = (word & 0xFFFFFFu),
     };
@@ -105,7 +105,7 @@ struct Clear {
   // Must be `clear_trips`; anything else is ignored.
   Key key{};
 
-  static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
     return {
       .channels = (word & 0xFu),
       .key = static_cast<Key>(((word >> 16u) & 0xFFFFu)),
@@ -128,7 +128,7 @@ struct Duty {
   // Slots of 65535 in which the gate is open, spread evenly.
   std::uint32_t density{};
 
-  static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Duty decode([[maybe_unused]] std::uint32_t word) {
     return {
       .density = (word & 0xFFFFu),
     };
@@ -149,7 +149,7 @@ struct MinimumCount {
   // Clocks, as the temperature converter counts them; the largest number after reset. Below the built-in floor (4 * 2^-20 s for each charge) a write is refused and locks nothing.
   std::uint32_t cycles{};
 
-  static constexpr MinimumCount decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr MinimumCount decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -170,7 +170,7 @@ struct MaximumCount {
   // Clocks, as the temperature converter counts them; 0 after reset. Above a sixteenth of a second for each charge a write is refused and locks nothing.
   std::uint32_t cycles{};
 
-  static constexpr MaximumCount decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr MaximumCount decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -251,7 +251,7 @@ struct Status {
   // It got hotter while the gate had been closed for the settling time: the transistor or its wiring is broken.
   bool heats_unasked_trip{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .gate = (word & 0x1u) != 0,
       .permitted = ((word >> 1u) & 0x1u) != 0,
@@ -302,7 +302,7 @@ struct HotCount {
   // Clocks, as the temperature converter counts them; 0 after reset. Below eight times the floor of `minimum_count` a write is refused and locks nothing.
   std::uint32_t cycles{};
 
-  static constexpr HotCount decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr HotCount decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -323,7 +323,7 @@ struct Settle {
   // In ticks of `tick_cycles` clocks; the largest number after reset. Above two minutes a write is refused and locks nothing.
   std::uint32_t ticks{};
 
-  static constexpr Settle decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Settle decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = (word & 0xFFFFFFu),
     };
@@ -369,7 +369,7 @@ struct Supply {
   // Written: `close` closes it where all duties are 0 and no cause lasts, `open` opens it; anything else is ignored. Read: 0.
   Key key{};
 
-  static constexpr Supply decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Supply decode([[maybe_unused]] std::uint32_t word) {
     return {
       .closed = (word & 0x1u) != 0,
       .refused = ((word >> 1u) & 0x1u) != 0,

@@ -22,7 +22,7 @@ struct Magic {
   // The letters SFAB, S in the highest byte.
   Word word{};
 
-  static constexpr Magic decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Magic decode([[maybe_unused]] std::uint32_t word) {
     return {
       .word = static_cast<Word>(word),
     };
@@ -48,7 +48,7 @@ struct Version {
   // Changes with every other release.
   std::uint32_t patch{};
 
-  static constexpr Version decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Version decode([[maybe_unused]] std::uint32_t word) {
     return {
       .major = ((word >> 16u) & 0xFFFFu),
       .minor = ((word >> 8u) & 0xFFu),
@@ -70,7 +70,7 @@ struct Clock {
   // In hertz.
   std::uint32_t frequency_hz{};
 
-  static constexpr Clock decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Clock decode([[maybe_unused]] std::uint32_t word) {
     return {
       .frequency_hz = word,
     };
@@ -88,7 +88,7 @@ struct Memory {
   // In bytes.
   std::uint32_t size_bytes{};
 
-  static constexpr Memory decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Memory decode([[maybe_unused]] std::uint32_t word) {
     return {
       .size_bytes = word,
     };
@@ -110,7 +110,7 @@ struct Motion {
   // Segments that its queue holds.
   std::uint32_t queue_depth{};
 
-  static constexpr Motion decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Motion decode([[maybe_unused]] std::uint32_t word) {
     return {
       .axes = (word & 0xFFu),
       .queue_depth = ((word >> 16u) & 0xFFFFu),
@@ -134,7 +134,7 @@ struct Thermal {
   // Channels of the heater control.
   std::uint32_t heaters{};
 
-  static constexpr Thermal decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Thermal decode([[maybe_unused]] std::uint32_t word) {
     return {
       .sensors = (word & 0xFFu),
       .heaters = ((word >> 8u) & 0xFFu),

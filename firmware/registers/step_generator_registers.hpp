@@ -23,7 +23,7 @@ struct Build {
   // Segments that fit into the queue (the one being executed is not in the queue).
   std::uint32_t queue_depth{};
 
-  static constexpr Build decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Build decode([[maybe_unused]] std::uint32_t word) {
     return {
       .axes = (word & 0xFu),
       .queue_depth = ((word >> 8u) & 0xFFFFu),
@@ -55,7 +55,7 @@ struct Control {
   // Level of the queue at and below which it requests more.
   std::uint32_t queue_threshold{};
 
-  static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
     return {
       .run = (word & 0x1u) != 0,
       .queue_interrupt_enable = ((word >> 1u) & 0x1u) != 0,
@@ -111,7 +111,7 @@ struct Command {
   // Clear status.positions_lost: software has found the axes again, or knows that it must.
   bool positions_known{};
 
-  static constexpr Command decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Command decode([[maybe_unused]] std::uint32_t word) {
     return {
       .flush = (word & 0x1u) != 0,
       .stop = ((word >> 1u) & 0x1u) != 0,
@@ -177,7 +177,7 @@ struct Status {
   // Segments that can still be written.
   std::uint32_t free{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .moving = (word & 0x1u) != 0,
       .idle = ((word >> 1u) & 0x1u) != 0,
@@ -235,7 +235,7 @@ struct Errors {
   // A segment was committed with steps of an axis whose motor is off.
   bool disabled{};
 
-  static constexpr Errors decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Errors decode([[maybe_unused]] std::uint32_t word) {
     return {
       .queue_full = (word & 0x1u) != 0,
       .incomplete = ((word >> 1u) & 0x1u) != 0,
@@ -265,7 +265,7 @@ struct MotorEnable {
   // 1 = driver enabled; bit = axis.
   std::uint32_t axes{};
 
-  static constexpr MotorEnable decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr MotorEnable decode([[maybe_unused]] std::uint32_t word) {
     return {
       .axes = (word & 0xFFu),
     };
@@ -283,7 +283,7 @@ struct RateFloor {
   // In 2^-32 ticks per clock; 8590 after reset, 100 ticks/s at 50 MHz.
   std::uint32_t rate{};
 
-  static constexpr RateFloor decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr RateFloor decode([[maybe_unused]] std::uint32_t word) {
     return {
       .rate = (word & 0x7FFFFFFFu),
     };
@@ -301,7 +301,7 @@ struct Override {
   // In 2^-16: 65536 = as segments ask, 0 = feed hold, up to 4. From 7/64 tick per clock on at most 2, from 15/64 on at most 1.
   std::uint32_t scale{};
 
-  static constexpr Override decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Override decode([[maybe_unused]] std::uint32_t word) {
     return {
       .scale = (word & 0x3FFFFu),
     };
@@ -319,7 +319,7 @@ struct OverrideSlope {
   // In 2^-32 per clock; after reset from 1 to 0 in 50 ms at 50 MHz. At 0 the scale stays. Slower while it falls in a segment that decelerates, or rises in one that accelerates: by half below 1/2, to a quarter below 3/4, to an eighth below 7/8; from there on it waits.
   std::uint32_t slope{};
 
-  static constexpr OverrideSlope decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr OverrideSlope decode([[maybe_unused]] std::uint32_t word) {
     return {
       .slope = word,
     };
@@ -337,7 +337,7 @@ struct BrakeSlope {
   // In 2^-32 per clock. At 0 what would brake stops at once.
   std::uint32_t slope{};
 
-  static constexpr BrakeSlope decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr BrakeSlope decode([[maybe_unused]] std::uint32_t word) {
     return {
       .slope = word,
     };
@@ -355,7 +355,7 @@ struct Scale {
   // In 2^-16, rounded down.
   std::uint32_t scale{};
 
-  static constexpr Scale decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Scale decode([[maybe_unused]] std::uint32_t word) {
     return {
       .scale = (word & 0x3FFFFu),
     };
@@ -373,7 +373,7 @@ struct Watchdog {
   // Longest time of motion from one feed_watchdog to the next, in clocks; 0 = not watched, as after reset. A shorter one that is written in motion counts from then on.
   std::uint32_t clocks{};
 
-  static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Watchdog decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -427,7 +427,7 @@ struct SegmentFlags {
   // Axes 0..3 a quarter of a step late: start at line_ticks/4, those of neither set at line_ticks/2.
   std::uint32_t behind{};
 
-  static constexpr SegmentFlags decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentFlags decode([[maybe_unused]] std::uint32_t word) {
     return {
       .backward = (word & 0xFFu),
       .continues_line = ((word >> 8u) & 0x1u) != 0,
@@ -463,7 +463,7 @@ struct SegmentLineTicks {
   // Ticks.
   std::uint32_t ticks{};
 
-  static constexpr SegmentLineTicks decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentLineTicks decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = word,
     };
@@ -481,7 +481,7 @@ struct SegmentTicks {
   // Ticks.
   std::uint32_t ticks{};
 
-  static constexpr SegmentTicks decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentTicks decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = word,
     };
@@ -499,7 +499,7 @@ struct SegmentRateLow {
   // In 2^-64 ticks per clock. Bits 31:0.
   std::uint32_t rate{};
 
-  static constexpr SegmentRateLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentRateLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .rate = word,
     };
@@ -517,7 +517,7 @@ struct SegmentRateHigh {
   // In 2^-64 ticks per clock. Bits 63:32.
   std::uint32_t rate{};
 
-  static constexpr SegmentRateHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentRateHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .rate = word,
     };
@@ -535,7 +535,7 @@ struct SegmentAccelerationLow {
   // In 2^-84 ticks per clock^2, signed. Bits 31:0.
   std::uint32_t acceleration{};
 
-  static constexpr SegmentAccelerationLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentAccelerationLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .acceleration = word,
     };
@@ -553,7 +553,7 @@ struct SegmentAccelerationHigh {
   // In 2^-84 ticks per clock^2, signed. Bits 63:32.
   std::uint32_t acceleration{};
 
-  static constexpr SegmentAccelerationHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentAccelerationHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .acceleration = word,
     };
@@ -571,7 +571,7 @@ struct SegmentJerkLow {
   // In 2^-84 ticks per clock^3, signed. Bits 31:0.
   std::uint32_t jerk{};
 
-  static constexpr SegmentJerkLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentJerkLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .jerk = word,
     };
@@ -589,7 +589,7 @@ struct SegmentJerkHigh {
   // In 2^-84 ticks per clock^3, signed. Bits 63:32.
   std::uint32_t jerk{};
 
-  static constexpr SegmentJerkHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentJerkHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .jerk = word,
     };
@@ -610,7 +610,7 @@ struct SegmentSteps {
   // Steps.
   std::uint32_t steps{};
 
-  static constexpr SegmentSteps decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentSteps decode([[maybe_unused]] std::uint32_t word) {
     return {
       .steps = word,
     };
@@ -628,7 +628,7 @@ struct SegmentCommit {
   // Not used.
   std::uint32_t any{};
 
-  static constexpr SegmentCommit decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentCommit decode([[maybe_unused]] std::uint32_t word) {
     return {
       .any = word,
     };
@@ -657,7 +657,7 @@ struct PulseGuard {
   // The falling edge is a step too, for drivers set to that: high and low are then least times. Changed only while the step pin is low.
   bool both_edges{};
 
-  static constexpr PulseGuard decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr PulseGuard decode([[maybe_unused]] std::uint32_t word) {
     return {
       .high = (word & 0xFFFu),
       .low = ((word >> 16u) & 0xFFFu),
@@ -686,7 +686,7 @@ struct DirectionGuard {
   // Least clocks from a step to a change of direction; 0 counts as 1. 10 after reset.
   std::uint32_t hold{};
 
-  static constexpr DirectionGuard decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr DirectionGuard decode([[maybe_unused]] std::uint32_t word) {
     return {
       .setup = (word & 0xFFFu),
       .hold = ((word >> 16u) & 0xFFFu),
@@ -709,7 +709,7 @@ struct Position {
   // Steps.
   std::int32_t steps{};
 
-  static constexpr Position decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Position decode([[maybe_unused]] std::uint32_t word) {
     return {
       .steps = static_cast<std::int32_t>(word),
     };
@@ -730,7 +730,7 @@ struct SnapshotPosition {
   // Steps.
   std::int32_t steps{};
 
-  static constexpr SnapshotPosition decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SnapshotPosition decode([[maybe_unused]] std::uint32_t word) {
     return {
       .steps = static_cast<std::int32_t>(word),
     };
@@ -748,7 +748,7 @@ struct SnapshotTimeLow {
   // Clocks since reset. Bits 31:0.
   std::uint32_t clocks{};
 
-  static constexpr SnapshotTimeLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SnapshotTimeLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -766,7 +766,7 @@ struct SnapshotTimeHigh {
   // Clocks since reset. Bits 63:32.
   std::uint32_t clocks{};
 
-  static constexpr SnapshotTimeHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SnapshotTimeHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -800,7 +800,7 @@ struct StopCause {
   // Software commanded the brake.
   bool software_brake{};
 
-  static constexpr StopCause decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr StopCause decode([[maybe_unused]] std::uint32_t word) {
     return {
       .end_stops = (word & 0xFFu),
       .emergency_input = ((word >> 8u) & 0x1u) != 0,
@@ -829,7 +829,7 @@ struct StopPosition {
   // Steps.
   std::int32_t steps{};
 
-  static constexpr StopPosition decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr StopPosition decode([[maybe_unused]] std::uint32_t word) {
     return {
       .steps = static_cast<std::int32_t>(word),
     };
@@ -847,7 +847,7 @@ struct StopTimeLow {
   // Clocks since reset. Bits 31:0.
   std::uint32_t clocks{};
 
-  static constexpr StopTimeLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr StopTimeLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -865,7 +865,7 @@ struct StopTimeHigh {
   // Clocks since reset. Bits 63:32.
   std::uint32_t clocks{};
 
-  static constexpr StopTimeHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr StopTimeHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -883,7 +883,7 @@ struct SegmentsExecuted {
   // Segments, modulo 2^32.
   std::uint32_t count{};
 
-  static constexpr SegmentsExecuted decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SegmentsExecuted decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = word,
     };
@@ -901,7 +901,7 @@ struct Underruns {
   // Underruns, modulo 2^32.
   std::uint32_t count{};
 
-  static constexpr Underruns decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Underruns decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = word,
     };
@@ -919,7 +919,7 @@ struct MaxLevel {
   // Segments.
   std::uint32_t segments{};
 
-  static constexpr MaxLevel decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr MaxLevel decode([[maybe_unused]] std::uint32_t word) {
     return {
       .segments = (word & 0xFFFFu),
     };
@@ -937,7 +937,7 @@ struct Stalls {
   // Clocks, modulo 2^32.
   std::uint32_t clocks{};
 
-  static constexpr Stalls decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Stalls decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -958,7 +958,7 @@ struct AxisStalls {
   // Clocks, modulo 2^32.
   std::uint32_t clocks{};
 
-  static constexpr AxisStalls decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr AxisStalls decode([[maybe_unused]] std::uint32_t word) {
     return {
       .clocks = word,
     };
@@ -974,7 +974,7 @@ struct SegmentRate {
   using High = SegmentRateHigh;
   std::uint64_t rate{};
 
-  static constexpr SegmentRate decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr SegmentRate decode(Low low, High high) {
     return {.rate = static_cast<std::uint64_t>(std::uint64_t{high.rate} << 32 | low.rate)};
   }
   constexpr Low low() const { return {.rate = static_cast<std::uint32_t>(rate)}; }
@@ -989,7 +989,7 @@ struct SegmentAcceleration {
   using High = SegmentAccelerationHigh;
   std::int64_t acceleration{};
 
-  static constexpr SegmentAcceleration decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr SegmentAcceleration decode(Low low, High high) {
     return {.acceleration = static_cast<std::int64_t>(std::uint64_t{high.acceleration} << 32 | low.acceleration)};
   }
   constexpr Low low() const { return {.acceleration = static_cast<std::uint32_t>(acceleration)}; }
@@ -1004,7 +1004,7 @@ struct SegmentJerk {
   using High = SegmentJerkHigh;
   std::int64_t jerk{};
 
-  static constexpr SegmentJerk decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr SegmentJerk decode(Low low, High high) {
     return {.jerk = static_cast<std::int64_t>(std::uint64_t{high.jerk} << 32 | low.jerk)};
   }
   constexpr Low low() const { return {.jerk = static_cast<std::uint32_t>(jerk)}; }
@@ -1019,7 +1019,7 @@ struct SnapshotTime {
   using High = SnapshotTimeHigh;
   std::uint64_t clocks{};
 
-  static constexpr SnapshotTime decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr SnapshotTime decode(Low low, High high) {
     return {.clocks = static_cast<std::uint64_t>(std::uint64_t{high.clocks} << 32 | low.clocks)};
   }
   constexpr Low low() const { return {.clocks = static_cast<std::uint32_t>(clocks)}; }
@@ -1034,7 +1034,7 @@ struct StopTime {
   using High = StopTimeHigh;
   std::uint64_t clocks{};
 
-  static constexpr StopTime decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr StopTime decode(Low low, High high) {
     return {.clocks = static_cast<std::uint64_t>(std::uint64_t{high.clocks} << 32 | low.clocks)};
   }
   constexpr Low low() const { return {.clocks = static_cast<std::uint32_t>(clocks)}; }

@@ -19,7 +19,7 @@ struct Control {
   // 1: the registers step and direction; 0: the step generator, as after reset.
   bool software{};
 
-  static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
     return {
       .software = (word & 0x1u) != 0,
     };
@@ -37,7 +37,7 @@ struct Step {
   // 1: high.
   std::uint32_t pins{};
 
-  static constexpr Step decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Step decode([[maybe_unused]] std::uint32_t word) {
     return {
       .pins = (word & 0xFFu),
     };
@@ -55,7 +55,7 @@ struct Direction {
   // 1: high, negative direction.
   std::uint32_t pins{};
 
-  static constexpr Direction decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Direction decode([[maybe_unused]] std::uint32_t word) {
     return {
       .pins = (word & 0xFFu),
     };
@@ -73,7 +73,7 @@ struct Stop {
   // 1: the input was active, so no step pin rises; a write of 1 while it is not permits it again.
   bool stopped{};
 
-  static constexpr Stop decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Stop decode([[maybe_unused]] std::uint32_t word) {
     return {
       .stopped = (word & 0x1u) != 0,
     };
@@ -95,7 +95,7 @@ struct Status {
   // 1: a change of control was refused; a write of 1 clears it.
   bool refused{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .permitted = (word & 0x1u) != 0,
       .refused = ((word >> 1u) & 0x1u) != 0,

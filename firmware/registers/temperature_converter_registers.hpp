@@ -31,7 +31,7 @@ struct Control {
   // Charges per resistor and conversion, less one.
   std::uint32_t more_charges{};
 
-  static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Control decode([[maybe_unused]] std::uint32_t word) {
     return {
       .enable = (word & 0x1u) != 0,
       .references = ((word >> 1u) & 0x1u) != 0,
@@ -55,7 +55,7 @@ struct Discharge {
   // In clocks.
   std::uint32_t cycles{};
 
-  static constexpr Discharge decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Discharge decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = (word & 0xFFFFFFu),
     };
@@ -73,7 +73,7 @@ struct Timeout {
   // In clocks; cut to the maximum that is built in, an eighth of a second.
   std::uint32_t cycles{};
 
-  static constexpr Timeout decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Timeout decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = (word & 0xFFFFFFu),
     };
@@ -91,7 +91,7 @@ struct Pause {
   // In clocks.
   std::uint32_t cycles{};
 
-  static constexpr Pause decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Pause decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = (word & 0xFFFFFFu),
     };
@@ -109,7 +109,7 @@ struct ShortLimit {
   // Sum of all charges of a conversion, in clocks.
   std::uint32_t cycles{};
 
-  static constexpr ShortLimit decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr ShortLimit decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -142,7 +142,7 @@ struct Status {
   // Counts conversions, modulo 256. Unchanged after reading the counts, they belong together.
   std::uint32_t conversions{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .state = static_cast<State>((word & 0x7u)),
       .conversions = ((word >> 8u) & 0xFFu),
@@ -165,7 +165,7 @@ struct Age {
   // In ticks of `tick_cycles` clocks, as those of heater_control; stays at its largest value.
   std::uint32_t ticks{};
 
-  static constexpr Age decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Age decode([[maybe_unused]] std::uint32_t word) {
     return {
       .ticks = (word & 0xFFFFFu),
     };
@@ -186,7 +186,7 @@ struct Thermistor {
   // Sum over the charges of the conversion.
   std::uint32_t cycles{};
 
-  static constexpr Thermistor decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Thermistor decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -207,7 +207,7 @@ struct ReferenceLow {
   // Sum over the charges of the conversion; 0 without references.
   std::uint32_t cycles{};
 
-  static constexpr ReferenceLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr ReferenceLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -228,7 +228,7 @@ struct ReferenceHigh {
   // Sum over the charges of the conversion; 0 without references.
   std::uint32_t cycles{};
 
-  static constexpr ReferenceHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr ReferenceHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -250,7 +250,7 @@ struct SettingsLock {
   // A write that would have changed a locked setting was refused; written 1 it is forgotten.
   bool refused{};
 
-  static constexpr SettingsLock decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr SettingsLock decode([[maybe_unused]] std::uint32_t word) {
     return {
       .locked = (word & 0x1u) != 0,
       .refused = ((word >> 1u) & 0x1u) != 0,

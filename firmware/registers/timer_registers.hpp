@@ -19,7 +19,7 @@ struct TimeLow {
   // Clocks. Bits 31:0.
   std::uint32_t cycles{};
 
-  static constexpr TimeLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr TimeLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -37,7 +37,7 @@ struct TimeHigh {
   // Clocks. Bits 63:32.
   std::uint32_t cycles{};
 
-  static constexpr TimeHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr TimeHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -55,7 +55,7 @@ struct CompareLow {
   // Clocks since reset. Bits 31:0.
   std::uint32_t cycles{};
 
-  static constexpr CompareLow decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr CompareLow decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -73,7 +73,7 @@ struct CompareHigh {
   // Clocks since reset. Bits 63:32.
   std::uint32_t cycles{};
 
-  static constexpr CompareHigh decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr CompareHigh decode([[maybe_unused]] std::uint32_t word) {
     return {
       .cycles = word,
     };
@@ -89,7 +89,7 @@ struct Time {
   using High = TimeHigh;
   std::uint64_t cycles{};
 
-  static constexpr Time decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr Time decode(Low low, High high) {
     return {.cycles = static_cast<std::uint64_t>(std::uint64_t{high.cycles} << 32 | low.cycles)};
   }
   constexpr Low low() const { return {.cycles = static_cast<std::uint32_t>(cycles)}; }
@@ -104,7 +104,7 @@ struct Compare {
   using High = CompareHigh;
   std::uint64_t cycles{};
 
-  static constexpr Compare decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr Compare decode(Low low, High high) {
     return {.cycles = static_cast<std::uint64_t>(std::uint64_t{high.cycles} << 32 | low.cycles)};
   }
   constexpr Low low() const { return {.cycles = static_cast<std::uint32_t>(cycles)}; }

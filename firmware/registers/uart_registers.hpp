@@ -25,7 +25,7 @@ struct BaudRate {
   // Bits per clock in 2^-32: baud rate * 2^32 / clock frequency, at most 2^30. 0 is off.
   std::uint32_t increment{};
 
-  static constexpr BaudRate decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr BaudRate decode([[maybe_unused]] std::uint32_t word) {
     return {
       .increment = word,
     };
@@ -71,7 +71,7 @@ struct Status {
   // Among the bytes that wait is one that ends a line. Not a flag: it ends when the last such byte is read.
   bool line_waits{};
 
-  static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Status decode([[maybe_unused]] std::uint32_t word) {
     return {
       .receive_level = (word & 0xFFFu),
       .transmit_space = ((word >> 12u) & 0xFFFu),
@@ -115,7 +115,7 @@ struct Clear {
   // Clear `noise`.
   bool noise{};
 
-  static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Clear decode([[maybe_unused]] std::uint32_t word) {
     return {
       .overrun = (word & 0x1u) != 0,
       .framing_error = ((word >> 1u) & 0x1u) != 0,
@@ -147,7 +147,7 @@ struct Data {
   // Read: 1 if something was lost right before this byte, to overrun, framing error or break. Write: ignored.
   bool gap{};
 
-  static constexpr Data decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Data decode([[maybe_unused]] std::uint32_t word) {
     return {
       .byte = (word & 0xFFu),
       .valid = ((word >> 8u) & 0x1u) != 0,
@@ -177,7 +177,7 @@ struct Interrupts {
   // Interrupt while at least this many bytes may be written; 0: never.
   std::uint32_t transmit_threshold{};
 
-  static constexpr Interrupts decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Interrupts decode([[maybe_unused]] std::uint32_t word) {
     return {
       .receive_threshold = (word & 0xFFFu),
       .on_line_end = ((word >> 12u) & 0x1u) != 0,
@@ -199,7 +199,7 @@ struct Overruns {
   // Lost bytes since reset, modulo 2^16.
   std::uint32_t count{};
 
-  static constexpr Overruns decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Overruns decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = (word & 0xFFFFu),
     };
@@ -217,7 +217,7 @@ struct FramingErrors {
   // Framing errors since reset, modulo 2^16.
   std::uint32_t count{};
 
-  static constexpr FramingErrors decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr FramingErrors decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = (word & 0xFFFFu),
     };
@@ -235,7 +235,7 @@ struct Breaks {
   // Break conditions since reset, modulo 2^16.
   std::uint32_t count{};
 
-  static constexpr Breaks decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr Breaks decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = (word & 0xFFFFu),
     };
@@ -253,7 +253,7 @@ struct NoisyBytes {
   // Noisy bytes since reset, modulo 2^16.
   std::uint32_t count{};
 
-  static constexpr NoisyBytes decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr NoisyBytes decode([[maybe_unused]] std::uint32_t word) {
     return {
       .count = (word & 0xFFFFu),
     };
@@ -275,7 +275,7 @@ struct LineEnds {
   // The other: carriage return after reset. May be the same as the first.
   std::uint32_t second{};
 
-  static constexpr LineEnds decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr LineEnds decode([[maybe_unused]] std::uint32_t word) {
     return {
       .first = (word & 0xFFu),
       .second = ((word >> 8u) & 0xFFu),

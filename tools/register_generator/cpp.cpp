@@ -38,7 +38,7 @@ struct @type@ {
   @enumerations@
   @fields@
 
-  static constexpr @type@ decode([[maybe_unused]] std::uint32_t word) {
+  [[gnu::always_inline]] static constexpr @type@ decode([[maybe_unused]] std::uint32_t word) {
     return {
       @decoded@
     };
@@ -83,7 +83,7 @@ struct @type@ {
   using High = @type@High;
   @number@ @field@{};
 
-  static constexpr @type@ decode(Low low, High high) {
+  [[gnu::always_inline]] static constexpr @type@ decode(Low low, High high) {
     return {.@field@ = static_cast<@number@>(std::uint64_t{high.@field@} << 32 | low.@field@)};
   }
   constexpr Low low() const { return {.@field@ = static_cast<std::uint32_t>(@field@)}; }
