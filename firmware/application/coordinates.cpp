@@ -69,9 +69,7 @@ units::Position multiplied(const units::Position& distance, std::uint64_t factor
 
 }  // namespace
 
-bool representable(const Positions& positions) {
-  return std::ranges::all_of(positions, motion::is_in_range);
-}
+bool representable(const Positions& positions) { return motion::are_in_range(positions); }
 
 void Coordinates::follow(const Positions& machine) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {

@@ -93,7 +93,7 @@ class LineParser {
   bool at_digit() const { return !at_end() && is_digit(here()); }
 
   // Remembers the error; false, so that a caller can return it at once.
-  bool set_error(ParseFault fault, std::size_t position) {
+  [[gnu::cold]] bool set_error(ParseFault fault, std::size_t position) {
     error_ = {fault, static_cast<std::uint32_t>(position)};
     return false;
   }
@@ -187,7 +187,7 @@ class LineParser {
   }
 
   // To the end or to a comment; '*' and '(' belong to the text, as they do for Marlin.
-  bool read_text() {
+  [[gnu::cold]] bool read_text() {
     const std::size_t start = position_;
     std::size_t end = position_;
     units::LoopBound<longest_text> characters;
@@ -199,8 +199,7 @@ class LineParser {
     command_.text = part(start, end);
     return true;
   }
-
-  bool read_quoted_text() {
+  [[gnu::cold]] bool read_quoted_text() {
     const std::size_t quote = position_++;
     const std::size_t closing = units::find(line_, '"', position_);
     if (closing == std::string_view::npos) return set_error(ParseFault::unclosed_quote, quote);

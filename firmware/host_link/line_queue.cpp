@@ -12,10 +12,12 @@ namespace host_link {
 void LineQueue::put(std::string_view text, std::optional<LineNumber> number, bool emergency) {
   Slot& slot = slots_[(first_ + size_) % capacity];
   const std::size_t length = std::min(text.size(), max_line_length);
+  const char* from = text.data();
+  char* to = slot.text.data();
   units::LoopBound<max_line_length> characters;
-  for (std::size_t i = 0; i < length; ++i) {
+  for (const char* const end = from + length; from != end;) {
     characters.next();
-    slot.text[i] = text[i];
+    *to++ = *from++;
   }
   slot.length = static_cast<std::uint8_t>(length);
   slot.number = number.value_or(0);
@@ -33,6 +35,7 @@ AcceptedLine LineQueue::front() const {
 }
 
 void LineQueue::drop() {
+  if (slots_[first_].withdrawn) --withdrawn_;
   first_ = (first_ + 1) % capacity;
   --size_;
 }
@@ -58,18 +61,10 @@ void LineQueue::withdraw_numbered() {
   for (std::size_t i = 0; i < size_; ++i) {
     bound.next();
     Slot& line = slots_[(first_ + i) % capacity];
-    line.withdrawn = line.withdrawn || line.numbered;
+    if (line.withdrawn || !line.numbered) continue;
+    line.withdrawn = true;
+    ++withdrawn_;
   }
-}
-
-std::size_t LineQueue::waiting() const {
-  std::size_t count = 0;
-  units::LoopBound<capacity> bound;
-  for (std::size_t i = 0; i < size_; ++i) {
-    bound.next();
-    if (!slot(i).withdrawn) ++count;
-  }
-  return count;
 }
 
 }  // namespace host_link

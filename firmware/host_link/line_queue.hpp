@@ -39,7 +39,7 @@ class LineQueue {
   void withdraw_numbered();
   bool front_is_withdrawn() const { return size_ != 0 && slots_[first_].withdrawn; }
   // Those that are not withdrawn.
-  std::size_t waiting() const;
+  std::size_t waiting() const { return size_ - withdrawn_; }
 
   // Line n of all that were ever put, counted from 0, lies in slot n % capacity. The layout is a
   // contract with the simulation, which writes down what was accepted.
@@ -62,6 +62,7 @@ class LineQueue {
   std::array<Slot, capacity> slots_{};
   std::size_t first_{};
   std::size_t size_{};
+  std::size_t withdrawn_{};  // of these
 };
 
 }  // namespace host_link

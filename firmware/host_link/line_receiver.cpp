@@ -16,7 +16,9 @@ namespace {
 
 using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
-constexpr bool is_mere_text(char c) { return c >= ' ' && c <= '~' && c != '*'; }
+constexpr bool is_mere_text(unsigned char c) {
+  return static_cast<unsigned>(c - ' ') <= '~' - ' ' && c != '*';
+}
 constexpr bool is_text(char c) { return c == '\t' || (c >= ' ' && c <= '~'); }
 
 // Noise that leaves the checksum intact mostly corrupts this.
@@ -50,7 +52,8 @@ bool LineReceiver::put(char byte) {
   return !line_feed_of_pair;
 }
 
-std::size_t LineReceiver::put_text(std::span<const char> bytes) {
+[[gnu::noinline, gnu::optimize("O2")]] std::size_t LineReceiver::put_text(
+    std::span<const char> bytes) {
   if (star_seen_ || length_ >= max_line_length) return 0;
   const std::size_t most = std::min<std::size_t>(bytes.size(), max_line_length - length_);
   const char* here = bytes.data();
@@ -58,11 +61,14 @@ std::size_t LineReceiver::put_text(std::span<const char> bytes) {
   char* to = buffer_.data() + length_;
   std::uint32_t exclusive_or = exclusive_or_;
   units::LoopBound<max_line_length> characters;
-  for (; here != end && is_mere_text(*here); ++here) {
+  while (here != end) {
+    const auto byte = static_cast<unsigned char>(*here);
+    if (!is_mere_text(byte)) break;
     characters.next();
-    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(*here));
-    *to++ = *here;
-    exclusive_or ^= static_cast<unsigned char>(*here);
+    units::happens<units::Event::byte_taken>(byte);
+    *to++ = static_cast<char>(byte);
+    exclusive_or ^= byte;
+    ++here;
   }
   const auto count = static_cast<std::size_t>(here - bytes.data());
   if (count != 0) after_carriage_return_ = false;

@@ -117,7 +117,9 @@ Geometry::Path Geometry::path_of(const Displacement& displacement,
                       : prints            ? limits_.print_acceleration
                                           : limits_.travel_acceleration;
   path.inverse = one / path.length;
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     const std::uint64_t all = magnitude(distance[i].count());
     if (all == 0) continue;
     const std::uint32_t size =
@@ -190,7 +192,9 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
 Scaled Geometry::time_of_steps(const Displacement& displacement) const {
   std::uint64_t longest = 0, compared = 0;
   int exponent = 0;
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     const std::uint32_t steps = magnitude(displacement.steps[i]);
     if (steps == 0) continue;
     const Scaled& step = time_per_step_[i];
@@ -220,7 +224,9 @@ Scaled Geometry::length_of_few_steps(const Line& line, const Path& path) const {
 units::MicrometersPerSecondSquared Geometry::limited_acceleration(const Path& path,
                                                                   Scaled ticks_per_length) const {
   auto acceleration = static_cast<std::uint32_t>(path.acceleration.count());
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     const std::uint32_t part = magnitude(path.direction[i]);
     const auto most = static_cast<std::uint64_t>(limits_.axes[i].max_acceleration.count())
                       << direction_fraction_bits;

@@ -10,6 +10,7 @@
 #include "motion/segment.hpp"
 #include "motion/steps.hpp"
 #include "units/axes.hpp"
+#include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 #include "units/quantity.hpp"
 
@@ -57,7 +58,11 @@ struct Line {
   // The largest |steps|.
   std::uint32_t ticks() const {
     std::uint32_t most = 0;
-    for (const std::int32_t count : steps) most = std::max(most, units::magnitude(count));
+    units::LoopBound<units::axis_count> axes;
+    for (const std::int32_t count : steps) {
+      axes.next();
+      most = std::max(most, units::magnitude(count));
+    }
     return most;
   }
   // Tick rate in ticks per clock = this * sqrt(energy).
@@ -87,7 +92,7 @@ struct Course {
 // Makes lines from displacements under the limits of the axes and of the step generator.
 class Geometry {
  public:
-  Geometry(const Limits& limits, const StepTiming& timing);
+  [[gnu::cold]] Geometry(const Limits& limits, const StepTiming& timing);
 
   const Limits& limits() const { return limits_; }
   units::Hertz clock() const { return clock_; }

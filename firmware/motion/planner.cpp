@@ -14,10 +14,6 @@ namespace motion {
 
 namespace {
 
-bool in_range(const units::PerAxis<units::Position>& target) {
-  return std::ranges::all_of(target, is_in_range);
-}
-
 // Rounded, but not to 0 where a step is due: a displacement with steps has a length.
 units::Nanometers distance_between(const units::Position& from, const units::Position& to,
                                    std::int64_t steps) {
@@ -36,7 +32,7 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   if (move.feedrate < units::MicrometersPerSecond(1)) {
     return std::unexpected(Fault::feedrate_out_of_range);
   }
-  if (!in_range(move.target)) return std::unexpected(Fault::target_out_of_range);
+  if (!are_in_range(move.target)) return std::unexpected(Fault::target_out_of_range);
   if (!has_room()) return std::unexpected(Fault::queue_full);
   const bool direct = kinematics_.homes_motors() && move.of_motors;
   if (!direct && !kinematics_.reaches(move.target)) {

@@ -138,8 +138,8 @@ class Builder {
 
 }  // namespace
 
-void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                  std::uint8_t min_cruise_percent, Profile& profile) {
+[[gnu::noinline]] void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
+                                    std::uint8_t min_cruise_percent, Profile& profile) {
   const EnergyCourse course = course_of(line, exit, min_cruise_percent);
   Builder builder(line, profile);
   profile.ticks = course.ticks;

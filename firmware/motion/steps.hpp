@@ -2,10 +2,12 @@
 // Exact conversion between positions in nanometres and in motor steps.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <expected>
 
 #include "motion/fault.hpp"
+#include "units/axes.hpp"
 #include "units/position.hpp"
 #include "units/quantity.hpp"
 
@@ -15,11 +17,20 @@ namespace motion {
 inline constexpr units::Nanometers max_position{1'000'000'000'000'000};
 
 inline bool is_in_range(const units::Position& position) {
-  // Nearly all are decided by the upper word.
-  constexpr auto sure = static_cast<std::int32_t>(max_position.count() >> 32);
-  const auto upper = static_cast<std::int32_t>(position.whole().count() >> 32);
-  if (upper > -sure && upper < sure) return true;
   return position >= -max_position && position <= max_position;
+}
+
+// All of them.
+inline bool are_in_range(const units::PerAxis<units::Position>& positions) {
+  // Nearly all are decided by the upper words: smaller than `sure` in magnitude.
+  constexpr auto sure = static_cast<std::uint32_t>(max_position.count() >> 32);
+  std::uint32_t largest = 0;
+  for (const units::Position& position : positions) {
+    const auto upper = static_cast<std::int32_t>(position.whole().count() >> 32);
+    largest |= static_cast<std::uint32_t>(upper ^ upper >> 31);
+  }
+  if (largest < sure) return true;
+  return std::ranges::all_of(positions, is_in_range);
 }
 
 // Parts of a step, 1 953 125 of which are one (10^9 / 2^9: what the division leaves).

@@ -20,6 +20,7 @@ struct ColdPrinter {
         printer(description,
                 {.baud = baud, .hotend_start_c = hotend_c, .bed_start_c = room_c, .faults = {}},
                 simulation) {
+    if (description.memory_bytes) chip.set_memory_bytes(*description.memory_bytes);
     sim::load(firmware, chip);
   }
 
