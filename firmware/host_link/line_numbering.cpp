@@ -10,7 +10,7 @@ namespace host_link {
 namespace {
 
 // FNV-1a (Fowler, Noll, Vo), 32 bits: shows whether a repeated number brings the same text.
-[[gnu::optimize("O2")]] std::uint32_t fingerprint_of(std::string_view text) {
+std::uint32_t fingerprint_of(std::string_view text) {
   std::uint32_t hash = 2'166'136'261;
   units::LoopBound<max_line_length> bound;
   for (const char c : text) {
