@@ -50,7 +50,7 @@ std::optional<Nanometers> BedMesh::height(std::size_t column, std::size_t row) c
 }
 
 bool BedMesh::set_height(std::size_t column, std::size_t row, Nanometers height) {
-  if (height > most_height || -height > most_height) return false;
+  if (!may_be(height)) return false;
   heights_[row][column] = static_cast<Height>(height.count());
   return true;
 }
@@ -112,9 +112,10 @@ Nanometers BedMesh::height_at(const units::PerAxis<units::Position>& place) cons
 
 Nanometers BedMesh::faded(Nanometers height, const units::Position& at) const {
   const Nanometers end = fade_height();
-  if (end == Nanometers() || at <= units::Position()) return height;
-  if (at >= end) return {};
-  return Nanometers(divided(height.count() * (end - at.nearest()).count(), end.count()));
+  const Nanometers here = at.nearest();
+  if (end == Nanometers() || here <= Nanometers()) return height;
+  if (here >= end) return {};
+  return Nanometers(divided(height.count() * (end - here).count(), end.count()));
 }
 
 // With the nozzle at z + height * (end - z) / end where it fades.
@@ -122,8 +123,8 @@ units::Position BedMesh::uncorrected_z(const units::PerAxis<units::Position>& no
   const Nanometers height = height_at(nozzle);
   const Nanometers end = fade_height();
   const units::Position unfaded = nozzle[z] - height;
-  if (end == Nanometers() || unfaded <= units::Position()) return unfaded;
-  if (nozzle[z] >= end) return nozzle[z];
+  if (end == Nanometers() || unfaded.nearest() <= Nanometers()) return unfaded;
+  if (nozzle[z].nearest() >= end) return nozzle[z];
   return Nanometers(divided(unfaded.nearest().count() * end.count(), (end - height).count()));
 }
 

@@ -37,6 +37,10 @@ class BedMesh {
   static constexpr units::Nanometers most_fade_height{1'000'000'000};
   using Height = std::int32_t;  // nm
 
+  static constexpr bool may_be(units::Nanometers height) {
+    return height <= most_height && -height <= most_height;
+  }
+
   // Forgets all heights.
   void set_axes(const std::array<MeshAxis, 2>& axes);
   std::size_t points(std::size_t axis) const { return axes_[axis].points; }

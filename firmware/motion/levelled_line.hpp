@@ -45,8 +45,8 @@ class LevelledLine {
   static bool can_be(const units::PerAxis<units::Position>& from,
                      const units::PerAxis<units::Position>& to);
 
-  // `mesh` is complete, and stays as it is until the last chord. Each chord is at most `least_chords`
-  // of the line. Coordinates of `from` and `move` are without correction.
+  // `mesh` is complete, and stays as it is until the last chord. There are at least `least_chords`,
+  // none of them longer than such a part of the line. Coordinates are without correction.
   void begin(const BedMesh& mesh, const units::PerAxis<units::Position>& from, const LineMove& move,
              std::uint32_t least_chords);
   bool done() const { return here_ == whole_line; }
