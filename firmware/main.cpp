@@ -30,6 +30,7 @@ extern "C" {
 }
 
 const bool application::shaping_in_image = printer.shaping.has_value();
+const bool application::levelling_in_image = printer.levels();
 
 int main() {
   const auto identity = drivers::read_identity();
@@ -37,13 +38,17 @@ int main() {
 
   // Not on the stack, so that its measure is that of the calls alone.
   static application::Hardware hardware(*identity);
-  motion::Shaping* shaping = nullptr;
+  application::OptionalParts parts;
   if constexpr (printer.shaping.has_value()) {
     static motion::Shaping memory;
-    shaping = &memory;
+    parts.shaping = &memory;
+  }
+  if constexpr (printer.levels()) {
+    static motion::Levelling memory;
+    parts.levelling = &memory;
   }
   static application::Application application(
-      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics, shaping);
+      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics, parts);
   if (!application.start(serial_baud)) platform::halt("The clock is too slow for the serial line");
 
   platform::wake_by(platform::WakeSource::timer, true);

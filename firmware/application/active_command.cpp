@@ -53,6 +53,13 @@ Progress ActiveCommand::refuse(const ArgumentLimit& violated) {
   return violated.check == Check::tool ? refuse(line) : refuse(line.view());
 }
 
+Progress ActiveCommand::report_not_fitted() {
+  refused = command.letter == 'G';
+  host_link::TextLine line;
+  line.text("echo:").character(command.letter).integer(command.code);
+  return say(line.text(" not fitted"));
+}
+
 Progress ActiveCommand::refuse_unknown() { return refuse(host_link::unknown_command(text)); }
 
 }  // namespace application

@@ -21,7 +21,7 @@ enum class Progress : bool { again, done };
 
 // Why a command ends everything.
 struct Fatal {
-  enum class Reason : std::uint8_t { asked_for, homing };  // M112, or G28 that failed
+  enum class Reason : std::uint8_t { asked_for, homing, probing };  // M112, G28 or G29 that failed
   Reason reason{};
   motion::Fault fault{};  // the last two of homing
   units::Axis axis{};
@@ -87,6 +87,8 @@ class ActiveCommand : public Reply {
   [[gnu::noinline]] Progress refuse(std::string_view reason);
   [[gnu::noinline]] Progress refuse(const ArgumentLimit& violated);
   [[gnu::noinline]] Progress refuse_unknown();
+  // "echo:M906 not fitted"; G-codes would have moved, so they are refused.
+  [[gnu::noinline]] Progress report_not_fitted();
   Progress end_everything(const Fatal& reason) {
     fatal = reason;
     return Progress::done;

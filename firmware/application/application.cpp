@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "application/levelling_reports.hpp"
 #include "host_link/replies.hpp"
 #include "units/loop_bound.hpp"
 #include "units/task_span.hpp"
@@ -43,9 +44,12 @@ host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
 }
 
 // Empty for M112, which needs no reason.
-host_link::TextLine text_of(const Fatal& fatal) {
+host_link::TextLine text_of(const Fatal& fatal, const MotionTask& motion) {
   host_link::TextLine line;
   if (fatal.reason == Fatal::Reason::asked_for) return line;
+  if (motion.levels() && fatal.reason == Fatal::Reason::probing) {
+    return probing_failure(motion.levelling().probing);
+  }
   line.text("Error:Homing failed on ");
   line.character(units::axis_letters[units::index_of(fatal.axis)]);
   return line.text(": ").text(motion::describe(fatal.fault));
@@ -54,13 +58,12 @@ host_link::TextLine text_of(const Fatal& fatal) {
 }  // namespace
 
 Application::Application(const MachineDescription& machine, const ThermalTables& tables,
-                         Hardware& hardware, Statistics& counters, motion::Shaping* shaping)
+                         Hardware& hardware, Statistics& counters, const OptionalParts& parts)
     : machine_(machine),
       hardware_(hardware),
       counters_(counters),
       clock_(hardware.identity.clock),
-      motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops,
-              shaping),
+      motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops, parts),
       heat_(machine, tables, hardware.identity.clock, hardware.temperature_converter,
             hardware.heater_control),
       executor_(machine, motion_, heat_, hardware.fan, link_, counters) {}
@@ -187,7 +190,7 @@ void Application::look_for_faults() {
   } else if (motion_.watchdog_stop()) {
     halt("Error:Motion stopped by its watchdog");
   } else if (executor_.fatal()) {
-    halt(text_of(*executor_.fatal()).view());
+    halt(text_of(*executor_.fatal(), motion_).view());
   }
 }
 

@@ -20,10 +20,9 @@ namespace application {
 
 class Application {
  public:
-  // Everything handed over must outlive the application. `shaping`: none where the machine does
-  // not have it.
+  // Everything handed over must outlive the application.
   Application(const MachineDescription& machine, const ThermalTables& tables, Hardware& hardware,
-              Statistics& counters, motion::Shaping* shaping = nullptr);
+              Statistics& counters, const OptionalParts& parts = {});
 
   // Sets up the peripherals and greets the host. False where the clock is too slow for a serial
   // line of so many baud.

@@ -10,6 +10,7 @@
 #include "application/file_commands.hpp"
 #include "application/heat_commands.hpp"
 #include "application/host_commands.hpp"
+#include "application/levelling_commands.hpp"
 #include "application/motion_commands.hpp"
 #include "application/place_commands.hpp"
 #include "application/report_commands.hpp"
@@ -32,7 +33,8 @@ struct CommandGroups {
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),
         reports(machine, motion_task, heat_task, coordinates),
-        host(link, machine.host_silence) {}
+        host(link, machine.host_silence),
+        levelling(motion_task, coordinates) {}
   // The groups refer to the coordinates.
   CommandGroups(const CommandGroups&) = delete;
   CommandGroups& operator=(const CommandGroups&) = delete;
@@ -40,7 +42,7 @@ struct CommandGroups {
   template <class Group>
   Group& of() {
     return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, shaping, factors,
-                                     timer, heat, reports, host, files, dry_runs));
+                                     timer, heat, reports, host, levelling, files, dry_runs));
   }
 
   Coordinates coordinates;
@@ -55,6 +57,7 @@ struct CommandGroups {
   HeatCommands heat;
   ReportCommands reports;
   HostCommands host;
+  LevellingCommands levelling;
   FileCommands files;
   DryRunCommands dry_runs;
 };

@@ -73,6 +73,12 @@ inline constexpr Arguments tone{numbers("PS", no_effect)};
 inline constexpr Arguments extrusion_limit{numbers("S", "°C"), flags("P")};
 inline constexpr Arguments printer_check{numbers("PQ", no_effect)};
 inline constexpr Arguments object{text("T, S or A")};
+inline constexpr Arguments grid{numbers("LRFB", "mm"), numbers("XY", "points"),
+                                numbers("S", "mm/min"), numbers("V", "mode")};
+inline constexpr Arguments probed_place{numbers("XY", "mm"), numbers("E", no_effect)};
+inline constexpr Arguments mesh{numbers("S", "mode"), numbers("Z", "mm"), numbers("VT", "mode")};
+inline constexpr Arguments mesh_point{numbers("IJ", "point"), numbers("ZQ", "mm")};
+inline constexpr Arguments probe_offset{numbers("XYZ", "mm")};
 inline constexpr Arguments name{text("name")};
 inline constexpr Arguments message{text("text")};
 inline constexpr Arguments marked_message{text("A1 E1 text")};

@@ -89,7 +89,10 @@ struct ArgumentSet {
 
 constexpr ArgumentSet arguments_of(const GcodeRow& row) {
   ArgumentSet set;
+  // Where nothing looks at them they are not kept: many sets are then the same.
+  const bool compared = row.conduct.refuses_others || row.conduct.report != nullptr;
   for (const Argument& argument : row.arguments) {
+    if (!compared) break;
     for (const char letter : argument.letters) set.letters |= gcode::Command::bit(letter);
   }
   const Limits limits = limits_of(row);

@@ -21,7 +21,9 @@ struct GcodeEntry {
 
   // There is no second T command: its code is the number of the tool.
   bool is_of(const gcode::Command& command) const;
-  std::uint32_t letters() const;  // of its arguments, as gcode::Command has them
+  // Of its arguments, as gcode::Command has them; none where nothing depends on them: others are
+  // not refused, and no report stands for a line without them.
+  std::uint32_t letters() const;
   ArgumentLimits limits() const;
   bool has_handler() const;
   Handler handler() const;

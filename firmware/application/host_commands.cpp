@@ -172,13 +172,6 @@ Progress HostCommands::report_progress(ActiveCommand& command) {
 }
 
 // A G code would have moved something, and so counts as refused.
-Progress HostCommands::report_not_fitted(ActiveCommand& command) {
-  command.refused = command.command.letter == 'G';
-  host_link::TextLine line;
-  line.text("echo:").character(command.command.letter).integer(command.command.code);
-  return command.say(line.text(" not fitted"));
-}
-
 Progress HostCommands::refuse_end_stops(ActiveCommand& command) {
   return command.refuse("End stops end homing only");
 }

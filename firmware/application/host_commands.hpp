@@ -32,8 +32,7 @@ class HostCommands {
   Progress note_object(ActiveCommand& command);
   Progress set_progress(ActiveCommand& command);
   Progress report_progress(ActiveCommand& command);
-  // "echo:M906 not fitted"
-  Progress report_not_fitted(ActiveCommand& command);
+  Progress report_not_fitted(ActiveCommand& command) { return command.report_not_fitted(); }
   Progress refuse_end_stops(ActiveCommand& command);
   Progress refuse_to_store(ActiveCommand& command) { return command.refuse("EEPROM disabled"); }
   Progress refuse_repeats(ActiveCommand& command);

@@ -9,8 +9,9 @@
 
 #include "drivers/guard_timings.hpp"
 #include "machine/kinematics.hpp"
+#include "motion/levelling.hpp"
 #include "motion/limits.hpp"
-#include "motion/shaping_filter.hpp"
+#include "motion/shaping.hpp"
 #include "thermal/controller.hpp"
 #include "thermal/heater_model.hpp"
 #include "thermal/thermistor_table.hpp"
@@ -53,10 +54,21 @@ struct MachineDescription {
   ConverterDescription converter{};
   // Without it neither input shaping nor linear advance is fitted.
   std::optional<motion::ShapingSettings> shaping{};
+  // Without it there is no probe, and lines do not follow the bed. It must outlive the description.
+  const motion::LevellingSettings* levelling{};
+
+  constexpr bool levels() const { return levelling != nullptr; }
 };
 
-// Whether the machine of this image has it: a constant of its main.cpp, so that the linker leaves
-// out what it does not have. On a host it is true, and the description decides.
+// Whether the machine of this image has it: constants of its main.cpp, so that the linker leaves
+// out what it does not have. On a host they are true, and the description decides.
 extern const bool shaping_in_image;
+extern const bool levelling_in_image;
+
+// The memory of parts that a machine may have; none of those that it does not have.
+struct OptionalParts {
+  motion::Shaping* shaping{};
+  motion::Levelling* levelling{};
+};
 
 }  // namespace application

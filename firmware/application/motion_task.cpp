@@ -78,14 +78,15 @@ std::int64_t unwrapped(std::int32_t counter, std::int64_t planned) {
 
 MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
                        drivers::StepGenerator& step_generator, drivers::EndStops& end_stops,
-                       motion::Shaping* shaping)
+                       const OptionalParts& parts)
     : machine_(machine),
       clock_(clock),
       step_generator_(step_generator),
       end_stops_(end_stops),
       planner_(machine.limits, timing_of(machine, clock),
                motion::kinematics::Chosen(machine.kinematics)),
-      shaping_(shaping),
+      shaping_(parts.shaping),
+      levelling_(parts.levelling),
       pace_(step_generator, clock, lines_under_way + (shapes() ? shaped_lines : 0)) {}
 
 bool MotionTask::start() {
@@ -94,13 +95,16 @@ bool MotionTask::start() {
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
   const std::uint64_t filter =
       std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;
+  std::uint8_t inputs = end_stops_of(machine_.limits);
+  if (levels()) inputs = static_cast<std::uint8_t>(inputs | probe_input());
   end_stops_.configure(
-      {.enabled = end_stops_of(machine_.limits),
+      {.enabled = inputs,
        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
   step_generator_.stop();  // update() learns where a program before this one has left the axes
   step_generator_.enable_stop_interrupt(true);
   step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
   pace_.set_limits(machine_.limits);
+  if (levels()) restore_levelling();
   if (!shapes()) return true;
   shaping_->set_timing(planner_.timing());
   shaping_->set_limits(machine_.limits);
@@ -119,9 +123,9 @@ void MotionTask::update(Now now) {
   step_generator_.feed_watchdog();
   pace_.update(now.microseconds, step_generator_.moving());
   settle_stop(now.milliseconds);
-  if (!chords_.done() && planner_.has_room()) go_on_with_chords();
-  if (homing_.active()) lead_homing(now.milliseconds);
-  pace_.set_homing(homing_.active());
+  if (!line_is_whole() && planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
+  if (homing_.active() || probing()) lead_homing(now.milliseconds);
+  pace_.set_homing(homing_.active() || probing());
   if (plan_is_done() && step_generator_.idle()) pace_.note_rest();
 }
 
@@ -143,12 +147,14 @@ void MotionTask::settle_stop(units::Milliseconds now) {
   planner_.clear();
   if (shapes()) shaping_->clear();
   chords_.cancel();
+  if (levels()) levelling_->line.cancel();
   lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     steps[i] = unwrapped(stop.positions[i], steps[i]);
   }
   planner_.set_position_steps(steps);
+  if (levelled()) find_levelled_place();
   stopped_by_end_stop_ = stop.end_stops != 0;
   rings_until_ = now + ringing_time;
   ++position_jumps_;
@@ -156,6 +162,7 @@ void MotionTask::settle_stop(units::Milliseconds now) {
 }
 
 std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {
+  if (levelled() && !move.of_motors) return append_levelled(move);
   return kinematics().straight() || move.of_motors ? append_line(move) : append_chords(move);
 }
 
@@ -169,13 +176,17 @@ std::expected<void, motion::Fault> MotionTask::append_line(const motion::LineMov
 }
 
 bool MotionTask::at_rest() const {
-  return plan_is_done() && chords_.done() && step_generator_.idle() && !stopping_ &&
-         !homing_.active() && !step_generator_.stopped();
+  return plan_is_done() && line_is_whole() && step_generator_.idle() && !stopping_ &&
+         !homing_.active() && !probing() && !step_generator_.stopped();
 }
 
 void MotionTask::quick_stop() {
   homing_.cancel();
   chords_.cancel();
+  if (levels()) {
+    levelling_->probing.cancel();
+    levelling_->line.cancel();
+  }
   located_ = {};  // a motor that stops dead may lose steps
   stopping_ = true;
   step_generator_.stop();

@@ -21,10 +21,9 @@ namespace application {
 
 class MotionTask {
  public:
-  // `shaping`: none where the machine does not have it.
   MotionTask(const MachineDescription& machine, units::Hertz clock,
              drivers::StepGenerator& step_generator, drivers::EndStops& end_stops,
-             motion::Shaping* shaping = nullptr);
+             const OptionalParts& parts = {});
 
   // Sets up guards, rate floor, end stops and shaping. Once, at rest. False where the machine's
   // shaping is out of range, and thus off.
@@ -44,15 +43,18 @@ class MotionTask {
   // may be in hand.
   bool queue_full() const { return queue_full_; }
 
-  bool has_room() const { return planner_.has_room() && chords_.done(); }
+  // Inlined as levels() is.
+  [[gnu::always_inline]] bool has_room() const { return planner_.has_room() && line_is_whole(); }
   std::size_t room() const { return motion::Planner::capacity - planner_.lines(); }
   // Switches the motors on. `target` in machine coordinates. Where motors do not follow a line by
   // themselves, the planner gets the first of its chords now, and one more in each pass.
   std::expected<void, motion::Fault> append(const motion::LineMove& move);
   // What has been appended starts without waiting for more.
-  void flush() {
-    if (chords_.done()) {
+  [[gnu::always_inline]] void flush() {
+    if (line_is_whole()) {
       planner_.flush();
+    } else if (levelled()) {
+      levelling_->line.flush();
     } else {
       chords_.flush();
     }
@@ -67,7 +69,30 @@ class MotionTask {
   // What the machine description says. As above.
   bool restore_shaping();
 
-  // Planner empty, step generator idle, no stop or homing under way.
+  // A probe and a mesh are fitted.
+  [[gnu::always_inline]] bool levels() const { return levelling_in_image && levelling_ != nullptr; }
+  // Lines follow the mesh.
+  [[gnu::always_inline]] bool levelled() const { return levels() && levelling_->active; }
+  // Only where they are fitted.
+  const motion::Levelling& levelling() const { return *levelling_; }
+  const motion::LevellingSettings& fitted_levelling() const { return *machine_.levelling; }
+  // Only at rest: makes the change while lines do not follow the mesh, and whether they do so after
+  // it. The nozzle stays where it is. False where they cannot: the mesh has not all of its points,
+  // or does not fade slowly.
+  template <class Change>
+  bool change_levelling(bool follow, const Change& change) {
+    stop_levelling();
+    change(*levelling_);
+    return !follow || begin_levelling();
+  }
+  // What the machine description says, and no mesh.
+  void restore_levelling();
+  // Only at rest and homed, lines do not follow the mesh: the height of the bed under the probe.
+  void start_probing(units::Nanometers x, units::Nanometers y);
+  bool probe_triggered() const { return (end_stops() & probe_input()) != 0; }
+  [[gnu::always_inline]] bool probing() const { return levels() && levelling_->probing.active(); }
+
+  // Planner empty, step generator idle, no stop, homing or probing under way.
   bool at_rest() const;
 
   // Only at rest. After that homing() is true until it ends, well or with a fault.
@@ -76,6 +101,8 @@ class MotionTask {
   std::optional<motion::Fault> homing_fault() const { return homing_fault_; }
   units::Axis homing_axis() const { return homing_axis_; }
   units::AxisSet homed() const { return homed_; }
+  // Homed, and since then nothing can have moved it but its own steps.
+  units::AxisSet located() const { return located_; }
 
   // M410: no step from now on. Positions stay correct; what was planned is discarded.
   void quick_stop();
@@ -106,17 +133,22 @@ class MotionTask {
   void set_steps_per_meter(const motion::Limits& limits);
 
   // Machine coordinates of the end of the last planned move, and the steps made so far.
-  const units::PerAxis<units::Position>& position() const {
+  [[gnu::always_inline]] const units::PerAxis<units::Position>& position() const {
+    if (levelled()) return levelling_->place;
     return chords_.done() ? planner_.position() : chords_.target();
   }
   units::PerAxis<units::Steps> steps();
-  // Counts the times that position() has jumped: at homing and quick stops.
+  // Counts the times that position() has jumped: at homing, quick stops and changes of levelling.
   std::uint32_t position_jumps() const { return position_jumps_; }
 
  private:
   // All of it is with the step generator.
   [[gnu::always_inline]] bool plan_is_done() const {
     return planner_.empty() && (!shapes() || shaping_->at_rest());
+  }
+  // The last move has no chords left.
+  [[gnu::always_inline]] bool line_is_whole() const {
+    return chords_.done() && (!levels() || levelling_->line.done());
   }
   motion::Shaping::Output next_segment();
   void settle_stop(units::Milliseconds now);
@@ -126,7 +158,15 @@ class MotionTask {
   void note_lost(units::Axis axis);
   std::expected<void, motion::Fault> append_chords(motion::LineMove move);
   std::expected<void, motion::Fault> append_line(const motion::LineMove& move);
+  std::expected<void, motion::Fault> limit_to_mechanism(motion::LineMove& move) const;
   void go_on_with_chords();
+  std::expected<void, motion::Fault> append_levelled(motion::LineMove move);
+  void go_on_levelled();
+  void stop_levelling();
+  bool begin_levelling();
+  void find_levelled_place();
+  void lead_probing();
+  std::uint8_t probe_input() const;
   motion::LineMove homing_move(const motion::HomingMove& request) const;
   void pass_end_stop(const motion::HomingRequest& request);
   void finish_homing_of_motors();
@@ -139,6 +179,7 @@ class MotionTask {
   drivers::EndStops& end_stops_;
   motion::Planner planner_;
   motion::Shaping* shaping_;
+  motion::Levelling* levelling_;
   [[no_unique_address]] motion::kinematics::Chosen::Chords chords_;  // of the last line
   motion::Homing homing_;
   Pace pace_;
@@ -147,7 +188,7 @@ class MotionTask {
   std::optional<motion::Fault> homing_fault_;
   units::Axis homing_axis_{};
   units::AxisSet homed_;
-  units::AxisSet located_;  // homed, and since then nothing can have moved it but its own steps
+  units::AxisSet located_;
   units::AxisSet motors_on_;
   std::uint32_t position_jumps_{};
   bool stopped_by_end_stop_{};

@@ -7,7 +7,7 @@
 
 namespace application {
 
-std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove move) {
+std::expected<void, motion::Fault> MotionTask::limit_to_mechanism(motion::LineMove& move) const {
   // Where the tool is says nothing before.
   if (kinematics().homes_motors() && homed_.empty()) {
     return std::unexpected(motion::Fault::not_homed);
@@ -15,7 +15,7 @@ std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove mo
   if (!kinematics().reaches(move.target)) {
     return std::unexpected(motion::Fault::target_out_of_reach);
   }
-  const units::PerAxis<units::Position> from = position();
+  const units::PerAxis<units::Position>& from = position();
   auto acceleration = motion::max_acceleration;
   for (std::size_t i = 0; i < motion::kinematics::spatial_axes; ++i) {
     acceleration = std::min(acceleration, limits().axes[i].max_acceleration);
@@ -23,6 +23,12 @@ std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove mo
   move.feedrate =
       std::min({move.feedrate, motion::kinematics::speed_of_axes(limits(), from, move.target),
                 kinematics().speed_limit(from, move.target, acceleration)});
+  return {};
+}
+
+std::expected<void, motion::Fault> MotionTask::append_chords(motion::LineMove move) {
+  if (const auto limited = limit_to_mechanism(move); !limited) return limited;
+  const units::PerAxis<units::Position> from = position();
   chords_.begin(from, move, kinematics().chords(from, move.target));
   const auto accepted = append_line(chords_.next());
   if (!accepted) chords_.cancel();

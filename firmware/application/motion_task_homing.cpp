@@ -21,6 +21,7 @@ units::PerAxis<units::Position> with_axis(units::PerAxis<units::Position> positi
 
 void MotionTask::start_homing(units::AxisSet axes) {
   homing_fault_.reset();
+  if (levels()) stop_levelling();
   if (kinematics().homes_motors()) {
     axes = units::AxisSet::all();
     located_ = {};
@@ -42,9 +43,10 @@ units::Nanometers MotionTask::distance_to_end_stop(units::Axis axis) const {
 }
 
 void MotionTask::lead_homing(units::Milliseconds now) {
-  if (!step_generator_.idle() || !plan_is_done() || !chords_.done() || stopping_) return;
+  if (!step_generator_.idle() || !plan_is_done() || !line_is_whole() || stopping_) return;
   // It may be at rest because of a stop after the check in settle_stop().
   if (step_generator_.stopped() || now < rings_until_) return;
+  if (probing()) return lead_probing();
   carry_out(homing_.update(
       {.at_rest = true, .stopped = stopped_by_end_stop_, .end_stops = end_stops_.triggered()}));
 }

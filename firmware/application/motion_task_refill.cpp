@@ -47,6 +47,7 @@ void MotionTask::set_stretch(Stretch now, Stretch behind) {
   if (behind == now) return;
   stretch_behind_ = behind;
   lines_before_ = planner_.lines() + chords_.left();
+  if (levels()) levelling_->line_is_before_stretch = !levelling_->line.done();
 }
 
 // The first segment of a line goes to the step generator.

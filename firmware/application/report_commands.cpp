@@ -56,6 +56,19 @@ Progress ReportCommands::say_firmware(Reply& reply) const {
     if (reply.say(*line) == Progress::again) return Progress::again;
     ++reply.lines_said;
   }
+  return motion_.levels() ? say_levelling(reply) : Progress::done;
+}
+
+// Capabilities too, of a machine with a probe.
+Progress ReportCommands::say_levelling(Reply& reply) const {
+  constexpr std::array<std::string_view, 3> list{"Cap:AUTOLEVEL:1", "Cap:LEVELING_DATA:1",
+                                                 "Cap:Z_PROBE:1"};
+  constexpr std::size_t before = capability_count + 1;
+  units::LoopBound<list.size()> lines;
+  for (; reply.lines_said < before + list.size(); ++reply.lines_said) {
+    lines.next();
+    if (reply.say(list[reply.lines_said - before]) == Progress::again) return Progress::again;
+  }
   return Progress::done;
 }
 
@@ -72,7 +85,8 @@ Progress ReportCommands::report_end_stops(ActiveCommand& command) {
     if (command.say(*line) == Progress::again) return Progress::again;
     ++command.lines_said;
   }
-  return Progress::done;
+  if (!motion_.levels()) return Progress::done;
+  return command.say(motion_.probe_triggered() ? "z_probe: TRIGGERED" : "z_probe: open");
 }
 
 Progress ReportCommands::set_position_interval(ActiveCommand& command) {

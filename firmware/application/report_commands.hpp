@@ -40,6 +40,7 @@ class ReportCommands {
   Progress say_temperature(Reply& reply, units::Milliseconds now) const;
   Progress say_position(Reply& reply) const { return reply.say(position_line()); }
   Progress say_firmware(Reply& reply) const;
+  Progress say_levelling(Reply& reply) const;
 
   const MachineDescription& machine_;
   MotionTask& motion_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "application/levelling_reports.hpp"
 #include "application/setting_reports.hpp"
 #include "application/shaping_commands.hpp"
 #include "units/call_table.hpp"
@@ -165,10 +166,17 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  const std::size_t last = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
-  units::LoopBound<std::size(reported_settings) + shaping_reports + 1> lines;
+  const std::size_t shaped = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
+  const std::size_t last = shaped + (motion_.levels() ? levelling_reports : 0);
+  units::LoopBound<std::size(reported_settings) + shaping_reports + levelling_reports + 1> lines;
   for (said = std::max(said, first); said <= last; ++said) {
     lines.next();
+    if (motion_.levels() && said > shaped) {
+      const auto line =
+          levelling_report(said - shaped - 1, motion_.levelling(), coordinates_.inches());
+      if (command.say(line) == Progress::again) return Progress::again;
+      continue;
+    }
     if (motion_.shapes() && said > reported_settings.size()) {
       const auto line = shaping_report(said - reported_settings.size() - 1, motion_.shaping());
       if (command.say(line) == Progress::again) return Progress::again;
@@ -193,6 +201,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     motion_.set_steps_per_meter(machine_.limits);
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
+    if (motion_.levels()) motion_.restore_levelling();
     coordinates_.set_planned(motion_.position());
     command.phase = ActiveCommand::Phase::working;
   }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t shaped_axes = std::tuple_size_v<decltype(motion::ShapingSettings::shapers)>;
 
-Progress report_not_fitted(ActiveCommand& command) {
-  host_link::TextLine line;
-  return command.say(line.text("echo:M").integer(command.command.code).text(" not fitted"));
-}
-
 constexpr char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool is_name(std::string_view text, std::string_view name) {
@@ -60,7 +55,7 @@ host_link::TextLine shaping_report(std::size_t index, const motion::ShapingSetti
 // Of the axes that are named, or of both. F0 switches off, and F alone a ZV shaper on, as in
 // Marlin; P is the type and S the damping of RepRapFirmware.
 Progress ShapingCommands::set_shapers(ActiveCommand& command) {
-  if (!motion_.shapes()) return report_not_fitted(command);
+  if (!motion_.shapes()) return command.report_not_fitted();
   const gcode::Command& line = command.command;
   std::optional<motion::ShaperType> type;
   if (line.has('P')) {
@@ -89,7 +84,7 @@ Progress ShapingCommands::set_shapers(ActiveCommand& command) {
 }
 
 Progress ShapingCommands::set_advance(ActiveCommand& command) {
-  if (!motion_.shapes()) return report_not_fitted(command);
+  if (!motion_.shapes()) return command.report_not_fitted();
   motion::ShapingSettings settings = motion_.shaping();
   const auto seconds = command.command.value(command.command.code == 572 ? 'S' : 'K');
   if (!seconds) return report(command);
@@ -112,7 +107,7 @@ Progress ShapingCommands::set(ActiveCommand& command, const motion::ShapingSetti
 }
 
 Progress ShapingCommands::report(ActiveCommand& command) {
-  if (!motion_.shapes()) return report_not_fitted(command);
+  if (!motion_.shapes()) return command.report_not_fitted();
   const bool shapers = command.command.code == 593;
   const std::size_t first = shapers ? 0 : shaped_axes;
   const std::size_t end = shapers ? shaped_axes : shaping_reports;

@@ -32,7 +32,7 @@ enum Kind : std::uint32_t { event, begin, end };
 template <Event what, std::uint32_t most, Kind kind>
 [[gnu::always_inline]] inline void mark() {
   asm inline volatile(
-      ".pushsection .event_bounds,\"\",@progbits\n"
+      ".pushsection .debug_event_bounds,\"\",@progbits\n"
       ".word 1f, %0, %1, %2\n"
       ".popsection\n"
       "1:" ::"i"(what),
@@ -42,7 +42,7 @@ template <Event what, std::uint32_t most, Kind kind>
 template <Event what>
 [[gnu::always_inline]] inline void mark_behind(std::size_t number) {
   asm inline volatile(
-      ".pushsection .event_bounds,\"\",@progbits\n"
+      ".pushsection .debug_event_bounds,\"\",@progbits\n"
       ".word 1f, %0, 0, 0\n"
       ".popsection\n"
       "1:" ::"i"(what),

@@ -42,7 +42,7 @@ class LoopBound {
   template <std::uint32_t is_end>
   [[gnu::always_inline]] static inline void mark() {
     asm inline volatile(
-        ".pushsection .loop_bounds,\"\",@progbits\n"
+        ".pushsection .debug_loop_bounds,\"\",@progbits\n"
         ".word 1f, %0, %1, %2\n"
         ".popsection\n"
         "1:" ::"i"(most),

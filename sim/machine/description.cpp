@@ -94,6 +94,20 @@ std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
   return cartesian_mechanism();
 }
 
+ProbeDescription probe_of(const Entry& probe) {
+  return {probe["input"].whole_number(),
+          {probe["offset_x_mm"].number(), probe["offset_y_mm"].number(),
+           probe["offset_z_mm"].number()}};
+}
+
+BedSurface surface_of(const Entry& surface) {
+  return {.left_front = surface["left_front_mm"].number(),
+          .right_front = surface["right_front_mm"].number(),
+          .left_back = surface["left_back_mm"].number(),
+          .right_back = surface["right_back_mm"].number(),
+          .middle = surface["middle_mm"].number()};
+}
+
 void check_channels(const toml::table& table, const std::filesystem::path& file) {
   machine_generator::Reader root(file, table);
   for (const char* heater : {"hotend", "bed"}) {
@@ -125,6 +139,11 @@ Description description_of(const toml::table& table, const std::filesystem::path
   if (const Entry retraction = root["retraction"]) {
     description.retraction = {retraction["length_mm"].number(), retraction["lift_mm"].number(),
                               retraction["extra_mm"].number()};
+  }
+  if (const Entry probe = root["probe"]) description.probe = probe_of(probe);
+  if (const Entry surface = root["bed_surface"]) description.bed_surface = surface_of(surface);
+  for (std::size_t i = 0; i < description.bed_surface.size.size(); ++i) {
+    description.bed_surface.size[i] = description.axes[i].travel_mm.value_or(1);
   }
   description.hotend = heater_of(root, "hotend");
   description.bed = heater_of(root, "bed");

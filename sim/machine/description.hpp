@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "sim/devices/motor_driver.hpp"
+#include "sim/machine/bed_surface.hpp"
 #include "sim/machine/mechanism.hpp"
 #include "sim/plants/heated_block.hpp"
 
@@ -37,6 +38,13 @@ struct RetractionDescription {
   double extra_mm{};
 };
 
+struct ProbeDescription {
+  std::size_t input{};  // of the end stops
+  // From the nozzle to where it measures; Z: the nozzle's where it touches the bed, from where the
+  // probe triggers.
+  std::array<double, 3> offset_mm{};
+};
+
 struct HeaterDescription {
   std::size_t sensor_channel{};
   std::size_t heater_channel{};
@@ -61,6 +69,8 @@ struct Description {
   std::array<AxisDescription, axis_count> axes;
   std::shared_ptr<const Mechanism> mechanism = cartesian_mechanism();
   RetractionDescription retraction;
+  std::optional<ProbeDescription> probe;
+  BedSurface bed_surface;  // flat without a table of it
   HeaterDescription hotend;
   HeaterDescription bed;
   ConverterDescription converter;

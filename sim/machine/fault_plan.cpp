@@ -157,6 +157,17 @@ bool add_end_stop_fault(FaultPlan& plan, std::string_view text) {
   return false;
 }
 
+bool add_probe_fault(FaultPlan& plan, std::string_view text) {
+  if (text == "probe-never-closes") {
+    plan.probe = EndStopFault::never_closes;
+  } else if (text == "probe-never-opens") {
+    plan.probe = EndStopFault::never_opens;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view fault_forms() {
@@ -166,6 +177,7 @@ std::string_view fault_forms() {
   hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-
   hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS, and the same with bed-
   x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with y- and z-
+  probe-never-closes probe-never-opens, of a machine with a probe
   serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001;
   replies=SHARE the same of the bytes from the chip
   cable-pulled=DURATION@SECONDS: for DURATION seconds no byte passes in either direction
@@ -174,7 +186,7 @@ std::string_view fault_forms() {
 
 void add_fault(FaultPlan& plan, std::string_view text) {
   if (add_noise(plan, text) || add_cable_fault(plan, text) || add_capacitor_fault(plan, text) ||
-      add_end_stop_fault(plan, text)) {
+      add_end_stop_fault(plan, text) || add_probe_fault(plan, text)) {
     return;
   }
   const std::size_t at = text.find('@');

@@ -50,6 +50,7 @@ struct FaultPlan {
   std::vector<TimedCapacitorFault> capacitors;
   std::vector<PulledCable> cable;
   std::array<devices::EndStopFault, 3> end_stops{};  // x y z
+  devices::EndStopFault probe{};  // never closes, never opens
   double corrupted_bytes = 0;  // share of the bytes to the chip
   double corrupted_replies = 0;  // share of the bytes from the chip
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 #include "sim/machine/board_signals.hpp"
 #include "sim/machine/printer_parts.hpp"
@@ -132,10 +133,33 @@ void Printer::make_axes(const PrinterOptions& options) {
       if (place.weights[motor] != 0) motors_[motor]->add_listener(*end_stops_.back());
     }
   }
+  make_probe(start, options.faults);
   motors_[3]->add_listener(*extrusion_);
   if (mechanism.is_cartesian()) return;
   frame_ = std::make_unique<Frame>(*this);
   for (const auto& motor : motors_) motor->add_listener(*frame_);
+}
+
+void Printer::make_probe(const std::array<std::int64_t, axis_count>& start,
+                         const FaultPlan& faults) {
+  if (!description_.probe) {
+    if (faults.probe == devices::EndStopFault::none) return;
+    throw std::invalid_argument("a fault of the probe, but the machine has no [probe]");
+  }
+  const ProbeDescription& probe = *description_.probe;
+  const auto triggers = [this, &probe](const std::array<std::int64_t, axis_count>& positions) {
+    Mechanism::Place motors{};
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+      motors[i] = static_cast<double>(positions[i]) / description_.axes[i].steps_per_mm;
+    }
+    const Mechanism::Place nozzle = description_.mechanism->place_of(motors);
+    const double bed = description_.bed_surface.height(nozzle[0] + probe.offset_mm[0],
+                                                       nozzle[1] + probe.offset_mm[1]);
+    return nozzle[2] + probe.offset_mm[2] <= bed;
+  };
+  probe_ = std::make_unique<devices::Probe>(probe.input, simulation_.chip().inputs(), start,
+                                            triggers, faults.probe);
+  for (std::size_t i = 0; i < 3; ++i) motors_[i]->add_listener(*probe_);
 }
 
 Mechanism::Place Printer::motors_mm() const {

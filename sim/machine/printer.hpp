@@ -11,6 +11,7 @@
 #include "sim/devices/fan_gate.hpp"
 #include "sim/devices/heater_gate.hpp"
 #include "sim/devices/motor_driver.hpp"
+#include "sim/devices/probe.hpp"
 #include "sim/devices/sensor_channel.hpp"
 #include "sim/devices/serial_line.hpp"
 #include "sim/machine/description.hpp"
@@ -64,6 +65,7 @@ class Printer {
   class Frame;
 
   void make_axes(const PrinterOptions& options);
+  void make_probe(const std::array<std::int64_t, axis_count>& start, const FaultPlan& faults);
   std::array<std::int64_t, axis_count> start_positions(std::uint64_t seed) const;
   void attach_all();
 
@@ -73,6 +75,7 @@ class Printer {
   std::array<std::unique_ptr<plants::Axis>, axis_count> axes_;
   std::array<std::unique_ptr<devices::MotorDriver>, axis_count> motors_;
   std::vector<std::unique_ptr<devices::EndStop>> end_stops_;
+  std::unique_ptr<devices::Probe> probe_;
   std::unique_ptr<Frame> frame_;  // where motors are not axes
   HeatedPart hotend_;
   HeatedPart bed_;

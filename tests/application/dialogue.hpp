@@ -44,6 +44,7 @@ class Printer {
 
   application::MachineDescription machine_;
   motion::Shaping shaping_;
+  motion::Levelling levelling_;
   std::optional<application::Hardware> hardware_;
   std::unique_ptr<application::Application> application_;
 };

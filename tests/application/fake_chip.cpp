@@ -57,7 +57,17 @@ std::uint32_t FakeChip::end_stops() const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
   }
+  if (probe_triggers(mechanical)) triggered |= 1u << probe_input;
   return triggered;
+}
+
+bool FakeChip::probe_triggers(const std::array<std::int64_t, 4>& steps) const {
+  if (!probe_mm) return false;
+  std::array<double, 3> mm;
+  for (std::size_t i = 0; i < mm.size(); ++i) {
+    mm[i] = static_cast<double>(steps[i]) / steps_per_mm[i];
+  }
+  return mm[2] <= probe_mm(mm[0], mm[1]);
 }
 
 // Throws where no register can be: a chip would trap there.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 
 #include "registers/heater_control_registers.hpp"
@@ -56,6 +57,11 @@ class FakeChip {
   std::array<std::int64_t, 4> mechanical{1000, 1000, 30'000, 0};
   bool end_stops_work{true};
   std::uint32_t end_stops_stuck{};  // closed, wherever the axis is; bit = axis
+  // The nozzle's height above its end stop at which the probe on input 3 triggers, in mm, by the
+  // nozzle's place; none without.
+  static constexpr std::size_t probe_input = 3;
+  std::function<double(double x, double y)> probe_mm;
+  std::array<double, 3> steps_per_mm{};  // for it
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
   std::array<std::int32_t, 4> position{};  // the hardware's counters
   std::uint32_t motors{};
@@ -92,6 +98,7 @@ class FakeChip {
   std::uint32_t word(std::uint32_t address) const { return words_[place_of(address)]; }
   std::uint32_t& word(std::uint32_t address) { return words_[place_of(address)]; }
   std::uint32_t end_stops() const;
+  bool probe_triggers(const std::array<std::int64_t, 4>& steps) const;
   void commit();
   void command(std::uint32_t value);
   void feed(registers::heater_control::Feed::Key key);

@@ -117,10 +117,15 @@ std::int64_t FakeChip::tick_of_stop(std::int64_t last_tick) const {
   if (line_.stop_mask == 0 || !end_stops_work) return last_tick;
   if ((line_.stop_mask & end_stops_stuck) != 0) return line_tick_ + 1;
   std::int64_t first = last_tick;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if ((line_.stop_mask >> axis & 1u) == 0) continue;
-    const std::int64_t begin = mechanical[axis] - steps_until(axis, line_tick_);
-    const auto closed = [&](std::int64_t tick) { return begin + steps_until(axis, tick) <= 0; };
+  for (std::size_t input = 0; input <= probe_input; ++input) {
+    if ((line_.stop_mask >> input & 1u) == 0) continue;
+    const auto closed = [&](std::int64_t tick) {
+      auto there = mechanical;
+      for (std::size_t axis = 0; axis < there.size(); ++axis) {
+        there[axis] += steps_until(axis, tick) - steps_until(axis, line_tick_);
+      }
+      return input == probe_input ? probe_triggers(there) : there[input] <= 0;
+    };
     if (closed(line_tick_ + 1)) return line_tick_ + 1;
     if (!closed(first)) continue;
     std::int64_t open = line_tick_ + 1;

@@ -229,4 +229,41 @@ TEST(machine_generator, names_kinematics_that_do_not_fit) {
               HasSubstr("memory_kib: is 260, but must be 64 to 256"));
 }
 
+TEST(machine_generator, takes_a_probe_with_its_mesh) {
+  const std::string header =
+      machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/probed_bed_slinger.toml");
+  for (const char* value : {".input = 3", "units::Nanometers{-1200000}", ".levelling = &levelling",
+                            ".first = units::Nanometers{25000000}", ".points = 5",
+                            ".fade_height = units::Nanometers{10000000}"}) {
+    EXPECT_THAT(header, HasSubstr(value));
+  }
+  EXPECT_EQ(machine::machine.levelling, nullptr);
+}
+
+TEST(machine_generator, names_what_a_probe_cannot_do) {
+  const auto complaint_of = [](const std::string& from, const std::string& to) {
+    return complaint_about("probed_bed_slinger.toml", from, to);
+  };
+  EXPECT_THAT(complaint_of("input = 3", "input = 2"),
+              HasSubstr("probe.input: is the end stop of an axis already"));
+  EXPECT_THAT(complaint_of("input = 3", "input = 8"), HasSubstr("probe.input: is 8"));
+  EXPECT_THAT(complaint_of("clearance_mm = 4.0", "clearance_mm = 0.2"),
+              HasSubstr("probe.clearance_mm: must be above deepest_mm less offset_z_mm"));
+  EXPECT_THAT(complaint_of("deepest_mm = -1.0", "deepest_mm = 0.5"),
+              HasSubstr("probe.deepest_mm: is 0.5"));
+  EXPECT_THAT(complaint_of("min_x_mm = 25.0", "min_x_mm = 24.0"),
+              HasSubstr("mesh.min_x_mm: is where the probe, by its offset, cannot be"));
+  EXPECT_THAT(complaint_of("max_y_mm = 200.0", "max_y_mm = 211.0"),
+              HasSubstr("mesh.max_y_mm: is where the probe, by its offset, cannot be"));
+  EXPECT_THAT(complaint_of("max_x_mm = 205.0", "max_x_mm = 25.5"),
+              HasSubstr("mesh.max_x_mm: must be 1 mm above min_x_mm at least"));
+  EXPECT_THAT(complaint_of("points_x = 5", "points_x = 16"), HasSubstr("mesh.points_x: is 16"));
+  EXPECT_THAT(complaint_of("points_y = 5", "points_y = 1"), HasSubstr("mesh.points_y: is 1"));
+  EXPECT_THAT(complaint_of("middle_mm = -0.15", "middle_mm = 11.0"),
+              HasSubstr("bed_surface.middle_mm: is 11"));
+  EXPECT_THAT(complaint_of("backoff_mm = 1.0", ""), HasSubstr("probe.backoff_mm: is missing"));
+  EXPECT_THAT(complaint("[drivers.a4988]", "[mesh]\n[drivers.a4988]"),
+              HasSubstr("mesh: needs a table [probe]"));
+}
+
 }  // namespace

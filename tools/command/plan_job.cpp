@@ -72,6 +72,7 @@ int plan(const PlanOptions& options) {
                                 {"--picture", options.picture}}});
   machine_generator::Machine machine = machine_of(options);
   machine.description.name = machine.name;
+  if (machine.levelling) machine.description.levelling = &*machine.levelling;
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) throw std::runtime_error(commands.error());
   planning::PrintPlanner planner(machine.description, options.clock_hz);

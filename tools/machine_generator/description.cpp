@@ -7,6 +7,7 @@
 
 #include "machine_generator/heater_description.hpp"
 #include "machine_generator/kinematics_description.hpp"
+#include "machine_generator/levelling_description.hpp"
 #include "machine_generator/reader.hpp"
 
 namespace machine_generator {
@@ -182,6 +183,7 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   if (root.has("shaping")) {
     read_shaping(root.table("shaping"), machine.description.shaping.emplace());
   }
+  machine.levelling = read_levelling(root, machine.description);
   read_heaters(root, machine.description);
   root.finish();
   return machine;

@@ -16,7 +16,8 @@ namespace machine_generator {
 struct Machine {
   std::string name;
   std::optional<std::uint32_t> memory_bytes{};  // that its chip must have; none: the default's
-  application::MachineDescription description{};  // but for its name
+  std::optional<motion::LevellingSettings> levelling{};
+  application::MachineDescription description{};  // but for its name and for what it points to
 };
 
 // Throws DescriptionError on anything missing, ill-typed, out of the firmware's range or unknown.

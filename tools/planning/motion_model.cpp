@@ -66,6 +66,13 @@ void MotionModel::set_steps_per_mm(const motion::Limits& limits) {
   }
 }
 
+void MotionModel::fit_probe(std::uint8_t input, units::Nanometers height) {
+  constexpr double nanometers_per_mm = 1e6;
+  probe_ = 1u << input;
+  probe_distance_ =
+      std::llround(static_cast<double>(height.count()) / nanometers_per_mm * steps_per_mm_[z]);
+}
+
 std::size_t MotionModel::level() {
   while (!begins_.empty() && begins_.front() <= now_) begins_.pop_front();
   return begins_.size();
@@ -80,6 +87,7 @@ double MotionModel::segment_end() const { return begins_.empty() ? queue_end_ : 
 std::uint32_t MotionModel::closed_end_stops() const {
   std::uint32_t closed = 0;
   for (std::size_t i = 0; i < axis_count; ++i) closed |= distance_[i] <= 0 ? end_stop_[i] : 0;
+  if (distance_[z] <= probe_distance_) closed |= probe_;
   return closed;
 }
 
@@ -212,7 +220,12 @@ double MotionModel::tick_of_stop(const Line& line) const {
     const double part = static_cast<double>(distance_[i]) / static_cast<double>(approach);
     last = std::min(last, std::ceil(part * line.ticks));
   }
-  return last;
+  if ((line.stop_mask & probe_) == 0) return last;
+  const std::int64_t away = distance_[z] - probe_distance_, approach = approach_of(z, line.steps);
+  if (away <= 0) return 1;
+  if (approach < away) return last;
+  const double part = static_cast<double>(away) / static_cast<double>(approach);
+  return std::min(last, std::ceil(part * line.ticks));
 }
 
 // All of them, or those until the end stop.

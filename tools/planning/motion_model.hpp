@@ -33,6 +33,9 @@ class MotionModel {
 
   // M92 and the kinematics' settings hold for the records from now on.
   void set_steps_per_mm(const motion::Limits& limits);
+  // On an input of the end stops, triggered with the nozzle up to this height above an even bed.
+  // For machines with a motor of Z alone.
+  void fit_probe(std::uint8_t input, units::Nanometers height);
   void set_kinematics(const motion::kinematics::Any& kinematics) { kinematics_ = kinematics; }
 
   // Called after each line that the step generator executes.
@@ -96,6 +99,8 @@ class MotionModel {
   std::array<std::uint32_t, axis_count> end_stop_{};  // mask of its input, or none
   // How much nearer to the axis' end stop a step of each motor brings it.
   std::array<std::array<std::int64_t, axis_count>, axis_count> towards_{};
+  std::uint32_t probe_{};  // mask of its input, or none
+  std::int64_t probe_distance_{};  // of Z, where it triggers
   std::array<std::int64_t, axis_count> distance_{};  // from it, in these steps
   std::array<std::int32_t, axis_count> position_{};  // the hardware's counters
 

@@ -75,11 +75,15 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
       converter_(units::Hertz(clock_hz)),
       heater_control_(units::Hertz(clock_hz)),
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_,
-              machine_.shaping ? &shaping_ : nullptr),
+              {.shaping = machine_.shaping ? &shaping_ : nullptr,
+               .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr}),
       heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm}, units::Hertz(clock_hz),
             converter_, heater_control_),
       executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
   plan_.machine = machine_.name;
+  if (machine_.levelling != nullptr) {
+    model_.fit_probe(machine_.levelling->probe.input, -machine_.levelling->probe.offset[2]);
+  }
   if (!motion_.start()) throw std::runtime_error("the machine's shaping does not fit this clock");
   heat_.start();
   for (int round = 0; heat_.extrusion_is_cold(); ++round) {

@@ -53,6 +53,7 @@ class PrintPlanner {
   drivers::HeaterControl heater_control_;
   drivers::Fan fan_;
   motion::Shaping shaping_;
+  motion::Levelling levelling_;
   application::MotionTask motion_;
   application::HeatTask heat_;
   host_link::HostLink link_;
