@@ -16,6 +16,7 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
+constexpr std::size_t tool_reports = 2;
 
 // Beyond the range of the type it becomes a value that the setting refuses.
 template <class Quantity>
@@ -165,10 +166,19 @@ Progress SettingCommands::report(ActiveCommand& command) {
 Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  const std::size_t last = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
-  units::LoopBound<std::size(reported_settings) + shaping_reports + 1> lines;
+  const std::size_t shapers = motion_.shapes() ? shaping_reports : 0;
+  const std::size_t tools = coordinates_.tools().count() > 1 ? tool_reports : 0;
+  const std::size_t last = reported_settings.size() + shapers + tools;
+  units::LoopBound<std::size(reported_settings) + shaping_reports + tool_reports + 1> lines;
   for (said = std::max(said, first); said <= last; ++said) {
     lines.next();
+    if (units::most_tools > 1 && said > reported_settings.size() + shapers) {
+      const Tools& all = coordinates_.tools();
+      const auto line = said == last ? tool_offset_report(all.offset(1), coordinates_.inches())
+                                     : tool_change_report(all.change(), coordinates_.inches());
+      if (command.say(line) == Progress::again) return Progress::again;
+      continue;
+    }
     if (motion_.shapes() && said > reported_settings.size()) {
       const auto line = shaping_report(said - reported_settings.size() - 1, motion_.shaping());
       if (command.say(line) == Progress::again) return Progress::again;
@@ -194,6 +204,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     coordinates_.set_planned(motion_.position());
+    coordinates_.restore_tools(machine_);
     command.phase = ActiveCommand::Phase::working;
   }
   return lists ? list(command) : Progress::done;

@@ -32,8 +32,8 @@ Printer::Printer(const application::MachineDescription& machine) : machine_(mach
 
 void Printer::begin() {
   application_ = std::make_unique<application::Application>(
-      machine_, application::ThermalTables{table, table, picoseconds_per_ohm}, *hardware_, counters,
-      machine_.shaping ? &shaping_ : nullptr);
+      machine_, application::ThermalTables{table, table, picoseconds_per_ohm, &table}, *hardware_,
+      counters, machine_.shaping ? &shaping_ : nullptr);
   EXPECT_TRUE(application_->start(machine::machine.baud));
 }
 
