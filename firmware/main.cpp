@@ -18,6 +18,17 @@ constexpr const thermal::ThermistorTable& bed_table =
             printer.bed.thermistor.beta_kelvin == printer.hotend.thermistor.beta_kelvin
         ? hotend_table
         : own_bed_table;
+// None in an image for one extruder.
+template <class Machine>
+const thermal::ThermistorTable* second_hotend_table(const Machine&) {
+  if constexpr (units::most_tools == 1) {
+    return nullptr;
+  } else {
+    static constexpr thermal::ThermistorTable table{
+        Machine(printer).second_tool->hotend.thermistor};
+    return &table;
+  }
+}
 constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
     printer.converter.capacitor_picofarads, printer.converter.supply_millivolts,
     printer.converter.threshold_millivolts);
@@ -36,6 +47,12 @@ int main() {
   const auto identity = drivers::read_identity();
   if (!identity) platform::halt("This firmware needs a StepFabric chip");
 
+  if constexpr (units::most_tools > 1) {
+    if (identity->heaters <= units::most_tools || identity->sensors <= units::most_tools) {
+      platform::halt("This machine needs a chip with a heater for each hotend and the bed");
+    }
+  }
+
   // Not on the stack, so that its measure is that of the calls alone.
   static application::Hardware hardware(*identity);
   application::OptionalParts parts;
@@ -48,7 +65,8 @@ int main() {
     parts.levelling = &memory;
   }
   static application::Application application(
-      printer, {hotend_table, bed_table, picoseconds_per_ohm}, hardware, statistics, parts);
+      printer, {hotend_table, bed_table, picoseconds_per_ohm, second_hotend_table(printer)},
+      hardware, statistics, parts);
   if (!application.start(serial_baud)) platform::halt("The clock is too slow for the serial line");
 
   platform::wake_by(platform::WakeSource::timer, true);

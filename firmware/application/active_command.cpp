@@ -60,6 +60,19 @@ Progress ActiveCommand::report_not_fitted() {
   return say(line.text(" not fitted"));
 }
 
+std::optional<std::size_t> ActiveCommand::asked_tool(const Tools& tools) const {
+  if (units::most_tools == 1 || tools.count() == 1) return 0;
+  const std::int64_t tool =
+      command.integer('T').value_or(static_cast<std::int64_t>(tools.in_use()));
+  if (tool < 0 || tool >= static_cast<std::int64_t>(tools.count())) return std::nullopt;
+  return static_cast<std::size_t>(tool);
+}
+
+Progress ActiveCommand::refuse_tool() {
+  constexpr ArgumentLimit tool{.letter = 'T', .check = Check::tool};
+  return refuse(tool);
+}
+
 Progress ActiveCommand::refuse_unknown() { return refuse(host_link::unknown_command(text)); }
 
 }  // namespace application

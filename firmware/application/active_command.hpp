@@ -8,6 +8,7 @@
 
 #include "application/argument_limit.hpp"
 #include "application/tick_clock.hpp"
+#include "application/tools.hpp"
 #include "gcode/command.hpp"
 #include "host_link/host_link.hpp"
 #include "host_link/text_line.hpp"
@@ -77,6 +78,12 @@ class ActiveCommand : public Reply {
   std::optional<units::Milliseconds> seconds() const;
   // The axes whose letters the line has.
   units::AxisSet named_axes() const;
+
+  // T, or the tool in use without it; none where the machine does not have it. Of a machine with
+  // one tool T is not looked at.
+  std::optional<std::size_t> asked_tool(const Tools& tools) const;
+  // In Marlin's words.
+  [[gnu::noinline]] Progress refuse_tool();
 
   // Reports why the command is not executed, as its only reply.
   Progress refuse(const host_link::TextLine& line) {

@@ -40,6 +40,7 @@ auto run(const Work& work) {
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   host_link::TextLine line;
   line.text("Error:").text(thermal::name_of(fault.fault)).text(", system stopped! Heater_ID: ");
+  if (units::most_tools > 1 && fault.heater == Heater::hotend_1) return line.character('1');
   return line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
 }
 
@@ -170,8 +171,14 @@ void Application::note_cooling(Now now) {
   constexpr std::int32_t most_steps = 2'000'000;  // more is a counter that has jumped
   const auto steps =
       static_cast<std::uint32_t>(motion_.steps()[units::index_of(units::Axis::e)].count());
-  const auto made = static_cast<std::int32_t>(steps - extruder_steps_);
+  auto made = static_cast<std::int32_t>(steps - extruder_steps_);
   extruder_steps_ = steps;
+  if constexpr (units::most_tools > 1) {
+    if (motion_.extruder() != extruder_[0]) {
+      made = 0;  // another counter
+    }
+    extruder_.fill(static_cast<std::uint8_t>(motion_.extruder()));
+  }
   const std::int32_t steps_per_mm =
       std::max<std::int32_t>(motion_.limits().of(units::Axis::e).steps_per_meter.count() / 1000, 1);
   heat_.set_cooling({.fan = hardware_.fan.duty(),
@@ -229,8 +236,7 @@ void Application::switch_off_forgotten_heaters(Now now) {
   }
   const units::Milliseconds limit = executor_.groups().host.host_silence();
   if (limit.count() == 0 || quiet < limit || !heat_.wanted()) return;
-  heat_.set_target(Heater::hotend, thermal::HeaterLoop::off);
-  heat_.set_target(Heater::bed, thermal::HeaterLoop::off);
+  heat_.switch_all_off();
   link_.say("echo:No word from the host, heaters off");
 }
 

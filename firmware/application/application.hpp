@@ -3,6 +3,7 @@
 // a fault.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -75,7 +76,8 @@ class Application {
   units::Milliseconds next_complaint_{};
   units::Milliseconds at_rest_since_{};
   units::Milliseconds next_cooling_{};
-  std::uint32_t extruder_steps_{};
+  std::uint32_t extruder_steps_{};  // when it was looked at last
+  [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};  // likewise
   host_link::TextLine fault_;
   bool halted_{};
   bool restart_wanted_{};

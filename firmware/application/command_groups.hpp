@@ -18,6 +18,7 @@
 #include "application/setting_commands.hpp"
 #include "application/shaping_commands.hpp"
 #include "application/timer_commands.hpp"
+#include "application/tool_commands.hpp"
 
 namespace application {
 
@@ -27,6 +28,7 @@ struct CommandGroups {
       : motion(motion_task, heat_task, coordinates),
         retraction(motion_task, heat_task, motion, coordinates),
         places(motion_task, motion, coordinates),
+        tools(machine, motion_task, heat_task, motion, coordinates),
         modes(motion_task, coordinates),
         settings(machine, motion_task, coordinates),
         shaping(motion_task),
@@ -41,14 +43,16 @@ struct CommandGroups {
 
   template <class Group>
   Group& of() {
-    return std::get<Group&>(std::tie(motion, retraction, places, modes, settings, shaping, factors,
-                                     timer, heat, reports, host, levelling, files, dry_runs));
+    return std::get<Group&>(std::tie(motion, retraction, places, tools, modes, settings, shaping,
+                                     factors, timer, heat, reports, host, levelling, files,
+                                     dry_runs));
   }
 
   Coordinates coordinates;
   MotionCommands motion;
   RetractionCommands retraction;
   PlaceCommands places;
+  [[no_unique_address]] ToolCommands tools;
   CoordinateCommands modes;
   SettingCommands settings;
   ShapingCommands shaping;

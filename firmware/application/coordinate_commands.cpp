@@ -2,6 +2,8 @@
 // Places that get other coordinates, and E by volume.
 #include "application/coordinate_commands.hpp"
 
+#include "units/loop_bound.hpp"
+
 namespace application {
 
 using units::Axis;
@@ -33,6 +35,8 @@ Progress CoordinateCommands::select_system(ActiveCommand& command, std::size_t s
 
 // Without D only whether it holds: S0 lets E count mm again, S1 mm³ of the diameter before.
 Progress CoordinateCommands::set_filament(ActiveCommand& command) {
+  const auto tool = command.asked_tool(coordinates_.tools());
+  if (!tool) return command.refuse_tool();
   if (const auto asked = coordinates_.rounded_length(command.command, 'D')) {
     constexpr std::int64_t unit = Coordinates::nanometers_per_micrometer;
     const units::Nanometers diameter((asked->count() + unit / 2) / unit * unit);
@@ -40,17 +44,30 @@ Progress CoordinateCommands::set_filament(ActiveCommand& command) {
         (diameter < Coordinates::least_filament || diameter > Coordinates::thickest_filament)) {
       return command.refuse("D is neither 0 nor 0.5 to 10 mm");
     }
-    coordinates_.set_filament(diameter);
+    coordinates_.set_filament(*tool, diameter);
+    // D0 of one of two tools switches it off for both, as in Marlin.
+    if (units::most_tools > 1 && diameter.count() == 0) return Progress::done;
   }
-  coordinates_.set_volumetric(command.command.integer('S').value_or(1) != 0);
+  if (units::most_tools == 1 || command.command.has_any(gcode::Command::set_of("DS"))) {
+    coordinates_.set_volumetric(command.command.integer('S').value_or(1) != 0);
+  }
   return Progress::done;
 }
 
-// "M200 S1 D1.75"
+// "M200 S1 D1.75"; of two tools "M200 S1 T0 D1.75 T1 D1.75"
 Progress CoordinateCommands::report_filament(ActiveCommand& command) {
   host_link::TextLine line;
-  line.text("M200 S").integer(coordinates_.volumetric() ? 1 : 0).text(" D");
-  return command.say(line.decimal(coordinates_.filament().count(), 6, 3));
+  line.text("M200 S").integer(coordinates_.volumetric() ? 1 : 0);
+  const std::size_t tools = coordinates_.tools().count();
+  units::LoopBound<units::most_tools> bound;
+  for (std::size_t tool = 0; tool < tools; ++tool) {
+    bound.next();
+    if (units::most_tools > 1 && tools > 1) {
+      line.text(" T").integer(static_cast<std::int64_t>(tool));
+    }
+    line.text(" D").decimal(coordinates_.filament(tool).count(), 6, 3);
+  }
+  return command.say(line);
 }
 
 Progress CoordinateCommands::set_home_offset(ActiveCommand& command) {
@@ -84,7 +101,7 @@ Progress CoordinateCommands::take_home_offset(ActiveCommand& command) {
     const auto axis = static_cast<Axis>(i);
     if (!motion_.homed().contains(axis)) return command.refuse("Home XYZ first");
     const units::Nanometers travel = motion_.limits().of(axis).travel;
-    const units::Nanometers here = motion_.position()[i].nearest();
+    const units::Nanometers here = motion_.position()[i].nearest() + coordinates_.tool_offset(i);
     const units::Nanometers end = here > travel / 2 ? travel : units::Nanometers();
     if (end - here > farthest || here - end > farthest) {
       return command.refuse("Too far from the reference point");

@@ -74,24 +74,25 @@ bool representable(const Positions& positions) { return motion::are_in_range(pos
 void Coordinates::follow(const Positions& machine) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     units::Position distance = machine[i] - planned_[i];
-    if (i == units::index_of(units::Axis::e) && volumetric_) {
+    if (i == units::index_of(units::Axis::e) && volumetric()) {
       // Of less than 2 m of filament, which is more than a planner has.
       distance = units::Nanometers(distance.whole().count() * (std::int64_t{1} << 32) /
-                                   static_cast<std::int64_t>(length_of_volume_));
+                                   static_cast<std::int64_t>(feed().length_of_volume));
     }
     logical_[i] += distance;
   }
   planned_ = machine;
 }
 
-void Coordinates::set_filament(units::Nanometers diameter) {
-  filament_ = diameter;
+void Coordinates::set_filament(std::size_t tool, units::Nanometers diameter) {
+  feeds_[tool].filament = diameter;
   volumetric_ = diameter.count() != 0;
   if (!volumetric_) return;
   // 4 / (pi d^2), d in um
   constexpr std::uint64_t four_by_pi = 2'935'890'503'282'001'226;  // in 2^-61
   const auto micrometers = static_cast<std::uint32_t>(diameter.count() / nanometers_per_micrometer);
-  length_of_volume_ = (four_by_pi / (std::uint64_t{micrometers} * micrometers) * 1'000'000) >> 29;
+  feeds_[tool].length_of_volume =
+      (four_by_pi / (std::uint64_t{micrometers} * micrometers) * 1'000'000) >> 29;
 }
 
 void Coordinates::add_origins(bool subtract) {
@@ -112,6 +113,29 @@ void Coordinates::axis_homed(units::Axis axis, const units::Position& machine) {
   workspaces_.axis_homed(i);
   if (axis == units::Axis::z) babystep_ = pending_babystep_ = {};
   logical_[i] = machine + workspaces_.origin(i);
+  if (units::most_tools > 1 && i < std::tuple_size_v<ToolOffset>) logical_[i] += tool_offset(i);
+}
+
+void Coordinates::select_tool(std::size_t tool) {
+  if constexpr (units::most_tools > 1) {
+    for (std::size_t i = 0; i < std::tuple_size_v<ToolOffset>; ++i) {
+      logical_[i] += tools_.offset(tool)[i] - tool_offset(i);
+    }
+    tools_.select(tool);
+  }
+}
+
+void Coordinates::restore_tools(const MachineDescription& machine) {
+  if constexpr (units::most_tools > 1) {
+    const ToolOffset before = tools_.offset(tool());
+    tools_.restore(machine);
+    for (std::size_t i = 0; i < before.size(); ++i) logical_[i] += tool_offset(i) - before[i];
+  }
+}
+
+void Coordinates::set_tool_offset(std::size_t tool, std::size_t axis, units::Nanometers offset) {
+  if (tool == this->tool()) logical_[axis] += offset - tool_offset(axis);
+  tools_.offset(tool)[axis] = offset;
 }
 
 std::optional<units::Position> Coordinates::length(const gcode::Command& command,
@@ -148,11 +172,11 @@ void Coordinates::put_machine_target(const Positions& target, const Positions& m
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     if (target[i] == logical_[i]) continue;
     units::Position distance = target[i] - logical_[i];
-    if (i == units::index_of(units::Axis::e) && flow_percent_ != 100) {
-      distance = scaled(distance, flow_percent_);
+    if (i == units::index_of(units::Axis::e) && flow(tool()) != 100) {
+      distance = scaled(distance, flow(tool()));
     }
     if (i == units::index_of(units::Axis::e) && volumetric()) {
-      distance = multiplied(distance, length_of_volume_);
+      distance = multiplied(distance, feed().length_of_volume);
     }
     result[i] += distance;
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "application/tools.hpp"
 #include "application/workspaces.hpp"
 #include "gcode/command.hpp"
 #include "motion/arc.hpp"
@@ -31,16 +32,28 @@ class Coordinates {
   // G17 to G19.
   void set_plane(motion::Plane plane) { plane_ = plane; }
   motion::Plane plane() const { return plane_; }
-  // M221, percent of what lines request; 1 or more.
-  void set_flow(std::int32_t percent) { flow_percent_ = percent; }
+  // M221 of a tool, percent of what lines request; 1 or more.
+  void set_flow(std::size_t tool, std::int32_t percent) { feeds_[tool].flow_percent = percent; }
   // M200: E counts mm³ of filament of this diameter, in whole um; 0: mm, as from the start. What it
-  // was last can be switched off and on.
+  // was last can be switched off and on, for all tools.
   static constexpr std::int64_t nanometers_per_micrometer = 1'000;
   static constexpr units::Nanometers least_filament{500'000}, thickest_filament{10'000'000};
-  void set_filament(units::Nanometers diameter);
-  void set_volumetric(bool on) { volumetric_ = on && filament_.count() != 0; }
-  bool volumetric() const { return volumetric_; }
-  units::Nanometers filament() const { return filament_; }
+  void set_filament(std::size_t tool, units::Nanometers diameter);
+  void set_volumetric(bool on) { volumetric_ = on; }
+  bool volumetric() const { return volumetric_ && feed().filament.count() != 0; }
+  units::Nanometers filament(std::size_t tool) const { return feeds_[tool].filament; }
+  // The host's coordinates are those of the nozzle in use.
+  const Tools& tools() const { return tools_; }
+  Tools& tools() { return tools_; }
+  std::size_t tool() const { return tools_.in_use(); }
+  // T, and M218 of a tool: the machine stands, so another nozzle is elsewhere.
+  void select_tool(std::size_t tool);
+  void set_tool_offset(std::size_t tool, std::size_t axis, units::Nanometers offset);
+  void restore_tools(const MachineDescription& machine);
+  // X, Y or Z of the nozzle in use from that of tool 0.
+  units::Nanometers tool_offset(std::size_t axis) const {
+    return units::most_tools == 1 ? units::Nanometers() : tools_.offset(tool())[axis];
+  }
   // M290: how much higher Z is than the host's coordinate says, since Z was homed, and what of it
   // is still to be made with the next line along X or Y.
   void add_babystep(const units::Position& step) {
@@ -56,7 +69,7 @@ class Coordinates {
     planned_percent_ = planned_percent;
   }
 
-  std::int32_t flow() const { return flow_percent_; }
+  std::int32_t flow(std::size_t tool) const { return feeds_[tool].flow_percent; }
   std::int32_t speed() const { return speed_percent_; }
   std::int32_t planned_speed() const { return planned_percent_; }
 
@@ -108,7 +121,15 @@ class Coordinates {
   units::MicrometersPerSecond feedrate() const;
 
  private:
+  // How a tool's filament follows E.
+  struct Feed {
+    units::Nanometers filament{};
+    std::uint64_t length_of_volume{};  // mm for a mm³, in 2^-32
+    std::int32_t flow_percent{100};
+  };
+
   void add_origins(bool subtract);
+  const Feed& feed() const { return feeds_[tool()]; }
 
   Positions logical_{};
   Positions planned_{};
@@ -119,10 +140,9 @@ class Coordinates {
   Workspaces workspaces_;
   units::Position babystep_{};
   units::Position pending_babystep_{};
-  units::Nanometers filament_{};
   bool volumetric_{};
-  std::uint64_t length_of_volume_{};  // mm for a mm³, in 2^-32
-  std::int32_t flow_percent_{100};
+  std::array<Feed, units::most_tools> feeds_{};
+  [[no_unique_address]] Tools tools_;
   std::int32_t speed_percent_{100};
   std::int32_t planned_percent_{100};
   units::MicrometersPerSecond feedrate_{25'000};  // Marlin's default: 1500 mm/min

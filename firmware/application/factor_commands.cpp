@@ -58,12 +58,18 @@ void FactorCommands::set_speed_at_once(std::int32_t percent) {
 }
 
 Progress FactorCommands::set_flow(ActiveCommand& command) {
-  coordinates_.set_flow(factor_of(command));
+  const auto tool = command.asked_tool(coordinates_.tools());
+  if (!tool) return command.refuse_tool();
+  if (units::most_tools > 1 && !command.command.has('S')) return report_flow(command);
+  coordinates_.set_flow(*tool, factor_of(command));
   return Progress::done;
 }
 
 Progress FactorCommands::report_flow(ActiveCommand& command) {
-  return report(command, "echo:E0 Flow: ", coordinates_.flow());
+  const std::size_t tool = command.asked_tool(coordinates_.tools()).value_or(0);
+  const std::string_view name =
+      units::most_tools == 1 || tool == 0 ? "echo:E0 Flow: " : "echo:E1 Flow: ";
+  return report(command, name, coordinates_.flow(tool));
 }
 
 }  // namespace application

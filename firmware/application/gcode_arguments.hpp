@@ -9,6 +9,11 @@
 
 namespace application {
 
+// In an image for one extruder there is none of these commands.
+template <auto method>
+constexpr Handler of_tools =
+    units::most_tools == 1 ? handler<&HostCommands::report_not_fitted> : handler<method>;
+
 namespace gcode_arguments {
 
 inline constexpr std::int32_t day_s = 24 * 3600;
@@ -25,7 +30,10 @@ inline constexpr Arguments slot{refused("S", "", 0, PlaceCommands::slots - 1)};
 inline constexpr Arguments saved_place{numbers("XYZ", "mm"), flags("E"), numbers("F", "mm/min"),
                                        refused("S", "", 0, PlaceCommands::slots - 1)};
 inline constexpr Arguments babystep{numbers("ZS", "mm")};
-inline constexpr Arguments filament{numbers("D", "mm"), numbers("S", "")};
+// Where there is one tool, T is not looked at.
+inline constexpr Arguments filament =
+    units::most_tools > 1 ? Arguments{numbers("D", "mm"), numbers("S", ""), hotend_of_tool("T")}
+                          : Arguments{numbers("D", "mm"), numbers("S", "")};
 inline constexpr Arguments home_offset{numbers("XYZ", "mm")};
 inline constexpr Arguments homing{flags("XYZ"), numbers("EORW", no_effect)};
 inline constexpr Arguments axes{flags("XYZE")};
@@ -35,8 +43,8 @@ inline constexpr Arguments question{clamped("P", "ms", 0, day_s * 1000),
                                     clamped("S", "s", 0, day_s), text("text")};
 inline constexpr Arguments interval{clamped("S", "s", 0, 60)};
 inline constexpr Arguments silence{clamped("S", "s", 0, day_s)};
-inline constexpr Arguments hotend{numbers("S", "°C"), only_tool("T")};
-inline constexpr Arguments hotend_wait{numbers("SR", "°C"), only_tool("T")};
+inline constexpr Arguments hotend{numbers("S", "°C"), hotend_of_tool("T")};
+inline constexpr Arguments hotend_wait{numbers("SR", "°C"), hotend_of_tool("T")};
 inline constexpr Arguments bed{numbers("S", "°C")};
 inline constexpr Arguments bed_wait{numbers("SR", "°C")};
 inline constexpr Arguments fan{clamped("S", "", 0, drivers::Fan::full_duty),
@@ -58,7 +66,16 @@ inline constexpr Arguments linear_advance{numbers("K", "s", 10), numbers("TLS", 
 inline constexpr Arguments shapers{flags("XY"), numbers("F", "Hz", 500), numbers("DS", "of 1"),
                                    numbers("P", "\"type\"")};
 inline constexpr Arguments speed_factor{refused("S", "%", 1, largest_factor), flags("BR")};
-inline constexpr Arguments flow_factor{refused("S", "%", 1, largest_factor)};
+inline constexpr Arguments flow_factor =
+    units::most_tools > 1 ? Arguments{refused("S", "%", 1, largest_factor), hotend_of_tool("T")}
+                          : Arguments{refused("S", "%", 1, largest_factor)};
+inline constexpr Arguments tool_change =
+    units::most_tools > 1 ? Arguments{numbers("SBEZ", "mm"), numbers("PRU", "mm/min"), flags("Q")}
+                          : Arguments{};
+inline constexpr Arguments tool_offset =
+    units::most_tools > 1 ? Arguments{hotend_of_tool("T"), numbers("XYZ", "mm")} : Arguments{};
+inline constexpr Arguments tool_mode =
+    units::most_tools > 1 ? Arguments{numbers("S", "mode")} : Arguments{};
 inline constexpr Arguments line_number{numbers("N", "number")};
 inline constexpr Arguments repeats{numbers("L", "times")};
 inline constexpr Arguments answer{numbers("S", "button")};

@@ -51,8 +51,9 @@ consteval Argument refused(std::string_view letters, std::string_view unit, std:
                            std::int32_t most) {
   return {letters, unit, {.check = Check::refused, .least = least, .most = most}};
 }
-consteval Argument only_tool(std::string_view letters) {
-  return {letters, "(tool 0)", {.check = Check::tool}};
+// A tool that is not there is refused.
+consteval Argument hotend_of_tool(std::string_view letters) {
+  return {letters, "(tool)", {.check = Check::tool, .most = units::most_tools - 1}};
 }
 consteval Argument required(Argument argument) {
   argument.limit.required = true;

@@ -186,8 +186,13 @@ inline constexpr auto gcode_table = [] {
       m(211, handler<&MotionCommands::set_soft_limits>,
         "S0: moves beyond the travel of a homed axis are not refused until S1", soft_limits,
         {.report = handler<&MotionCommands::report_soft_limits>}),
-      m(217, handler<&HostCommands::report_not_fitted>, "not fitted: second hotend"),
-      m(218, handler<&HostCommands::report_not_fitted>, "not fitted: second hotend"),
+      m(217, of_tools<&ToolCommands::set_change>,
+        "change of tools: filament back (S), more forward (B), extruded (E), its speeds, lift; Q "
+        "extrudes E now; without `[tool_1]` in the machine description not fitted",
+        tool_change),
+      m(218, of_tools<&ToolCommands::set_offset>,
+        "where the nozzle of a tool is from that of tool 0; fitted as M217", tool_offset,
+        {.report = of_tools<&ToolCommands::report_offset>}),
       m(220, handler<&FactorCommands::set_speed>,
         "speed of the lines after it, or at once if a person sends it; B keeps the factor, R "
         "restores it",
@@ -256,7 +261,8 @@ inline constexpr auto gcode_table = [] {
       m(602, handler<&HostCommands::accept>, "ends the wait of M0, M600 or M601", {},
         {.on_reception = true}),
       m(603, handler<&HostCommands::report_not_fitted>, "not fitted: lengths of a filament change"),
-      m(605, handler<&HostCommands::report_not_fitted>, "not fitted: second hotend"),
+      m(605, of_tools<&ToolCommands::set_mode>,
+        "one tool extrudes at a time; S2, duplication, is refused; fitted as M217", tool_mode),
       m(665, handler<&HostCommands::report_not_fitted>, "not fitted: kinematics with parameters"),
       m(666, handler<&HostCommands::report_not_fitted>, "not fitted: kinematics with parameters"),
       m(701, handler<&HostCommands::report_not_fitted>, "not fitted: loading of filament"),
@@ -281,8 +287,9 @@ inline constexpr auto gcode_table = [] {
         {.start = Start::at_rest}),
       m(999, handler<&HostCommands::accept>,
         "after a fault or M112: the firmware restarts; otherwise without effect"),
-      t(0, handler<&HeatCommands::select_tool>,
-        "the only tool; another is refused (`echo:T1 Invalid extruder`)"),
+      t(0, handler<&ToolCommands::select>,
+        "tool 0, or with `[tool_1]` T1 (F: mm/min of its way, S1: without a move); another is "
+        "refused (`echo:T2 Invalid extruder`)"),
   });
 }();
 

@@ -49,12 +49,27 @@ units::Millicelsius HeatCommands::temperature_of(std::int64_t millionths) const 
   return units::Millicelsius(std::clamp<std::int32_t>(value, 0, highest));
 }
 
+// T of a hotend, of the tool in use without it.
+Heater HeatCommands::heater_of(const ActiveCommand& command, Heater heater) const {
+  if (units::most_tools == 1 || heater != Heater::hotend) return heater;
+  const auto tool = command.command.integer('T');
+  return tool ? HeatTask::hotend_of(static_cast<std::size_t>(*tool)) : heat_.hotend();
+}
+
+// The row's own check is for the most that there may be.
+bool HeatCommands::names_no_hotend(const ActiveCommand& command, Heater heater) const {
+  return units::most_tools > 1 && heater == Heater::hotend && heat_.tools() == 1 &&
+         command.command.integer('T').value_or(0) != 0;
+}
+
 Progress HeatCommands::set_temperature(ActiveCommand& command, Heater heater) {
+  if (names_no_hotend(command, heater)) return command.refuse_tool();
   const auto value = command.value('S');
   return value ? take_target(command, heater, *value) : Progress::done;
 }
 
 Progress HeatCommands::take_target(ActiveCommand& command, Heater heater, std::int64_t millionths) {
+  heater = heater_of(command, heater);
   const units::Millicelsius target = temperature_of(millionths);
   if (is_too_hot(heat_.loop(heater), target)) return refuse_heat(command, heat_.loop(heater));
   heat_.set_target(heater, target);
@@ -68,20 +83,20 @@ Progress HeatCommands::set_and_wait(ActiveCommand& command, Heater heater) {
     if (begin_to_wait(command, heater) == Progress::again) return Progress::again;
     if (command.phase == ActiveCommand::Phase::begin) return Progress::done;
   }
-  const thermal::HeaterLoop& loop = heat_.loop(heater);
+  const thermal::HeaterLoop& loop = heat_.loop(heater_of(command, heater));
   if (loop.at_target() || command.wait_cancelled) return Progress::done;
   const units::Milliseconds now = command.now.milliseconds;
   if (now >= next_report_) {
-    const auto line =
-        host_link::heating_report(heat_.state(Heater::hotend), heat_.state(Heater::bed),
-                                  whole_seconds(loop.time_to_arrival(now)));
+    host_link::TextLine line = heat_.report();
+    host_link::add_waiting_time(line, whole_seconds(loop.time_to_arrival(now)));
     if (command.say(line) == Progress::done) next_report_ += report_period;
   }
   return Progress::again;
 }
 
 Progress HeatCommands::begin_to_wait(ActiveCommand& command, Heater heater) {
-  const thermal::HeaterLoop& loop = heat_.loop(heater);
+  if (names_no_hotend(command, heater)) return command.refuse_tool();
+  const thermal::HeaterLoop& loop = heat_.loop(heater_of(command, heater));
   const bool waits_for_cooling = command.command.has_number('R');
   const auto value = command.value(waits_for_cooling ? 'R' : 'S');
   if (!value) return Progress::done;
@@ -137,14 +152,6 @@ Progress HeatCommands::set_fan(ActiveCommand& command) {
 Progress HeatCommands::stop_fan(ActiveCommand& command) {
   if (!is_for_another_fan(command)) fan_.set_duty(0);
   return Progress::done;
-}
-
-// In Marlin's words, by which OctoPrint knows it.
-Progress HeatCommands::select_tool(ActiveCommand& command) {
-  if (command.command.code == 0) return Progress::done;
-  host_link::TextLine line;
-  return command.refuse(
-      line.text("echo:T").integer(command.command.code).text(" Invalid extruder"));
 }
 
 }  // namespace application

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands for heaters and fan: M104 M106 M107 M109 M140 M149 M190 M302, and T, which has one
-// hotend to choose from.
+// The commands for heaters and fan: M104 M106 M107 M109 M140 M149 M190 M302.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -25,11 +24,12 @@ class HeatCommands {
   Progress report_extrusion_limit(ActiveCommand& command);
   Progress set_fan(ActiveCommand& command);
   Progress stop_fan(ActiveCommand& command);
-  Progress select_tool(ActiveCommand& command);
 
  private:
   enum class Unit : std::uint8_t { celsius, fahrenheit, kelvin };
 
+  Heater heater_of(const ActiveCommand& command, Heater heater) const;
+  bool names_no_hotend(const ActiveCommand& command, Heater heater) const;
   units::Millicelsius temperature_of(std::int64_t millionths) const;
   // Sets it, or refuses it.
   Progress take_target(ActiveCommand& command, Heater heater, std::int64_t millionths);

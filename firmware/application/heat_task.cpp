@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sensor to loop to gate, ten times a second: the hotend, and half a period later the bed, so that
-// no pass of the main loop does both.
+// Sensor to loop to gate, ten times a second: the hotend, and a part of a period later the bed, and
+// a second hotend, so that no pass of the main loop does two of them.
 #include "application/heat_task.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -64,6 +67,24 @@ thermal::ReferenceResistors references_of(const ConverterDescription& converter)
 
 }  // namespace
 
+// A template, so that an image for one extruder need not know it. On a host one that is not there
+// is never looked at.
+template <class Machine>
+HeatTask::SecondHotend HeatTask::second_hotend(const Machine& machine,
+                                               const ThermalTables& tables) {
+  if constexpr (units::most_tools == 1) {
+    return {};
+  } else {
+    const bool present = machine.second_tool.has_value();
+    const HeaterDescription& heater = present ? machine.second_tool->hotend : machine.hotend;
+    const thermal::ThermistorTable& table = present ? *tables.second_hotend : tables.hotend;
+    return {{{heater,
+              table,
+              {table, references_of(machine.converter)},
+              thermal::HeaterLoop(settings_of(heater))}}};
+  }
+}
+
 HeatTask::HeatTask(const MachineDescription& machine, const ThermalTables& tables,
                    units::Hertz clock, drivers::TemperatureConverter& converter,
                    drivers::HeaterControl& control)
@@ -72,50 +93,59 @@ HeatTask::HeatTask(const MachineDescription& machine, const ThermalTables& table
                .clock = clock,
                .charges = charges,
                .delay_cycles = drivers::TemperatureConverter::delay_cycles},
-      hotend_table_(tables.hotend),
-      bed_table_(tables.bed),
       converter_(converter),
       control_(control),
       parts_{{{machine.hotend,
+               tables.hotend,
                {tables.hotend, references_of(machine.converter)},
                thermal::HeaterLoop(settings_of(machine.hotend))},
               {machine.bed,
+               tables.bed,
                {tables.bed, references_of(machine.converter)},
                thermal::HeaterLoop(bed_settings_of(machine.bed))}}},
+      second_hotend_(second_hotend(machine, tables)),
       least_extrusion_(machine.min_extrusion) {}
 
 void HeatTask::start() {
   constexpr std::int64_t picoseconds_per_microsecond = 1'000'000;
   constexpr std::int64_t milliohms_per_ohm = 1'000;
   const ConverterDescription& circuit = machine_.converter;
-  const std::int64_t coldest_ohms = std::max(hotend_table_.resistance(machine_.hotend.min).count(),
-                                             bed_table_.resistance(machine_.bed.min).count()) /
-                                    milliohms_per_ohm;
+  std::int64_t coldest_milliohms = 0;
+  std::uint32_t short_limit = std::numeric_limits<std::uint32_t>::max();
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    const Part& part = this->part(i);
+    coldest_milliohms =
+        std::max(coldest_milliohms, part.table.resistance(part.description.min).count());
+    short_limit = std::min(short_limit, thermal::Sensor::short_limit(part.table, circuit_));
+  }
   const std::int64_t discharge = discharge_time_constants * circuit.reference_low.count() /
                                  milliohms_per_ohm * circuit.capacitor_picofarads /
                                  picoseconds_per_microsecond;
-  const std::int64_t longest_charge =
-      charge_margin * coldest_ohms * circuit_.picoseconds_per_ohm / picoseconds_per_microsecond;
+  const std::int64_t longest_charge = charge_margin * (coldest_milliohms / milliohms_per_ohm) *
+                                      circuit_.picoseconds_per_ohm / picoseconds_per_microsecond;
   converter_.start({.charges = charges,
                     .discharge = units::Microseconds(discharge),
                     .longest_charge = units::Microseconds(longest_charge),
                     .pause = pause,
-                    .short_limit = std::min(thermal::Sensor::short_limit(hotend_table_, circuit_),
-                                            thermal::Sensor::short_limit(bed_table_, circuit_))});
+                    .short_limit = short_limit});
   control_.set_slot(gate_slot);
   control_.set_timeouts(watchdog_timeout, sensor_timeout);
 }
 
 void HeatTask::update(Now now) {
   constexpr units::Milliseconds period = thermal::HeaterLoop::period;
-  const units::Milliseconds due = next_ == 0 ? period : period / 2;
+  const auto turn = static_cast<std::int64_t>(next_);
+  const units::Milliseconds due =
+      next_ == 0 ? period : period * turn / static_cast<std::int64_t>(parts());
   if (round_began_ && now.milliseconds - *round_began_ < due) return;
   if (next_ == 0) {
     round_began_ = now.milliseconds;
     watch_supply(now.milliseconds);
   }
-  update(parts_[next_++], now);
-  if (next_ < parts_.size()) return;
+  update(part(next_++), now);
+  if (next_ < parts()) return;
   next_ = 0;
   control_.feed(drivers::FeedKey::first);
   second_key_is_due_ = true;
@@ -137,9 +167,11 @@ void HeatTask::watch_supply(units::Milliseconds now) {
   supply_closed_ = supply_closed_ || supply.closed;
   if (supply_closed_ || !hardware_fault_.empty()) return;
   bool some_locked = false;
-  for (Part& part : parts_) {
-    some_locked = some_locked || part.limits_locked;
-    control_.clear_trips(part.description.heater_channel);
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    some_locked = some_locked || part(i).limits_locked;
+    control_.clear_trips(part(i).description.heater_channel);
   }
   if (some_locked) control_.close_supply();
   if (!some_locked || !wanted()) {
@@ -183,15 +215,29 @@ void HeatTask::update(Part& part, Now now) {
 void HeatTask::shut_down() {
   control_.open_supply();
   second_key_is_due_ = false;
-  for (Part& part : parts_) {
-    part.loop.set_target(thermal::HeaterLoop::off);
-    control_.set_duty(part.description.heater_channel, 0);
+  switch_all_off();
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    control_.set_duty(part(i).description.heater_channel, 0);
+  }
+}
+
+void HeatTask::switch_all_off() {
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    part(i).loop.set_target(thermal::HeaterLoop::off);
   }
 }
 
 void HeatTask::set_cooling(const thermal::Cooling& cooling) {
-  loop(Heater::hotend).set_cooling(cooling);
-  loop(Heater::bed).set_cooling({.fan = cooling.fan});
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    const bool extrudes = i == static_cast<std::size_t>(hotend());
+    part(i).loop.set_cooling(extrudes ? cooling : thermal::Cooling{.fan = cooling.fan});
+  }
 }
 
 void HeatTask::set_target(Heater heater, units::Millicelsius target) {
@@ -199,13 +245,26 @@ void HeatTask::set_target(Heater heater, units::Millicelsius target) {
 }
 
 bool HeatTask::wanted() const {
-  return loop(Heater::hotend).target() != thermal::HeaterLoop::off ||
-         loop(Heater::bed).target() != thermal::HeaterLoop::off;
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    if (part(i).loop.target() != thermal::HeaterLoop::off) return true;
+  }
+  return false;
 }
 
-bool HeatTask::extrusion_is_cold() const {
+bool HeatTask::all_measured() const {
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    if (!part(i).loop.temperature()) return false;
+  }
+  return true;
+}
+
+bool HeatTask::extrusion_is_cold(std::size_t tool) const {
   if (cold_extrusion_allowed_) return false;
-  const auto temperature = loop(Heater::hotend).temperature();
+  const auto temperature = loop(hotend_of(tool)).temperature();
   return !temperature || *temperature < least_extrusion_;
 }
 
@@ -216,9 +275,19 @@ host_link::HeaterState HeatTask::state(Heater heater) const {
           .power = static_cast<std::uint8_t>(part.loop.duty() >> marlin_power_shift)};
 }
 
+host_link::TextLine HeatTask::report() const {
+  if (units::most_tools == 1 || tools() == 1) {
+    return host_link::temperature_report(state(Heater::hotend), state(Heater::bed));
+  }
+  return host_link::temperature_report(state(hotend()), state(Heater::bed),
+                                       std::array{state(Heater::hotend), state(Heater::hotend_1)});
+}
+
 std::optional<HeatTask::NamedFault> HeatTask::fault() const {
-  for (const Heater heater : {Heater::hotend, Heater::bed}) {
-    if (const auto fault = loop(heater).fault()) return NamedFault{heater, *fault};
+  units::LoopBound<most_parts> heaters;
+  for (std::size_t i = 0; i < parts(); ++i) {
+    heaters.next();
+    if (const auto fault = part(i).loop.fault()) return NamedFault{static_cast<Heater>(i), *fault};
   }
   return std::nullopt;
 }

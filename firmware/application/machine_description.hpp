@@ -3,12 +3,15 @@
 // firmware/machines, holds the instance; M-codes change copies of parts of it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "drivers/guard_timings.hpp"
 #include "machine/kinematics.hpp"
+#include "machine/tools.hpp"
 #include "motion/levelling.hpp"
 #include "motion/limits.hpp"
 #include "motion/shaping.hpp"
@@ -39,6 +42,35 @@ struct ConverterDescription {
   std::int32_t threshold_millivolts{};
 };
 
+// Where a nozzle is from that of tool 0: X, Y, Z.
+using ToolOffset = std::array<units::Nanometers, 3>;
+
+// What happens at a change of tools, in the words of M217.
+struct ToolChange {
+  units::Nanometers swap{};  // S: drawn back from the nozzle that rests
+  units::Nanometers resume{};  // B: by how much more it is pushed forward again
+  units::Nanometers prime{};  // E: extruded by the new one in addition
+  units::Nanometers lift{};  // Z: of both nozzles above the place, meanwhile
+  units::MicrometersPerSecond prime_speed{};  // P
+  units::MicrometersPerSecond retract_speed{};  // R
+  units::MicrometersPerSecond unretract_speed{};  // U
+};
+
+// A second hotend with its extruder, T1: it has the settings of the axis E, and one of them turns
+// at a time.
+struct SecondTool {
+  HeaterDescription hotend{};
+  ToolOffset offset{};
+  drivers::DriverChipTimings driver{};
+  ToolChange change{};
+};
+
+// In an image for one extruder.
+struct NoSecondTool {
+  constexpr bool has_value() const { return false; }
+  const SecondTool* operator->() const;  // named in code that is left out
+};
+
 struct MachineDescription {
   std::string_view name;
   std::uint32_t baud{};
@@ -58,6 +90,11 @@ struct MachineDescription {
   const motion::LevellingSettings* levelling{};
 
   constexpr bool levels() const { return levelling != nullptr; }
+
+  [[no_unique_address]] std::conditional_t<units::most_tools == 1, NoSecondTool,
+                                           std::optional<SecondTool>> second_tool{};
+
+  constexpr std::size_t tools() const { return second_tool.has_value() ? 2 : 1; }
 };
 
 // Whether the machine of this image has it: constants of its main.cpp, so that the linker leaves

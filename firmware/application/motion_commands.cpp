@@ -16,11 +16,16 @@ using units::index_of;
 // Marlin's EXTRUDE_MAXLENGTH: more filament in one line, forward or back, is taken for a mistake.
 constexpr units::Nanometers longest_extrusion{200'000'000};
 
-// "Move beyond the end of X (0.00 to 200.00)"
-host_link::TextLine beyond(Axis axis, units::Nanometers travel) {
+// "Move beyond the end of X (0.00 to 200.00)", of the nozzle in use.
+host_link::TextLine beyond(Axis axis, units::Nanometers travel, units::Nanometers offset) {
   host_link::TextLine line;
   line.text("Move beyond the end of ").character(units::axis_letters[index_of(axis)]);
-  return line.text(" (0.00 to ").decimal(travel.count(), 6, 2).character(')');
+  if (units::most_tools == 1) {
+    line.text(" (0.00 to ");
+  } else {
+    line.text(" (").decimal(offset.count(), 6, 2).text(" to ");
+  }
+  return line.decimal((travel + offset).count(), 6, 2).character(')');
 }
 
 }  // namespace
@@ -158,9 +163,15 @@ std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& comm
   if (!representable(machine)) return command.refuse("Number out of range");
   if (!soft_limits_) return std::nullopt;
   if (const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine)) {
-    return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel).view());
+    const units::Nanometers offset = coordinates_.tool_offset(index_of(*axis));
+    return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel, offset).view());
   }
   return std::nullopt;
+}
+
+bool MotionCommands::may_go_to(const Positions& machine) const {
+  return representable(machine) && motion_.kinematics().reaches(machine) &&
+         (!soft_limits_ || !motion::check_bounds(motion_.limits(), motion_.homed(), machine));
 }
 
 Progress MotionCommands::dwell(ActiveCommand& command) {
@@ -226,10 +237,19 @@ Progress MotionCommands::set_soft_limits(ActiveCommand& command) {
 Progress MotionCommands::report_soft_limits(ActiveCommand& command) {
   host_link::TextLine line;
   line.text("echo:Soft endstops: ").text(soft_limits_ ? "ON"sv : "OFF"sv);
-  line.text("  Min: X0.00 Y0.00 Z0.00  Max:");
+  if (units::most_tools == 1) {
+    line.text("  Min: X0.00 Y0.00 Z0.00  Max:");
+  } else {
+    line.text("  Min:");
+    for (std::size_t i = 0; i < index_of(Axis::e); ++i) {
+      line.character(' ').character(units::axis_letters[i]);
+      line.decimal(coordinates_.tool_offset(i).count(), 6, 2);
+    }
+    line.text("  Max:");
+  }
   for (std::size_t i = 0; i < index_of(Axis::e); ++i) {
     line.character(' ').character(units::axis_letters[i]);
-    line.decimal(motion_.limits().axes[i].travel.count(), 6, 2);
+    line.decimal((motion_.limits().axes[i].travel + coordinates_.tool_offset(i)).count(), 6, 2);
   }
   return command.say(line);
 }

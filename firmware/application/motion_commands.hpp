@@ -32,6 +32,9 @@ class MotionCommands {
   // Nothing where the machine may go there.
   std::optional<Progress> refuse_beyond_limits(ActiveCommand& command, const Positions& machine);
 
+  // Whether it may, without a word.
+  bool may_go_to(const Positions& machine) const;
+
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 

@@ -46,6 +46,16 @@ units::PerAxis<drivers::GuardTimings> guards_of(const MachineDescription& machin
   return guards;
 }
 
+std::optional<drivers::GuardTimings> second_guard_of(const MachineDescription& machine,
+                                                     units::Hertz clock) {
+  if constexpr (units::most_tools > 1) {
+    if (machine.second_tool.has_value()) {
+      return drivers::GuardTimings::of(machine.second_tool->driver, clock);
+    }
+  }
+  return std::nullopt;
+}
+
 motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clock) {
   const auto time_of = [clock](std::int64_t clocks) {
     return units::Microseconds(clocks * 1'000'000 / clock.count() + 1);
@@ -56,6 +66,10 @@ motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clo
   const auto guards = guards_of(machine, clock);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));
+  }
+  if (const auto second = second_guard_of(machine, clock)) {
+    units::Hertz& rate = timing.max_step_rate[index_of(units::Axis::e)];
+    rate = std::min(rate, units::Hertz(clock.count() / (second->high + second->low)));
   }
   return timing;
 }
@@ -93,6 +107,11 @@ bool MotionTask::start() {
   step_generator_.acknowledge_stop();
   const auto floor = (std::uint64_t{rate_floor_millihertz} << 32) / 1000 / clock_.count();
   step_generator_.configure(guards_of(machine_, clock_), static_cast<std::uint32_t>(floor));
+  if constexpr (units::most_tools > 1) {
+    if (const auto second = second_guard_of(machine_, clock_)) {
+      step_generator_.configure_second_extruder(*second);
+    }
+  }
   const std::uint64_t filter =
       std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;
   std::uint8_t inputs = end_stops_of(machine_.limits);
@@ -209,6 +228,23 @@ void MotionTask::enable_motors(units::AxisSet axes, bool enabled) {
       motors_on_.remove(axis);
       note_lost(axis);
     }
+  }
+}
+
+void MotionTask::select_extruder(std::size_t extruder) {
+  if constexpr (units::most_tools > 1) {
+    constexpr units::Axis e = units::Axis::e;
+    if (extruder == extruder_[0]) return;
+    units::AxisSet motor;
+    motor.insert(e);
+    enable_motors(motor, false);
+    filament_[0][extruder_[0]] = planner_.position()[index_of(e)];
+    extruder_.fill(static_cast<std::uint8_t>(extruder));
+    step_generator_.select_extruder(extruder);
+    planner_.set_extruder_position(filament_[0][extruder]);
+    // The same as its counter has, but where M92 has changed the steps since.
+    const auto steps = static_cast<std::int32_t>(planner_.position_steps()[index_of(e)]);
+    static_cast<void>(step_generator_.set_position(e, steps));
   }
 }
 

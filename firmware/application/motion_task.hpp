@@ -3,6 +3,7 @@
 // every stop.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <expected>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "motion/planner.hpp"
 #include "motion/shaping.hpp"
 #include "units/axes.hpp"
+#include "units/if_two_tools.hpp"
 
 namespace application {
 
@@ -124,6 +126,10 @@ class MotionTask {
   void hold(bool held) { pace_.hold(held); }
 
   void enable_motors(units::AxisSet axes, bool enabled);
+  // Which extruder E is: its filament is where it was when it was E last, and no coordinate
+  // changes but the machine's E. The motor of the other one is off. Only at rest.
+  void select_extruder(std::size_t extruder);
+  std::size_t extruder() const { return units::most_tools == 1 ? 0 : extruder_[0]; }
   std::uint8_t end_stops() const { return end_stops_.triggered(); }
 
   const motion::kinematics::Chosen& kinematics() const { return planner_.kinematics(); }
@@ -197,6 +203,10 @@ class MotionTask {
   bool queue_full_{};
   bool emergency_input_{};
   bool watchdog_stop_{};
+  [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};
+  // Of the extruders, when they were E last.
+  [[no_unique_address]] units::IfTwoTools<std::array<units::Position, units::most_tools>>
+      filament_{};
 };
 
 }  // namespace application

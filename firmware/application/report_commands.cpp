@@ -23,7 +23,7 @@ Progress set(units::Milliseconds& interval, const ActiveCommand& command) {
 bool ReportCommands::first_temperatures_awaited(units::Milliseconds now) const {
   constexpr units::Milliseconds longest_wait{1000};
   if (now >= longest_wait) return false;
-  return !heat_.loop(Heater::hotend).temperature() || !heat_.loop(Heater::bed).temperature();
+  return !heat_.all_measured();
 }
 
 Progress ReportCommands::say_temperature(Reply& reply, units::Milliseconds now) const {
@@ -32,9 +32,7 @@ Progress ReportCommands::say_temperature(Reply& reply, units::Milliseconds now) 
   return Progress::done;
 }
 
-host_link::TextLine ReportCommands::temperature_line() const {
-  return host_link::temperature_report(heat_.state(Heater::hotend), heat_.state(Heater::bed));
-}
+host_link::TextLine ReportCommands::temperature_line() const { return heat_.report(); }
 
 host_link::TextLine ReportCommands::position_line() const {
   return host_link::position_report(coordinates_.logical(), motion_.steps(),
@@ -44,11 +42,12 @@ host_link::TextLine ReportCommands::position_line() const {
 Progress ReportCommands::say_firmware(Reply& reply) const {
   auto present = capabilities();
   present.back().present = machine_.advanced_ok;
-  const host_link::FirmwareDescription firmware{.name = "StepFabric",
-                                                .source_url = {},
-                                                .machine = machine_.name,
-                                                .extruders = 1,
-                                                .capabilities = present};
+  const host_link::FirmwareDescription firmware{
+      .name = "StepFabric",
+      .source_url = {},
+      .machine = machine_.name,
+      .extruders = static_cast<std::uint8_t>(machine_.tools()),
+      .capabilities = present};
   // The firmware's name, then the capabilities, then nothing.
   units::LoopBound<std::tuple_size_v<decltype(present)> + 2> lines;
   while (const auto line = host_link::firmware_line(firmware, reply.lines_said)) {

@@ -36,53 +36,57 @@ Progress RetractionCommands::lift(ActiveCommand& command, units::Nanometers dist
 
 units::Position RetractionCommands::above_host() const {
   constexpr std::size_t z = index_of(Axis::z);
-  return motion_.position()[z] - coordinates_.logical()[z];
+  const units::Position above = motion_.position()[z] - coordinates_.logical()[z];
+  if (units::most_tools == 1) return above;
+  return above + units::Position(coordinates_.tool_offset(z));
 }
 
 Progress RetractionCommands::retract(ActiveCommand& command) {
+  State& state = this->state();
   const motion::Retraction& retraction = motion_.limits().retraction;
   if (command.phase == ActiveCommand::Phase::begin) {
-    if (retracted_) return Progress::done;
+    if (state.retracted) return Progress::done;
     const Progress progress = begin(command, retraction.lift);
     if (command.refused) return progress;
     const Progress drawn = append(command, Axis::e, -retraction.length, retraction.speed);
     if (command.refused) return drawn;
-    retracted_ = true;
-    length_ = retraction.length;
-    lift_ = {};
-    jumps_ = motion_.position_jumps();
+    state.retracted = true;
+    state.length = retraction.length;
+    state.lift = {};
+    state.jumps = motion_.position_jumps();
   }
-  const bool stopped = motion_.stopping() || motion_.position_jumps() != jumps_;
+  const bool stopped = motion_.stopping() || motion_.position_jumps() != state.jumps;
   if (stopped || retraction.lift == units::Nanometers()) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
   const Progress progress = lift(command, retraction.lift);
-  if (!command.refused) lift_ = retraction.lift;
-  above_host_ = above_host();
+  if (!command.refused) state.lift = retraction.lift;
+  state.above_host = above_host();
   return progress;
 }
 
 Progress RetractionCommands::recover(ActiveCommand& command) {
-  if (!retracted_) return Progress::done;
-  const bool jumped = motion_.position_jumps() != jumps_;
+  State& state = this->state();
+  if (!state.retracted) return Progress::done;
+  const bool jumped = motion_.position_jumps() != state.jumps;
   if (command.phase == ActiveCommand::Phase::begin) {
-    const Progress progress = begin(command, jumped ? units::Nanometers() : -lift_);
+    const Progress progress = begin(command, jumped ? units::Nanometers() : -state.lift);
     if (command.refused) return progress;
-    if (jumped && above_host() == above_host_) {
+    if (jumped && above_host() == state.above_host) {
       const units::Position here = coordinates_.logical()[index_of(Axis::z)];
-      coordinates_.set_logical(Axis::z, here + units::Position(lift_));
-    } else if (!jumped && lift_ != units::Nanometers()) {
-      const Progress lowered = lift(command, -lift_);
+      coordinates_.set_logical(Axis::z, here + units::Position(state.lift));
+    } else if (!jumped && state.lift != units::Nanometers()) {
+      const Progress lowered = lift(command, -state.lift);
       if (command.refused) return lowered;
     }
-    lift_ = {};
-    jumps_ = motion_.position_jumps();
+    state.lift = {};
+    state.jumps = motion_.position_jumps();
     return Progress::again;
   }
   if (motion_.stopping() || jumped) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
   const motion::Retraction& retraction = motion_.limits().retraction;
-  retracted_ = false;
-  return append(command, Axis::e, length_ + retraction.extra, retraction.recovery_speed);
+  state.retracted = false;
+  return append(command, Axis::e, state.length + retraction.extra, retraction.recovery_speed);
 }
 
 }  // namespace application

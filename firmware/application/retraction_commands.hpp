@@ -3,6 +3,7 @@
 // lifted meanwhile. The host's coordinates do not show it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "application/active_command.hpp"
@@ -36,11 +37,16 @@ class RetractionCommands {
   HeatTask& heat_;
   MotionCommands& moves_;
   Coordinates& coordinates_;
-  bool retracted_{};
-  units::Nanometers length_{};  // that is drawn back
-  units::Nanometers lift_{};  // of Z
-  units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
-  std::uint32_t jumps_{};  // of the position then
+  // Of each tool.
+  struct State {
+    bool retracted{};
+    units::Nanometers length{};  // that is drawn back
+    units::Nanometers lift{};  // of Z
+    units::Position above_host{};  // the machine's Z above that of the host, when it was lifted
+    std::uint32_t jumps{};  // of the position then
+  };
+  State& state() { return states_[coordinates_.tool()]; }
+  std::array<State, units::most_tools> states_{};
 };
 
 }  // namespace application

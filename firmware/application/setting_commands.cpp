@@ -17,6 +17,7 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
+constexpr std::size_t tool_reports = 2;
 
 // Beyond the range of the type it becomes a value that the setting refuses.
 template <class Quantity>
@@ -167,10 +168,20 @@ Progress SettingCommands::list(ActiveCommand& command) {
   const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
   const std::size_t shaped = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
-  const std::size_t last = shaped + (motion_.levels() ? levelling_reports : 0);
-  units::LoopBound<std::size(reported_settings) + shaping_reports + levelling_reports + 1> lines;
+  const std::size_t levelled = shaped + (motion_.levels() ? levelling_reports : 0);
+  const std::size_t last = levelled + (coordinates_.tools().count() > 1 ? tool_reports : 0);
+  units::LoopBound<std::size(reported_settings) + shaping_reports + levelling_reports +
+                   tool_reports + 1>
+      lines;
   for (said = std::max(said, first); said <= last; ++said) {
     lines.next();
+    if (units::most_tools > 1 && said > levelled) {
+      const Tools& all = coordinates_.tools();
+      const auto line = said == last ? tool_offset_report(all.offset(1), coordinates_.inches())
+                                     : tool_change_report(all.change(), coordinates_.inches());
+      if (command.say(line) == Progress::again) return Progress::again;
+      continue;
+    }
     if (motion_.levels() && said > shaped) {
       const auto line =
           levelling_report(said - shaped - 1, motion_.levelling(), coordinates_.inches());
@@ -203,6 +214,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     if (motion_.levels()) motion_.restore_levelling();
     coordinates_.set_planned(motion_.position());
+    coordinates_.restore_tools(machine_);
     command.phase = ActiveCommand::Phase::working;
   }
   return lists ? list(command) : Progress::done;

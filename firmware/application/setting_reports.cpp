@@ -70,4 +70,33 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
   return line;
 }
 
+host_link::TextLine tool_change_report(const ToolChange& change, bool inches) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
+  host_link::TextLine line;
+  const auto put_speed = [&](char letter, units::MicrometersPerSecond speed) {
+    put(line, letter, speed.count() * motion::nanometers_per_minute, inches);
+  };
+  line.text("echo: M217");
+  put(line, 'S', change.swap.count(), inches);
+  put(line, 'B', change.resume.count(), inches);
+  put(line, 'E', change.prime.count(), inches);
+  put_speed('P', change.prime_speed);
+  put_speed('R', change.retract_speed);
+  put_speed('U', change.unretract_speed);
+  put(line, 'Z', change.lift.count(), inches);
+  return line;
+}
+
+host_link::TextLine tool_offset_report(const ToolOffset& offset, bool inches) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
+  host_link::TextLine line;
+  line.text("echo: M218 T1");
+  for (std::size_t i = 0; i < offset.size(); ++i) {
+    const std::int64_t length = offset[i].count();
+    line.character(' ').character(units::axis_letters[i]);
+    line.decimal(inches ? length * 10 / 254 : length, 6, 3);
+  }
+  return line;
+}
+
 }  // namespace application

@@ -14,6 +14,8 @@ namespace {
 
 namespace registers = ::registers::step_generator;
 
+constexpr std::size_t e = units::index_of(units::Axis::e);
+
 std::uint32_t backward_axes(const motion::Segment& segment) {
   std::uint32_t backward = 0;
   units::LoopBound<units::axis_count> axes;
@@ -24,14 +26,24 @@ std::uint32_t backward_axes(const motion::Segment& segment) {
   return backward;
 }
 
+// The bit of E moves to the extruder's.
+std::uint32_t on_hardware(std::uint32_t axes, std::size_t extruder_axis) {
+  if constexpr (units::most_tools == 1) return axes;
+  const std::uint32_t extruder = axes >> e & 1u;
+  return (axes & ~(1u << e)) | extruder << extruder_axis;
+}
+
 // The path: only with the first segment of a line, the step generator keeps it for the others.
-void write_line(const motion::Segment& segment, std::size_t hardware_axes) {
+void write_line(const motion::Segment& segment, std::size_t hardware_axes,
+                std::size_t extruder_axis) {
   platform::write(registers::SegmentLineTicks{segment.line_ticks});
   units::LoopBound<registers::SegmentSteps::count> axes;
   for (std::size_t axis = 0; axis < hardware_axes; ++axis) {
     axes.next();
-    const std::uint32_t steps =
-        axis < units::axis_count ? units::magnitude(segment.steps[axis]) : 0;
+    std::uint32_t steps = axis < units::axis_count ? units::magnitude(segment.steps[axis]) : 0;
+    if constexpr (units::most_tools > 1) {
+      if (axis >= e) steps = axis == extruder_axis ? units::magnitude(segment.steps[e]) : 0;
+    }
     platform::write(axis, registers::SegmentSteps{steps});
   }
 }
@@ -42,6 +54,13 @@ void write_course(const motion::Segment& segment) {
   platform::write(registers::SegmentRate{segment.rate});
   platform::write(registers::SegmentAcceleration{segment.acceleration});
   platform::write(registers::SegmentJerk{segment.jerk});
+}
+
+void set_guard(std::size_t axis, const GuardTimings& guard) {
+  platform::write(axis, registers::PulseGuard{
+                            .high = guard.high, .low = guard.low, .both_edges = guard.both_edges});
+  platform::write(axis, registers::DirectionGuard{.setup = guard.direction_setup,
+                                                  .hold = guard.direction_hold});
 }
 
 // Whether anything was refused since the last call.
@@ -60,15 +79,18 @@ void StepGenerator::configure(const units::PerAxis<GuardTimings>& guards,
   units::LoopBound<units::axis_count> configured;
   for (std::size_t axis = 0; axis < axes; ++axis) {
     configured.next();
-    const GuardTimings& guard = guards[axis];
-    platform::write(axis,
-                    registers::PulseGuard{
-                        .high = guard.high, .low = guard.low, .both_edges = guard.both_edges});
-    platform::write(axis, registers::DirectionGuard{.setup = guard.direction_setup,
-                                                    .hold = guard.direction_hold});
+    set_guard(axis, guards[axis]);
   }
   platform::write(registers::RateFloor{rate_floor});
   permit_motion(true);
+}
+
+void StepGenerator::configure_second_extruder(const GuardTimings& guard) {
+  set_guard(e + 1, guard);
+}
+
+void StepGenerator::select_extruder(std::size_t extruder) {
+  extruder_.fill(static_cast<std::uint8_t>(extruder));
 }
 
 std::uint32_t StepGenerator::queue_depth() const {
@@ -86,17 +108,18 @@ std::uint32_t StepGenerator::queued_segments() const {
 bool StepGenerator::append(const motion::Segment& segment) {
   const auto status = platform::read<registers::Status>();
   if (status.free == 0 || status.stopped || status.braking) return false;
-  platform::write(registers::SegmentFlags{.backward = backward_axes(segment),
-                                          .continues_line = segment.continues_line,
-                                          .ends_motion = segment.ends_motion,
-                                          .stop_on_change = segment.stop_on_change,
-                                          .stop_on_release = segment.stop_on_release,
-                                          .stop_brakes = segment.stop_brakes,
-                                          .waits_for_start = segment.waits_for_start,
-                                          .stop_mask = segment.stop_mask,
-                                          .ahead = segment.start.ahead.bits(),
-                                          .behind = segment.start.behind.bits()});
-  if (!segment.continues_line) write_line(segment, hardware_axes_);
+  platform::write(
+      registers::SegmentFlags{.backward = on_hardware(backward_axes(segment), hardware_axis(e)),
+                              .continues_line = segment.continues_line,
+                              .ends_motion = segment.ends_motion,
+                              .stop_on_change = segment.stop_on_change,
+                              .stop_on_release = segment.stop_on_release,
+                              .stop_brakes = segment.stop_brakes,
+                              .waits_for_start = segment.waits_for_start,
+                              .stop_mask = segment.stop_mask,
+                              .ahead = segment.start.ahead.bits(),
+                              .behind = segment.start.behind.bits()});
+  if (!segment.continues_line) write_line(segment, hardware_axes_, hardware_axis(e));
   write_course(segment);
   platform::write(registers::SegmentCommit{});
   return !refused();
@@ -148,14 +171,14 @@ StepGenerator::Snapshot StepGenerator::snapshot() {
   platform::write(registers::Command{.snapshot = true});
   Snapshot result;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
-    result.positions[axis] = platform::read<registers::SnapshotPosition>(axis).steps;
+    result.positions[axis] = platform::read<registers::SnapshotPosition>(hardware_axis(axis)).steps;
   }
   result.clock = platform::read<registers::SnapshotTime>().clocks;
   return result;
 }
 
 bool StepGenerator::set_position(units::Axis axis, std::int32_t steps) {
-  platform::write(units::index_of(axis), registers::Position{steps});
+  platform::write(hardware_axis(units::index_of(axis)), registers::Position{steps});
   return !refused();
 }
 
@@ -176,7 +199,7 @@ StepGenerator::Stop StepGenerator::stop_state() const {
   result.watchdog = cause.watchdog;
   result.software_brake = cause.software_brake;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
-    result.positions[axis] = platform::read<registers::StopPosition>(axis).steps;
+    result.positions[axis] = platform::read<registers::StopPosition>(hardware_axis(axis)).steps;
   }
   result.clock = platform::read<registers::StopTime>().clocks;
   return result;
@@ -190,13 +213,14 @@ void StepGenerator::acknowledge_stop() {
 
 void StepGenerator::enable_motor(units::Axis axis, bool enabled) {
   auto motors = platform::read<registers::MotorEnable>();
-  const std::uint32_t mask = 1u << units::index_of(axis);
+  const std::uint32_t mask = 1u << hardware_axis(units::index_of(axis));
   motors.axes = enabled ? motors.axes | mask : motors.axes & ~mask;
   platform::write(motors);
 }
 
 bool StepGenerator::motor_enabled(units::Axis axis) const {
-  return ((platform::read<registers::MotorEnable>().axes >> units::index_of(axis)) & 1u) != 0;
+  return ((platform::read<registers::MotorEnable>().axes >> hardware_axis(units::index_of(axis))) &
+          1u) != 0;
 }
 
 void StepGenerator::enable_queue_interrupt(std::uint32_t threshold) {
@@ -224,7 +248,8 @@ StepGenerator::Counters StepGenerator::counters() const {
   result.underruns = platform::read<registers::Underruns>().count;
   result.stall_clocks = platform::read<registers::Stalls>().clocks;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
-    result.axis_stall_clocks[axis] = platform::read<registers::AxisStalls>(axis).clocks;
+    result.axis_stall_clocks[axis] =
+        platform::read<registers::AxisStalls>(hardware_axis(axis)).clocks;
   }
   result.max_level = platform::read<registers::MaxLevel>().segments;
   return result;

@@ -6,8 +6,10 @@
 #include <cstdint>
 
 #include "drivers/guard_timings.hpp"
+#include "machine/tools.hpp"
 #include "motion/segment.hpp"
 #include "units/axes.hpp"
+#include "units/if_two_tools.hpp"
 
 namespace drivers {
 
@@ -45,6 +47,13 @@ class StepGenerator {
   // Sets every axis' guard and the rate floor (2^-32 ticks per clock, above 0 and below 1/2), and
   // permits motion. To be called once, when idle: the hardware refuses it in motion.
   void configure(const units::PerAxis<GuardTimings>& guards, std::uint32_t rate_floor);
+
+  // The guard of the driver of a second extruder. As above; the hardware must have five axes.
+  void configure_second_extruder(const GuardTimings& guard);
+  // Which of the extruders E is from now on: its steps, its position, its motor. The other one
+  // gets no step. To be called only when idle, so that no segment of the other waits. E's bit of
+  // LineStart has no effect on the second one, whose lines begin in the middle of a step.
+  void select_extruder(std::size_t extruder);
 
   std::uint32_t queue_depth() const;
   std::uint32_t free_segments() const;
@@ -126,7 +135,14 @@ class StepGenerator {
   Counters counters() const;
 
  private:
+  // Of the hardware, which numbers the extruders behind X, Y and Z.
+  std::size_t hardware_axis(std::size_t axis) const {
+    if constexpr (units::most_tools == 1) return axis;
+    return axis == units::index_of(units::Axis::e) ? axis + extruder_[0] : axis;
+  }
+
   std::size_t hardware_axes_ = units::axis_count;  // may be more than the firmware moves
+  [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};
 };
 
 }  // namespace drivers

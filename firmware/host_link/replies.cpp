@@ -3,6 +3,7 @@
 #include "host_link/replies.hpp"
 
 #include "units/event_bound.hpp"
+#include "units/loop_bound.hpp"
 
 namespace host_link {
 
@@ -34,11 +35,35 @@ TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
   return line.text(" @:").integer(hotend.power).text(" B@:").integer(bed.power);
 }
 
-TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
-                        std::optional<std::int32_t> seconds_left) {
-  TextLine line = temperature_report(hotend, bed);
-  line.text(" W:");
-  return seconds_left ? line.integer(*seconds_left) : line.character('?');
+TextLine temperature_report(const HeaterState& active, const HeaterState& bed,
+                            std::span<const HeaterState> hotends) {
+  constexpr std::size_t most_hotends = 2;
+  units::EventBound<units::Event::long_digit, 0> numbers;
+  TextLine line;
+  add_heater(line, " T:", active);
+  add_heater(line, " B:", bed);
+  units::LoopBound<most_hotends> temperatures;
+  for (std::size_t i = 0; i < hotends.size(); ++i) {
+    temperatures.next();
+    add_heater(line.text(" T").integer(static_cast<std::int64_t>(i)), ":", hotends[i]);
+  }
+  line.text(" @:").integer(active.power).text(" B@:").integer(bed.power);
+  units::LoopBound<most_hotends> powers;
+  for (std::size_t i = 0; i < hotends.size(); ++i) {
+    powers.next();
+    line.text(" @").integer(static_cast<std::int64_t>(i)).character(':');
+    line.integer(hotends[i].power);
+  }
+  return line;
+}
+
+void add_waiting_time(TextLine& report, std::optional<std::int32_t> seconds_left) {
+  report.text(" W:");
+  if (seconds_left) {
+    report.integer(*seconds_left);
+  } else {
+    report.character('?');
+  }
 }
 
 TextLine position_report(const units::PerAxis<units::Position>& position,

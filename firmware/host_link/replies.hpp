@@ -26,10 +26,14 @@ struct HeaterState {
 // " T:205.10 /205.00 B:60.00 /60.00 @:64 B@:0": after the "ok" of M105, or as a line of its own.
 TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed);
 
-// The line of M109 and M190 each second: the report and " W:3", the seconds that the temperature
-// must still hold, or " W:?" while it is not yet reached.
-TextLine heating_report(const HeaterState& hotend, const HeaterState& bed,
-                        std::optional<std::int32_t> seconds_left);
+// Of several hotends, of which `active` is that of the tool that is in use: behind the same for it
+// and the bed each has its temperature and its power, " T0:205.10 /205.00 ... @0:64".
+TextLine temperature_report(const HeaterState& active, const HeaterState& bed,
+                            std::span<const HeaterState> hotends);
+
+// Behind the report in the line of M109 and M190 each second: " W:3", the seconds that the
+// temperature must still hold, or " W:?" while it is not yet reached.
+void add_waiting_time(TextLine& report, std::optional<std::int32_t> seconds_left);
 
 // M114: "X:0.00 Y:0.00 Z:0.00 E:0.00 Count X:0 Y:0 Z:0", what was requested and the motors' steps.
 TextLine position_report(const units::PerAxis<units::Position>& position,

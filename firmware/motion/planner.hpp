@@ -78,6 +78,8 @@ class Planner {
   // Declares where the axes are; only while empty and at rest.
   void set_position(const units::PerAxis<units::Position>& position);
   void set_position_steps(const units::PerAxis<std::int64_t>& steps);
+  // The same of E alone: another extruder, which is there.
+  void set_extruder_position(const units::Position& position);
 
  private:
   bool moves_motor(std::size_t motor, const units::PerAxis<units::Position>& target) const;

@@ -33,6 +33,15 @@ void Planner::set_position(const units::PerAxis<units::Position>& position) {
   }
 }
 
+// With all kinematics E is its motor's place.
+void Planner::set_extruder_position(const units::Position& position) {
+  constexpr std::size_t e = units::index_of(units::Axis::e);
+  target_[e] = line_end_[e] = position;
+  const StepPosition here = steps_at(position, limits().axes[e].steps_per_meter);
+  position_steps_[e] = here.steps;
+  residual_[e] = here.residual;
+}
+
 units::PerAxis<units::Position> Planner::motor_position() const {
   units::PerAxis<units::Position> motors;
   for (std::size_t i = 0; i < units::axis_count; ++i) {

@@ -9,6 +9,11 @@ list(JOIN sources "|" sources)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${STEPFABRIC_MACHINE})
 file(STRINGS ${STEPFABRIC_MACHINE} kinematics REGEX "^kinematics = \"[a-z_]+\"")
 string(REGEX REPLACE "^kinematics = \"([a-z_]+)\".*" "\\1" kinematics "${kinematics}")
+set(tools)
+file(STRINGS ${STEPFABRIC_MACHINE} second_tool REGEX "^\\[tool_1\\]")
+if(second_tool)
+  set(tools _two_tools)
+endif()
 
 ExternalProject_Add(firmware_image
   SOURCE_DIR ${CMAKE_CURRENT_LIST_DIR}
@@ -20,6 +25,7 @@ ExternalProject_Add(firmware_image
     -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
     -DFIRMWARE_SOURCES=${sources}
     -DKINEMATICS=${kinematics}
+    -DTOOLS=${tools}
     -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
     -DCHIP_MEMORY_BYTES=${chip_memory_bytes}
     -DCOMPARISON_MEMORY_BYTES=${comparison_memory_bytes}
@@ -38,11 +44,10 @@ set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)
 add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
-foreach(stepping IN ITEMS hardware software)
-  foreach(kinematics IN ITEMS cartesian core_xy delta)
-    add_custom_target(firmware_other_machine_${stepping}_${kinematics}
-      COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
-        --target other_machine_${stepping}_${kinematics}.elf
+foreach(kinematics IN ITEMS cartesian core_xy delta)
+  foreach(image IN ITEMS hardware_${kinematics} hardware_${kinematics}_two_tools software_${kinematics})
+    add_custom_target(firmware_other_machine_${image}
+      COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target other_machine_${image}.elf
       DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
   endforeach()
 endforeach()

@@ -10,8 +10,8 @@ namespace units {
 
 enum class Axis : std::uint8_t { x, y, z, e };
 
-// Axes that G-code moves; the step generator may have more (a second extruder), which
-// then stay idle.
+// Axes that G-code moves. The step generator may have more, which then stay idle, but for a second
+// extruder: E is one of two (drivers/step_generator).
 inline constexpr std::size_t axis_count = 4;
 inline constexpr std::array<char, axis_count> axis_letters{'X', 'Y', 'Z', 'E'};
 

@@ -35,6 +35,21 @@ template <class Root>
 inline constexpr bool has_processor =
     requires(Root& root) { PROCESSOR(__DOT__cycle_counter, counted); };
 
+// The converter of a chip with three heaters has a third channel.
+template <class Root>
+inline constexpr bool has_third_channel =
+    requires(Root& root) { SENSORS(__DOT__each_channel_n3_present_timer, wake_cycles); };
+
+// With two channels the second once more.
+template <class Root>
+std::uint32_t last_converter_wake(const Root& root) {
+  if constexpr (has_third_channel<Root>) {
+    return SENSORS(__DOT__each_channel_n3_present_timer, wake_cycles);
+  } else {
+    return SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles);
+  }
+}
+
 // Where time must not be carried over although all blocks are at rest.
 template <class Root>
 bool counts_are_usual(const Root& root) {
@@ -62,7 +77,8 @@ Counts read_counts(const Root& root) {
           .heater_slot = {.phase = HEATER_TIME(slot_phase), .last = HEATER_TIME(last_phase)},
           .converter_cycles = {SENSORS(, now_cycles)},
           .converter_wakes = {SENSORS(__DOT__each_channel_n1_present_timer, wake_cycles),
-                              SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles)},
+                              SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles),
+                              last_converter_wake(root)},
           .motion_watchdog = {.limit = MOTION(__DOT__registers, watchdog_stored),
                               .moving = BASE(active) != 0,
                               .left = WATCH(left),
@@ -103,6 +119,9 @@ void write_counts(const Counts& counts, Root& root) {
   SENSORS(, now_cycles) = counts.converter_cycles.now;
   SENSORS(__DOT__each_channel_n1_present_timer, wake_cycles) = counts.converter_wakes[0];
   SENSORS(__DOT__each_channel_n2_present_timer, wake_cycles) = counts.converter_wakes[1];
+  if constexpr (has_third_channel<Root>) {
+    SENSORS(__DOT__each_channel_n3_present_timer, wake_cycles) = counts.converter_wakes[2];
+  }
   MOTION(__DOT__registers, watchdog_stored) = counts.motion_watchdog.limit;
   WATCH(left) = counts.motion_watchdog.left;
   WATCH(expired) = counts.motion_watchdog.expired;

@@ -19,7 +19,7 @@ struct Counts {
   bool processor_cycles_stopped{};
   Phase converter_tick, heater_tick, heater_slot;
   Cycles converter_cycles;
-  std::array<std::uint32_t, sim::sensor_count> converter_wakes{};
+  std::array<std::uint32_t, sim::most_heaters> converter_wakes{};
   MotionWatchdog motion_watchdog;
   TimeBase time_base;
   Fan fan;

@@ -38,9 +38,14 @@ class Entry {
   toml::node_view<const toml::node> node_;
 };
 
+devices::DriverTiming driver_of(const Entry& root, const Entry& motor) {
+  const Entry driver = root["drivers"][motor["driver"].text()];
+  return {driver["high_ns"].whole_number(), driver["low_ns"].whole_number(),
+          driver["direction_setup_ns"].whole_number(), driver["direction_hold_ns"].whole_number()};
+}
+
 AxisDescription axis_of(const Entry& root, char letter) {
   const Entry entry = root["axes"][std::string_view(&letter, 1)];
-  const Entry driver = root["drivers"][entry["driver"].text()];
   AxisDescription axis;
   axis.steps_per_mm = entry["steps_per_mm"].number();
   axis.max_speed_mm_s = entry["max_speed_mm_s"].number();
@@ -48,9 +53,7 @@ AxisDescription axis_of(const Entry& root, char letter) {
   axis.jerk_mm_s = entry["jerk_mm_s"].number();
   if (entry["travel_mm"]) axis.travel_mm = entry["travel_mm"].number();
   if (entry["endstop"]) axis.end_stop = entry["endstop"].whole_number();
-  axis.driver = {driver["high_ns"].whole_number(), driver["low_ns"].whole_number(),
-                 driver["direction_setup_ns"].whole_number(),
-                 driver["direction_hold_ns"].whole_number()};
+  axis.driver = driver_of(root, entry);
   return axis;
 }
 
@@ -65,8 +68,7 @@ plants::HeatedBlockProperties block_of(const Entry& heater) {
           .fan_loss_watts_per_kelvin = model["fan_loss_w_per_k"].number()};
 }
 
-HeaterDescription heater_of(const Entry& root, std::string_view name) {
-  const Entry entry = root[name];
+HeaterDescription heater_of(const Entry& root, const Entry& entry) {
   const Entry thermistor = root["thermistors"][entry["thermistor"].text()];
   return {entry["sensor_channel"].whole_number(),
           entry["heater_channel"].whole_number(),
@@ -74,6 +76,20 @@ HeaterDescription heater_of(const Entry& root, std::string_view name) {
           entry["max_c"].number(),
           thermistor["resistance_25c_ohms"].number(),
           thermistor["beta_k"].number()};
+}
+
+ToolDescription tool_of(const Entry& root, const Entry& tool) {
+  const Entry change = root["tool_change"];
+  ToolDescription description{.hotend = heater_of(root, tool["hotend"]),
+                              .driver = driver_of(root, tool),
+                              .swap_mm = change["swap_length_mm"].number(),
+                              .resume_mm = change["resume_extra_mm"].number(),
+                              .prime_mm = change["prime_length_mm"].number(),
+                              .lift_mm = change["lift_mm"].number()};
+  for (std::size_t i = 0; i < description.offset_mm.size(); ++i) {
+    description.offset_mm[i] = tool["offset_mm"][i].number();
+  }
+  return description;
 }
 
 std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
@@ -108,19 +124,23 @@ BedSurface surface_of(const Entry& surface) {
           .middle = surface["middle_mm"].number()};
 }
 
-void check_channels(const toml::table& table, const std::filesystem::path& file) {
-  machine_generator::Reader root(file, table);
-  for (const char* heater : {"hotend", "bed"}) {
-    machine_generator::Reader reader = root.table(heater);
-    for (const auto& [key, count] : {std::pair{"heater_channel", sim::heater_count},
-                                     std::pair{"sensor_channel", sim::sensor_count}}) {
-      const auto last = static_cast<std::int64_t>(count) - 1;
-      const std::int64_t channel = reader.whole(key, 0, std::numeric_limits<std::int64_t>::max());
-      if (channel > last) {
-        reader.fail(key, fmt::format("is {}, but the simulated chip has 0 to {}", channel, last));
-      }
+// A chip has a third one of each where there is a second hotend.
+void check_channels(machine_generator::Reader reader, std::size_t count) {
+  const auto last = static_cast<std::int64_t>(count) - 1;
+  for (const char* key : {"heater_channel", "sensor_channel"}) {
+    const std::int64_t channel = reader.whole(key, 0, std::numeric_limits<std::int64_t>::max());
+    if (channel > last) {
+      reader.fail(key, fmt::format("is {}, but the simulated chip has 0 to {}", channel, last));
     }
   }
+}
+
+void check_channels(const toml::table& table, const std::filesystem::path& file) {
+  machine_generator::Reader root(file, table);
+  const bool second = root.has("tool_1");
+  const std::size_t count = second ? sim::most_heaters : sim::heater_count;
+  for (const char* heater : {"hotend", "bed"}) check_channels(root.table(heater), count);
+  if (second) check_channels(root.table("tool_1").table("hotend"), count);
 }
 
 Description description_of(const toml::table& table, const std::filesystem::path& file) {
@@ -145,8 +165,9 @@ Description description_of(const toml::table& table, const std::filesystem::path
   for (std::size_t i = 0; i < description.bed_surface.size.size(); ++i) {
     description.bed_surface.size[i] = description.axes[i].travel_mm.value_or(1);
   }
-  description.hotend = heater_of(root, "hotend");
-  description.bed = heater_of(root, "bed");
+  description.hotend = heater_of(root, root["hotend"]);
+  description.bed = heater_of(root, root["bed"]);
+  if (const Entry tool = root["tool_1"]) description.second_tool = tool_of(root, tool);
   const Entry converter = root["temperature_converter"];
   description.converter = {converter["capacitor_nf"].number(),
                            converter["reference_low_ohms"].number(),

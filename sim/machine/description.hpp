@@ -19,6 +19,7 @@ namespace machine {
 
 inline constexpr std::size_t axis_count = 4;  // x y z e, as in reports
 inline constexpr std::array<char, axis_count> axis_letters{'x', 'y', 'z', 'e'};
+inline constexpr std::size_t most_motors = axis_count + 1;
 
 // Where motors are not the axes, steps and the driver are the motor's of the axis' name.
 struct AxisDescription {
@@ -54,6 +55,15 @@ struct HeaterDescription {
   double beta_k{};
 };
 
+// A second extruder, on the carriage of the first.
+struct ToolDescription {
+  HeaterDescription hotend;
+  std::array<double, 3> offset_mm{};  // of its nozzle from the first
+  devices::DriverTiming driver;
+  // What a change of tools does, until the file sets another.
+  double swap_mm{}, resume_mm{}, prime_mm{}, lift_mm{};
+};
+
 struct ConverterDescription {
   double capacitor_nf{};
   double reference_low_ohms{};
@@ -74,6 +84,10 @@ struct Description {
   HeaterDescription hotend;
   HeaterDescription bed;
   ConverterDescription converter;
+  std::optional<ToolDescription> second_tool;
+
+  // The filament motor of a second extruder is behind those of the axes.
+  std::size_t motors() const { return second_tool ? axis_count + 1 : axis_count; }
 };
 
 // Throws std::runtime_error with the file, the line and name of the entry and what is wrong with

@@ -18,6 +18,9 @@ using devices::SensorFault;
 using plants::BeadFault;
 using plants::HeaterFault;
 
+constexpr std::array heated_parts{std::pair{std::string_view("hotend"), Heated::hotend},
+                                  std::pair{std::string_view("bed"), Heated::bed},
+                                  std::pair{std::string_view("hotend1"), Heated::second_hotend}};
 constexpr std::array sensor_faults{
     std::pair{std::string_view("open"), SensorFault::open},
     std::pair{std::string_view("short"), SensorFault::shorted},
@@ -114,8 +117,8 @@ bool add_cable_fault(FaultPlan& plan, std::string_view text) {
 }
 
 bool add_capacitor_fault(FaultPlan& plan, std::string_view text) {
-  for (const auto& [name, where] : {std::pair{std::string_view("hotend-capacitor"), Heated::hotend},
-                                    std::pair{std::string_view("bed-capacitor"), Heated::bed}}) {
+  for (const auto& [prefix, where] : heated_parts) {
+    const std::string name = std::string(prefix) + "-capacitor";
     const auto change = timed_value(text, name);
     if (!change) continue;
     if (!change->value || !change->seconds || *change->value <= 0 ||
@@ -174,8 +177,10 @@ std::string_view fault_forms() {
   return R"(  hotend-open@SECONDS hotend-short@SECONDS hotend-stuck-high@SECONDS
   hotend-stuck-low@SECONDS hotend-frozen@SECONDS hotend-drifting@SECONDS (1 K/s down)
   hotend-detached@SECONDS
-  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed-
+  hotend-heater-stuck-on@SECONDS hotend-heater-stuck-off@SECONDS, and the same with bed- and
+  hotend1- (of a second extruder)
   hotend-capacitor-lost@SECONDS hotend-capacitor=FACTOR@SECONDS, and the same with bed-
+  and hotend1-
   x-end-stop-never-closes x-end-stop-never-opens x-end-stop-bounces, and the same with y- and z-
   probe-never-closes probe-never-opens, of a machine with a probe
   serial=SHARE of the bytes to the chip that get one wrong bit, for example serial=0.001;
@@ -193,8 +198,7 @@ void add_fault(FaultPlan& plan, std::string_view text) {
   const std::optional<double> seconds =
       at == std::string_view::npos ? std::optional(0.0) : number(text.substr(at + 1));
   const std::string_view name = text.substr(0, at);
-  for (const auto& [prefix, where] : {std::pair{std::string_view("hotend"), Heated::hotend},
-                                      std::pair{std::string_view("bed"), Heated::bed}}) {
+  for (const auto& [prefix, where] : heated_parts) {
     const std::optional<std::string_view> fault = rest_after(name, prefix);
     if (seconds && fault && add_heat_fault(plan, where, *fault, *seconds)) return;
   }

@@ -15,7 +15,7 @@
 
 namespace machine {
 
-enum class Heated : std::uint8_t { hotend, bed };
+enum class Heated : std::uint8_t { hotend, bed, second_hotend };
 
 struct TimedSensorFault {
   double seconds{};

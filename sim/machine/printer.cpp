@@ -20,6 +20,7 @@ constexpr double torque_reserve = 8.0;
 constexpr double speed_reserve = 2.0;
 // Ceramic capacitors of the simulated board: 10 % of their nominal value.
 constexpr double capacitor_tolerance = 0.1;
+constexpr std::size_t extruder = 3;
 
 // 0 to 1, the same with every standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -81,20 +82,33 @@ Printer::Printer(const Description& description, const PrinterOptions& options,
               simulation),
       bed_(description.bed, description.converter, options.bed_start_c, options.seed + 2,
            simulation),
+      second_hotend_(make_second_hotend(options)),
       fan_(simulation.rate(),
            [this](double seconds, double speed) {
              hotend_.block.set_fan(seconds, speed);
              bed_.block.set_fan(seconds, speed);
+             if (second_hotend_) second_hotend_->block.set_fan(seconds, speed);
            }),
-      extrusion_(std::make_unique<Extrusion>(description.axes[3].steps_per_mm, simulation.rate(),
-                                             hotend_.block)),
-      fault_injector_(std::make_unique<FaultInjector>(options.faults, simulation.rate(), hotend_,
-                                                      bed_, serial_line_)) {
+      fault_injector_(std::make_unique<FaultInjector>(options.faults, *this)) {
+  const double steps_per_mm = description.axes[extruder].steps_per_mm;
+  extrusions_.push_back(
+      std::make_unique<Extrusion>(steps_per_mm, simulation.rate(), hotend_.block));
+  if (second_hotend_) {
+    extrusions_.push_back(
+        std::make_unique<Extrusion>(steps_per_mm, simulation.rate(), second_hotend_->block));
+  }
   make_axes(options);
   attach_all();
 }
 
 Printer::~Printer() = default;
+
+std::unique_ptr<Printer::HeatedPart> Printer::make_second_hotend(
+    const PrinterOptions& options) const {
+  if (!description_.second_tool) return nullptr;
+  return std::make_unique<HeatedPart>(description_.second_tool->hotend, description_.converter,
+                                      options.hotend_start_c, options.seed + 3, simulation_);
+}
 
 // A printer is switched on wherever the last print left it; here not far from the end stops, so
 // that homing does not take long.
@@ -115,12 +129,11 @@ void Printer::make_axes(const PrinterOptions& options) {
   const std::array<std::int64_t, axis_count> start = start_positions(options.seed);
   const Mechanism& mechanism = *description_.mechanism;
   sim::InputPins& inputs = simulation_.chip().inputs();
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    const AxisDescription& axis = description_.axes[i];
-    axes_[i] =
-        std::make_unique<plants::Axis>(properties_of(axis, mechanism.is_cartesian()), start[i]);
-    motors_[i] =
-        std::make_unique<devices::MotorDriver>(i, axis.driver, simulation_.rate(), *axes_[i]);
+  for (std::size_t i = 0; i < axis_count; ++i) make_motor(i, description_.axes[i], start[i]);
+  if (description_.second_tool) {
+    AxisDescription axis = description_.axes[extruder];
+    axis.driver = description_.second_tool->driver;
+    make_motor(axis_count, axis, 0);
   }
   for (std::size_t i = 0; i < axis_count; ++i) {
     const AxisDescription& axis = description_.axes[i];
@@ -134,10 +147,19 @@ void Printer::make_axes(const PrinterOptions& options) {
     }
   }
   make_probe(start, options.faults);
-  motors_[3]->add_listener(*extrusion_);
+  for (std::size_t i = 0; i < extrusions_.size(); ++i) {
+    motors_[extruder + i]->add_listener(*extrusions_[i]);
+  }
   if (mechanism.is_cartesian()) return;
   frame_ = std::make_unique<Frame>(*this);
-  for (const auto& motor : motors_) motor->add_listener(*frame_);
+  for (std::size_t i = 0; i < axis_count; ++i) motors_[i]->add_listener(*frame_);
+}
+
+void Printer::make_motor(std::size_t index, const AxisDescription& axis, std::int64_t start) {
+  const bool has_frame = description_.mechanism->is_cartesian();
+  axes_[index] = std::make_unique<plants::Axis>(properties_of(axis, has_frame), start);
+  motors_[index] =
+      std::make_unique<devices::MotorDriver>(index, axis.driver, simulation_.rate(), *axes_[index]);
 }
 
 void Printer::make_probe(const std::array<std::int64_t, axis_count>& start,
@@ -167,22 +189,24 @@ Mechanism::Place Printer::motors_mm() const {
 }
 
 std::uint64_t Printer::frame_steps(std::size_t axis) const {
-  return axes_[axis]->frame_steps() + (frame_ ? frame_->steps(axis) : 0);
+  return axes_[axis]->frame_steps() + (frame_ && axis < axis_count ? frame_->steps(axis) : 0);
 }
 
 void Printer::attach_all() {
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  for (std::size_t i = 0; i < motors(); ++i) {
     simulation_.attach(*motors_[i], sim::OutputPins::motor_pins(i));
   }
   for (const auto& end_stop : end_stops_) simulation_.attach(*end_stop, {});
   simulation_.attach(serial_line_, sim::OutputPins::transmit_pin());
   simulation_.attach(fan_, sim::OutputPins::fan_pin());
-  simulation_.attach(*extrusion_, {});
+  for (const auto& extrusion : extrusions_) simulation_.attach(*extrusion, {});
   simulation_.attach(*fault_injector_, {});
 }
 
 void Printer::add_step_listener(devices::StepListener& listener) {
-  for (const auto& motor : motors_) motor->add_listener(listener, sim::Activity::host_and_report);
+  for (std::size_t i = 0; i < motors(); ++i) {
+    motors_[i]->add_listener(listener, sim::Activity::host_and_report);
+  }
 }
 
 }  // namespace machine

@@ -37,6 +37,8 @@ class Printer {
   ~Printer();
 
   devices::SerialLine& serial_line() { return serial_line_; }
+  // Of the axes, and behind them that of a second extruder.
+  std::size_t motors() const { return description_.motors(); }
   const devices::MotorDriver& motor(std::size_t axis) const { return *motors_[axis]; }
   const plants::Axis& axis(std::size_t axis) const { return *axes_[axis]; }
   // To be called before the simulation runs.
@@ -48,6 +50,8 @@ class Printer {
   std::uint64_t frame_steps(std::size_t axis) const;
   // True temperatures of the blocks.
   double hotend_c() const { return hotend_.block.celsius(simulation_.seconds()); }
+  // Only where there is one.
+  double second_hotend_c() const { return second_hotend_->block.celsius(simulation_.seconds()); }
   double bed_c() const { return bed_.block.celsius(simulation_.seconds()); }
   const Description& description() const { return description_; }
 
@@ -66,21 +70,24 @@ class Printer {
 
   void make_axes(const PrinterOptions& options);
   void make_probe(const std::array<std::int64_t, axis_count>& start, const FaultPlan& faults);
+  void make_motor(std::size_t index, const AxisDescription& axis, std::int64_t start);
+  std::unique_ptr<HeatedPart> make_second_hotend(const PrinterOptions& options) const;
   std::array<std::int64_t, axis_count> start_positions(std::uint64_t seed) const;
   void attach_all();
 
   Description description_;
   sim::Simulation& simulation_;
   devices::SerialLine serial_line_;
-  std::array<std::unique_ptr<plants::Axis>, axis_count> axes_;
-  std::array<std::unique_ptr<devices::MotorDriver>, axis_count> motors_;
+  std::array<std::unique_ptr<plants::Axis>, most_motors> axes_;
+  std::array<std::unique_ptr<devices::MotorDriver>, most_motors> motors_;
   std::vector<std::unique_ptr<devices::EndStop>> end_stops_;
   std::unique_ptr<devices::Probe> probe_;
   std::unique_ptr<Frame> frame_;  // where motors are not axes
   HeatedPart hotend_;
   HeatedPart bed_;
+  std::unique_ptr<HeatedPart> second_hotend_;
   devices::FanGate fan_;
-  std::unique_ptr<Extrusion> extrusion_;
+  std::vector<std::unique_ptr<Extrusion>> extrusions_;
   std::unique_ptr<FaultInjector> fault_injector_;
 };
 

@@ -3,9 +3,11 @@
 // and planned faults.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "sim/machine/printer.hpp"
 
@@ -66,9 +68,18 @@ class Printer::Frame : public devices::StepListener {
 // Injects faults at their times.
 class Printer::FaultInjector : public sim::Device {
  public:
-  FaultInjector(FaultPlan plan, sim::ClockRate rate, HeatedPart& hotend, HeatedPart& bed,
-                devices::SerialLine& line)
-      : plan_(std::move(plan)), rate_(rate), hotend_(hotend), bed_(bed), line_(line) {
+  FaultInjector(FaultPlan plan, Printer& printer)
+      : plan_(std::move(plan)),
+        rate_(printer.simulation_.rate()),
+        printer_(printer),
+        line_(printer.serial_line_) {
+    const auto of_second = [](const auto& fault) { return fault.where == Heated::second_hotend; };
+    if (!printer_.second_hotend_ && (std::ranges::any_of(plan_.sensors, of_second) ||
+                                     std::ranges::any_of(plan_.beads, of_second) ||
+                                     std::ranges::any_of(plan_.heaters, of_second) ||
+                                     std::ranges::any_of(plan_.capacitors, of_second))) {
+      throw std::invalid_argument("--fault: this machine has no second hotend");
+    }
     wake(0);
   }
 
@@ -114,12 +125,14 @@ class Printer::FaultInjector : public sim::Device {
     next = std::min(next, planned);
     return false;
   }
-  HeatedPart& part(Heated where) { return where == Heated::hotend ? hotend_ : bed_; }
+  HeatedPart& part(Heated where) {
+    if (where == Heated::bed) return printer_.bed_;
+    return where == Heated::hotend ? printer_.hotend_ : *printer_.second_hotend_;
+  }
 
   FaultPlan plan_;
   sim::ClockRate rate_;
-  HeatedPart& hotend_;
-  HeatedPart& bed_;
+  Printer& printer_;
   devices::SerialLine& line_;
 };
 

@@ -45,7 +45,7 @@ std::vector<Register> registers_of_whole_chip(Root& root) {
 }
 
 template <class Root>
-std::vector<Register> registers_without_processor(Root& root) {
+std::vector<Register> registers_without_processor([[maybe_unused]] Root& root) {
 #define REGISTER(in_whole, in_rest) described(#in_whole, root.in_rest),
   return {
 #include "chip_registers.inc"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <iterator>
 #include <stdexcept>
@@ -15,7 +16,7 @@
 namespace report {
 
 namespace {
-constexpr std::string_view axis_names = "xyze";
+constexpr std::array<std::string_view, 5> axis_names{"x", "y", "z", "e", "e1"};
 // Of rows that wait to be written together.
 constexpr std::size_t most_waiting_bytes = 4000;
 

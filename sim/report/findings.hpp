@@ -34,7 +34,7 @@ struct MissedPoint {
   std::size_t file_line{};
   std::string text;
   double seconds{};  // simulated
-  std::array<AxisArrival, 4> axes{};  // x y z e
+  std::array<AxisArrival, 5> axes{};  // x y z e, and e of a second extruder
 };
 
 struct Findings {
@@ -44,9 +44,9 @@ struct Findings {
   // All of them: the lists end at a bound.
   std::uint64_t refused_count{};
   std::uint64_t warning_count{};
-  std::array<std::uint64_t, 4> missed_by_axis{};  // x y z e
-  std::array<bool, 4> homed_elsewhere{};  // G28 ended away from the end stop
-  std::array<bool, 4> moved_after_end{};  // after the last line was made
+  std::array<std::uint64_t, 5> missed_by_axis{};  // likewise
+  std::array<bool, 5> homed_elsewhere{};  // G28 ended away from the end stop
+  std::array<bool, 5> moved_after_end{};  // after the last line was made
   std::uint64_t lines_apart{};  // Z or E did not go along with X and Y
   // Commands of the file that the chip never acknowledged; 0 where the user stopped the print.
   std::uint64_t lines_lost{};

@@ -24,6 +24,7 @@ bool is_any(const GcodeWords& words, char letter, Codes... codes) {
 Request GcodePath::read(std::string_view command) {
   const GcodeWords words(command);
   Request request = NoMotion{};
+  if (!words.all().empty() && words.all().front().letter == 'T') return change_tool(words);
   if (words.is('G', 53)) {
     const GcodeWords line = words.without_first();
     return is_any(line, 'G', 0, 1, 2, 3) ? move(line, true) : Request(NoMotion{});
@@ -71,7 +72,8 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     const auto target = words.value(waits && words.has('R') ? 'R' : 'S');
     if (target) {
       request = TemperatureTarget{is_any(words, 'M', 140, 190),
-                                  celsius(static_cast<double>(*target) / billionths), waits};
+                                  celsius(static_cast<double>(*target) / billionths), waits,
+                                  tool_of(words)};
     }
   } else if (words.is('M', 149) && words.all().size() > 1) {
     temperature_unit_ = words.has('C') ? 'C' : words.has('K') ? 'K' : 'F';
@@ -88,13 +90,23 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     retraction_.extra = length(words, 'S').value_or(retraction_.extra);
   } else if (is_any(words, 'M', 501, 502)) {
     retraction_ = facts_.retraction;
+    const ToolFacts before = change_;
+    change_ = facts_.second_tool.value_or(ToolFacts());
+    for (std::size_t i = 0; i < height + 1; ++i) {
+      if (tool_ != 0) logical_[i] += change_.offset[i] - before.offset[i];
+    }
+  } else if (words.is('M', 217)) {
+    set_change(words);
+  } else if (words.is('M', 218)) {
+    set_offset(words);
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
-    flow_percent_ = words.value('S').value_or(flow_percent_ * billionths) / billionths;
+    std::int64_t& flow = flow_percent_[tool_of(words)];
+    flow = words.value('S').value_or(flow * billionths) / billionths;
   } else if (words.is('M', 400)) {
     request = Rest{};
   } else if (words.is('M', 410)) {
-    has_jumped_ = true;
+    has_jumped_.fill(true);
     request = QuickStop{};
   }
 }
@@ -128,7 +140,11 @@ Request GcodePath::move(const GcodeWords& words, bool machines) {
     const Femtometers zero = machines && i != extruder ? coordinates_.zero(i) : 0;
     const Femtometers distance = absolute ? *value + zero - logical_[i] : *value;
     logical_[i] += distance;
-    move.to[i] += i == extruder ? filament_of(distance / 100 * flow_percent_) : distance;
+    if (i == extruder) {
+      move.to[extruder_motor()] += filament_of(distance / 100 * flow_percent_[tool_]);
+    } else {
+      move.to[i] += distance;
+    }
   }
   const bool straight = is_any(words, 'G', 0, 1);
   if (straight && (move.to[0] != move.from[0] || move.to[1] != move.from[1])) {
@@ -171,39 +187,41 @@ Request GcodePath::home(const GcodeWords& words) {
     if (!homing.axes[i]) continue;
     coordinates_.home(i);
     machine_[i] = facts_.home.place[i];
-    logical_[i] = facts_.home.place[i] + coordinates_.zero(i);
+    logical_[i] = facts_.home.place[i] + coordinates_.zero(i) + offset(i);
+    homed_[i] = true;
     if (i == height) babystep_ = 0;
   }
-  has_jumped_ = true;
+  has_jumped_.fill(true);
   return homing;
 }
 
 // What the file calls the place stays as it is.
 Request GcodePath::retract() {
-  if (retracted_) return NoMotion{};
+  if (retracted_[tool_]) return NoMotion{};
   Move move{machine_, machine_, {}};
-  move.to[extruder] -= retraction_.length;
+  move.to[extruder_motor()] -= retraction_.length;
   move.to[height] += retraction_.lift;
   machine_ = move.to;
-  retracted_ = retraction_;
-  above_file_ = machine_[height] - logical_[height];
-  has_jumped_ = false;
+  retracted_[tool_] = retraction_;
+  above_file_[tool_] = machine_[height] + offset(height) - logical_[height];
+  has_jumped_[tool_] = false;
   return move;
 }
 
 // After a stop or homing the chip does not lower Z. Unless the file or homing has said since what
 // the place is called, it is higher by the lift.
 Request GcodePath::recover() {
-  if (!retracted_) return NoMotion{};
+  std::optional<Retraction>& retracted = retracted_[tool_];
+  if (!retracted) return NoMotion{};
   Move move{machine_, machine_, {}};
-  move.to[extruder] += retracted_->length + retraction_.extra;
-  if (!has_jumped_) {
-    move.to[height] -= retracted_->lift;
-  } else if (machine_[height] - logical_[height] == above_file_) {
-    logical_[height] += retracted_->lift;
+  move.to[extruder_motor()] += retracted->length + retraction_.extra;
+  if (!has_jumped_[tool_]) {
+    move.to[height] -= retracted->lift;
+  } else if (machine_[height] + offset(height) - logical_[height] == above_file_[tool_]) {
+    logical_[height] += retracted->lift;
   }
   machine_ = move.to;
-  retracted_.reset();
+  retracted.reset();
   return move;
 }
 

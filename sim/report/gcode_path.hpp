@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "sim/report/arc_shape.hpp"
 #include "sim/report/femtometers.hpp"
@@ -17,8 +18,12 @@
 
 namespace report {
 
-// Exact machine positions, zero at the end stops: offsets of G92 are taken out.
-using Point = std::array<Femtometers, 4>;  // x y z e
+// x y z e, and the e of a second extruder, which stands still where there is none.
+inline constexpr std::size_t motor_count = 5;
+
+// Exact machine positions, zero at the end stops: offsets of G92 are taken out. x y z are the
+// carriage's: where tool 0 is.
+using Point = std::array<Femtometers, motor_count>;
 
 struct Move {
   Point from{};
@@ -33,15 +38,20 @@ struct TemperatureTarget {
   bool bed{};
   double celsius{};
   bool waits{};  // M109, M190
+  std::size_t tool{};  // of a hotend
 };
 struct NewResolution {
   std::array<std::optional<std::int64_t>, 4> steps_per_mm{};  // in billionths
 };
+// T: one after the other, each from rest to rest; none where the nozzle stays.
+struct ToolMoves {
+  std::vector<Move> moves;
+};
 struct Rest {};  // M400: everything before it has been made
 struct QuickStop {};  // M410: what was under way stays undone
 struct NoMotion {};
-using Request =
-    std::variant<NoMotion, Move, Homing, TemperatureTarget, NewResolution, Rest, QuickStop>;
+using Request = std::variant<NoMotion, Move, ToolMoves, Homing, TemperatureTarget, NewResolution,
+                             Rest, QuickStop>;
 
 // What G10 does: M207 S and Z, with M208 S what G11 does. Marlin's defaults, those of a machine
 // without [retraction].
@@ -57,19 +67,29 @@ struct HomePlace {
   std::array<Femtometers, 3> place{};
 };
 
+// A second extruder: where its nozzle is from the first, and what a change of tools does (M217).
+struct ToolFacts {
+  std::array<Femtometers, 3> offset{};
+  Femtometers swap{}, resume{}, prime{}, lift{};
+};
+
 // What the file's motion depends on: the machine's description.
 struct MachineFacts {
   Retraction retraction;
   std::array<Femtometers, 3> travel{};  // for G27 and M428
   HomePlace home{};
+  std::optional<ToolFacts> second_tool{};
 };
 
 // Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200
-// M206 to M208 M221 M290 M400 M410 M428 and M104 M109 M140 M149 M190; all else asks no motion.
+// M206 to M208 M217 M218 M221 M290 M400 M410 M428, T and M104 M109 M140 M149 M190; all else asks
+// no motion.
 class GcodePath {
  public:
   explicit GcodePath(const MachineFacts& machine = {})
-      : facts_(machine), retraction_(machine.retraction) {}
+      : facts_(machine),
+        retraction_(machine.retraction),
+        change_(machine.second_tool.value_or(ToolFacts())) {}
 
   Request read(std::string_view command);
   const Point& position() const { return machine_; }
@@ -98,20 +118,33 @@ class GcodePath {
   Request retract();
   Request recover();
   void set_position(const GcodeWords& words);
+  std::size_t tool_of(const GcodeWords& words) const;
+  Femtometers offset(std::size_t axis) const { return tool_ == 0 ? 0 : change_.offset[axis]; }
+  // Of Point: the motor that E moves.
+  std::size_t extruder_motor() const { return 3 + tool_; }
+  Request change_tool(const GcodeWords& words);
+  void set_change(const GcodeWords& words);
+  void set_offset(const GcodeWords& words);
 
   Point machine_{};
   Point logical_{};  // what the file calls it
   FileCoordinates coordinates_;
   std::array<std::optional<Point>, 2> saved_;  // of G60, as the file calls it without shifts
   Femtometers babystep_{};  // of M290, still to be made
-  double filament_mm_{};  // the diameter of M200
+  std::array<double, 2> filament_mm_{};  // of each tool: the diameter of M200
   bool volumetric_ = false;
   MachineFacts facts_;
   Retraction retraction_;
-  std::optional<Retraction> retracted_;  // what G10 has done
-  Femtometers above_file_{};  // the machine's Z above that of the file then
-  bool has_jumped_ = false;  // since then, by a stop or homing
-  std::int64_t flow_percent_ = 100;
+  // Of each tool: what G10 has done, the machine's Z above that of the file then, and whether it
+  // has jumped since then, by a stop or homing.
+  std::array<std::optional<Retraction>, 2> retracted_;
+  std::array<Femtometers, 2> above_file_{};
+  std::array<bool, 2> has_jumped_{};
+  std::array<std::int64_t, 2> flow_percent_{100, 100};
+  ToolFacts change_;
+  std::size_t tool_ = 0;  // in use
+  std::array<Femtometers, 2> drawn_{};  // of each: what a change of tools has drawn back
+  std::array<bool, 3> homed_{};
   std::size_t plane_ = 0;  // G17 XY, G18 ZX, G19 YZ
   bool inches_ = false;
   char temperature_unit_ = 'C';  // or F or K

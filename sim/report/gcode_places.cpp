@@ -56,10 +56,11 @@ bool GcodePath::read_offsets(const GcodeWords& words) {
   if (words.is('M', 200)) {
     // In whole micrometres, as the chip says.
     if (const auto diameter = length(words, 'D')) {
-      filament_mm_ = std::round(millimeters(*diameter) * 1000) / 1000;
+      filament_mm_[tool_of(words)] = std::round(millimeters(*diameter) * 1000) / 1000;
     }
-    if (words.all().size() > 1) {
-      volumetric_ = filament_mm_ != 0 && words.value('S').value_or(billionths) >= billionths;
+    if (words.has('D') || words.has('S')) {
+      volumetric_ =
+          filament_mm_[tool_of(words)] != 0 && words.value('S').value_or(billionths) >= billionths;
     }
     return true;
   }
@@ -68,7 +69,8 @@ bool GcodePath::read_offsets(const GcodeWords& words) {
   for (std::size_t i = 0; i < straight_axes.size(); ++i) {
     auto offset = length(words, straight_axes[i]);
     if (words.is('M', 428)) {
-      offset = (machine_[i] > facts_.travel[i] / 2 ? facts_.travel[i] : 0) - machine_[i];
+      const Femtometers here = machine_[i] + this->offset(i);
+      offset = (here > facts_.travel[i] / 2 ? facts_.travel[i] : 0) - here;
     }
     if (offset) changed.set_home_offset(i, *offset);
   }
@@ -85,8 +87,9 @@ void GcodePath::rename_axes(const FileCoordinates& changed) {
 
 // By the volume of a cylinder.
 Femtometers GcodePath::filament_of(Femtometers requested) const {
-  if (!volumetric_) return requested;
-  const double area = std::numbers::pi * filament_mm_ * filament_mm_ / 4;
+  const double diameter = filament_mm_[tool_];
+  if (!volumetric_ || diameter == 0) return requested;
+  const double area = std::numbers::pi * diameter * diameter / 4;
   return static_cast<Femtometers>(std::llround(static_cast<double>(requested) / area));
 }
 

@@ -24,6 +24,7 @@ void add_heaters(Page& page, const Results& results) {
       "class=\"text\">heater</th><th>target</th><th>highest</th><th>time to target</th>"
       "<th>held within</th></tr>\n");
   add_heater_row(page, "hotend", results.hotend);
+  if (results.motors == motor_count) add_heater_row(page, "second hotend", results.second_hotend);
   add_heater_row(page, "bed", results.bed);
   add(page, "</table></div></section>\n");
 }
@@ -34,15 +35,15 @@ void add_axes(Page& page, const Results& results) {
       "class=\"text\">axis</th><th>steps forward</th><th>backward</th><th>final position</th>"
       "<th>highest step rate</th><th>motor load</th><th>illegal</th><th>while off</th>"
       "<th>slipped</th><th>at the frame</th></tr>\n");
-  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+  for (std::size_t i = 0; i < results.motors; ++i) {
     const AxisResult& axis = results.axes[i];
     add(page,
         "<tr><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}&nbsp;kHz</td>"
         "<td>{:.0f}&nbsp;%</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        static_cast<char>(axis_names[i][0] - 'a' + 'A'), grouped(axis.steps_forward),
-        grouped(axis.steps_backward), length_text(axis.final_position_mm),
-        axis.max_step_rate_hz / 1000, 100 * axis.peak_load, grouped(axis.illegal_pulses),
-        grouped(axis.disabled_pulses), grouped(axis.slipped_steps), grouped(axis.frame_steps));
+        axis_titles[i], grouped(axis.steps_forward), grouped(axis.steps_backward),
+        length_text(axis.final_position_mm), axis.max_step_rate_hz / 1000, 100 * axis.peak_load,
+        grouped(axis.illegal_pulses), grouped(axis.disabled_pulses), grouped(axis.slipped_steps),
+        grouped(axis.frame_steps));
   }
   add(page, "</table></div></section>\n");
 }

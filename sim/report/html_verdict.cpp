@@ -122,8 +122,7 @@ void add_missed(Page& page, const Results& results) {
   const char* between = "";
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (findings.missed_by_axis[i] > 0) {
-      add(page, "{}{}: {}", between, static_cast<char>(axis_names[i][0] - 'a' + 'A'),
-          grouped(findings.missed_by_axis[i]));
+      add(page, "{}{}: {}", between, axis_titles[i], grouped(findings.missed_by_axis[i]));
       between = ", ";
     }
   }

@@ -55,9 +55,9 @@ Json messages_json(const Results& results) {
   return messages;
 }
 
-Json counts_json(const std::array<std::uint64_t, 4>& counts) {
+Json counts_json(const std::array<std::uint64_t, motor_count>& counts, std::size_t motors) {
   Json json;
-  for (std::size_t i = 0; i < counts.size(); ++i) json[axis_names[i]] = counts[i];
+  for (std::size_t i = 0; i < motors; ++i) json[axis_names[i]] = counts[i];
   return json;
 }
 
@@ -110,14 +110,15 @@ std::string to_json(const Results& results) {
   json["commands_executed"] = results.commands_executed;
   json["commands_refused"] = results.commands_refused;
   json["busy_replies"] = results.busy_replies;
-  for (std::size_t i = 0; i < results.axes.size(); ++i) {
+  for (std::size_t i = 0; i < results.motors; ++i) {
     json["axes"][axis_names[i]] = axis_json(results.axes[i]);
   }
-  json["path"] = {{"max_deviation_mm", rounded(results.max_deviation_mm)},
-                  {"length_mm", rounded(results.length_mm)},
-                  {"points_reached", results.points_reached},
-                  {"points_missed", results.points_missed},
-                  {"points_missed_by_axis", counts_json(results.findings.missed_by_axis)}};
+  json["path"] = {
+      {"max_deviation_mm", rounded(results.max_deviation_mm)},
+      {"length_mm", rounded(results.length_mm)},
+      {"points_reached", results.points_reached},
+      {"points_missed", results.points_missed},
+      {"points_missed_by_axis", counts_json(results.findings.missed_by_axis, results.motors)}};
   json["lines"] = {{"refused", results.findings.refused_count},
                    {"warnings", results.findings.warning_count},
                    {"lost", results.findings.lines_lost}};
@@ -130,6 +131,7 @@ std::string to_json(const Results& results) {
                    {"max_depth", results.max_queue_depth}};
   json["hotend"] = temperature_json(results.hotend);
   json["bed"] = temperature_json(results.bed);
+  if (results.motors == motor_count) json["hotend_1"] = temperature_json(results.second_hotend);
   json["firmware"] = {{"text_bytes", results.firmware.text_bytes},
                       {"data_bytes", results.firmware.data_bytes},
                       {"bss_bytes", results.firmware.bss_bytes},

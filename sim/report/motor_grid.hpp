@@ -13,20 +13,20 @@ namespace report {
 
 HomePlace home_of(const machine::Mechanism& mechanism);
 
-// The steps of x y z e at a place, and back. `origin`: where the motors are when the firmware
+// The steps of all motors at a place, and back. `origin`: where the motors are when the firmware
 // counts 0.
 class MotorGrid {
  public:
-  using Steps = std::array<std::int64_t, 4>;
+  using Steps = std::array<std::int64_t, motor_count>;
 
   MotorGrid() = default;
   MotorGrid(std::shared_ptr<const machine::Mechanism> mechanism,
-            const std::array<Resolution, 4>& steps_per_mm, const Steps& origin)
+            const std::array<Resolution, motor_count>& steps_per_mm, const Steps& origin)
       : mechanism_(std::move(mechanism)), resolution_(steps_per_mm), origin_(origin) {}
 
   const machine::Mechanism& mechanism() const { return *mechanism_; }
   std::shared_ptr<const machine::Mechanism> shared_mechanism() const { return mechanism_; }
-  const std::array<Resolution, 4>& resolution() const { return resolution_; }
+  const std::array<Resolution, motor_count>& resolution() const { return resolution_; }
   const Steps& origin() const { return origin_; }
   void set_resolution(std::size_t motor, Resolution value) { resolution_[motor] = value; }
   void set_origin(std::size_t motor, std::int64_t steps) { origin_[motor] = steps; }
@@ -48,7 +48,7 @@ class MotorGrid {
 
  private:
   std::shared_ptr<const machine::Mechanism> mechanism_ = machine::cartesian_mechanism();
-  std::array<Resolution, 4> resolution_{};
+  std::array<Resolution, motor_count> resolution_{};
   Steps origin_{};
 };
 

@@ -177,7 +177,7 @@ std::string words_of(const MissedPoint& point) {
     const AxisArrival& axis = point.axes[i];
     if (!axis.missed) continue;
     words += fmt::format("{}{} {:+} steps: {:.3f} mm where {:.3f} mm are asked",
-                         words.empty() ? "" : "\n", static_cast<char>(axis_names[i][0] - 'a' + 'A'),
+                         words.empty() ? "" : "\n", axis_titles[i],
                          axis.reached_steps - axis.wanted_steps, axis.reached_mm, axis.wanted_mm);
   }
   return words;

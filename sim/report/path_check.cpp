@@ -44,7 +44,7 @@ void PathCheck::ask(const Move& move) {
   pass_reached_lines();
 }
 
-void PathCheck::at(const std::array<std::int64_t, 4>& position) {
+void PathCheck::at(const MotorGrid::Steps& position) {
   position_ = position;
   place_ = grid_.place_mm(position_);
   if (items_.empty() || items_.front().homing) return;
@@ -80,7 +80,7 @@ void PathCheck::watch_z_and_e(Item& item) {
   const double part = part_of_way(item);
   const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
   if (item.apart || !long_enough || part < middle_from || part > middle_to) return;
-  for (const std::size_t axis : {2UZ, 3UZ}) {
+  for (const std::size_t axis : {2UZ, 3UZ, 4UZ}) {
     if (axis == 2 && !grid_.mechanism().has_own_z()) continue;
     const bool turns = item.arc && (axis == item.arc->first || axis == item.arc->second);
     if (turns || std::abs(way(axis)) < least_steps) continue;

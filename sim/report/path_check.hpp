@@ -24,7 +24,7 @@ class PathCheck {
   void ask(const Move& move);
   void ask_homing() { items_.push_back({.homing = true}); }
   // The axes stand here now, mechanical.
-  void at(const std::array<std::int64_t, 4>& position);
+  void at(const MotorGrid::Steps& position);
   // All requested motion is complete, or will not be made.
   void finish();
   void forget() { items_.clear(); }
@@ -40,7 +40,7 @@ class PathCheck {
   struct Item {
     bool homing{};
     std::array<double, 2> from{}, to{};  // mm, machine
-    std::array<std::int64_t, 4> start{}, target{};  // steps, mechanical
+    MotorGrid::Steps start{}, target{};  // steps, mechanical
     bool apart{};
     std::optional<ArcShape> arc{};
     bool left{};  // an arc that ends where it begins has been away from there
@@ -59,7 +59,7 @@ class PathCheck {
 
   std::array<double, 3> steps_per_mm_{1, 1, 1};
   MotorGrid grid_;
-  std::array<std::int64_t, 4> position_{};
+  MotorGrid::Steps position_{};
   std::array<double, 3> place_{};  // of the tool, mm
   std::deque<Item> items_;
   double max_deviation_mm_ = 0;

@@ -2,6 +2,7 @@
 // From commands and edges to points and states, in the order in which they came about.
 #include "sim/report/point_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,9 +32,9 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
                        sim::ClockRate rate, const MachineFacts& machine,
                        std::shared_ptr<const machine::Mechanism> mechanism)
     : rate_(rate), gcode_(machine), match_({.position = start}) {
-  std::array<Resolution, 4> resolution{};
+  std::array<Resolution, motor_count> resolution{};
   for (std::size_t i = 0; i < resolution.size(); ++i) {
-    resolution[i] = resolution_of(steps_per_mm[i]);
+    resolution[i] = resolution_of(steps_per_mm[std::min(i, extruder)]);
   }
   grid_ = MotorGrid(std::move(mechanism), resolution, start);
   grid_.move_origin({}, start);
@@ -101,6 +102,10 @@ void PointCheck::carry_out(const SentCommand& command) {
     ask(*move, command);
     return;
   }
+  if (const ToolMoves* change = std::get_if<ToolMoves>(&request)) {
+    for (const Move& part : change->moves) ask(part, command);
+    return;
+  }
   if (std::holds_alternative<NoMotion>(request) ||
       std::holds_alternative<TemperatureTarget>(request)) {
     return;
@@ -132,7 +137,9 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
     path_.ask(move);
   }
   length_mm_ += length_of(move);
-  if (command.extrusion_prevented) gcode_.stand_at(extruder, move.from[extruder]);
+  for (std::size_t i = extruder; i < motor_count && command.extrusion_prevented; ++i) {
+    gcode_.stand_at(i, move.from[i]);
+  }
 }
 
 // The steps there and back again, beyond those from start to end.
@@ -196,7 +203,7 @@ Steps PointCheck::home_motors(const Homing& homing) {
 void PointCheck::change_resolution(const NewResolution& resolution) {
   const Steps before = grid_.steps_at(gcode_.position());
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (const auto value = resolution.steps_per_mm[i]; value && *value > 0) {
+    if (const auto value = resolution.steps_per_mm[std::min(i, extruder)]; value && *value > 0) {
       grid_.set_resolution(i, *value);
       const Steps now = grid_.steps_at(gcode_.position());
       grid_.set_origin(i, grid_.origin()[i] + before[i] - now[i]);

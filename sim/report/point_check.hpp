@@ -44,11 +44,12 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   struct Judgement {
     std::uint64_t reached{};
     std::uint64_t missed{};
-    std::array<std::uint64_t, 4> missed_by_axis{};
+    std::array<std::uint64_t, motor_count> missed_by_axis{};
     std::vector<MissedPoint> list;  // up to a bound
     Steps unasked_steps{};  // made beyond those between the points
-    std::array<bool, 4> homed_elsewhere{};  // G28 ended away from the end stop
-    std::array<bool, 4> moved_after_end{};  // where all was made, the axis stands elsewhere
+    std::array<bool, motor_count> homed_elsewhere{};  // G28 ended away from the end stop
+    std::array<bool, motor_count>
+        moved_after_end{};  // where all was made, the axis stands elsewhere
   };
   // Of everything so far; lines that are still under way are neither reached nor missed.
   Judgement judgement() const;

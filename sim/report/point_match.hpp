@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/gcode_path.hpp"
 #include "sim/simulation/pins.hpp"
 
 namespace report {
 
-using Steps = std::array<std::int64_t, 4>;  // x y z e, mechanical
+using Steps = std::array<std::int64_t, motor_count>;  // mechanical
 
 struct RequestedLine {
   std::size_t file_line{};

@@ -18,6 +18,13 @@ std::array<std::int64_t, 4> start_positions(const machine::Printer& printer) {
   return positions;
 }
 
+// A second extruder begins at 0.
+Steps start_of_motors(const machine::Printer& printer) {
+  Steps steps{};
+  std::ranges::copy(start_positions(printer), steps.begin());
+  return steps;
+}
+
 std::array<double, 4> resolutions(const machine::Printer& printer) {
   std::array<double, 4> steps_per_mm{};
   for (std::size_t i = 0; i < steps_per_mm.size(); ++i) {
@@ -39,6 +46,16 @@ MachineFacts facts_of(const machine::Printer& printer) {
   for (std::size_t i = 0; i < facts.travel.size(); ++i) {
     facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
   }
+  if (const auto& tool = printer.description().second_tool) {
+    ToolFacts& second = facts.second_tool.emplace();
+    for (std::size_t i = 0; i < second.offset.size(); ++i) {
+      second.offset[i] = length(tool->offset_mm[i]);
+    }
+    second.swap = length(tool->swap_mm);
+    second.resume = length(tool->resume_mm);
+    second.prime = length(tool->prime_mm);
+    second.lift = length(tool->lift_mm);
+  }
   return facts;
 }
 
@@ -49,7 +66,7 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
     : printer_(printer),
       host_(host),
       simulation_(simulation),
-      points_(resolutions(printer), start_positions(printer), simulation.rate(), facts_of(printer),
+      points_(resolutions(printer), start_of_motors(printer), simulation.rate(), facts_of(printer),
               printer.description().mechanism),
       tool_path_(simulation.rate(), resolutions(printer), start_positions(printer),
                  printer.description().mechanism),
@@ -57,8 +74,9 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
       axis_courses_(simulation.rate(), resolutions(printer), start_positions(printer)),
       steps_(simulation.rate()),
       chip_record_(simulation.chip(), simulation.rate()),
-      hotend_(false, simulation.rate(), printer.description().hotend.heater_channel,
-              [&printer] { return printer.hotend_c(); }),
+      hotend_(
+          false, simulation.rate(), printer.description().hotend.heater_channel,
+          [&printer] { return printer.hotend_c(); }, facts_of(printer)),
       bed_(true, simulation.rate(), printer.description().bed.heater_channel,
            [&printer] { return printer.bed_c(); }),
       messages_(simulation.rate()) {
@@ -77,6 +95,15 @@ Recorder::Recorder(machine::Printer& printer, devices::Host& host, sim::Simulati
                     sim::Activity::host_and_report);
   simulation.attach(chip_record_, {}, sim::Activity::host_and_report);
   host.add_listener(*this);
+  if (description.second_tool) {
+    const std::size_t channel = description.second_tool->hotend.heater_channel;
+    second_hotend_.emplace(
+        false, simulation.rate(), channel, [&printer] { return printer.second_hotend_c(); },
+        facts_of(printer), 1);
+    simulation.attach(*second_hotend_, sim::OutputPins::heater_pin(channel),
+                      sim::Activity::host_and_report);
+    host.add_listener(*second_hotend_);
+  }
   for (devices::HostListener* listener : std::initializer_list<devices::HostListener*>{
            &points_, &refusals_, &requested_path_, &hotend_, &bed_, &messages_}) {
     host.add_listener(*listener);
@@ -139,7 +166,8 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   results.commands_executed = host.commands_executed;
   results.commands_refused = host.commands_refused;
   results.busy_replies = host.busy_replies;
-  for (std::size_t i = 0; i < results.axes.size(); ++i) results.axes[i] = axis_result(i);
+  results.motors = printer_.motors();
+  for (std::size_t i = 0; i < results.motors; ++i) results.axes[i] = axis_result(i);
   results.max_deviation_mm = points_.max_deviation_mm();
   results.length_mm = points_.length_mm();
   results.max_deviation_steps = points_.max_deviation_steps();
@@ -157,6 +185,7 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   }
   results.hotend = hotend_.result();
   results.bed = bed_.result();
+  if (second_hotend_) results.second_hotend = second_hotend_->result();
   results.firmware = {firmware.sizes.text_bytes, firmware.sizes.data_bytes,
                       firmware.sizes.bss_bytes, stack_peak_bytes(firmware, chip)};
   const auto cycles = static_cast<double>(chip.now());
@@ -184,7 +213,8 @@ Courses Recorder::courses() const {
                   .bed = bed_.samples(),
                   .axes = axis_courses_.courses(simulation_.now()),
                   .chip = chip_record_.course(),
-                  .intervals = steps_.intervals()};
+                  .intervals = {}};
+  std::copy_n(steps_.intervals().begin(), courses.intervals.size(), courses.intervals.begin());
   for (std::size_t i = 0; i < courses.limits.size(); ++i) {
     const machine::AxisDescription& axis = printer_.description().axes[i];
     courses.limits[i] = {axis.steps_per_mm, axis.max_speed_mm_s, axis.max_acceleration_mm_s2,

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "sim/devices/host_listener.hpp"
 #include "sim/machine/printer.hpp"
@@ -59,6 +60,7 @@ class Recorder : public devices::HostListener {
   ChipRecord chip_record_;
   TemperatureRecord hotend_;
   TemperatureRecord bed_;
+  std::optional<TemperatureRecord> second_hotend_;
   MessageLog messages_;
   std::unique_ptr<EdgeFile> edges_;
 };

@@ -34,6 +34,8 @@ class RequestedPath : public devices::HostListener {
   const std::vector<RequestedMove>& lines() const { return lines_; }
 
  private:
+  void add(const Move& move, RequestedMove line);
+
   sim::ClockRate rate_;
   GcodePath gcode_;
   std::vector<RequestedMove> lines_;

@@ -55,7 +55,8 @@ struct Results {
   std::uint64_t commands_executed{};
   std::uint64_t commands_refused{};
   std::uint64_t busy_replies{};
-  std::array<AxisResult, 4> axes{};
+  std::size_t motors = 4;  // x y z e, and where there is one that of a second extruder
+  std::array<AxisResult, motor_count> axes{};
   double max_deviation_mm{};
   double length_mm{};
   double max_deviation_steps{};  // the same in steps of the coarser of X and Y
@@ -67,6 +68,7 @@ struct Results {
   std::uint64_t max_queue_depth{};
   TemperatureResult hotend{};
   TemperatureResult bed{};
+  TemperatureResult second_hotend{};  // where there is one
   FirmwareResult firmware;
   double processor_busy_percent{};
   double moving_seconds{};
@@ -101,7 +103,7 @@ struct Courses {
   std::array<AxisCourse, AxisCourses::axes> axes;
   std::array<AxisLimits, AxisCourses::axes> limits{};
   ChipCourse chip;
-  std::array<StepStatistics::Histogram, StepStatistics::axes> intervals{};
+  std::array<StepStatistics::Histogram, AxisCourses::axes> intervals{};
 };
 
 constexpr const char* name_of(Outcome outcome) {
@@ -116,6 +118,7 @@ constexpr const char* name_of(Outcome outcome) {
   return "";
 }
 
-inline constexpr std::array<const char*, 4> axis_names{"x", "y", "z", "e"};
+inline constexpr std::array<const char*, motor_count> axis_names{"x", "y", "z", "e", "e1"};
+inline constexpr std::array<const char*, motor_count> axis_titles{"X", "Y", "Z", "E", "E1"};
 
 }  // namespace report

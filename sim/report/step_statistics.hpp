@@ -12,7 +12,7 @@ namespace report {
 
 class StepStatistics : public devices::StepListener {
  public:
-  static constexpr std::size_t axes = 4;
+  static constexpr std::size_t axes = 5;  // x y z e, and e of a second extruder
   // Intervals from 1 us to 1 s in logarithmic bins.
   static constexpr std::size_t bins_per_decade = 20;
   static constexpr std::size_t bins = 6 * bins_per_decade;

@@ -13,8 +13,14 @@ constexpr double arrived_c = 1.0;
 }  // namespace
 
 TemperatureRecord::TemperatureRecord(bool bed, sim::ClockRate rate, std::size_t heater_channel,
-                                     std::function<double()> celsius)
-    : bed_(bed), rate_(rate), heater_channel_(heater_channel), celsius_(std::move(celsius)) {
+                                     std::function<double()> celsius, const MachineFacts& machine,
+                                     std::size_t tool)
+    : bed_(bed),
+      tool_(tool),
+      rate_(rate),
+      heater_channel_(heater_channel),
+      celsius_(std::move(celsius)),
+      gcode_(machine) {
   next_wake_ = 0;
 }
 
@@ -52,7 +58,9 @@ void TemperatureRecord::wake(sim::Clock now) {
 void TemperatureRecord::command_sent(sim::Clock now, std::size_t, std::string_view command) {
   const Request request = gcode_.read(command);
   const TemperatureTarget* target = std::get_if<TemperatureTarget>(&request);
-  if (target == nullptr || target->bed != bed_) return;
+  if (target == nullptr) return;
+  last_is_ours_ = target->bed == bed_ && (bed_ || target->tool == tool_);
+  if (!last_is_ours_) return;
   if (target->celsius > 0 && result_.target_c <= 0) first_requested_seconds_ = rate_.seconds(now);
   held_ = held_ && target->celsius == target_c_;
   target_c_ = target->celsius;
@@ -62,7 +70,7 @@ void TemperatureRecord::command_sent(sim::Clock now, std::size_t, std::string_vi
 void TemperatureRecord::command_acknowledged(sim::Clock, std::size_t, std::string_view command,
                                              bool executed) {
   const bool waited = command.starts_with(bed_ ? "M190" : "M109");
-  if (waited && executed && target_c_ > 0) held_ = true;
+  if (waited && executed && target_c_ > 0 && last_is_ours_) held_ = true;
 }
 
 TemperatureResult TemperatureRecord::result() const {

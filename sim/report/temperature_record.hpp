@@ -29,8 +29,10 @@ struct TemperatureResult {
 class TemperatureRecord : public sim::Device, public devices::HostListener {
  public:
   // `celsius` reads the true temperature of the plant. To be attached to the pin of the heater.
+  // Where it is a hotend, it is that of this tool.
   TemperatureRecord(bool bed, sim::ClockRate rate, std::size_t heater_channel,
-                    std::function<double()> celsius);
+                    std::function<double()> celsius, const MachineFacts& machine = {},
+                    std::size_t tool = 0);
 
   void pins_changed(sim::Clock now, sim::OutputPins pins, sim::OutputPins changed) override;
   void wake(sim::Clock now) override;
@@ -47,6 +49,7 @@ class TemperatureRecord : public sim::Device, public devices::HostListener {
   double take_duty(sim::Clock now);
 
   bool bed_;
+  std::size_t tool_;
   sim::ClockRate rate_;
   std::size_t heater_channel_;
   std::function<double()> celsius_;
@@ -59,6 +62,7 @@ class TemperatureRecord : public sim::Device, public devices::HostListener {
   double target_c_ = 0;
   double first_requested_seconds_ = 0;
   bool held_ = false;
+  bool last_is_ours_ = false;  // of the commands that set a target
   TemperatureResult result_{.target_c = 0, .max_c = -300, .seconds_to_target = -1, .band_c = 0};
 };
 

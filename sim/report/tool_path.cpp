@@ -95,7 +95,10 @@ void ToolPath::keep_present() {
 }
 
 void ToolPath::stepped(const devices::StepEdge& edge) {
-  if (edge.axis >= positions_.size()) return;
+  if (edge.axis >= positions_.size()) {
+    extruder_stepped(edge.direction);  // the second one
+    return;
+  }
   if (edge.axis == 3) {
     positions_[3] = edge.position;
     extruder_stepped(edge.direction);

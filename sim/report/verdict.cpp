@@ -18,32 +18,28 @@ constexpr double widest_band_c = 10.0;
 const char* plural(std::uint64_t count) { return count == 1 ? "" : "s"; }
 
 // "X 3, E 27"
-std::string by_axis(const std::array<std::uint64_t, 4>& counts) {
+std::string by_axis(const std::array<std::uint64_t, motor_count>& counts) {
   std::string text;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > 0) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                          static_cast<char>(axis_names[i][0] - 'a' + 'A'), counts[i]);
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis_titles[i], counts[i]);
     }
   }
   return text;
 }
 
 // "X, E"
-std::string names_of(const std::array<bool, 4>& axes) {
+std::string names_of(const std::array<bool, motor_count>& axes) {
   std::string text;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (axes[i]) {
-      text += fmt::format("{}{}", text.empty() ? "" : ", ",
-                          static_cast<char>(axis_names[i][0] - 'a' + 'A'));
-    }
+    if (axes[i]) text += fmt::format("{}{}", text.empty() ? "" : ", ", axis_titles[i]);
   }
   return text;
 }
 
 template <class Count>
 std::string by_axis(const Results& results, Count count) {
-  std::array<std::uint64_t, 4> counts{};
+  std::array<std::uint64_t, motor_count> counts{};
   std::ranges::transform(results.axes, counts.begin(), count);
   return by_axis(counts);
 }

@@ -31,7 +31,7 @@ OutputPins sampled_output_pins(const Model& model) {
                        std::uint64_t{model.heater_supply} << OutputPins::heater_supply_bit |
                        std::uint64_t{model.fault} << OutputPins::fault_bit |
                        std::uint64_t{model.tdo} << OutputPins::jtag_bit;
-  for (unsigned channel = 0; channel < sensor_count; ++channel) {
+  for (unsigned channel = 0; channel < most_heaters; ++channel) {
     const std::uint64_t drive =
         model.sensor_drive_enable >> (channel_pins * channel) & channel_mask;
     const std::uint64_t level = model.sensor_drive_level >> (channel_pins * channel) & channel_mask;

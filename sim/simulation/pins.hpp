@@ -14,8 +14,10 @@ using Clock = std::uint64_t;
 inline constexpr Clock never = std::numeric_limits<Clock>::max();
 
 inline constexpr std::size_t axis_count = 5;  // x y z e0 e1
-inline constexpr std::size_t sensor_count = 2;  // hotend, bed
-inline constexpr std::size_t heater_count = 2;  // hotend, bed
+inline constexpr std::size_t sensor_count = 2;  // of the default chip: hotend, bed
+inline constexpr std::size_t heater_count = 2;
+// Of each, where there is a second hotend.
+inline constexpr std::size_t most_heaters = 3;
 inline constexpr std::size_t end_stop_count = 8;
 
 // The three resistors of a sensor channel through which the chip charges its capacitor, in the
@@ -35,7 +37,7 @@ struct OutputPins {
   static constexpr unsigned fault_bit = 30;
   static constexpr unsigned jtag_bit = 31;
   static constexpr unsigned sensor_bit =
-      32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level; 2 of them
+      32;  // channel n: 8 bits from here + 8 n: 3 drive, 3 level; at most 3 of them
   static constexpr unsigned sensor_level_bit = 3;
   static constexpr unsigned heater_supply_bit = 63;
 

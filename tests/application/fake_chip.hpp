@@ -48,13 +48,16 @@ class FakeChip {
     bool tripped{};
   };
   // As the default machine describes hotend and bed: power, capacity, losses, lags.
-  std::array<Heater, 2> heaters{
+  // The third is a second hotend, which only some machines have.
+  std::array<Heater, 3> heaters{
       {{.celsius_per_second_at_full_power = 2.76, .loss_per_second = 0.0048, .lag_seconds = 2.5},
-       {.celsius_per_second_at_full_power = 0.222, .loss_per_second = 0.002, .lag_seconds = 6.7}}};
+       {.celsius_per_second_at_full_power = 0.222, .loss_per_second = 0.002, .lag_seconds = 6.7},
+       {.celsius_per_second_at_full_power = 2.76, .loss_per_second = 0.0048, .lag_seconds = 2.5}}};
   std::uint64_t first_reading{clock_hz / 20};  // of temperatures; there is none before
 
+  static constexpr std::size_t axes = 5;  // X Y Z E0 E1
   // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
-  std::array<std::int64_t, 4> mechanical{1000, 1000, 30'000, 0};
+  std::array<std::int64_t, axes> mechanical{1000, 1000, 30'000, 0, 0};
   bool end_stops_work{true};
   std::uint32_t end_stops_stuck{};  // closed, wherever the axis is; bit = axis
   // The nozzle's height above its end stop at which the probe on input 3 triggers, in mm, by the
@@ -63,7 +66,7 @@ class FakeChip {
   std::function<double(double x, double y)> probe_mm;
   std::array<double, 3> steps_per_mm{};  // for it
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
-  std::array<std::int32_t, 4> position{};  // the hardware's counters
+  std::array<std::int32_t, axes> position{};  // the hardware's counters
   std::uint32_t motors{};
   std::uint32_t fan_duty{};
   std::uint32_t heater_duty(std::size_t channel) const { return word(duty_address(channel)); }
@@ -83,7 +86,7 @@ class FakeChip {
 
  private:
   struct Segment {
-    std::array<std::int64_t, 4> steps{};
+    std::array<std::int64_t, axes> steps{};
     std::int64_t line_ticks{};
     std::int64_t ticks{};
     double rate{};  // ticks per clock

@@ -58,7 +58,7 @@ void FakeChip::commit() {
       static_cast<double>(static_cast<std::int64_t>(
           wide(steps::SegmentAccelerationLow::address, steps::SegmentAccelerationHigh::address))),
       -84);
-  for (std::size_t axis = 0; axis < 4; ++axis) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     const std::int64_t count = word(steps::SegmentSteps::address_of(axis));
     segment.steps[axis] = (flags.backward >> axis & 1u) != 0 ? -count : count;
   }
@@ -101,7 +101,7 @@ std::int64_t FakeChip::steps_until(std::size_t axis, std::int64_t line_tick) con
 void FakeChip::walk_to(std::int64_t line_tick) {
   if (line_tick <= line_tick_) return;
   const std::int64_t last = tick_of_stop(line_tick);
-  for (std::size_t axis = 0; axis < 4; ++axis) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     const std::int64_t steps = steps_until(axis, last) - steps_until(axis, line_tick_);
     position[axis] += static_cast<std::int32_t>(steps);
     mechanical[axis] += steps;

@@ -204,6 +204,40 @@ TEST(machine_generator, takes_every_machine_of_the_project) {
   EXPECT_THAT(header, HasSubstr("{.x = units::Nanometers{0}, .y = units::Nanometers{105000000}}"));
 }
 
+TEST(machine_generator, takes_a_second_extruder) {
+  const std::string header =
+      machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/two_extruders.toml");
+  for (const char* value :
+       {".second_tool = application::SecondTool{", ".sensor_channel = 2, .heater_channel = 2",
+        ".offset = {units::Nanometers{18000000}, units::Nanometers{500000}, units::Nanometers{0}}",
+        ".swap = units::Nanometers{4000000}", ".lift = units::Nanometers{1000000}",
+        ".retract_speed = units::MicrometersPerSecond{40000}"}) {
+    EXPECT_THAT(header, HasSubstr(value));
+  }
+  EXPECT_THAT(machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/delta.toml"),
+              testing::Not(HasSubstr("second_tool")));
+}
+
+TEST(machine_generator, names_mistakes_in_a_second_extruder) {
+  const std::string machine = "two_extruders.toml";
+  EXPECT_THAT(complaint_about(machine, "[18.0, 0.5, 0.0]", "[18.0, 0.5]"),
+              HasSubstr("tool_1.offset_mm: must be a list of 3 numbers"));
+  EXPECT_THAT(complaint_about(machine, "[18.0, 0.5, 0.0]", "[1800.0, 0.5, 0.0]"),
+              HasSubstr("tool_1.offset_mm: is 1800, but must be -1000 to 1000"));
+  EXPECT_THAT(complaint_about(machine, "sensor_channel = 2", "sensor_channel = 1"),
+              HasSubstr("tool_1.hotend.sensor_channel: is the channel of another heater already"));
+  EXPECT_THAT(complaint_about(machine, "heater_channel = 2", "heater_channel = 0"),
+              HasSubstr("tool_1.hotend.heater_channel: is the channel of another heater already"));
+  EXPECT_THAT(complaint_about(machine, "lift_mm = 1.0", "lift_mm = -1.0"),
+              HasSubstr("tool_change.lift_mm: is -1, but must be 0 to 200"));
+  EXPECT_THAT(complaint_about(machine, "[tool_1.hotend.control]", "[tool_1.hotend.gains]"),
+              HasSubstr("tool_1.hotend.control: is missing"));
+  EXPECT_THAT(complaint_about(machine, "[tool_change]", "[change_of_tools]"),
+              HasSubstr("tool_change: is missing"));
+  EXPECT_THAT(complaint_about(machine, "offset_mm", "offsets_mm"),
+              HasSubstr("tool_1.offset_mm: is missing"));
+}
+
 TEST(machine_generator, names_kinematics_that_do_not_fit) {
   const std::string core_xy = "core_xy.toml", delta = "delta.toml";
   EXPECT_THAT(complaint("kinematics = \"cartesian\"", "kinematics = \"polar\""),

@@ -3,8 +3,8 @@ add_subdirectory(${CMAKE_SOURCE_DIR}/tests/motion_reference ${CMAKE_BINARY_DIR}/
 add_verilated_model(step_generator_model TOP step_generator)
 
 add_unit_test(step_generator_test
-  SOURCES step_generator_test.cpp step_generator_control_test.cpp step_generator_override_test.cpp
-    step_generator_ramp_test.cpp step_generator_rate_test.cpp step_generator_refusal_test.cpp
+  SOURCES step_generator_test.cpp step_generator_control_test.cpp step_generator_extruder_test.cpp
+    step_generator_override_test.cpp step_generator_ramp_test.cpp step_generator_rate_test.cpp step_generator_refusal_test.cpp
     step_generator_settings_test.cpp step_generator_stop_test.cpp
     ${CMAKE_SOURCE_DIR}/firmware/drivers/step_generator.cpp
   LIBRARIES verilated_bus step_generator_model

@@ -66,8 +66,12 @@ TEST(replies, report_temperatures_as_marlin) {
   const HeaterState bed{Millicelsius(59'996), Millicelsius(60'000), 0};
   const std::string report = text(temperature_report(hotend, bed));
   EXPECT_EQ(report, " T:205.10 /205.00 B:60.00 /60.00 @:64 B@:0");
-  EXPECT_EQ(text(heating_report(hotend, bed, 3)), report + " W:3");
-  EXPECT_EQ(text(heating_report(hotend, bed, std::nullopt)), report + " W:?");
+  host_link::TextLine waiting = temperature_report(hotend, bed);
+  add_waiting_time(waiting, 3);
+  EXPECT_EQ(text(waiting), report + " W:3");
+  waiting = temperature_report(hotend, bed);
+  add_waiting_time(waiting, std::nullopt);
+  EXPECT_EQ(text(waiting), report + " W:?");
   // Printrun's expression finds the hotend and its target.
   const std::regex printrun(R"(([TB]\d*):([-+]?\d*\.?\d*)(?: ?\/)?([-+]?\d*\.?\d*))");
   std::smatch match;

@@ -43,7 +43,7 @@ TEST_F(PointCheckTest, misses_a_prevented_extrusion_and_judges_the_lines_behind_
   send("M400");
   EXPECT_EQ(reached(), 1U);
   EXPECT_EQ(missed(), 1U);
-  EXPECT_THAT(check.judgement().missed_by_axis, ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(check.judgement().missed_by_axis, ElementsAre(0, 0, 0, 1, 0));
   EXPECT_EQ(check.judgement().list.at(0).axes[3].wanted_mm, 5);
 }
 

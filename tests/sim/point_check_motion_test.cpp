@@ -33,10 +33,10 @@ TEST_F(PointCheckTest, finds_homing_that_ends_away_from_the_end_stop) {
   send("G28 X Y");
   send("G1 X30 Y1 F1200");
   go_to(30, 1);
-  EXPECT_THAT(check.judgement().homed_elsewhere, ElementsAre(false, false, false, false));
+  EXPECT_THAT(check.judgement().homed_elsewhere, ElementsAre(false, false, false, false, false));
   begin("G28 X");
   end();
-  EXPECT_THAT(check.judgement().homed_elsewhere, ElementsAre(true, false, false, false));
+  EXPECT_THAT(check.judgement().homed_elsewhere, ElementsAre(true, false, false, false, false));
 }
 
 TEST_F(PointCheckTest, finds_motion_after_the_last_line) {
@@ -45,10 +45,10 @@ TEST_F(PointCheckTest, finds_motion_after_the_last_line) {
   go_to(3, 0);
   send("M400");
   clock += 1000;
-  EXPECT_THAT(check.judgement().moved_after_end, ElementsAre(false, false, false, false));
+  EXPECT_THAT(check.judgement().moved_after_end, ElementsAre(false, false, false, false, false));
   go_to(240, 0, 5, 0);
   clock += 1000;
-  EXPECT_THAT(check.judgement().moved_after_end, ElementsAre(false, false, true, false));
+  EXPECT_THAT(check.judgement().moved_after_end, ElementsAre(false, false, true, false, false));
 }
 
 TEST_F(PointCheckTest, measures_how_far_a_path_leaves_the_line) {
@@ -60,7 +60,7 @@ TEST_F(PointCheckTest, measures_how_far_a_path_leaves_the_line) {
   go_to(10, 0);
   send("M400");
   EXPECT_NEAR(check.max_deviation_mm(), 0.25, 1e-9);
-  EXPECT_THAT(unasked(), ElementsAre(0, 40, 0, 0));
+  EXPECT_THAT(unasked(), ElementsAre(0, 40, 0, 0, 0));
 }
 
 TEST_F(PointCheckTest, follows_arcs_and_full_circles) {
@@ -80,7 +80,7 @@ TEST_F(PointCheckTest, follows_arcs_and_full_circles) {
   send("M400");
   EXPECT_EQ(missed(), 0U);
   EXPECT_EQ(reached(), 4U);
-  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 0, 0));
   EXPECT_LT(check.max_deviation_steps(), 1.0);
   EXPECT_NEAR(check.length_mm(), std::hypot(20, 10) + 30 * std::numbers::pi + std::hypot(5, 10),
               1e-6);
@@ -116,7 +116,7 @@ TEST_F(PointCheckTest, finds_steps_that_no_line_asks_for_although_all_points_are
   go_to(20, 0);
   send("M400");
   EXPECT_EQ(missed(), 0U);
-  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 14));
+  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 14, 0));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST_F(PointCheckTest, passes_a_path_that_keeps_to_the_lines) {
   send("M400");
   EXPECT_EQ(missed(), 0U);
   EXPECT_EQ(reached(), 3U);
-  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 0, 0));
   EXPECT_LT(check.max_deviation_mm(), 1.0 / 80);
   EXPECT_NEAR(check.length_mm(), std::hypot(10.001, 5.503) + (20.3 - 10.001) + (7 - 5.503), 1e-9);
 }
@@ -79,7 +79,7 @@ TEST_F(PointCheckTest, misses_all_points_behind_a_lost_step_and_finds_none_of_th
   send("M400");
   EXPECT_EQ(reached(), 5U);
   EXPECT_EQ(missed(), 15U);
-  EXPECT_THAT(check.judgement().missed_by_axis, ElementsAre(15, 0, 0, 0));
+  EXPECT_THAT(check.judgement().missed_by_axis, ElementsAre(15, 0, 0, 0, 0));
 }
 
 TEST_F(PointCheckTest, rounds_to_the_nearest_step_and_halves_away_from_zero) {

@@ -105,9 +105,11 @@ TEST(EdgeFile, has_the_columns_of_the_contract) {
   report::EdgeFile edges(file);
   edges.stepped({12, 0, 1, 101});
   edges.stepped({12, 3, -1, -7});
-  edges.stepped({13, 4, 1, 1});  // a second extruder has no column name
+  edges.stepped({13, 4, 1, 1});  // a second extruder
+  edges.stepped({14, 5, 1, 1});  // none has a name
   edges.close();
-  EXPECT_EQ(files::text_of(file), "cycle,axis,direction,position\n12,x,1,101\n12,e,-1,-7\n");
+  EXPECT_EQ(files::text_of(file),
+            "cycle,axis,direction,position\n12,x,1,101\n12,e,-1,-7\n13,e1,1,1\n");
   fs::remove(file);
 }
 

@@ -90,9 +90,16 @@ void build(const std::vector<std::string>& targets) {
 sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
   const std::string header = machine_generator::header_of(description);
   const machine_generator::Machine machine = machine_generator::read_machine(description);
+  const bool two_tools = machine.description.tools() > 1;
+  if (two_tools && stepping == "software") {
+    throw std::runtime_error(fmt::format(
+        "{}: with two extruders the step generator makes the steps: omit --stepping software",
+        description.string()));
+  }
   const std::string image_name =
-      fmt::format("other_machine_{}_{}", stepping,
-                  machine_generator::kinematics_name(machine.description.kinematics));
+      fmt::format("other_machine_{}_{}{}", stepping,
+                  machine_generator::kinematics_name(machine.description.kinematics),
+                  two_tools ? "_two_tools" : "");
   const std::string memory =
       fmt::format("--defsym=chip_memory_bytes={}\n",
                   std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));

@@ -19,6 +19,7 @@
 #include "tools/command/output.hpp"
 #include "tools/command/plan_job.hpp"
 #include "tools/command/print_job.hpp"
+#include "tools/command/printer_setup.hpp"
 #include "tools/command/run_job.hpp"
 #include "tools/command/serve_job.hpp"
 #include "tools/command/signals.hpp"
@@ -71,6 +72,12 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (traces && !this_is_program(arguments[0], "stepfabric_traced")) {
     become_other_program("stepfabric_traced", "writes waveforms, with the processor by its netlist",
                          count, arguments);
+  }
+  for (const PrinterChoices* choices : {&jobs.print.printer, &jobs.serve.printer}) {
+    if (jobs.print.board.empty() && !traces && has_two_extruders(*choices) &&
+        !this_is_program(arguments[0], "stepfabric_two_tools")) {
+      become_other_program("stepfabric_two_tools", "has three heaters", count, arguments);
+    }
   }
   if (const std::string& board = jobs.print.board; !board.empty()) {
     const std::string name = "stepfabric_" + board;

@@ -89,7 +89,7 @@ class Saturation {
 
   static std::uint64_t steps_of(const machine::Printer& printer) {
     std::uint64_t steps = 0;
-    for (std::size_t axis = 0; axis < machine::axis_count; ++axis) {
+    for (std::size_t axis = 0; axis < printer.motors(); ++axis) {
       steps += printer.motor(axis).counts().forward + printer.motor(axis).counts().backward;
     }
     return steps;

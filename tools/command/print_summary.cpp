@@ -40,8 +40,7 @@ void show_missed(const report::MissedPoint& point) {
     const report::AxisArrival& axis = point.axes[i];
     if (axis.missed) {
       axes += fmt::format("{}{} {:.4f} instead of {:.4f} mm", axes.empty() ? "" : ", ",
-                          static_cast<char>(report::axis_names[i][0] - 'a' + 'A'), axis.reached_mm,
-                          axis.wanted_mm);
+                          report::axis_titles[i], axis.reached_mm, axis.wanted_mm);
     }
   }
   say("    line {}: {:.60}: {}\n", point.file_line, point.text, axes);

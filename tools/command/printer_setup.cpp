@@ -31,6 +31,15 @@ machine::Description description_of(const PrinterChoices& choices) {
   return machine::read_description(choices.machine.empty() ? default_machine() : choices.machine);
 }
 
+bool has_two_extruders(const PrinterChoices& choices) {
+  if (choices.machine.empty()) return false;
+  try {
+    return description_of(choices).second_tool.has_value();
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 PrinterSetup::PrinterSetup(const PrinterChoices& choices, const StartTemperatures& warm)
     : description_(description_of(choices)),
       firmware_(built_firmware(choices)),

@@ -18,6 +18,9 @@ struct StartTemperatures {
 
 // Of the machine that was chosen. Throws std::runtime_error where it cannot be read.
 machine::Description description_of(const PrinterChoices& choices);
+// Whether it has two extruders, and so more heaters than the default chip; false where it cannot be
+// read, which the job then says.
+bool has_two_extruders(const PrinterChoices& choices);
 
 // Builds the firmware and reads the machine description: throws std::runtime_error
 // where that fails.

@@ -17,6 +17,7 @@ namespace {
 constexpr std::int64_t thousand = 1000;
 constexpr std::int64_t nanometers_per_mm = 1'000'000;
 constexpr std::int64_t max_travel_nanometers = 100'000'000'000;
+constexpr std::int64_t farthest_offset_nanometers = 1'000'000'000;
 constexpr std::int64_t max_driver_ns = 100'000;
 constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t least_memory_kib = 64, most_memory_kib = 256;
@@ -71,6 +72,12 @@ drivers::DriverChipTimings driver_timings(Reader driver) {
   return timings;
 }
 
+drivers::DriverChipTimings driver_of(Reader& motor, Reader& driver_chips) {
+  const std::string chip = motor.text("driver");
+  if (!driver_chips.has(chip)) motor.fail("driver", "names none of [drivers]");
+  return driver_timings(driver_chips.table(chip));
+}
+
 void read_serial(Reader serial, application::MachineDescription& machine) {
   machine.baud = static_cast<std::uint32_t>(serial.whole("baud", 1200, 10'000'000));
   machine.advanced_ok = serial.truth("advanced_ok");
@@ -87,9 +94,7 @@ void read_axes(Reader axes, Reader driver_chips, application::MachineDescription
     Reader axis = axes.table(std::string(1, letter));
     motion::AxisLimits& limits = machine.limits.axes[i];
     limits = axis_limits(axis, bounded);
-    const std::string chip = axis.text("driver");
-    if (!driver_chips.has(chip)) axis.fail("driver", "names none of [drivers]");
-    machine.drivers[i] = driver_timings(driver_chips.table(chip));
+    machine.drivers[i] = driver_of(axis, driver_chips);
     const char* search = axis.has("homing_search_mm") ? "homing_search_mm" : "travel_mm";
     if (bounded) {
       machine.homing_search[i] = length(axis, search);
@@ -129,6 +134,31 @@ void read_retraction(Reader table, motion::Retraction& retraction) {
                 .extra = length("extra_mm", -motion::max_retraction.count()),
                 .recovery_speed = speed(table, "recovery_speed_mm_s", 1)};
   table.finish();
+}
+
+// The second extruder but for its heater.
+application::SecondTool read_second_tool(Reader tool, Reader change, Reader driver_chips) {
+  application::SecondTool second;
+  const auto offset = tool.scaled_list("offset_mm", nanometers_per_mm, -farthest_offset_nanometers,
+                                       farthest_offset_nanometers, second.offset.size());
+  for (std::size_t i = 0; i < offset.size(); ++i) second.offset[i] = units::Nanometers(offset[i]);
+  second.driver = driver_of(tool, driver_chips);
+  tool.table("hotend");
+  tool.finish();
+  const auto length = [&change](const char* key, std::int64_t least_mm, std::int64_t most_mm) {
+    return units::Nanometers(change.scaled(key, nanometers_per_mm, least_mm * nanometers_per_mm,
+                                           most_mm * nanometers_per_mm));
+  };
+  // Marlin's bounds of M217.
+  second.change = {.swap = length("swap_length_mm", 0, 200),
+                   .resume = length("resume_extra_mm", -10, 10),
+                   .prime = length("prime_length_mm", 0, 200),
+                   .lift = length("lift_mm", 0, 200),
+                   .prime_speed = speed(change, "prime_speed_mm_s", 1),
+                   .retract_speed = speed(change, "retract_speed_mm_s", 1),
+                   .unretract_speed = speed(change, "unretract_speed_mm_s", 1)};
+  change.finish();
+  return second;
 }
 
 motion::Shaper read_shaper(Reader table) {
@@ -184,6 +214,10 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
     read_shaping(root.table("shaping"), machine.description.shaping.emplace());
   }
   machine.levelling = read_levelling(root, machine.description);
+  if (root.has("tool_1")) {
+    machine.description.second_tool =
+        read_second_tool(root.table("tool_1"), root.table("tool_change"), root.table("drivers"));
+  }
   read_heaters(root, machine.description);
   root.finish();
   return machine;

@@ -121,6 +121,20 @@ std::string text(const motion::ShapingSettings& settings) {
       shapers, settings.advance_microseconds);
 }
 
+std::string text(const application::SecondTool& tool) {
+  const application::ToolChange& change = tool.change;
+  return fmt::format(
+      "application::SecondTool{{\n      .hotend = {},\n      .offset = {{{}, {}, {}}},\n"
+      "      .driver = {},\n"
+      "      .change = {{.swap = {}, .resume = {}, .prime = {}, .lift = {},\n"
+      "                 .prime_speed = {}, .retract_speed = {},\n"
+      "                 .unretract_speed = {}}}}}",
+      text(tool.hotend), text(tool.offset[0]), text(tool.offset[1]), text(tool.offset[2]),
+      text(tool.driver), text(change.swap), text(change.resume), text(change.prime),
+      text(change.lift), text(change.prime_speed), text(change.retract_speed),
+      text(change.unretract_speed));
+}
+
 std::string header_of(const Machine& machine, const std::filesystem::path& file) {
   const application::MachineDescription& description = machine.description;
   std::string searches;
@@ -142,14 +156,15 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
-      "  .converter = {},\n{}{}}};\n\n}}  // namespace machine\n",
+      "  .converter = {},\n{}{}{}}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.levelling ? levelling_text(*machine.levelling) : "",
       machine.name, description.baud, description.advanced_ok, text(description.host_silence),
       text(description.limits), kinematics_text(description.kinematics), searches, drivers,
       text(description.hotend), text(description.bed), text(description.min_extrusion),
       text(description.converter),
       description.shaping ? "  .shaping = " + text(*description.shaping) + ",\n" : "",
-      machine.levelling ? "  .levelling = &levelling,\n" : "");
+      machine.levelling ? "  .levelling = &levelling,\n" : "",
+      description.second_tool ? "  .second_tool = " + text(*description.second_tool) + ",\n" : "");
 }
 
 }  // namespace

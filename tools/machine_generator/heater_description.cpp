@@ -3,6 +3,7 @@
 #include "machine_generator/heater_description.hpp"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace machine_generator {
 namespace {
@@ -111,6 +112,16 @@ application::HeaterDescription heater(Reader& reader, Reader& thermistors) {
           .model = model(reader.table("model"), milliwatts)};
 }
 
+void require_channels_apart(Reader& heater, std::initializer_list<Reader*> others) {
+  for (const char* key : {"sensor_channel", "heater_channel"}) {
+    for (Reader* other : others) {
+      if (channel(heater, key) == channel(*other, key)) {
+        heater.fail(key, "is the channel of another heater already");
+      }
+    }
+  }
+}
+
 // Two equal references define no line, and a capacitor never reaches the supply.
 application::ConverterDescription converter(Reader reader) {
   const auto milli = [&reader](const char* key) {
@@ -140,14 +151,17 @@ void read_heaters(Reader& root, application::MachineDescription& machine) {
   Reader bed = root.table("bed");
   machine.hotend = heater(hotend, thermistors);
   machine.bed = heater(bed, thermistors);
-  for (const char* key : {"sensor_channel", "heater_channel"}) {
-    if (channel(hotend, key) == channel(bed, key)) {
-      bed.fail(key, "is the channel of another heater already");
-    }
-  }
   machine.min_extrusion = celsius(hotend, "min_extrusion_c");
   if (machine.min_extrusion > machine.hotend.max) {
     hotend.fail("min_extrusion_c", "must not be above max_c");
+  }
+  require_channels_apart(bed, {&hotend});
+  if (machine.second_tool) {
+    Reader tool = root.table("tool_1");
+    Reader second = tool.table("hotend");
+    machine.second_tool->hotend = heater(second, thermistors);
+    require_channels_apart(second, {&hotend, &bed});
+    second.finish();
   }
   machine.converter = converter(root.table("temperature_converter"));
   for (const Reader* reader : {&hotend, &bed}) reader->finish();

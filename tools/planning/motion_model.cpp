@@ -61,8 +61,8 @@ MotionModel::MotionModel(const motion::Limits& limits, const motion::kinematics:
 MotionModel::~MotionModel() { model = nullptr; }
 
 void MotionModel::set_steps_per_mm(const motion::Limits& limits) {
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    steps_per_mm_[i] = limits.axes[i].steps_per_meter.count() / 1000.0;
+  for (std::size_t i = 0; i < motor_count; ++i) {
+    steps_per_mm_[i] = limits.axes[std::min(i, e)].steps_per_meter.count() / 1000.0;
   }
 }
 
@@ -86,7 +86,7 @@ double MotionModel::segment_end() const { return begins_.empty() ? queue_end_ : 
 
 std::uint32_t MotionModel::closed_end_stops() const {
   std::uint32_t closed = 0;
-  for (std::size_t i = 0; i < axis_count; ++i) closed |= distance_[i] <= 0 ? end_stop_[i] : 0;
+  for (std::size_t i = 0; i < motor_count; ++i) closed |= distance_[i] <= 0 ? end_stop_[i] : 0;
   if (distance_[z] <= probe_distance_) closed |= probe_;
   return closed;
 }
@@ -119,7 +119,7 @@ std::uint32_t MotionModel::read_generator(std::uint32_t address) {
         .encode();
   }
   if (address == generator::Build::address) {
-    return generator::Build{.axes = axis_count, .queue_depth = queue_depth}.encode();
+    return generator::Build{.axes = motor_count, .queue_depth = queue_depth}.encode();
   }
   if (address == generator::Errors::address) return 0;
   if (address == generator::Scale::address) return word(generator::Override::address);
@@ -128,11 +128,11 @@ std::uint32_t MotionModel::read_generator(std::uint32_t address) {
   }
   if (is_one_of<generator::StopPosition>(address)) {
     const std::size_t axis = index_in<generator::StopPosition>(address);
-    return axis < axis_count ? static_cast<std::uint32_t>(position_[axis]) : 0;
+    return axis < motor_count ? static_cast<std::uint32_t>(position_[axis]) : 0;
   }
   if (is_one_of<generator::SnapshotPosition>(address)) {
     const std::size_t axis = index_in<generator::SnapshotPosition>(address);
-    return axis < axis_count ? static_cast<std::uint32_t>(position_[axis]) : 0;
+    return axis < motor_count ? static_cast<std::uint32_t>(position_[axis]) : 0;
   }
   return word(address);
 }
@@ -144,7 +144,7 @@ void MotionModel::write(std::uint32_t address, std::uint32_t value) {
   if (address == generator::Command::address) command(value);
   if (is_one_of<generator::Position>(address)) {
     const std::size_t axis = index_in<generator::Position>(address);
-    if (axis < axis_count) position_[axis] = static_cast<std::int32_t>(value);
+    if (axis < motor_count) position_[axis] = static_cast<std::int32_t>(value);
   }
 }
 
@@ -201,7 +201,7 @@ void MotionModel::commit() {
 void MotionModel::begin_line(std::uint32_t backward, std::uint32_t stop_mask) {
   line_ = {.ticks = static_cast<double>(word(generator::SegmentLineTicks::address)),
            .stop_mask = stop_mask};
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  for (std::size_t i = 0; i < motor_count; ++i) {
     const std::int64_t count = word(generator::SegmentSteps::address_of(i));
     line_.steps[i] = (backward >> i & 1u) != 0 ? -count : count;
   }
@@ -212,7 +212,7 @@ void MotionModel::begin_line(std::uint32_t backward, std::uint32_t stop_mask) {
 // The first tick after which an end stop that ends the line is closed, or its last.
 double MotionModel::tick_of_stop(const Line& line) const {
   double last = line.ticks;
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  for (std::size_t i = 0; i < motor_count; ++i) {
     if ((line.stop_mask & end_stop_[i]) == 0) continue;
     const std::int64_t approach = approach_of(i, line.steps);
     if (distance_[i] <= 0) return 1;
@@ -231,23 +231,25 @@ double MotionModel::tick_of_stop(const Line& line) const {
 // All of them, or those until the end stop.
 void MotionModel::count_steps() {
   const double part = line_.last_tick / line_.ticks;
-  const double filament_before = filament_mm_;
-  std::array<std::int64_t, axis_count> made = line_.steps;
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  const double filament_before = filament_mm_[0] + filament_mm_[1];
+  std::array<std::int64_t, motor_count> made = line_.steps;
+  for (std::size_t i = 0; i < motor_count; ++i) {
     if (part < 1) made[i] = std::llround(static_cast<double>(line_.steps[i]) * part);
     position_[i] = static_cast<std::int32_t>(position_[i] + made[i]);
     (made[i] < 0 ? axes_[i].steps_backward : axes_[i].steps_forward) +=
         static_cast<std::uint64_t>(std::abs(made[i]));
-    if (i == e) filament_mm_ += static_cast<double>(made[i]) / steps_per_mm_[i];
+    if (i >= e) filament_mm_[i - e] += static_cast<double>(made[i]) / steps_per_mm_[i];
   }
-  for (std::size_t i = 0; i < axis_count; ++i) distance_[i] -= approach_of(i, made);
+  for (std::size_t i = 0; i < motor_count; ++i) distance_[i] -= approach_of(i, made);
   if (!on_line) return;
-  on_line({.end_mm = place_mm(), .filament_mm = filament_mm_ - filament_before});
+  on_line(
+      {.end_mm = place_mm(), .filament_mm = filament_mm_[0] + filament_mm_[1] - filament_before});
 }
 
 // A line that extrudes in the plane, at another height than those before.
 void MotionModel::record_layer(double begin) {
-  const bool prints = line_.steps[e] > 0 && (line_.steps[x] != 0 || line_.steps[y] != 0);
+  const bool prints = (line_.steps[e] > 0 || line_.steps[e + 1] > 0) &&
+                      (line_.steps[x] != 0 || line_.steps[y] != 0);
   if (!prints || (kinematics_.has_own_z() && line_.steps[z] != 0)) return;
   constexpr double per_mm = 1e5;
   const double z_mm = place_mm()[z];
@@ -261,7 +263,7 @@ void MotionModel::record_layer(double begin) {
 }
 
 void MotionModel::record_peaks(double rate, double end_rate, double acceleration, double scale) {
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  for (std::size_t i = 0; i < motor_count; ++i) {
     const double share = static_cast<double>(std::abs(line_.steps[i])) / line_.ticks;
     const double hertz = std::max(rate, end_rate) * share * clock_hz_ * scale;
     const double change = std::abs(acceleration) * share * clock_hz_ * clock_hz_ * scale * scale;

@@ -40,7 +40,7 @@ class MotionModel {
 
   // Called after each line that the step generator executes.
   std::function<void(const Walk&)> on_line;
-  const std::array<double, axis_count>& steps_per_mm() const { return steps_per_mm_; }
+  const std::array<double, motor_count>& steps_per_mm() const { return steps_per_mm_; }
 
   void advance(double clocks) { now_ += clocks; }
   double now() const { return now_; }
@@ -49,18 +49,19 @@ class MotionModel {
   double segment_end() const;
   bool queue_full() { return level() == queue_depth; }
 
-  const std::array<AxisPlan, axis_count>& axes() const { return axes_; }
+  const std::array<AxisPlan, motor_count>& axes() const { return axes_; }
   // Without the last layer's end.
   const std::deque<Layer>& layers() const { return layers_; }
   double moving_clocks() const { return moving_clocks_; }
   double first_step() const { return first_step_; }
-  double filament_mm() const { return filament_mm_; }
+  // Of each tool.
+  const std::array<double, 2>& filament_mm() const { return filament_mm_; }
   std::uint64_t lines() const { return lines_; }
   std::uint64_t underruns() const { return underruns_; }
 
  private:
   struct Line {
-    std::array<std::int64_t, axis_count> steps{};
+    std::array<std::int64_t, motor_count> steps{};
     double ticks{};
     double ticks_done{};
     double last_tick{};  // an end stop ends the line there
@@ -83,7 +84,7 @@ class MotionModel {
   double tick_of_stop(const Line& line) const;
   void place_end_stops(const motion::Limits& limits);
   std::int64_t approach_of(std::size_t axis,
-                           const std::array<std::int64_t, axis_count>& steps) const;
+                           const std::array<std::int64_t, motor_count>& steps) const;
   std::array<double, 3> place_mm() const;
   void command(std::uint32_t value);
   void commit();
@@ -95,14 +96,14 @@ class MotionModel {
   motion::kinematics::Any kinematics_;
   double clock_hz_;
   std::array<std::uint32_t, words_of_peripheral> words_{};  // of the step generator
-  std::array<double, axis_count> steps_per_mm_{};
-  std::array<std::uint32_t, axis_count> end_stop_{};  // mask of its input, or none
+  std::array<double, motor_count> steps_per_mm_{};
+  std::array<std::uint32_t, motor_count> end_stop_{};  // mask of its input, or none
   // How much nearer to the axis' end stop a step of each motor brings it.
-  std::array<std::array<std::int64_t, axis_count>, axis_count> towards_{};
+  std::array<std::array<std::int64_t, motor_count>, motor_count> towards_{};
   std::uint32_t probe_{};  // mask of its input, or none
   std::int64_t probe_distance_{};  // of Z, where it triggers
-  std::array<std::int64_t, axis_count> distance_{};  // from it, in these steps
-  std::array<std::int32_t, axis_count> position_{};  // the hardware's counters
+  std::array<std::int64_t, motor_count> distance_{};  // from it, in these steps
+  std::array<std::int32_t, motor_count> position_{};  // the hardware's counters
 
   double now_ = 0;
   double queue_end_ = 0;
@@ -112,12 +113,12 @@ class MotionModel {
   std::uint32_t stop_cause_{};
   Line line_;
 
-  std::array<AxisPlan, axis_count> axes_{};
+  std::array<AxisPlan, motor_count> axes_{};
   std::deque<Layer> layers_;
   std::int64_t layer_height_{};  // in 10 nm
   double moving_clocks_ = 0;
   double first_step_ = -1;
-  double filament_mm_ = 0;
+  std::array<double, 2> filament_mm_{};
   std::uint64_t lines_ = 0;
   std::uint64_t underruns_ = 0;
 };

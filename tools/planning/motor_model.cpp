@@ -22,17 +22,17 @@ void MotionModel::place_end_stops(const motion::Limits& limits) {
     end_stop_[i] = 1u << homing->end_stop;
     const std::int64_t sign = homing->towards_positive ? 1 : -1;
     towards_[i][i] = sign;
-    if (kinematics_.crosses_xy() && i == x) towards_[x] = {sign, sign, 0, 0};
-    if (kinematics_.crosses_xy() && i == y) towards_[y] = {sign, -sign, 0, 0};
+    if (kinematics_.crosses_xy() && i == x) towards_[x] = {sign, sign, 0, 0, 0};
+    if (kinematics_.crosses_xy() && i == y) towards_[y] = {sign, -sign, 0, 0, 0};
     const std::int64_t motors = std::abs(towards_[i][0]) + std::abs(towards_[i][1]);
     distance_[i] = std::llround(start_mm * steps_per_mm_[i]) * std::max<std::int64_t>(motors, 1);
   }
 }
 
 std::int64_t MotionModel::approach_of(std::size_t axis,
-                                      const std::array<std::int64_t, axis_count>& steps) const {
+                                      const std::array<std::int64_t, motor_count>& steps) const {
   std::int64_t approach = 0;
-  for (std::size_t i = 0; i < axis_count; ++i) approach += towards_[axis][i] * steps[i];
+  for (std::size_t i = 0; i < motor_count; ++i) approach += towards_[axis][i] * steps[i];
   return approach;
 }
 

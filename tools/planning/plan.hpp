@@ -11,6 +11,8 @@
 namespace planning {
 
 inline constexpr std::size_t axis_count = 4;
+// x y z e, and e of a second extruder.
+inline constexpr std::size_t motor_count = axis_count + 1;
 
 struct AxisPlan {
   std::uint64_t steps_forward{};
@@ -41,8 +43,10 @@ struct Plan {
   std::uint64_t lines{};  // of the file
   std::uint64_t moves{};  // lines that the step generator executes, each chord of an arc
   std::uint64_t underruns{};
-  double filament_mm{};
-  std::array<AxisPlan, axis_count> axes{};
+  double filament_mm{};  // of all tools
+  std::size_t tools{1};
+  std::array<double, 2> filament_of_tool_mm{};
+  std::array<AxisPlan, motor_count> axes{};
   std::vector<Layer> layers;
   std::vector<RefusedLine> refused;
   std::string fault;  // that ends the print, or empty

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view axis_names = "xyze";
+constexpr std::array<std::string_view, motor_count> axis_names{"x", "y", "z", "e", "e1"};
 // Bytes of a refused line. The firmware takes none that is longer.
 constexpr std::size_t longest_line = 256;
 
@@ -47,6 +47,8 @@ std::string more(std::size_t all, std::size_t most, std::string_view what) {
   return all > most ? fmt::format("{} more {}\n", all - most, what) : std::string();
 }
 
+std::size_t motors_of(const Plan& plan) { return axis_count + plan.tools - 1; }
+
 std::string shown(const RefusedLine& line) { return line.text.substr(0, longest_line); }
 
 }  // namespace
@@ -55,8 +57,13 @@ std::string to_text(const Plan& plan, const ListLimits& limits) {
   std::string text = fmt::format("{}: {} lines, {} moves\n", plan.machine, plan.lines, plan.moves);
   text += fmt::format("time      {} without heating, {:.3f} s in motion\n", duration(plan.seconds),
                       plan.moving_seconds);
-  text += fmt::format("filament  {:.1f} mm\n", plan.filament_mm);
-  for (std::size_t i = 0; i < axis_count; ++i) {
+  text += fmt::format("filament  {:.1f} mm", plan.filament_mm);
+  if (plan.tools > 1) {
+    text += fmt::format(": {:.1f} of T0, {:.1f} of T1", plan.filament_of_tool_mm[0],
+                        plan.filament_of_tool_mm[1]);
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < motors_of(plan); ++i) {
     const AxisPlan& axis = plan.axes[i];
     text += fmt::format(
         "{}  {} steps forward, {} backward; at most {:.2f} mm/s, {:.1f} mm/s², "
@@ -92,8 +99,12 @@ std::string to_json(const Plan& plan, const ListLimits& limits) {
             {"layers", Json::array()},
             {"refused_lines", plan.refused.size()},
             {"refused", Json::array()}};
-  for (std::size_t i = 0; i < axis_count; ++i) {
-    json["axes"][std::string(1, axis_names[i])] = axis_json(plan.axes[i]);
+  if (plan.tools > 1) {
+    json["filament_of_tool_mm"] = {rounded(plan.filament_of_tool_mm[0]),
+                                   rounded(plan.filament_of_tool_mm[1])};
+  }
+  for (std::size_t i = 0; i < motors_of(plan); ++i) {
+    json["axes"][std::string(axis_names[i])] = axis_json(plan.axes[i]);
   }
   for (const Layer& layer : first_of(plan.layers, limits.layers)) {
     json["layers"].push_back({{"z_mm", rounded(layer.z_mm)},

@@ -77,8 +77,8 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_,
               {.shaping = machine_.shaping ? &shaping_ : nullptr,
                .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr}),
-      heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm}, units::Hertz(clock_hz),
-            converter_, heater_control_),
+      heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm, &hot_table},
+            units::Hertz(clock_hz), converter_, heater_control_),
       executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
   plan_.machine = machine_.name;
   if (machine_.levelling != nullptr) {
@@ -86,7 +86,7 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
   }
   if (!motion_.start()) throw std::runtime_error("the machine's shaping does not fit this clock");
   heat_.start();
-  for (int round = 0; heat_.extrusion_is_cold(); ++round) {
+  for (int round = 0; !heat_.all_measured() || heat_.extrusion_is_cold(); ++round) {
     if (round == most_rounds) throw std::logic_error("the model's hotend is not hot");
     go_on(heat_period_s);
     heat_.update(now_);
@@ -145,7 +145,9 @@ Plan PrintPlanner::finish() {
   plan_.first_move_seconds = std::max(model_.first_step() - started_, 0.0) / clock_hz_;
   plan_.moves = model_.lines();
   plan_.underruns = model_.underruns();
-  plan_.filament_mm = model_.filament_mm();
+  plan_.tools = machine_.tools();
+  plan_.filament_of_tool_mm = model_.filament_mm();
+  plan_.filament_mm = plan_.filament_of_tool_mm[0] + plan_.filament_of_tool_mm[1];
   plan_.axes = model_.axes();
   plan_.layers.assign(model_.layers().begin(), model_.layers().end());
   double layer_end = plan_.seconds;
