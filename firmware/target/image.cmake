@@ -39,7 +39,7 @@ add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 foreach(stepping IN ITEMS hardware software)
-  foreach(kinematics IN ITEMS cartesian core_xy delta)
+  foreach(kinematics IN ITEMS cartesian core_xy delta scara)
     add_custom_target(firmware_other_machine_${stepping}_${kinematics}
       COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
         --target other_machine_${stepping}_${kinematics}.elf
