@@ -6,7 +6,7 @@
 // of the circle of G2 and G3, which it goes round in the asked direction.
 // Homing (G28) may move as it likes as long as it ends with its axes at home. Also looks at the
 // rising edges' spacing. Where motors are not axes (--kinematics), the steps are the motors', and
-// of a delta the tool's way in space is looked at.
+// of a delta or a SCARA the tool's way in space is looked at.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -243,11 +243,16 @@ int main(int argument_count, char** arguments) {
   app.add_option("gcode", gcode)->required();
   app.add_option("edges", edges_file)->required();
   app.add_option("--steps-per-mm", steps_per_mm, "x y z e");
-  app.add_option("--kinematics", shape.kinematics, "cartesian, core_xy or delta")
-      ->check(CLI::IsMember({"cartesian", "core_xy", "delta"}));
+  app.add_option("--kinematics", shape.kinematics, "cartesian, core_xy, delta or scara")
+      ->check(CLI::IsMember({"cartesian", "core_xy", "delta", "scara"}));
   app.add_option("--rod", shape.rod, "of a delta, mm");
   app.add_option("--radius", shape.radius, "of a delta, mm");
-  app.add_option("--height", shape.height, "of a delta, mm");
+  app.add_option("--height", shape.height, "of home, of a delta or a SCARA, mm");
+  app.add_option("--arms", shape.arms, "of a SCARA, mm");
+  app.add_option("--shoulder", shape.shoulder, "of a SCARA, X and Y, mm");
+  app.add_option("--elbow-side", shape.elbow_side, "of a SCARA: 1 left, -1 right");
+  app.add_option("--end-stops", shape.end_stops, "of a SCARA's arms, degrees");
+  app.add_option("--home", shape.home_place, "of a SCARA, X and Y, mm");
   app.add_option("--tolerance", tolerance, "largest distance from the line on X and Y, in steps");
   app.add_option("--shortest-interval", shortest, "fewest clocks between two edges of an axis");
   CLI11_PARSE(app, argument_count, arguments);
