@@ -28,6 +28,10 @@ double MachineShape::carriage_above(std::size_t tower, double x, double y) const
   return static_cast<double>(std::sqrt(static_cast<long double>(rod) * rod - dx * dx - dy * dy));
 }
 
+double MachineShape::tool_way() const {
+  return kinematics == "scara" ? std::max(arms[0], arms[1]) * std::numbers::pi / 180 : 1;
+}
+
 Vector MachineShape::motors_of(const Vector& tool) const {
   const auto [x, y, z] = tool;
   if (kinematics == "core_xy") return {x + y, x - y, z};
