@@ -254,9 +254,9 @@ TEST(machine_generator, names_arms_that_do_not_fit) {
   expect("[100.0, -120.0]", "[100.0]", "line 18: scara.shoulder_mm: must be a list of 2 numbers");
   // 200^2 + 180^2 -+ 2 * 200 * 180 * cos 10 degrees, its root.
   expect("inner_radius_mm = 130.0", "inner_radius_mm = 38.6",
-         "line 21: scara.inner_radius_mm: must be 38.664 at least: the arms would fold");
+         "line 21: scara.inner_radius_mm: must be 38.650 at least: the arms would fold");
   expect("outer_radius_mm = 320.0", "outer_radius_mm = 378.6",
-         "line 22: scara.outer_radius_mm: must be 378.560 at most: the arms would stretch");
+         "line 22: scara.outer_radius_mm: must be 378.558 at most: the arms would stretch");
   expect("outer_radius_mm = 320.0", "outer_radius_mm = 130.0",
          "line 21: scara.inner_radius_mm: must be below outer_radius_mm");
   // 119.9 mm from the shoulder; off the bed.
@@ -264,16 +264,20 @@ TEST(machine_generator, names_arms_that_do_not_fit) {
          "line 24: scara.home_mm: is out of reach");
   expect("home_mm = [10.0, 60.0]", "home_mm = [200.1, 60.0]",
          "line 24: scara.home_mm: is out of reach");
-  // The directions needed are those of the bed's corners and of the circles' ends on it.
-  expect("end_stop_deg = [100.0, 215.0]", "end_stop_deg = [78.0, 215.0]",
+  // By the law of cosines over a fine grid of the bed; a degree of reserve.
+  expect("[100.0, 215.0]", "[78.0, 215.0]",
          "line 23: scara.end_stop_deg: lets the proximal arm turn from -47.0 to 78.0 degrees "
-         "(travel_mm of axes.x), but the bed needs");
-  expect("end_stop_deg = [100.0, 215.0]", "end_stop_deg = [100.0, 230.0]",
-         "line 23: scara.end_stop_deg: lets the distal arm turn from 100.0 to 230.0 degrees");
-  expect("travel_mm = 125.0", "travel_mm = 100.0",
-         "lets the proximal arm turn from 0.0 to 100.0 degrees (travel_mm of axes.x)");
+         "(travel_mm of axes.x), but the bed needs -9.0 to 77.4 and a degree of reserve");
+  expect("[100.0, 215.0]", "[100.0, 236.0]",
+         "line 23: scara.end_stop_deg: lets the distal arm turn from 106.0 to 236.0 degrees "
+         "(travel_mm of axes.y), but the bed needs 106.4 to 202.4 and a degree of reserve");
+  expect("travel_mm = 125.0", "travel_mm = 109.0",
+         "lets the proximal arm turn from -9.0 to 100.0 degrees");
+  EXPECT_THAT(complaint_about("scara.toml", "[100.0, 215.0]", "[79.0, 235.0]"), testing::IsEmpty());
   // A bed all about the shoulder needs whole turns.
-  expect("shoulder_mm = [100.0, -120.0]", "shoulder_mm = [100.0, 100.0]", "scara.home_mm");
+  expect("[100.0, -120.0]  # in the bed's coordinates\nbed_mm = [200.0, 200.0]",
+         "[150.0, 150.0]\nbed_mm = [300.0, 300.0]",
+         "line 23: scara.end_stop_deg: lets the proximal arm turn from -25.0 to 100.0 degrees");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(kinematics, delta_prints_to_the_step_and_within_its_chords) {
 TEST(kinematics, scara_prints_to_the_step_and_within_its_chords) {
   const Print print = print_on(
       "scara",
-      "M104 S200\nG28\nM109 S200\nG1 Z5 F1200\nG1 X60 Y60 Z0.3 F3000\nG1 X90 Y60 E1 F2400\n"
+      "M104 S200\nG28\nM109 S200\nG1 Z145 F1200\nG1 X60 Y60 Z140.3 F3000\nG1 X90 Y60 E1 F2400\n"
       "G1 X90 Y90 E2\nG1 X60 Y90 E3\nG1 X60 Y60 E4\nG1 X15 Y10\nG1 X190 Y170 E9\n"
       "G1 X75 Y73 E5\nG2 X75 Y73 I5 J0 E6\nG91\nG1 X-3.333 Y1.017\nG1 X0.01 Y0.02 Z0.05\n"
       "G1 X-30 Y-25 Z2 F6000\nG90\nG28\nG1 X5 Y110 Z130 F6000\nM400\nM114\nM84\n");
