@@ -264,10 +264,10 @@ TEST(machine_generator, names_arms_that_do_not_fit) {
          "line 24: scara.home_mm: is out of reach");
   expect("home_mm = [10.0, 60.0]", "home_mm = [200.1, 60.0]",
          "line 24: scara.home_mm: is out of reach");
-  // By the law of cosines over a fine grid of the bed; a degree of reserve.
+  // By the law of cosines: -8.999 at X200 Y0, 77.456 at X0 on the outer circle.
   expect("[100.0, 215.0]", "[78.0, 215.0]",
          "line 23: scara.end_stop_deg: lets the proximal arm turn from -47.0 to 78.0 degrees "
-         "(travel_mm of axes.x), but the bed needs -9.0 to 77.4 and a degree of reserve");
+         "(travel_mm of axes.x), but the bed needs -9.0 to 77.5 and a degree of reserve");
   expect("[100.0, 215.0]", "[100.0, 236.0]",
          "line 23: scara.end_stop_deg: lets the distal arm turn from 106.0 to 236.0 degrees "
          "(travel_mm of axes.y), but the bed needs 106.4 to 202.4 and a degree of reserve");

@@ -65,7 +65,7 @@ TEST(kinematics, scara_prints_to_the_step_and_within_its_chords) {
       print,
       {"--kinematics",   "scara", "--arms", "200",    "180",  "--shoulder",  "100",      "-120",
        "--end-stops",    "100",   "215",    "--home", "10",   "60",          "--height", "150",
-       "--steps-per-mm", "160",   "160",    "400",    "95.5", "--tolerance", "3"});
+       "--steps-per-mm", "160",   "160",    "400",    "95.5", "--tolerance", "1.5"});
 }
 
 TEST(kinematics, needs_the_model_of_the_processor_where_the_machine_has_more_memory) {
