@@ -27,11 +27,12 @@ inline Scara::Parameters scara(std::array<int, 2> arms, std::array<int, 2> shoul
           .end_stop = {millions(end_stops[0]), millions(end_stops[1])}};
 }
 
-// The last one's directions pass half a turn.
+// The second one's distal arm is a turn below, the third one nearly stretched, and the last one's
+// directions pass half a turn.
 inline const std::array<Scara::Parameters, 4> scaras{
     scara({200, 180}, {100, -120}, false, {130, 320}, 200, {100, 215}),
-    scara({200, 180}, {100, -120}, true, {130, 320}, 200, {200, 85}),
-    scara({500, 400}, {200, -200}, false, {220, 800}, 400, {120, 250}),
+    scara({200, 180}, {100, -120}, true, {130, 320}, 200, {200, -275}),
+    scara({500, 400}, {200, -450}, false, {480, 860}, 400, {120, 250}),
     scara({180, 200}, {300, 100}, false, {110, 310}, 200, {220, -30})};
 
 inline double length(units::Nanometers value) { return static_cast<double>(value.count()) * nm; }

@@ -156,10 +156,11 @@ TEST(scara, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
   ScaraPlaces random(16);
   for (const Scara::Parameters& each : scaras) {
     const Scara model(each);
-    double worst = 0;
+    double worst = 0, worst_of_many = 0;
     std::uint64_t most_chords = 0;
     for (int i = 0; i < 4'000; ++i) {
       const auto [from, to] = random.line_of(model);
+      const bool many = model.chords(from, to) > 20;
       motion::kinematics::Division chords;
       chords.begin(from, {.target = to, .feedrate = units::MicrometersPerSecond(50'000)},
                    model.chords(from, to));
@@ -175,6 +176,7 @@ TEST(scara, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
                                     mm(low[1]) + part * (mm(high[1]) - mm(low[1])));
           const double aside = (here[0] - a[0]) * (b[1] - a[1]) - (here[1] - a[1]) * (b[0] - a[0]);
           worst = std::max(worst, std::abs(aside) / way);
+          if (many) worst_of_many = std::max(worst_of_many, std::abs(aside) / way);
         }
         begin = end;
       }
@@ -183,7 +185,7 @@ TEST(scara, a_line_in_chords_stays_within_a_hundredth_of_a_millimetre) {
     std::printf("worst %.4f mm, at most %llu chords\n", worst,
                 static_cast<unsigned long long>(most_chords));
     EXPECT_LE(worst, 0.01);
-    EXPECT_GE(worst, 0.002);  // no more chords than needed
+    EXPECT_GE(worst_of_many, 0.006);  // no more chords than needed
   }
 }
 

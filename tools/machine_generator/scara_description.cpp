@@ -117,7 +117,7 @@ Scara::Parameters parameters_of(Reader& table) {
                           .home_x = home[0],
                           .home_y = home[1]};
   const auto end_stops =
-      table.scaled_list("end_stop_deg", per_degree, -360 * per_degree, 360 * per_degree, 2);
+      table.scaled_list("end_stop_deg", per_degree, -340 * per_degree, 340 * per_degree, 2);
   for (std::size_t i = 0; i < end_stops.size(); ++i) {
     scara.end_stop[i] = Scara::Millionths(end_stops[i]);
   }

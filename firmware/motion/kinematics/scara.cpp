@@ -42,12 +42,11 @@ std::int32_t direction_of(std::int64_t x, std::int64_t y) {
   return static_cast<std::int32_t>((angle * std::uint64_t{turn} + (1U << 31)) >> 32);
 }
 
-// 0 .. turn, in the turn that ends 10 degrees beyond the end stop.
+// Of 0 .. turn, in the turn that ends 10 degrees beyond the end stop.
 Nanometers in_turn_of(std::int64_t direction, Nanometers end_stop) {
   const std::int64_t most = end_stop.count() + beyond_end_stop;
   if (direction > most) direction -= turn;
   if (direction > most) direction -= turn;
-  if (direction <= most - turn) direction += turn;
   return Nanometers(direction);
 }
 

@@ -29,7 +29,7 @@ class Scara {
     units::Nanometers width{200'000'000}, depth{200'000'000}, height{150'000'000};
     // Where homing ends, at Z = height.
     units::Nanometers home_x{10'000'000}, home_y{60'000'000};
-    // Directions at which the end stops switch; -360 .. 360 degrees, at home or beyond.
+    // Directions at which the end stops switch; -340 .. 340 degrees, at home or beyond.
     std::array<Millionths, 2> end_stop{Millionths(100'000'000), Millionths(215'000'000)};
   };
   static constexpr bool may_home_motors = true;
