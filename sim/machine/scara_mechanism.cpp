@@ -82,7 +82,7 @@ class ScaraMechanism : public Mechanism {
   }
 
   // Between the arm, which has the first of these sides, and the way to the tool.
-  static Real beside(Real side, Real other, Real away) {
+  static Real angle_at(Real side, Real other, Real away) {
     return std::acos(std::clamp((away * away + side * side - other * other) / (2 * away * side),
                                 Real{-1}, Real{1}));
   }
@@ -93,8 +93,8 @@ class ScaraMechanism : public Mechanism {
     y -= properties_.shoulder[1];
     const Real away = std::hypot(x, y), towards = std::atan2(y, x);
     const Real side = properties_.elbow_left ? 1 : -1;
-    Directions arms{degrees(towards + side * beside(a, b, away)),
-                    degrees(towards - side * beside(b, a, away))};
+    Directions arms{degrees(towards + side * angle_at(a, b, away)),
+                    degrees(towards - side * angle_at(b, a, away))};
     for (std::size_t i = 0; i < arms.size(); ++i) {
       // In the turn that ends 10 degrees beyond the end stop.
       constexpr Real beyond = 10;

@@ -24,7 +24,7 @@ struct MachineShape {
     return kinematics == "cartesian" || (kinematics != "delta" && axis == 2);
   }
   bool is_straight() const { return kinematics == "cartesian" || kinematics == "core_xy"; }
-  // How far the tool goes with a degree or millimetre of the motors of X and Y: of arms, the longer.
+  // How far the tool goes with a degree or millimetre of the motors of X and Y.
   double tool_way() const;
   Vector home() const { return {home_place[0], home_place[1], is_straight() ? 0 : height}; }
   // To the nanometre where the firmware's documentation rounds to it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two arms that turn in the horizontal plane carry the tool, Z is a motor of its own (serial SCARA).
+// Two arms that turn in the horizontal plane carry the tool, Z has its own motor (serial SCARA).
 #pragma once
 
 #include <array>
