@@ -155,8 +155,8 @@ std::uint32_t Scara::least_sine(const Place& from, const Place& to) const {
 }
 
 // On the way w the arms turn by w cos A / (proximal sine) and w cos B / (distal sine), with the
-// angles A of the distal and B of the proximal arm to the line. While both turn evenly, each adds
-// an eighth of length * angle^2 to what the tool leaves the chord by, times sin B and sin A: at most
+// angles A of the distal and B of the proximal arm to the line. While both turn evenly, each
+// moves the tool from the chord by an eighth of length * angle^2, times sin B and sin A: at most
 //   w^2 / (8 sine^2 shorter arm), since cos^2 A sin B + cos^2 B sin A <= 1
 std::uint32_t Scara::chords(const Place& from, const Place& to) const {
   const Scaled by_deviation =
