@@ -12,12 +12,12 @@ std::expected<void, motion::Fault> MotionTask::limit_to_mechanism(motion::LineMo
   if (kinematics().homes_motors() && homed_.empty()) {
     return std::unexpected(motion::Fault::not_homed);
   }
-  if (!kinematics().reaches(move.target)) {
+  const units::PerAxis<units::Position>& from = position();
+  if (!kinematics().reaches(move.target) || !kinematics().straight_within(from, move.target)) {
     return std::unexpected(motion::Fault::target_out_of_reach);
   }
-  const units::PerAxis<units::Position>& from = position();
   auto acceleration = motion::max_acceleration;
-  for (std::size_t i = 0; i < motion::kinematics::spatial_axes; ++i) {
+  for (std::size_t i = 0; i < kinematics().curved_motors(); ++i) {
     acceleration = std::min(acceleration, limits().axes[i].max_acceleration);
   }
   move.feedrate =

@@ -61,16 +61,18 @@ HomingRequest Homing::update(const HomingObservation& observation) {
 
 HomingRequest Homing::begin_together() {
   units::Nanometers distance;
+  units::MicrometersPerSecond speed = parameters().fast_speed;
   std::uint32_t mask = 0;
   units::LoopBound<units::axis_count, 1> axes;
   for (const AxisLimits& axis : limits_.axes) {
     axes.next();
     if (!axis.homing) continue;
     distance = std::max(distance, axis.travel + axis.homing->back_off);
+    speed = std::min(speed, axis.homing->fast_speed);
     mask |= 1u << axis.homing->end_stop;
   }
-  HomingRequest request = move(State::approach_together, towards_end_stop(distance),
-                               parameters().fast_speed, static_cast<std::uint8_t>(mask));
+  HomingRequest request = move(State::approach_together, towards_end_stop(distance), speed,
+                               static_cast<std::uint8_t>(mask));
   request.move.together = true;
   return request;
 }

@@ -44,7 +44,7 @@ set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)
 add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
-foreach(kinematics IN ITEMS cartesian core_xy delta)
+foreach(kinematics IN ITEMS cartesian core_xy delta scara)
   foreach(image IN ITEMS hardware_${kinematics} hardware_${kinematics}_two_tools software_${kinematics})
     add_custom_target(firmware_other_machine_${image}
       COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target other_machine_${image}.elf

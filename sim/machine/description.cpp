@@ -13,6 +13,7 @@
 #include "machine_generator/header.hpp"
 #include "machine_generator/reader.hpp"
 #include "sim/machine/delta_mechanism.hpp"
+#include "sim/machine/scara_mechanism.hpp"
 #include "sim/simulation/pins.hpp"
 
 namespace machine {
@@ -92,9 +93,23 @@ ToolDescription tool_of(const Entry& root, const Entry& tool) {
   return description;
 }
 
+ScaraProperties scara_of(const Entry& scara) {
+  const auto pair = [&](const char* key) {
+    return std::array{scara[key][0].number(), scara[key][1].number()};
+  };
+  return {.proximal = scara["proximal_mm"].number(),
+          .distal = scara["distal_mm"].number(),
+          .elbow_left = scara["elbow"].text() == "left",
+          .shoulder = pair("shoulder_mm"),
+          .end_stop = pair("end_stop_deg"),
+          .home = pair("home_mm"),
+          .height = scara["height_mm"].number()};
+}
+
 std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
   const std::string name = root["kinematics"].text();
   if (name == "core_xy") return core_xy_mechanism();
+  if (name == "scara") return scara_mechanism(scara_of(root["scara"]));
   if (name == "delta") {
     const Entry delta = root["delta"];
     DeltaProperties properties{.rod = delta["rod_length_mm"].number(),

@@ -241,7 +241,8 @@ TEST(machine_generator, names_mistakes_in_a_second_extruder) {
 TEST(machine_generator, names_kinematics_that_do_not_fit) {
   const std::string core_xy = "core_xy.toml", delta = "delta.toml";
   EXPECT_THAT(complaint("kinematics = \"cartesian\"", "kinematics = \"polar\""),
-              HasSubstr("line 6: kinematics: must be \"cartesian\", \"core_xy\" or \"delta\""));
+              HasSubstr("line 6: kinematics: must be \"cartesian\", \"core_xy\", \"delta\" or "
+                        "\"scara\""));
   EXPECT_THAT(
       complaint_about(core_xy, "[axes.y]\nsteps_per_mm = 80.0", "[axes.y]\nsteps_per_mm = 100.0"),
       HasSubstr("axes.y.steps_per_mm: must be that of axes.x"));
@@ -298,6 +299,56 @@ TEST(machine_generator, names_what_a_probe_cannot_do) {
   EXPECT_THAT(complaint_of("backoff_mm = 1.0", ""), HasSubstr("probe.backoff_mm: is missing"));
   EXPECT_THAT(complaint("[drivers.a4988]", "[mesh]\n[drivers.a4988]"),
               HasSubstr("mesh: needs a table [probe]"));
+}
+
+TEST(machine_generator, takes_the_arms_of_a_scara) {
+  const std::string header =
+      machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/scara.toml");
+  EXPECT_THAT(header, HasSubstr(".kinematics = motion::kinematics::Scara::Parameters{"));
+  for (const char* value :
+       {".proximal = units::Nanometers{200000000}, .distal = units::Nanometers{180000000}",
+        ".shoulder_x = units::Nanometers{100000000}, .shoulder_y = units::Nanometers{-120000000}",
+        ".elbow_left = false", ".home_y = units::Nanometers{60000000}",
+        ".end_stop = {{units::Nanometers{100000000}, units::Nanometers{215000000}}}"}) {
+    EXPECT_THAT(header, HasSubstr(value));
+  }
+}
+
+TEST(machine_generator, names_arms_that_do_not_fit) {
+  const auto expect = [](const std::string& from, const std::string& to, const char* what) {
+    EXPECT_THAT(complaint_about("scara.toml", from, to), HasSubstr(what)) << to;
+  };
+  expect("proximal_mm = 200.0", "proximal_mm = 501.0",
+         "line 15: scara.proximal_mm: is 501, but must be 10 to 500");
+  expect("distal_mm = 180.0", "", "line 14: scara.distal_mm: is missing");
+  expect("\"right\"", "\"up\"", "line 17: scara.elbow: must be \"left\" or \"right\"");
+  expect("[100.0, -120.0]", "[100.0]", "line 18: scara.shoulder_mm: must be a list of 2 numbers");
+  // 200^2 + 180^2 -+ 2 * 200 * 180 * cos 10 degrees, its root.
+  expect("inner_radius_mm = 130.0", "inner_radius_mm = 38.6",
+         "line 21: scara.inner_radius_mm: must be 38.650 at least: the arms would fold");
+  expect("outer_radius_mm = 320.0", "outer_radius_mm = 378.6",
+         "line 22: scara.outer_radius_mm: must be 378.558 at most: the arms would stretch");
+  expect("outer_radius_mm = 320.0", "outer_radius_mm = 130.0",
+         "line 21: scara.inner_radius_mm: must be below outer_radius_mm");
+  // 119.9 mm from the shoulder; off the bed.
+  expect("home_mm = [10.0, 60.0]", "home_mm = [100.0, 9.9]",
+         "line 24: scara.home_mm: is out of reach");
+  expect("home_mm = [10.0, 60.0]", "home_mm = [200.1, 60.0]",
+         "line 24: scara.home_mm: is out of reach");
+  // By the law of cosines: -8.999 at X200 Y0, 77.456 at X0 on the outer circle.
+  expect("[100.0, 215.0]", "[78.0, 215.0]",
+         "line 23: scara.end_stop_deg: lets the proximal arm turn from -47.0 to 78.0 degrees "
+         "(travel_mm of axes.x), but the bed needs -9.0 to 77.5 and a degree of reserve");
+  expect("[100.0, 215.0]", "[100.0, 236.0]",
+         "line 23: scara.end_stop_deg: lets the distal arm turn from 106.0 to 236.0 degrees "
+         "(travel_mm of axes.y), but the bed needs 106.4 to 202.4 and a degree of reserve");
+  expect("travel_mm = 125.0", "travel_mm = 109.0",
+         "lets the proximal arm turn from -9.0 to 100.0 degrees");
+  EXPECT_THAT(complaint_about("scara.toml", "[100.0, 215.0]", "[79.0, 235.0]"), testing::IsEmpty());
+  // A bed all about the shoulder needs whole turns.
+  expect("[100.0, -120.0]  # in the bed's coordinates\nbed_mm = [200.0, 200.0]",
+         "[150.0, 150.0]\nbed_mm = [300.0, 300.0]",
+         "line 23: scara.end_stop_deg: lets the proximal arm turn from -25.0 to 100.0 degrees");
 }
 
 }  // namespace

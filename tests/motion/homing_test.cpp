@@ -81,6 +81,18 @@ TEST(homing, finds_all_end_stops_one_after_another) {
   EXPECT_THAT(carriages.position, testing::ElementsAre(0, 0, 0, 0));
 }
 
+// Motors that go together are as fast as the slowest of them may be; Z homes at 8 mm/s.
+TEST(homing, of_all_motors_together_keeps_the_speed_of_each) {
+  Homing homing;
+  homing.start(units::AxisSet::all(), mendel(), true);
+  const HomingRequest request = homing.update({.at_rest = true});
+  ASSERT_EQ(request.kind, Kind::move);
+  EXPECT_TRUE(request.move.together);
+  EXPECT_EQ(request.move.speed.count(), 8'000);
+  EXPECT_EQ(request.move.distance.count(), -205 * mm);
+  EXPECT_EQ(request.move.stop_mask, 0b111);
+}
+
 TEST(homing, approaches_fast_backs_off_and_approaches_slowly) {
   Carriages carriages;
   units::AxisSet axes;

@@ -4,7 +4,7 @@
 
 #include "motion/kinematics/path_limits.hpp"
 #include "motion/planner.hpp"
-#include "tests/motion/delta_machines.hpp"
+#include "tests/motion/scara_machines.hpp"
 
 namespace {
 
@@ -22,14 +22,21 @@ motion::Limits limits() {
   return limits;
 }
 
+// Of what the machine reaches, Z at 20 mm.
+Place middle_of(const Any& model) {
+  const std::int64_t middle = model.curved_motors() == 2 ? 100'000'000 : 0;
+  return at(middle, middle, 20'000'000, 0);
+}
+
 // Through the planner: the motors' steps are those of the last place, whatever led there.
 TEST(kinematics, the_end_is_exact_after_100_000_random_short_moves) {
-  const std::array<Any, 3> models{Any{}, Any(CoreXy::Parameters{}), Any(deltas[0])};
+  const std::array<Any, 4> models{Any{}, Any(CoreXy::Parameters{}), Any(deltas[0]), Any(scaras[0])};
   for (const Any& model : models) {
     for (const bool relative : {false, true}) {
       Places random(7);
       motion::Planner planner(limits(), motion_test::timing(50'000'000), model);
-      Place place = at(0, 0, 20'000'000, 0);
+      const Place start = middle_of(model);
+      Place place = start;
       planner.set_position(place);
       units::PerAxis<std::int64_t> steps = planner.position_steps();
       units::Microseconds now{};
@@ -38,8 +45,7 @@ TEST(kinematics, the_end_is_exact_after_100_000_random_short_moves) {
           const std::int64_t most = relative ? 20'000 : 3'000'000;
           const units::Position way(units::Nanometers(random.within(-most, most)),
                                     static_cast<std::uint32_t>(random.within(0, 4'999) * 200));
-          const units::Position from =
-              relative ? planner.position()[axis] : units::Position(units::Nanometers(5'000'000));
+          const units::Position from = relative ? planner.position()[axis] : start[axis];
           place[axis] = from + way;
         }
         ASSERT_TRUE(planner.append(
@@ -66,14 +72,17 @@ TEST(kinematics, the_end_is_exact_after_100_000_random_short_moves) {
 }
 
 TEST(kinematics, a_stop_leaves_the_place_that_the_motors_have) {
-  for (const Any& model : {Any(CoreXy::Parameters{}), Any(deltas[0])}) {
+  for (const Any& model : {Any(CoreXy::Parameters{}), Any(deltas[0]), Any(scaras[0])}) {
     motion::Planner planner(limits(), motion_test::timing(50'000'000), model);
-    const Place place = at(10'123'456, -7'654'321, 30'000'000, 1'000'000);
+    Place place = middle_of(model);
+    place[0] += units::Nanometers(10'123'456);
+    place[1] += units::Nanometers(-7'654'321);
+    place[3] = units::Nanometers(1'000'000);
     planner.set_position(place);
     const auto steps = planner.position_steps();
     planner.set_position_steps(steps);
-    // Half a step of each of three motors.
-    EXPECT_LE(distance(mm(planner.position()), mm(place)), 0.03);
+    // Half a step of each of three motors; an arm's is 3.5 times as long at the tool.
+    EXPECT_LE(distance(mm(planner.position()), mm(place)), 0.05);
     // A line of E alone moves no other motor.
     Place further = planner.position();
     further[3] += units::Nanometers(1'000'000);
@@ -86,12 +95,19 @@ TEST(kinematics, a_stop_leaves_the_place_that_the_motors_have) {
 }
 
 TEST(kinematics, what_is_out_of_reach_is_refused_and_changes_nothing) {
-  motion::Planner planner(limits(), motion_test::timing(50'000'000), Any(deltas[0]));
-  const auto accepted = planner.append(
-      {.target = at(86'000'000, 0, 0, 0), .feedrate = units::MicrometersPerSecond(10'000)}, {});
-  ASSERT_FALSE(accepted);
-  EXPECT_EQ(accepted.error(), motion::Fault::target_out_of_reach);
-  EXPECT_TRUE(planner.empty());
+  for (const Any& model : {Any(deltas[0]), Any(scaras[0])}) {
+    motion::Planner planner(limits(), motion_test::timing(50'000'000), model);
+    planner.set_position(middle_of(model));
+    const auto steps = planner.position_steps();
+    const auto accepted = planner.append({.target = at(86'000'000, -1'000'000, 0, 0),
+                                          .feedrate = units::MicrometersPerSecond(10'000)},
+                                         {});
+    ASSERT_FALSE(accepted);
+    EXPECT_EQ(accepted.error(), motion::Fault::target_out_of_reach);
+    EXPECT_TRUE(planner.empty());
+    EXPECT_EQ(planner.position_steps(), steps);
+    EXPECT_EQ(planner.position(), middle_of(model));
+  }
 }
 
 // Speed along X, Y and Z, and the carriages' acceleration by their speed and by the curvature.

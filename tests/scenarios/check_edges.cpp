@@ -6,7 +6,7 @@
 // of the circle of G2 and G3, which it goes round in the asked direction.
 // Homing (G28) may move as it likes as long as it ends with its axes at home. Also looks at the
 // rising edges' spacing. Where motors are not axes (--kinematics), the steps are the motors', and
-// of a delta the tool's way in space is looked at.
+// of a delta or a SCARA the tool's way in space is looked at.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,10 +63,15 @@ class Walk {
  public:
   Walk(const Edges& edges, const std::vector<RequestedMove>& moves, const StepsPerMm& steps_per_mm,
        const MachineShape& shape)
-      : edges_(edges), moves_(moves), steps_per_mm_(steps_per_mm), shape_(shape) {
+      : edges_(edges),
+        moves_(moves),
+        steps_per_mm_(steps_per_mm),
+        tool_steps_per_mm_(steps_per_mm),
+        shape_(shape) {
     position_ = edges.start;
     // Before homing only the frame knows where X, Y and Z are; E counts from where it is.
     position_[3] = 0;
+    for (const std::size_t i : {0UZ, 1UZ}) tool_steps_per_mm_[i] /= shape.tool_way();
   }
 
   bool run() {
@@ -98,13 +103,14 @@ class Walk {
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const auto low = std::min(from.steps[axis], move.steps[axis]);
         const auto high = std::max(from.steps[axis], move.steps[axis]);
-        const bool may_turn = !shape_.is_straight() && axis < 3;
+        const bool may_turn = !shape_.is_straight() && axis < 3 && !shape_.has_own_motor(axis);
         if (may_turn) continue;
         if (position_[axis] < low || position_[axis] > high) return fail(move, "leaves the line");
       }
       const double distance =
-          shape_.is_straight() ? distance_xy(position_, from, move)
-                               : distance_in_space(tool(), from.tool, move.tool) * steps_per_mm_[0];
+          shape_.is_straight()
+              ? distance_xy(position_, from, move)
+              : distance_in_space(tool(), from.tool, move.tool) * tool_steps_per_mm_[0];
       if (trying_ && distance > 2 + (shape_.is_straight() ? 0 : 4)) {
         return false;  // still homing
       }
@@ -162,7 +168,7 @@ class Walk {
     return {mm(0), mm(1)};
   }
   double fewest_steps_per_mm(const scenarios::RequestedArc& arc) const {
-    return std::min(steps_per_mm_[arc.plane[0]], steps_per_mm_[arc.plane[1]]);
+    return std::min(tool_steps_per_mm_[arc.plane[0]], tool_steps_per_mm_[arc.plane[1]]);
   }
   double angle_of_steps(const scenarios::RequestedArc& arc, int steps) const {
     return steps / fewest_steps_per_mm(arc) / arc.start_radius;
@@ -222,6 +228,7 @@ class Walk {
   const Edges& edges_;
   const std::vector<RequestedMove>& moves_;
   StepsPerMm steps_per_mm_;
+  StepsPerMm tool_steps_per_mm_;  // of the tool's way
   MachineShape shape_;
   Position position_{};
   std::size_t next_ = 0;
@@ -243,11 +250,16 @@ int main(int argument_count, char** arguments) {
   app.add_option("gcode", gcode)->required();
   app.add_option("edges", edges_file)->required();
   app.add_option("--steps-per-mm", steps_per_mm, "x y z e");
-  app.add_option("--kinematics", shape.kinematics, "cartesian, core_xy or delta")
-      ->check(CLI::IsMember({"cartesian", "core_xy", "delta"}));
+  app.add_option("--kinematics", shape.kinematics, "cartesian, core_xy, delta or scara")
+      ->check(CLI::IsMember({"cartesian", "core_xy", "delta", "scara"}));
   app.add_option("--rod", shape.rod, "of a delta, mm");
   app.add_option("--radius", shape.radius, "of a delta, mm");
-  app.add_option("--height", shape.height, "of a delta, mm");
+  app.add_option("--height", shape.height, "of home, of a delta or a SCARA, mm");
+  app.add_option("--arms", shape.arms, "of a SCARA, mm");
+  app.add_option("--shoulder", shape.shoulder, "of a SCARA, X and Y, mm");
+  app.add_option("--elbow-side", shape.elbow_side, "of a SCARA: 1 left, -1 right");
+  app.add_option("--end-stops", shape.end_stops, "of a SCARA's arms, degrees");
+  app.add_option("--home", shape.home_place, "of a SCARA, X and Y, mm");
   app.add_option("--tolerance", tolerance, "largest distance from the line on X and Y, in steps");
   app.add_option("--shortest-interval", shortest, "fewest clocks between two edges of an axis");
   CLI11_PARSE(app, argument_count, arguments);

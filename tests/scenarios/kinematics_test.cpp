@@ -20,10 +20,10 @@ const std::string gcode =
     "G1 X-3.333 Y1.017\nG1 X0.01 Y0.02 Z0.05\nG1 X-30 Y-25 Z2 F6000\nG90\nG28\n"
     "G1 X5 Y10 Z30 F6000\nM400\nM114\nM84\n";
 
-Print print_on(const std::string& machine) {
+Print print_on(const std::string& machine, const std::string& text = gcode) {
   Print print = scenarios::print_text(
-      gcode, {"--warm", "--machine",
-              std::string(PROJECT_DIRECTORY "/firmware/machines/") + machine + ".toml"});
+      text, {"--warm", "--machine",
+             std::string(PROJECT_DIRECTORY "/firmware/machines/") + machine + ".toml"});
   EXPECT_EQ(print.job.status, 0) << print.job.output;
   EXPECT_EQ(print.report["result"], "completed");
   EXPECT_EQ(print.report["path"]["points_missed"], 0);
@@ -51,6 +51,21 @@ TEST(kinematics, delta_prints_to_the_step_and_within_its_chords) {
   expect_edges_as_requested(
       print, {"--kinematics", "delta", "--rod", "250", "--radius", "105", "--height", "250",
               "--steps-per-mm", "80", "80", "80", "95.5", "--tolerance", "3"});
+}
+
+// The same between the circles about the shoulder, where the arms turn back within lines.
+TEST(kinematics, scara_prints_to_the_step_and_within_its_chords) {
+  const Print print = print_on(
+      "scara",
+      "M104 S200\nG28\nM109 S200\nG1 Z145 F1200\nG1 X60 Y60 Z140.3 F3000\nG1 X90 Y60 E1 F2400\n"
+      "G1 X90 Y90 E2\nG1 X60 Y90 E3\nG1 X60 Y60 E4\nG1 X15 Y10\nG1 X190 Y170 E9\n"
+      "G1 X75 Y73 E5\nG2 X75 Y73 I5 J0 E6\nG91\nG1 X-3.333 Y1.017\nG1 X0.01 Y0.02 Z0.05\n"
+      "G1 X-30 Y-25 Z2 F6000\nG90\nG28\nG1 X5 Y110 Z130 F6000\nM400\nM114\nM84\n");
+  expect_edges_as_requested(
+      print,
+      {"--kinematics",   "scara", "--arms", "200",    "180",  "--shoulder",  "100",      "-120",
+       "--end-stops",    "100",   "215",    "--home", "10",   "60",          "--height", "150",
+       "--steps-per-mm", "160",   "160",    "400",    "95.5", "--tolerance", "1.5"});
 }
 
 TEST(kinematics, needs_the_model_of_the_processor_where_the_machine_has_more_memory) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A CoreXY by its belts, a delta by Pythagoras.
+// A CoreXY by its belts, a delta by Pythagoras, a SCARA as two circles that meet in the elbow.
 #include "tests/scenarios/machine_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 namespace scenarios {
 
@@ -25,9 +28,14 @@ double MachineShape::carriage_above(std::size_t tower, double x, double y) const
   return static_cast<double>(std::sqrt(static_cast<long double>(rod) * rod - dx * dx - dy * dy));
 }
 
+double MachineShape::tool_way() const {
+  return kinematics == "scara" ? std::max(arms[0], arms[1]) * std::numbers::pi / 180 : 1;
+}
+
 Vector MachineShape::motors_of(const Vector& tool) const {
   const auto [x, y, z] = tool;
   if (kinematics == "core_xy") return {x + y, x - y, z};
+  if (kinematics == "scara") return arms_to(tool);
   if (kinematics != "delta") return tool;
   Vector motors{};
   for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -36,11 +44,42 @@ Vector MachineShape::motors_of(const Vector& tool) const {
   return motors;
 }
 
-// The delta by Newton's method, with the slopes measured.
+// The elbow is where the circles about shoulder and tool meet.
+Vector MachineShape::arms_to(const Vector& tool) const {
+  using Point = std::complex<long double>;
+  const Point from(shoulder[0], shoulder[1]), to(tool[0], tool[1]);
+  const long double away = std::abs(to - from);
+  const long double along = (away * away + static_cast<long double>(arms[0]) * arms[0] -
+                             static_cast<long double>(arms[1]) * arms[1]) /
+                            (2 * away);
+  const long double aside =
+      std::sqrt(std::max(static_cast<long double>(arms[0]) * arms[0] - along * along, 0.0L));
+  const Point elbow = from + (to - from) / away * Point(along, elbow_side * aside);
+  const auto direction = [&](const Point& arm, double end_stop) {
+    const long double degrees = std::arg(arm) * 180 / std::numbers::pi_v<long double>;
+    // Of the turns, that from 350 degrees below the end stop to 10 above it.
+    const long double below = end_stop + 10 - degrees;
+    return static_cast<double>(end_stop + 10 - (below - 360 * std::floor(below / 360)));
+  };
+  return {direction(elbow - from, end_stops[0]), direction(to - elbow, end_stops[1]), tool[2]};
+}
+
 Vector MachineShape::tool_of(const Vector& motors) const {
   const auto [a, b, c] = motors;
   if (kinematics == "core_xy") return {(a + b) / 2, (a - b) / 2, c};
-  if (kinematics != "delta") return motors;
+  if (kinematics == "delta") return tool_delta_holds(motors);
+  if (kinematics != "scara") return motors;
+  const auto arm = [&](std::size_t i) {
+    return std::polar(arms[i], motors[i] * std::numbers::pi / 180);
+  };
+  const std::complex<double> tool =
+      std::complex<double>(shoulder[0], shoulder[1]) + arm(0) + arm(1);
+  return {tool.real(), tool.imag(), c};
+}
+
+// By Newton's method, with the slopes measured.
+Vector MachineShape::tool_delta_holds(const Vector& motors) const {
+  const double a = motors[0];
   constexpr double small = 1e-3;
   Vector tool{0, 0, a - carriage_above(0, 0, 0)};
   for (int round = 0; round < 50; ++round) {

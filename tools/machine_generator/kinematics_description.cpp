@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "machine_generator/scara_description.hpp"
+
 namespace machine_generator {
 
 using namespace motion;
@@ -74,7 +76,8 @@ void read_kinematics(Reader& root, application::MachineDescription& machine) {
   if (name == "cartesian") return;
   if (name == "core_xy") return read_core_xy(root, machine);
   if (name == "delta") return read_delta(root, machine);
-  root.fail("kinematics", "must be \"cartesian\", \"core_xy\" or \"delta\"");
+  if (name == "scara") return read_scara(root, machine);
+  root.fail("kinematics", "must be \"cartesian\", \"core_xy\", \"delta\" or \"scara\"");
 }
 
 }  // namespace machine_generator

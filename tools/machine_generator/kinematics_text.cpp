@@ -14,6 +14,7 @@ struct Name {
   std::string_view operator()(const kinematics::Cartesian::Parameters&) { return "cartesian"; }
   std::string_view operator()(const kinematics::CoreXy::Parameters&) { return "core_xy"; }
   std::string_view operator()(const kinematics::Delta::Parameters&) { return "delta"; }
+  std::string_view operator()(const kinematics::Scara::Parameters&) { return "scara"; }
 };
 
 std::string length(units::Nanometers value) {
@@ -38,6 +39,19 @@ struct Text {
         "      .towers = {{{{{}}}}},\n      .end_stop_offset = {{{{{}}}}}}}",
         length(delta.rod), length(delta.radius), length(delta.height),
         length(delta.printable_radius), towers, offsets);
+  }
+  std::string operator()(const kinematics::Scara::Parameters& scara) {
+    return fmt::format(
+        "motion::kinematics::Scara::Parameters{{\n"
+        "      .proximal = {}, .distal = {},\n      .shoulder_x = {}, .shoulder_y = {},\n"
+        "      .elbow_left = {},\n      .inner_radius = {}, .outer_radius = {},\n"
+        "      .width = {}, .depth = {}, .height = {},\n      .home_x = {}, .home_y = {},\n"
+        "      .end_stop = {{{{{}, {}}}}}}}",
+        length(scara.proximal), length(scara.distal), length(scara.shoulder_x),
+        length(scara.shoulder_y), scara.elbow_left, length(scara.inner_radius),
+        length(scara.outer_radius), length(scara.width), length(scara.depth), length(scara.height),
+        length(scara.home_x), length(scara.home_y), length(scara.end_stop[0]),
+        length(scara.end_stop[1]));
   }
 };
 

@@ -7,11 +7,12 @@
 #include "motion/kinematics/cartesian.hpp"
 #include "motion/kinematics/core_xy.hpp"
 #include "motion/kinematics/delta.hpp"
+#include "motion/kinematics/scara.hpp"
 
 namespace motion::kinematics {
 
 class Any {
-  using Models = std::variant<Cartesian, CoreXy, Delta>;
+  using Models = std::variant<Cartesian, CoreXy, Delta, Scara>;
 
   struct MakeModel {
     Models operator()(const Cartesian::Parameters& parameters) const {
@@ -19,6 +20,7 @@ class Any {
     }
     Models operator()(const CoreXy::Parameters& parameters) const { return CoreXy(parameters); }
     Models operator()(const Delta::Parameters& parameters) const { return Delta(parameters); }
+    Models operator()(const Scara::Parameters& parameters) const { return Scara(parameters); }
   };
 
   template <class Function>
@@ -27,7 +29,8 @@ class Any {
   }
 
  public:
-  using Parameters = std::variant<Cartesian::Parameters, CoreXy::Parameters, Delta::Parameters>;
+  using Parameters =
+      std::variant<Cartesian::Parameters, CoreXy::Parameters, Delta::Parameters, Scara::Parameters>;
 
   Any() = default;
   explicit Any(const Parameters& parameters) : model_(std::visit(MakeModel(), parameters)) {}
@@ -37,7 +40,7 @@ class Any {
 
   // For tools that model the machine.
   bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
-  bool has_own_z() const { return std::holds_alternative<Cartesian>(model_) || crosses_xy(); }
+  bool has_own_z() const { return !std::holds_alternative<Delta>(model_); }
 
   bool identity() const {
     return visit([](const auto& model) { return model.identity(); });
@@ -48,11 +51,17 @@ class Any {
   bool homes_motors() const {
     return visit([](const auto& model) { return model.homes_motors(); });
   }
+  std::size_t curved_motors() const {
+    return visit([](const auto& model) { return model.curved_motors(); });
+  }
   std::string_view motor_letters() const {
     return visit([](const auto& model) { return model.motor_letters(); });
   }
   bool reaches(const Place& tool) const {
     return visit([&](const auto& model) { return model.reaches(tool); });
+  }
+  bool straight_within(const Place& from, const Place& to) const {
+    return visit([&](const auto& model) { return model.straight_within(from, to); });
   }
   Place motors_of(const Place& tool) const {
     return visit([&](const auto& model) -> Place { return model.motors_of(tool); });

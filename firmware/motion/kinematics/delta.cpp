@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "motion/kinematics/lengths.hpp"
 #include "motion/kinematics/square_root.hpp"
 #include "motion/scaled.hpp"
 #include "units/loop_bound.hpp"
@@ -22,22 +23,6 @@ constexpr std::uint64_t carriage_deviation = 8'000;
 constexpr std::uint32_t least_rise = 1'000'000;
 // No bed is so far below its place: lengths stay below what their squares permit.
 constexpr units::Position lowest{Nanometers(-1'000'000'000)};
-
-constexpr std::uint64_t square(std::int64_t value) {
-  const std::uint64_t size = magnitude(value);
-  return size * size;
-}
-
-std::uint32_t horizontal_length(const Place& from, const Place& to) {
-  return nearest_root(square((to[0] - from[0]).nearest().count()) +
-                      square((to[1] - from[1]).nearest().count()));
-}
-
-Scaled spatial_length(const Place& from, const Place& to) {
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < spatial_axes; ++i) sum += square((to[i] - from[i]).nearest().count());
-  return Scaled::of(sum).square_root();
-}
 
 std::uint32_t narrow(Nanometers length) { return static_cast<std::uint32_t>(length.count()); }
 

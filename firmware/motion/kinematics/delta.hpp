@@ -39,11 +39,13 @@ class Delta {
   static constexpr bool identity() { return false; }
   static constexpr bool straight() { return false; }
   static constexpr bool homes_motors() { return true; }
+  static constexpr std::size_t curved_motors() { return spatial_axes; }
   static constexpr std::string_view motor_letters() { return "ABC"; }
 
   // Within the printable radius and the cone below home in which no carriage is above its place at
   // home: between two such places the line has only such places.
   bool reaches(const Place& tool) const;
+  static constexpr bool straight_within(const Place&, const Place&) { return true; }
   Place motors_of(const Place& tool) const;
   // By Newton's method; within 5 nm where the place is within reach, else any place.
   Place place_of(const Place& motors) const;

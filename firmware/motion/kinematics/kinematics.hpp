@@ -39,10 +39,14 @@ concept Model =
       { model.straight() } -> std::same_as<bool>;
       // Homing moves motors, not axes, and finds all places at once.
       { model.homes_motors() } -> std::same_as<bool>;
+      // So many motors, from X on, go along a curve where the tool goes straight.
+      { model.curved_motors() } -> std::same_as<std::size_t>;
       // What M114 calls the motors of X, Y and Z.
       { model.motor_letters() } -> std::same_as<std::string_view>;
       // Within what the mechanism reaches, so that motors_of is defined.
       { model.reaches(place) } -> std::same_as<bool>;
+      // So is a whole straight line to a place of reach, from where a line has ended.
+      { model.straight_within(place, place) } -> std::same_as<bool>;
       // The motors' places for a place of the tool within reach, and back.
       { model.motors_of(place) } -> std::convertible_to<Place>;
       { model.place_of(place) } -> std::convertible_to<Place>;

@@ -14,7 +14,9 @@ class Straight {
 
   static constexpr bool straight() { return true; }
   static constexpr bool homes_motors() { return false; }
+  static constexpr std::size_t curved_motors() { return 0; }
   static constexpr bool reaches(const Place&) { return true; }
+  static constexpr bool straight_within(const Place&, const Place&) { return true; }
   static constexpr std::uint32_t chords(const Place&, const Place&) { return 1; }
   static constexpr units::MicrometersPerSecond speed_limit(const Place&, const Place&,
                                                            units::MicrometersPerSecondSquared) {
