@@ -34,22 +34,20 @@ inline constexpr auto gcode_table = [] {
       g(20, handler<&CoordinateCommands::set_inches, true>, "lengths are inches"),
       g(21, handler<&CoordinateCommands::set_inches, false>, "lengths are millimetres"),
       g(27, handler<&PlaceCommands::park>,
-        "parks the head, Z first: P0 lifts Z to 20 mm where it is lower, P1 leads it there, P2 "
-        "lifts it by 20 mm",
-        parking, {.start = Start::with_room}),
+        "parks the head, Z first: to 20 mm (P0: only up, P1), or by 20 mm (P2)", parking,
+        {.start = Start::with_room}),
       g(28, handler<&MotionCommands::home>,
         "homes the named axes, or all; goes a back-off beyond where the end stop is or can be at "
         "most, then halts until M999",
         homing, {.start = Start::at_rest, .refuses_others = true}),
       g(29, handler<&LevellingCommands::execute>,
-        "probes the bed in a grid of X by Y points (2 to 15) from L to R and F to B, reports it, "
-        "and M420 is on; halts where the probe fails; without `[probe]` not fitted",
+        "probes X by Y points (2 to 15) from L to R and F to B, reports them, M420 is on; halts "
+        "where the probe fails; without `[probe]` not fitted",
         grid),
       g(30, handler<&LevellingCommands::execute>, "probes one place; as G29 fitted", probed_place),
       g(53, handler<&HostCommands::accept>,
-        "in front of G0 to G3: absolute X Y Z are in the machine's coordinates; alone without "
-        "effect",
-        {}, {.refuses_others = true}),
+        "before G0 to G3: absolute X Y Z are the machine's; alone without effect", {},
+        {.refuses_others = true}),
       g(54, handler<&CoordinateCommands::select_system, 0u>,
         "coordinates of the first of nine systems, each with the shift that G92 has given it"),
       g(55, handler<&CoordinateCommands::select_system, 1u>, "of the second"),
@@ -60,8 +58,7 @@ inline constexpr auto gcode_table = [] {
         "of the sixth; G59.1 to G59.3: of the others", {}, {.most_subcode = 3}),
       g(60, handler<&PlaceCommands::save_position>, "saves the present place", slot),
       g(61, handler<&PlaceCommands::restore_position>,
-        "back to the saved place along the axes named, or all of X, Y and Z, their "
-        "numbers added; E gets its coordinate back",
+        "to the saved place along the axes named, or X, Y and Z, plus their numbers; E as it was",
         saved_place, {.start = Start::with_room, .refuses_others = true}),
       g(90, handler<&CoordinateCommands::set_relative, false>, "positions are absolute"),
       g(91, handler<&CoordinateCommands::set_relative, true>, "positions are relative"),
@@ -89,8 +86,7 @@ inline constexpr auto gcode_table = [] {
       m(32, handler<&FileCommands::select>, "refused, there is no card", name,
         {.while_dry_run = true}),
       m(37, handler<&DryRunCommands::simulate>,
-        "refused, there is no simulation; what comes after an S other than 0 is not executed "
-        "until S0",
+        "refused, there is no simulation; what follows an S that is not 0 is ignored until S0",
         simulation, {.while_dry_run = true}),
       m(42, handler<&HostCommands::report_not_fitted>, "not fitted: pins for the host"),
       m(73, handler<&HostCommands::set_progress>, "progress of the print, and the time left",
@@ -114,8 +110,7 @@ inline constexpr auto gcode_table = [] {
         {.report = handler<&HostCommands::report_host_silence>}),
       m(92, handler<&SettingCommands::set_steps_per_millimeter>, "steps per millimetre", steps,
         {.start = Start::at_rest, .report = handler<&SettingCommands::report>}),
-      m(104, handler<&HeatCommands::set_temperature, Heater::hotend>, "target of the hotend",
-        hotend),
+      m(104, handler<&HeatCommands::set_temperature, Heater::hotend>, "hotend's target", hotend),
       m(105, handler<&ReportCommands::report_temperature>, "temperatures", {},
         {.answered_ahead = true, .while_storing = true}),
       m(106, handler<&HeatCommands::set_fan>, "fan on", fan),
@@ -187,8 +182,8 @@ inline constexpr auto gcode_table = [] {
         "S0: moves beyond the travel of a homed axis are not refused until S1", soft_limits,
         {.report = handler<&MotionCommands::report_soft_limits>}),
       m(217, of_tools<&ToolCommands::set_change>,
-        "change of tools: filament back (S), more forward (B), extruded (E), its speeds, lift; Q "
-        "extrudes E now; without `[tool_1]` in the machine description not fitted",
+        "change of tools: filament back (S), more forward (B), extruded (E), speeds, lift; Q "
+        "extrudes E now; without `[tool_1]` not fitted",
         tool_change),
       m(218, of_tools<&ToolCommands::set_offset>,
         "where the nozzle of a tool is from that of tool 0; fitted as M217", tool_offset,
@@ -222,8 +217,7 @@ inline constexpr auto gcode_table = [] {
       m(413, handler<&HostCommands::report_not_fitted>,
         "not fitted: recovery after a loss of power"),
       m(420, handler<&LevellingCommands::execute>,
-        "S1: lines follow the mesh below height Z (0: everywhere); V: reports it; as G29 fitted",
-        mesh),
+        "S1: lines follow the mesh below Z (0: all); V: reports it; as G29 fitted", mesh),
       m(421, handler<&LevellingCommands::execute>,
         "height Z of the mesh in column I, row J, or of all; Q: added; as G29 fitted", mesh_point),
       m(425, handler<&HostCommands::report_not_fitted>, "not fitted: compensation of backlash"),
@@ -288,8 +282,7 @@ inline constexpr auto gcode_table = [] {
       m(999, handler<&HostCommands::accept>,
         "after a fault or M112: the firmware restarts; otherwise without effect"),
       t(0, handler<&ToolCommands::select>,
-        "tool 0, or with `[tool_1]` T1 (F: mm/min of its way, S1: without a move); another is "
-        "refused (`echo:T2 Invalid extruder`)"),
+        "tool 0, or with `[tool_1]` T1 (F: mm/min of its way, S1: no move); no other"),
   });
 }();
 

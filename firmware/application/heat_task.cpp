@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "units/loop_bound.hpp"
 
@@ -73,7 +74,9 @@ template <class Machine>
 HeatTask::SecondHotend HeatTask::second_hotend(const Machine& machine,
                                                const ThermalTables& tables) {
   if constexpr (units::most_tools == 1) {
-    return {};
+    // Dependent on the argument: compilers look at what is not, used or not.
+    using Nothing = std::conditional_t<sizeof(Machine) != 0, SecondHotend, void>;
+    return Nothing{};
   } else {
     const bool present = machine.second_tool.has_value();
     const HeaterDescription& heater = present ? machine.second_tool->hotend : machine.hotend;

@@ -61,7 +61,7 @@ std::uint32_t FakeChip::end_stops() const {
   return triggered;
 }
 
-bool FakeChip::probe_triggers(const std::array<std::int64_t, 4>& steps) const {
+bool FakeChip::probe_triggers(const std::array<std::int64_t, axes>& steps) const {
   if (!probe_mm) return false;
   std::array<double, 3> mm;
   for (std::size_t i = 0; i < mm.size(); ++i) {

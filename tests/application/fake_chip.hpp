@@ -101,7 +101,7 @@ class FakeChip {
   std::uint32_t word(std::uint32_t address) const { return words_[place_of(address)]; }
   std::uint32_t& word(std::uint32_t address) { return words_[place_of(address)]; }
   std::uint32_t end_stops() const;
-  bool probe_triggers(const std::array<std::int64_t, 4>& steps) const;
+  bool probe_triggers(const std::array<std::int64_t, axes>& steps) const;
   void commit();
   void command(std::uint32_t value);
   void feed(registers::heater_control::Feed::Key key);
