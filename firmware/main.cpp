@@ -51,6 +51,9 @@ int main() {
     if (identity->heaters <= units::most_tools || identity->sensors <= units::most_tools) {
       platform::halt("This machine needs a chip with a heater for each hotend and the bed");
     }
+    if (identity->axes <= units::axis_count) {
+      platform::halt("This machine needs a chip with a step generator for both extruders");
+    }
   }
 
   // Not on the stack, so that its measure is that of the calls alone.

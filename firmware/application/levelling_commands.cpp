@@ -134,7 +134,12 @@ Progress LevellingCommands::set_point(ActiveCommand& command) {
             continue;
           }
           const Nanometers wanted = height ? *height : *old + *added;
-          if (!motion::BedMesh::may_be(wanted)) reason = "Height not within -10 to 10";
+          const Nanometers fade = levelling.mesh.fade_height(), twice = wanted * 2;
+          if (!motion::BedMesh::may_be(wanted)) {
+            reason = "Height not within -10 to 10";
+          } else if (follow && fade != Nanometers() && (twice > fade || -twice > fade)) {
+            reason = "Height beyond half of the fade height, M420 Z";
+          }
           if (does) levelling.mesh.set_height(column, row, wanted);
         }
       }
@@ -163,6 +168,11 @@ Progress LevellingCommands::set_offset(ActiveCommand& command) {
                                      : "X or Y not within -100 to 100"sv);
     }
     offset[i] = *asked;
+  }
+  motion::ProbeSettings changed = motion_.levelling().probe;
+  changed.offset = offset;
+  if (changed.end_of_descent() >= changed.clearance) {
+    return command.refuse("Z would end the descent above the probe's clearance");
   }
   motion_.change_levelling(motion_.levelled(),
                            [&](motion::Levelling& levelling) { levelling.probe.offset = offset; });

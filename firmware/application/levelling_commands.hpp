@@ -39,6 +39,8 @@ class LevellingCommands {
   std::optional<Progress> refuse_to_probe(ActiveCommand& command) const;
   // Nothing where there is a height.
   std::optional<Progress> failure(ActiveCommand& command) const;
+  // After a stop motors may have lost steps.
+  std::optional<Progress> refuse_after_stop(ActiveCommand& command) const;
   std::size_t points(std::size_t axis) const { return motion_.levelling().mesh.points(axis); }
   // Of the point in turn: there and back.
   std::size_t row() const { return point_ / points(0); }

@@ -53,6 +53,13 @@ std::optional<Progress> LevellingCommands::failure(ActiveCommand& command) const
   const motion::Probing& probing = motion_.levelling().probing;
   if (probing.fault()) return command.end_everything({Fatal::Reason::probing, {}, Axis::z});
   if (!probing.result()) return command.refuse("Probing was stopped");
+  return refuse_after_stop(command);
+}
+
+std::optional<Progress> LevellingCommands::refuse_after_stop(ActiveCommand& command) const {
+  for (const Axis axis : spatial_axes) {
+    if (!motion_.located().contains(axis)) return command.refuse("Probing was stopped");
+  }
   return std::nullopt;
 }
 
@@ -109,6 +116,7 @@ Progress LevellingCommands::begin_grid(ActiveCommand& command) {
 }
 
 Progress LevellingCommands::begin_point(ActiveCommand& command) {
+  if (const auto stopped = refuse_after_stop(command)) return *stopped;
   const motion::BedMesh& mesh = motion_.levelling().mesh;
   if (command.command.integer('V').value_or(0) > 0) {
     host_link::TextLine line;
@@ -139,6 +147,7 @@ Progress LevellingCommands::probe_bed(ActiveCommand& command) {
 }
 
 Progress LevellingCommands::end_grid(ActiveCommand& command) {
+  if (const auto stopped = refuse_after_stop(command)) return *stopped;
   if (say_mesh(command) == Progress::again) return Progress::again;
   return motion_.change_levelling(true, [](motion::Levelling&) {}) ? Progress::done
                                                                    : refuse_to_follow(command);

@@ -250,7 +250,7 @@ void MotionTask::select_extruder(std::size_t extruder) {
 
 // Where the axis is now is not known exactly, nor where others are that its motor moves.
 void MotionTask::note_lost(units::Axis axis) {
-  if (kinematics().identity()) {
+  if (kinematics().identity() || axis == units::Axis::e) {
     located_.remove(axis);
   } else {
     located_ = {};

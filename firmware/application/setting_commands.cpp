@@ -212,8 +212,9 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     motion_.set_steps_per_meter(machine_.limits);
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
-    if (motion_.levels()) motion_.restore_levelling();
     coordinates_.set_planned(motion_.position());
+    // Behind it, so that the host's position follows what levelling has added to Z.
+    if (motion_.levels()) motion_.restore_levelling();
     coordinates_.restore_tools(machine_);
     command.phase = ActiveCommand::Phase::working;
   }

@@ -58,7 +58,10 @@ class Probing {
   // The probe goes to X and Y, which the nozzle must be able to reach.
   void start(const ProbeSettings& settings, units::Nanometers x, units::Nanometers y);
   // Neither a result nor a fault comes of it.
-  void cancel() { state_ = State::idle; }
+  void cancel() {
+    state_ = State::idle;
+    result_.reset();
+  }
   bool active() const { return state_ != State::idle; }
 
   // The next move, as long as it is active; to be called when the axes are at rest.

@@ -136,6 +136,28 @@ TEST_F(LevellingCommands, are_listed_and_restored_with_the_settings) {
   EXPECT_THAT(answer("M420 S1"), HasSubstr("no mesh"));
 }
 
+// The nozzle stays, and the host's Z says where it is.
+TEST_F(LevellingCommands, leave_the_nozzle_where_m502_finds_it) {
+  home();
+  printer.talk("-> M421 Z-0.3\n<- ok");
+  EXPECT_THAT(answer("M420 S1 Z0"), HasSubstr("ON"));
+  printer.talk("-> G1 Z1 F600\n<- ok\n-> M400\n<- ok");
+  EXPECT_NEAR(printer.mm(z), 0.7, 0.001);
+  printer.talk("-> M502\n<- echo:Hardcoded Default Settings Loaded\n<- ok");
+  EXPECT_THAT(answer("M114"), HasSubstr("Z:0.70 "));
+  EXPECT_NEAR(printer.mm(z), 0.7, 0.001);
+}
+
+TEST_F(LevellingCommands, are_as_they_were_where_m421_or_m851_is_refused) {
+  printer.talk("-> M421 Z0.1\n<- ok");
+  EXPECT_THAT(answer("M420 S1 Z1"), HasSubstr("ON"));
+  const std::string before = answer("M420 V");
+  EXPECT_THAT(answer("M421 I0 J0 Z0.9"), HasSubstr("half of the fade height"));
+  EXPECT_EQ(answer("M420 V"), before);
+  EXPECT_THAT(answer("M851 Z-20"), HasSubstr("above the probe's clearance"));
+  EXPECT_THAT(answer("M851"), HasSubstr("Z-1.50"));
+}
+
 TEST_F(LevellingCommands, are_among_the_capabilities_and_the_switches) {
   EXPECT_THAT(answer("M115"), HasSubstr("Cap:AUTOLEVEL:1\nCap:LEVELING_DATA:1\nCap:Z_PROBE:1\n"));
   EXPECT_THAT(answer("M119"), HasSubstr("z_probe: open\n"));

@@ -80,6 +80,8 @@ TEST(machine_generator, names_what_a_probe_cannot_do) {
   EXPECT_THAT(complaint_of("backoff_mm = 1.0", ""), HasSubstr("probe.backoff_mm: is missing"));
   EXPECT_THAT(complaint("[drivers.a4988]", "[mesh]\n[drivers.a4988]"),
               HasSubstr("mesh: needs a table [probe]"));
+  EXPECT_THAT(complaint_about("two_extruders.toml", "[tool_1]", "[probe]\ninput = 3\n[tool_1]"),
+              HasSubstr("probe: a machine with [tool_1] cannot have one yet"));
 }
 
 TEST(machine_generator, takes_the_arms_of_a_scara) {

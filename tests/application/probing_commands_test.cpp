@@ -227,5 +227,21 @@ TEST_F(ProbingCommands, end_with_a_quick_stop) {
   EXPECT_THAT(answer("M420 S1"), HasSubstr("no mesh, G29 first"));
 }
 
+// On the way, in the descents, and while the nozzle rises with a result.
+TEST_F(ProbingCommands, end_with_a_quick_stop_at_any_moment) {
+  for (double seconds = 0.3; seconds < 5; seconds += 0.06) {
+    home();
+    printer.send("G29 V1");
+    printer.run(seconds);
+    printer.send("M410");
+    std::string all;
+    while (const auto said = printer.reply(1)) all += *said + "\n";
+    EXPECT_THAT(all, HasSubstr("Probing was stopped")) << seconds;
+    const auto stopped_at = printer.chip.mechanical;
+    printer.run(2);
+    EXPECT_EQ(printer.chip.mechanical, stopped_at) << seconds;
+  }
+}
+
 }  // namespace
 }  // namespace application_test

@@ -117,6 +117,8 @@ std::optional<motion::LevellingSettings> read_levelling(
     }
     return std::nullopt;
   }
+  // The mesh is that of the first nozzle's places, and E of levelled lines that of the first tool.
+  if (root.has("tool_1")) root.fail("probe", "a machine with [tool_1] cannot have one yet");
   if (root.has("bed_surface")) check_surface(root.table("bed_surface"));
   motion::LevellingSettings levelling;
   levelling.probe = read_probe(root.table("probe"), machine.limits);
