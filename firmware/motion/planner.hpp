@@ -38,7 +38,6 @@ class Planner {
           const kinematics::Chosen& kinematics = kinematics::Chosen{});
 
   const kinematics::Chosen& kinematics() const { return kinematics_; }
-  // Only while empty and at rest; the position must then be set.
 
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);
