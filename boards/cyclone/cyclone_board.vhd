@@ -20,6 +20,8 @@ entity cyclone_board is
     enable_level : std_ulogic := '0';
     -- The fifth motor is a second one of Z, not E1.
     has_second_z : boolean := false;
+    -- Of the chip's memory: of at most three binary digits 1.
+    memory_size_bytes : positive := 106496;
     has_debug : boolean := false;
     has_zbb : boolean := false
   );
@@ -119,7 +121,7 @@ begin
 
   chip : entity work.printer_controller
     generic map (
-      axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb,
+      memory_size_bytes => memory_size_bytes, axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb,
       clock_frequency_hz => clock_frequency_hz)
     port map (
       clk => clk,

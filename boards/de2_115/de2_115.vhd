@@ -8,6 +8,8 @@ entity de2_115 is
   generic (
     -- Of the board's oscillator; co-simulation has a slower one.
     reference_clock_hz : positive := 50_000_000;
+    -- Of the chip's memory: of at most three binary digits 1.
+    memory_size_bytes : positive := 106496;
     -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false;
     -- The processor has extension Zbb.
@@ -52,7 +54,8 @@ begin
 
   board : entity work.cyclone_board
     generic map (
-      device_family => "Cyclone IV E", reference_clock_hz => reference_clock_hz, has_debug => has_debug,
+      device_family => "Cyclone IV E", reference_clock_hz => reference_clock_hz,
+      memory_size_bytes => memory_size_bytes, has_debug => has_debug,
       has_zbb => has_zbb)
     port map (
       reference_clk => clock_50mhz,

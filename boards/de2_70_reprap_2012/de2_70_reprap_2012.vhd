@@ -6,6 +6,8 @@ use ieee.std_logic_1164.all;
 
 entity de2_70_reprap_2012 is
   generic (
+    -- Of the chip's memory: of at most three binary digits 1.
+    memory_size_bytes : positive := 106496;
     -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false;
     -- The processor has extension Zbb.
@@ -52,7 +54,8 @@ begin
 
   board : entity work.cyclone_board
     generic map (
-      device_family => "Cyclone II", enable_level => '1', has_second_z => true, has_debug => has_debug,
+      device_family => "Cyclone II", enable_level => '1', has_second_z => true,
+      memory_size_bytes => memory_size_bytes, has_debug => has_debug,
       has_zbb => has_zbb)
     port map (
       reference_clk => clock_50mhz,

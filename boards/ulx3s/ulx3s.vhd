@@ -8,6 +8,8 @@ entity ulx3s is
   generic (
     -- Of the phase-locked loop's output; co-simulation has a slower one.
     clock_frequency_hz : positive := 50_000_000;
+    -- Of the chip's memory.
+    memory_size_bytes : positive := 106496;
     -- With the debug port. Its clock has not been tried.
     has_debug : boolean := false;
     -- The processor has extension Zbb.
@@ -131,7 +133,7 @@ begin
 
   chip : entity work.printer_controller
     generic map (
-      axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb,
+      memory_size_bytes => memory_size_bytes, axes => 5, heaters => 2, has_debug => has_debug, has_zbb => has_zbb,
       clock_frequency_hz => clock_frequency_hz)
     port map (
       clk => clk,

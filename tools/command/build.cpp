@@ -65,6 +65,49 @@ void require_stack(const std::filesystem::path& image, const std::filesystem::pa
       description.string(), needed ? std::to_string(*needed) : "an unknown number of", left));
 }
 
+// The firmware for another machine than that of the build: nobody builds that for a third one as
+// long as this exists.
+class OtherMachine {
+ public:
+  OtherMachine(const std::filesystem::path& description, const std::string& stepping) {
+    const std::string header = machine_generator::header_of(description);
+    const machine_generator::Machine machine = machine_generator::read_machine(description);
+    tools_ = machine.description.tools();
+    const bool two_tools = tools_ > 1;
+    if (two_tools && stepping == "software") {
+      throw std::runtime_error(fmt::format(
+          "{}: with two extruders the step generator makes the steps: omit --stepping software",
+          description.string()));
+    }
+    const std::string image_name =
+        fmt::format("other_machine_{}_{}{}", stepping,
+                    machine_generator::kinematics_name(machine.description.kinematics),
+                    two_tools ? "_two_tools" : "");
+    memory_bytes_ = std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES);
+    const std::string memory = fmt::format("--defsym=chip_memory_bytes={}\n", memory_bytes_);
+    const std::filesystem::path generated = build_folder() / "generated" / "other_machine";
+    const std::filesystem::path header_file = generated / "machine" / "machine.hpp";
+    const std::filesystem::path memory_file = generated / "memory_options";
+    // The same text is not written again, so that nothing is built for it.
+    if (files::text_of(header_file) != header) files::write_file(header_file, header);
+    if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);
+    build({"firmware_" + image_name});
+    file_ = build_folder() / "firmware" / (image_name + ".elf");
+    require_stack(file_, description);
+  }
+
+  const std::filesystem::path& file() const { return file_; }
+  std::uint32_t memory_bytes() const { return memory_bytes_; }
+  std::size_t tools() const { return tools_; }
+  sim::ElfImage image() const { return sim::read_elf(file_); }
+
+ private:
+  FolderLock lock_{"other_machine_lock"};
+  std::filesystem::path file_;
+  std::uint32_t memory_bytes_{};
+  std::size_t tools_{};
+};
+
 }  // namespace
 
 std::filesystem::path project_folder() { return STEPFABRIC_PROJECT_FOLDER; }
@@ -88,33 +131,22 @@ void build(const std::vector<std::string>& targets) {
 }
 
 sim::ElfImage firmware_for(const std::filesystem::path& description, const std::string& stepping) {
-  const std::string header = machine_generator::header_of(description);
-  const machine_generator::Machine machine = machine_generator::read_machine(description);
-  const bool two_tools = machine.description.tools() > 1;
-  if (two_tools && stepping == "software") {
-    throw std::runtime_error(fmt::format(
-        "{}: with two extruders the step generator makes the steps: omit --stepping software",
-        description.string()));
+  return OtherMachine(description, stepping).image();
+}
+
+std::uint32_t write_board_firmware(const std::filesystem::path& description,
+                                   const std::filesystem::path& file) {
+  const OtherMachine machine(description, "hardware");
+  if (machine.tools() > 1) {
+    throw std::runtime_error(
+        fmt::format("{}: two hotends and a bed are three heaters, and the boards have two: omit "
+                    "[tool_1]",
+                    description.string()));
   }
-  const std::string image_name =
-      fmt::format("other_machine_{}_{}{}", stepping,
-                  machine_generator::kinematics_name(machine.description.kinematics),
-                  two_tools ? "_two_tools" : "");
-  const std::string memory =
-      fmt::format("--defsym=chip_memory_bytes={}\n",
-                  std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES));
-  const FolderLock lock("other_machine_lock");  // until the image has been read
-  const std::filesystem::path file =
-      build_folder() / "generated" / "other_machine" / "machine" / "machine.hpp";
-  const std::filesystem::path memory_file =
-      build_folder() / "generated" / "other_machine" / "memory_options";
-  // The same text is not written again, so that nothing is built for it.
-  if (files::text_of(file) != header) files::write_file(file, header);
-  if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);
-  build({"firmware_" + image_name});
-  const std::filesystem::path image = build_folder() / "firmware" / (image_name + ".elf");
-  require_stack(image, description);
-  return sim::read_elf(image);
+  std::filesystem::create_directories(file.parent_path());
+  std::filesystem::copy_file(machine.file(), file,
+                             std::filesystem::copy_options::overwrite_existing);
+  return machine.memory_bytes();
 }
 
 int run_program(const std::vector<std::string>& arguments) {

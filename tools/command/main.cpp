@@ -111,11 +111,16 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("prove")) {
     return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
   }
-  build({"firmware"});  // synth
-  const auto firmware = build_folder() / "firmware" / "firmware.elf";
-  return synthesis::synthesize(jobs.synth, project_folder(), firmware, end_if_interrupted)
-             ? success
-             : failure;
+  synthesis::Options synth = jobs.synth;
+  auto firmware = build_folder() / "firmware" / "firmware.elf";
+  if (synth.machine.empty()) {
+    build({"firmware"});
+  } else {
+    firmware = std::filesystem::absolute(synth.directory) / "firmware.elf";
+    synth.memory_bytes = write_board_firmware(synth.machine, firmware);
+  }
+  return synthesis::synthesize(synth, project_folder(), firmware, end_if_interrupted) ? success
+                                                                                      : failure;
 }
 
 // A file opened while one of these is closed would get its descriptor, and messages to the stream

@@ -16,13 +16,18 @@ struct Device {
   // Memory of the processor when it is measured alone. An iCE40's block RAM has one port to read:
   // the memory, which has two, takes twice its size, and the registers four blocks.
   std::uint32_t memory_bytes;
+  // Lattice FPGA-DS-02012 and FPGA-DS-02029 (HX8K), FPGA-DS-02008 (UP5K): of 18 kbit, of 4 kbit.
+  std::uint32_t block_rams;
 };
 
 // A 12F is a 25F of which the maker promises a part.
 constexpr std::array devices{
-    Device{"12k", Family::ecp5, 65536},  Device{"25k", Family::ecp5, 65536},
-    Device{"45k", Family::ecp5, 65536},  Device{"85k", Family::ecp5, 65536},
-    Device{"hx8k", Family::ice40, 4096}, Device{"up5k", Family::ice40, 4096}};
+    Device{"12k", Family::ecp5, 65536, 56},  Device{"25k", Family::ecp5, 65536, 56},
+    Device{"45k", Family::ecp5, 65536, 108}, Device{"85k", Family::ecp5, 65536, 208},
+    Device{"hx8k", Family::ice40, 4096, 32}, Device{"up5k", Family::ice40, 4096, 30}};
+
+// Bytes of memory in a block RAM of an ECP5: its ninth bits are not used.
+constexpr std::uint32_t ecp5_block_bytes = 2048;
 
 constexpr const char* name_of(Family family) {
   switch (family) {

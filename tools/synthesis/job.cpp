@@ -54,7 +54,8 @@ class Scripts {
                                    : alone                        ? firmware_.string()
                                                                   : "-",
                                    directory_.string()};
-    if (alone) words.push_back(fmt::format("-gmemory_size_bytes={}", device_.memory_bytes));
+    words.push_back(fmt::format("-gmemory_size_bytes={}",
+                                alone ? device_.memory_bytes : options_.memory_bytes));
     if (options_.debug) words.emplace_back("-ghas_debug=true");
     if (options_.zbb) words.emplace_back("-ghas_zbb=true");
     call(words);
@@ -97,6 +98,33 @@ class Scripts {
   const std::function<void()>& look_;
 };
 
+// The memory lies in block RAM, beside the chip's queues: nextpnr would end much later, and without
+// a remedy.
+void require_block_rams(const Options& options, const Device& device) {
+  const std::uint32_t needed = options.memory_bytes / ecp5_block_bytes;
+  if (needed < device.block_rams) return;
+  std::string others;
+  for (const Device& other : devices) {
+    if (other.family != device.family || other.block_rams <= needed) continue;
+    others += fmt::format("{}{}", others.empty() ? "" : " or ", other.name);
+  }
+  throw std::runtime_error(
+      fmt::format("{} KiB of memory are {} block RAMs, and a {} has {}: choose {}",
+                  options.memory_bytes / 1024, needed, device.name, device.block_rams,
+                  others.empty() ? "a smaller memory_kib" : "--device " + others));
+}
+
+// A firmware that is put into the layout or project of another chip would not start.
+void require_same_memory(const Options& options, const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "synthesis.json";
+  const std::optional<std::uint32_t> there = memory_of(file);
+  if (!there || *there == options.memory_bytes) return;
+  throw std::runtime_error(
+      fmt::format("{}: the chip there has {} KiB of memory, and the firmware is for {}: omit "
+                  "--firmware-only",
+                  file.string(), *there / 1024, options.memory_bytes / 1024));
+}
+
 }  // namespace
 
 void add_options(CLI::App& job, Options& options) {
@@ -130,6 +158,11 @@ void add_options(CLI::App& job, Options& options) {
                  "number of placements, from --seed on; the fastest becomes the bitstream")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  job.add_option("--machine", options.machine,
+                 "description of the machine: its firmware, and a chip with its memory_kib (not "
+                 "core; by default that of the build)")
+      ->check(CLI::ExistingFile)
+      ->type_name("TOML");
   job.add_flag("--debug", options.debug, "the chip with its JTAG debug port (not core)");
   job.add_flag("--zbb,!--no-zbb", options.zbb,
                "the processor with extension Zbb, for firmware that is compiled for it");
@@ -164,6 +197,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   const bool alone = options.board == "core";
   if (options.firmware_only && alone) throw std::runtime_error("core has no firmware");
   if (options.debug && alone) throw std::runtime_error("the processor alone has no debug port");
+  if (!options.machine.empty() && alone) {
+    throw std::runtime_error("core has no machine: its program is not for a printer");
+  }
   if (device.family != Family::ecp5 && !alone) {
     throw std::runtime_error(fmt::format("{} has an ECP5; an {} is only possible for core",
                                          options.board, name_of(device.family)));
@@ -172,6 +208,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
   std::optional<files::PathLock> lock;
   take(directory, lock);
+  if (options.firmware_only) require_same_memory(options, directory);
   if (has_cyclone(project, options.board)) {
     return make_quartus_project(options, project, firmware, directory, look);
   }
@@ -182,6 +219,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
                (directory / (options.board + ".bit")).string());
     return true;
   }
+  if (!alone) require_block_rams(options, device);
   std::filesystem::remove(directory / "layout.config");
   scripts.synthesize();
   Report report;
@@ -202,7 +240,7 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
   report.board = options.board;
   report.device = options.device;
   report.has_debug = options.debug;
-  if (alone) report.memory_bytes = device.memory_bytes;
+  report.memory_bytes = alone ? device.memory_bytes : options.memory_bytes;
   report.placements = placements;
   files::write_text(directory / "synthesis.json", as_json(report));
   fmt::print("{}", as_table(report));

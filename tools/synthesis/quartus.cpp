@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -21,10 +22,10 @@ namespace {
 
 using nlohmann::json;
 
-// The chip's memory is of blocks that Yosys does not count: so many bytes.
-constexpr int memory_bytes = CHIP_MEMORY_BYTES;
 // Bits of the block in which Yosys counts the chip's queues.
 constexpr int yosys_block_bits = 8192;
+// Of boards/cyclone/memory.v.
+constexpr int most_banks = 3;
 
 std::map<std::string, std::string> properties_of(const std::filesystem::path& table) {
   std::ifstream stream(table);
@@ -50,8 +51,10 @@ bool has_cyclone(const std::filesystem::path& project, const std::string& board)
 }
 
 CycloneReport read_cyclone_report(const std::filesystem::path& cells,
-                                  const std::filesystem::path& board_folder) {
+                                  const std::filesystem::path& board_folder,
+                                  std::uint32_t memory_bytes) {
   CycloneReport report;
+  report.memory_bytes = memory_bytes;
   report.board = board_folder.filename().string();
   try {
     const auto properties = properties_of(board_folder / "device.csv");
@@ -69,7 +72,8 @@ CycloneReport read_cyclone_report(const std::filesystem::path& cells,
     report.registers = counts.at("dffeas");
     report.logic_elements = std::max(tables, report.registers);
     const int queues = count_of(counts, "cyclone_block_ram");
-    report.block_rams = blocks_for(memory_bytes * 8, block_bits) +
+    // The chip's memory is of blocks that Yosys does not count.
+    report.block_rams = blocks_for(static_cast<int>(memory_bytes) * 8, block_bits) +
                         queues * blocks_for(yosys_block_bits, block_bits);
     report.multipliers = count_of(counts, "cyclone_multiplier");
   } catch (const std::exception& error) {
@@ -87,6 +91,7 @@ std::string as_json(const CycloneReport& report) {
       {"family", report.family},
       {"device", report.device},
       {"has_debug", report.has_debug},
+      {"memory_bytes", report.memory_bytes},
       {"logic_elements", usage(report.logic_elements, report.logic_elements_there)},
       {"registers", usage(report.registers, report.logic_elements_there)},
       {"block_rams", usage(report.block_rams, report.block_rams_there)},
@@ -95,9 +100,10 @@ std::string as_json(const CycloneReport& report) {
 }
 
 std::string as_table(const CycloneReport& report) {
-  std::string text =
-      fmt::format("{} with a {} {}{}, as Yosys counts the cells of a Cyclone IV E\n", report.board,
-                  report.family, report.device, report.has_debug ? ", with its debug port" : "");
+  std::string text = fmt::format(
+      "{} with a {} {}{}, {} KiB of memory, as Yosys counts the cells of a Cyclone IV E\n",
+      report.board, report.family, report.device, report.has_debug ? ", with its debug port" : "",
+      report.memory_bytes / 1024);
   const auto row = [&text](const char* name, int used, int there) {
     text += fmt::format("  {:<24}{:>7} of {:>6}{:>5} %\n", name, used, there, 100 * used / there);
   };
@@ -123,14 +129,24 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
       throw std::runtime_error(
           fmt::format("{} has no project: without --firmware-only one is made", folder.string()));
     }
-    call({(tools / "write_mif.sh").string(), firmware.string(), std::to_string(memory_bytes),
-          folder.string()});
+    call({(tools / "write_mif.sh").string(), firmware.string(),
+          std::to_string(options.memory_bytes), folder.string()});
     fmt::print("{0} has the firmware: quartus_cdb --update_mif {1} && quartus_asm {1} there\n",
                folder.string(), options.board);
     return true;
   }
-  std::vector<std::string> words{(tools / "write_quartus_project.sh").string(), project.string(),
-                                 options.board, firmware.string(), folder.string()};
+  if (std::popcount(options.memory_bytes) > most_banks) {
+    throw std::runtime_error(fmt::format(
+        "{} KiB of memory would be more than {} banks, whose sizes are powers of two: choose "
+        "another memory_kib",
+        options.memory_bytes / 1024, most_banks));
+  }
+  std::vector<std::string> words{(tools / "write_quartus_project.sh").string(),
+                                 project.string(),
+                                 options.board,
+                                 firmware.string(),
+                                 folder.string(),
+                                 fmt::format("-gmemory_size_bytes={}", options.memory_bytes)};
   if (options.debug) words.emplace_back("-ghas_debug=true");
   if (options.zbb) words.emplace_back("-ghas_zbb=true");
   call(words);
@@ -138,8 +154,8 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
   std::fflush(stdout);
   call({(tools / "synthesize_cyclone.sh").string(), project.string(), options.board,
         folder.string()});
-  CycloneReport report =
-      read_cyclone_report(folder / "cells.json", project / "boards" / options.board);
+  CycloneReport report = read_cyclone_report(
+      folder / "cells.json", project / "boards" / options.board, options.memory_bytes);
   report.has_debug = options.debug;
   files::write_text(directory / "synthesis.json", as_json(report));
   fmt::print("{}  bitstream: Quartus {}, quartus_sh -t make_project.tcl in {}\n", as_table(report),

@@ -3,6 +3,7 @@
 // counts it. Only Quartus makes the bitstream.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -17,6 +18,7 @@ bool has_cyclone(const std::filesystem::path& project, const std::string& board)
 struct CycloneReport {
   std::string board, family, device, quartus;
   bool has_debug = false;
+  std::uint32_t memory_bytes = 0;
   int logic_elements = 0, logic_elements_there = 0;
   int registers = 0;
   // Blocks as large as the device's.
@@ -32,7 +34,8 @@ struct CycloneReport {
 // Reads `cells.json` (yosys stat -json) and the board's device.csv. Throws std::runtime_error where
 // something is missing.
 CycloneReport read_cyclone_report(const std::filesystem::path& cells,
-                                  const std::filesystem::path& board_folder);
+                                  const std::filesystem::path& board_folder,
+                                  std::uint32_t memory_bytes);
 std::string as_json(const CycloneReport& report);
 std::string as_table(const CycloneReport& report);
 

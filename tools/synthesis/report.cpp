@@ -182,6 +182,16 @@ Report read_report(const std::filesystem::path& netlist, const std::filesystem::
   return report;
 }
 
+std::optional<std::uint32_t> memory_of(const std::filesystem::path& synthesis_json) {
+  std::ifstream stream(synthesis_json);
+  if (!stream) return std::nullopt;
+  try {
+    return json::parse(stream).at("memory_bytes").get<std::uint32_t>();
+  } catch (const json::exception& error) {
+    throw std::runtime_error(fmt::format("{}: {}", synthesis_json.string(), error.what()));
+  }
+}
+
 std::string as_json(const Report& report) {
   json path = json::array();
   for (const Hop& hop : report.critical_path) {
@@ -195,6 +205,7 @@ std::string as_json(const Report& report) {
                  {"device", report.device},
                  {"family", name_of(report.family)},
                  {"has_debug", report.has_debug},
+                 {"memory_bytes", report.memory_bytes},
                  {"placements", placements},
                  {"lut4", report.lut4},
                  {"logic_cells", as_object(report.logic_cells)},
@@ -205,7 +216,6 @@ std::string as_json(const Report& report) {
                  {"fastest_mhz", report.fastest_mhz},
                  {"margin_percent", report.margin_percent()},
                  {"critical_path", path}};
-  if (report.memory_bytes) object["memory_bytes"] = *report.memory_bytes;
   if (report.wanted_pins) {
     object["pins"] = as_object(report.pins);
     object["wanted_pins"] = as_object(*report.wanted_pins);
@@ -215,10 +225,9 @@ std::string as_json(const Report& report) {
 
 std::string as_table(const Report& report) {
   const Names names = names_of(report.family);
-  std::string text = fmt::format("{} with an {} {}{}", report.board, name_of(report.family),
-                                 report.device, report.has_debug ? ", with its debug port" : "");
-  if (report.memory_bytes) text += fmt::format(", {} KiB of memory", *report.memory_bytes / 1024);
-  text += "\n";
+  std::string text = fmt::format(
+      "{} with an {} {}{}, {} KiB of memory\n", report.board, name_of(report.family), report.device,
+      report.has_debug ? ", with its debug port" : "", report.memory_bytes / 1024);
   const auto row = [&text](const char* name, const Usage& usage) {
     if (usage.available == 0) return;
     text += fmt::format("  {:<24}{:>7} of {:>6}{:>5} %\n", name, usage.used, usage.available,

@@ -45,8 +45,7 @@ struct Report {
   std::string device;
   Family family = Family::ecp5;
   bool has_debug = false;
-  // Of the processor alone.
-  std::optional<std::uint32_t> memory_bytes;
+  std::uint32_t memory_bytes = 0;
   // All that were tried; the figures below are those of the fastest.
   std::vector<Placement> placements;
   // Look-up tables of four inputs before packing, without those in an ECP5's carry chains. An
@@ -79,6 +78,8 @@ struct Report {
 // std::runtime_error where something is missing.
 Report read_report(const std::filesystem::path& netlist, const std::filesystem::path& layout,
                    Family family);
+// Of the chip that a synthesis.json speaks of, in bytes; nothing where there is no such file.
+std::optional<std::uint32_t> memory_of(const std::filesystem::path& synthesis_json);
 std::string as_json(const Report& report);
 // A few lines for people.
 std::string as_table(const Report& report);
