@@ -165,6 +165,10 @@ TEST_F(SynthesisJob, takes_all_boards_into_folders_and_makes_one_table) {
   EXPECT_EQ(rows.at(2).at("ram_kbit"), (208 + 6) * 4);
   EXPECT_FALSE(rows.at(2).contains("fastest_mhz"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/core/synthesis.json"));
+  // A machine is that of the boards, and the core has none.
+  options_.machine = "delta.toml";
+  EXPECT_TRUE(run());
+  options_.machine.clear();
   // One that does not fit, or is too slow, makes the whole fail, and the others are made.
   options_.seed = 1;
   EXPECT_FALSE(run());

@@ -81,6 +81,7 @@ bool synthesize_all(const Options& options, const std::filesystem::path& project
     Options one = options;
     one.all = false;
     one.board = board;
+    if (one.board == "core") one.machine.clear();
     one.directory = options.directory / board;
     good &= synthesize(one, project, firmware, look);
     figures.push_back(read_board_figures(one.directory / "synthesis.json"));
