@@ -35,7 +35,10 @@ class LevellingCommands {
   Progress probe_place(ActiveCommand& command);
   std::optional<std::string_view> take_grid(const gcode::Command& command,
                                             std::array<motion::MeshAxis, 2>& axes) const;
-  bool reaches(units::Nanometers x, units::Nanometers y) const;
+  Positions above(units::Nanometers x, units::Nanometers y) const;
+  bool reaches(const Positions& from, const Positions& nozzle) const;
+  std::optional<Progress> refuse_unreached(ActiveCommand& command,
+                                           const std::array<motion::MeshAxis, 2>& axes) const;
   std::optional<Progress> refuse_to_probe(ActiveCommand& command) const;
   // Nothing where there is a height.
   std::optional<Progress> failure(ActiveCommand& command) const;

@@ -167,6 +167,7 @@ class MotionTask {
   std::expected<void, motion::Fault> limit_to_mechanism(motion::LineMove& move) const;
   void go_on_with_chords();
   std::expected<void, motion::Fault> append_levelled(motion::LineMove move);
+  bool reaches_levelled(const motion::LineMove& move, std::uint32_t chords);
   void go_on_levelled();
   void stop_levelling();
   bool begin_levelling();

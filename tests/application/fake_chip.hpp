@@ -58,6 +58,7 @@ class FakeChip {
   static constexpr std::size_t axes = 5;  // X Y Z E0 E1
   // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
   std::array<std::int64_t, axes> mechanical{1000, 1000, 30'000, 0, 0};
+  bool end_stops_above{};  // they are at the other end: closed at 0 and above
   bool end_stops_work{true};
   std::uint32_t end_stops_stuck{};  // closed, wherever the axis is; bit = axis
   // The nozzle's height above its end stop at which the probe on input 3 triggers, in mm, by the
@@ -101,6 +102,9 @@ class FakeChip {
   std::uint32_t word(std::uint32_t address) const { return words_[place_of(address)]; }
   std::uint32_t& word(std::uint32_t address) { return words_[place_of(address)]; }
   std::uint32_t end_stops() const;
+  bool end_stop_closed(std::size_t axis, std::int64_t steps) const {
+    return end_stops_above ? axis < 3 && steps >= 0 : steps <= 0;
+  }
   bool probe_triggers(const std::array<std::int64_t, axes>& steps) const;
   void commit();
   void command(std::uint32_t value);
