@@ -10,11 +10,11 @@ namespace application {
 
 CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
                                  HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
-                                 Statistics& counters)
+                                 Statistics& counters, FilamentCommands* filament)
     : motion_(motion),
       link_(link),
       counters_(counters),
-      groups_(machine, motion, heat, fan, link),
+      groups_(machine, motion, heat, fan, link, filament),
       active_(link),
       query_(link) {}
 
@@ -22,11 +22,18 @@ bool CommandExecutor::update(Now now) {
   active_.now = now;
   follow_position_jump();
   answer_queries();
+  if (groups_.handles_filament()) groups_.filament().watch(now.milliseconds);
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ == Stage::executing) {
     if (held_ && begins()) return false;
     if (proceed() == Progress::again || fatal()) return false;
     stage_ = Stage::answering;
+  }
+  if (groups_.handles_filament() && is_own_) {
+    is_own_ = false;
+    groups_.filament().reset();
+    stage_ = Stage::idle;
+    return link_.waiting_lines() != 0;
   }
   if (!link_.finished(active_.behind_ok.view())) return false;
   ++(active_.refused ? counters_.commands_refused : counters_.commands_executed);
@@ -53,7 +60,7 @@ void CommandExecutor::cancel_lines() {
   quick_stop();
   hold(false);
   cancelled_lines_ = link_.waiting_lines();
-  if (stage_ == Stage::idle) return;
+  if (stage_ == Stage::idle || (groups_.handles_filament() && is_own_)) return;
   --cancelled_lines_;
   if (begins()) stage_ = Stage::answering;
 }
@@ -64,7 +71,21 @@ host_link::Activity CommandExecutor::activity() const {
   return stage_ == Stage::idle ? Activity::idle : Activity::processing;
 }
 
+// What M600 does, between two lines of the host.
+bool CommandExecutor::begin_filament_change() {
+  if (active_.say("echo:Filament has run out") == Progress::again) return false;
+  constexpr std::string_view change = "M600";
+  active_.begin(change);
+  parse_error_.reset();
+  is_own_ = true;
+  stage_ = parse(change);
+  return true;
+}
+
 bool CommandExecutor::take_line() {
+  if (groups_.handles_filament() && groups_.filament().has_run_out()) {
+    return begin_filament_change();
+  }
   const auto line = link_.next_line();
   if (!line) return false;
   active_.begin(line->text);

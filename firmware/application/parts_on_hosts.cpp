@@ -6,5 +6,6 @@ namespace application {
 
 const bool shaping_in_image = true;
 const bool levelling_in_image = true;
+const bool filament_in_image = true;
 
 }  // namespace application

@@ -65,6 +65,9 @@ class FakeChip {
   // nozzle's place; none without.
   static constexpr std::size_t probe_input = 3;
   std::function<double(double x, double y)> probe_mm;
+  // The sensor on this input, whose level is low without filament.
+  static constexpr std::size_t filament_input = 4;
+  bool filament_is_out{};
   std::array<double, 3> steps_per_mm{};  // for it
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
   std::array<std::int32_t, axes> position{};  // the hardware's counters

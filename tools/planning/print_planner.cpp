@@ -76,7 +76,8 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
       heater_control_(units::Hertz(clock_hz)),
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_,
               {.shaping = machine_.shaping ? &shaping_ : nullptr,
-               .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr}),
+               .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr,
+               .backlash = machine_.backlash != nullptr ? &backlash_ : nullptr}),
       heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm, &hot_table},
             units::Hertz(clock_hz), converter_, heater_control_),
       executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
