@@ -45,6 +45,11 @@ const bool application::levelling_in_image = printer.levels();
 const bool application::filament_in_image = printer.handles_filament();
 const bool motion::backlash_in_image = printer.backlash != nullptr;
 
+application::Progress application::LevellingCommands::execute(ActiveCommand& command) {
+  if constexpr (printer.levels()) return execute_fitted(command);
+  return command.report_not_fitted();
+}
+
 int main() {
   const auto identity = drivers::read_identity();
   if (!identity) platform::halt("This firmware needs a StepFabric chip");

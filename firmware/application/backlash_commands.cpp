@@ -31,8 +31,9 @@ Progress SettingCommands::set_fitted_backlash(ActiveCommand& command) {
   if (line.has('F')) {
     const auto asked = line.value('F');
     if (!asked) return command.refuse("F not within 0 to 1");
+    constexpr std::int64_t whole = BacklashSettings::whole;
     changed.correction =
-        static_cast<std::uint32_t>(std::clamp<std::int64_t>(*asked, 0, BacklashSettings::whole));
+        static_cast<std::uint32_t>(*asked < 0 ? 0 : std::min<std::int64_t>(*asked, whole));
   }
   motion_.flush();
   if (!motion_.at_rest()) return Progress::again;

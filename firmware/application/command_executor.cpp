@@ -71,26 +71,17 @@ host_link::Activity CommandExecutor::activity() const {
   return stage_ == Stage::idle ? Activity::idle : Activity::processing;
 }
 
-// What M600 does, between two lines of the host.
-bool CommandExecutor::begin_filament_change() {
-  if (active_.say("echo:Filament has run out") == Progress::again) return false;
-  constexpr std::string_view change = "M600";
-  active_.begin(change);
-  parse_error_.reset();
-  is_own_ = true;
-  stage_ = parse(change);
-  return true;
-}
-
 bool CommandExecutor::take_line() {
-  if (groups_.handles_filament() && groups_.filament().has_run_out()) {
-    return begin_filament_change();
-  }
-  const auto line = link_.next_line();
+  // What M600 does, between two lines of the host.
+  const bool is_own = groups_.handles_filament() && groups_.filament().has_run_out();
+  if (is_own && active_.say("echo:Filament has run out") == Progress::again) return false;
+  const auto line =
+      is_own ? std::optional<host_link::AcceptedLine>({"M600", {}, false}) : link_.next_line();
   if (!line) return false;
+  if (groups_.handles_filament()) is_own_ = is_own;
   active_.begin(line->text);
   parse_error_.reset();
-  const bool cancelled = cancelled_lines_ != 0;
+  const bool cancelled = !is_own && cancelled_lines_ != 0;
   if (cancelled) --cancelled_lines_;
   active_.refused = cancelled && !line->emergency;
   stage_ = line->emergency || cancelled ? Stage::answering : parse(line->text);

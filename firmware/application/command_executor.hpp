@@ -67,7 +67,6 @@ class CommandExecutor {
   };
 
   bool take_line();
-  bool begin_filament_change();
   Stage parse(std::string_view text);
   void find_row();
   Progress proceed();

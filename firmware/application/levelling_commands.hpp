@@ -19,10 +19,9 @@ class LevellingCommands {
   LevellingCommands(MotionTask& motion, const Coordinates& coordinates)
       : motion_(motion), coordinates_(coordinates) {}
 
-  // Each of them. One for all: an image without a probe has only this one's first line.
-  Progress execute(ActiveCommand& command) {
-    return motion_.levels() ? execute_fitted(command) : command.report_not_fitted();
-  }
+  // Each of them. One for all, a part of the image's main.cpp: without a probe nothing is left of
+  // the others.
+  Progress execute(ActiveCommand& command);
 
  private:
   Progress execute_fitted(ActiveCommand& command);

@@ -43,7 +43,6 @@ units::Position RetractionCommands::above_host() const {
 
 // After a stop Z need not have got there.
 void RetractionCommands::drop_void_lift() {
-  if (!jumped()) return;
   if (above_host() == above_host_) {
     const units::Position here = coordinates_.logical()[index_of(Axis::z)];
     coordinates_.set_logical(Axis::z, here + units::Position(lift_));
@@ -60,7 +59,7 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
     const bool lifted = units::most_tools > 1 && lift_ != units::Nanometers() && !jumped();
     const Progress progress = begin(command, lifted ? units::Nanometers() : retraction.lift);
     if (command.refused) return progress;
-    if (units::most_tools > 1 && lift_ != units::Nanometers()) drop_void_lift();
+    if (units::most_tools > 1 && lift_ != units::Nanometers() && jumped()) drop_void_lift();
     const Progress drawn = append(command, Axis::e, -retraction.length, retraction.speed);
     if (command.refused) return drawn;
     state.retracted = true;
@@ -81,21 +80,23 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
 
 Progress RetractionCommands::recover(ActiveCommand& command) {
   State& state = this->state();
-  const bool lifted = units::most_tools > 1 && lift_ != units::Nanometers();
-  if (!state.retracted && !lifted) return Progress::done;
+  const bool only_lowers =
+      units::most_tools > 1 && !state.retracted && lift_ != units::Nanometers();
+  if (!state.retracted && !only_lowers) return Progress::done;
   if (command.phase == ActiveCommand::Phase::begin) {
-    const bool lowers = lift_ != units::Nanometers() && !jumped();
+    const bool void_lift = jumped();
     const Progress progress =
-        begin(command, lowers ? -lift_ : units::Nanometers(), state.retracted);
+        begin(command, void_lift ? units::Nanometers() : -lift_, !only_lowers);
     if (command.refused) return progress;
-    drop_void_lift();
-    if (lowers) {
+    if (void_lift) {
+      drop_void_lift();
+    } else if (lift_ != units::Nanometers()) {
       const Progress lowered = lift(command, -lift_);
       if (command.refused) return lowered;
     }
     lift_ = {};
     jumps_ = motion_.position_jumps();
-    return state.retracted ? Progress::again : Progress::done;
+    return only_lowers ? Progress::done : Progress::again;
   }
   if (motion_.stopping() || jumped()) return Progress::done;
   if (!motion_.has_room()) return Progress::again;

@@ -25,7 +25,7 @@ std::string_view describe(Fault fault) {
     case Fault::target_out_of_reach:
       return "target out of reach";
     case Fault::mesh_out_of_reach:
-      return "out of reach with what the mesh adds";
+      return "out of reach above the mesh";
     case Fault::not_homed:
       return "home first";
     case Fault::line_too_long:

@@ -69,7 +69,7 @@ class LevelledDelta : public OtherKinematics {
 // Above X20 the mesh adds 1.33 mm, and the cone of reach ends at Z240.74.
 TEST_F(LevelledDelta, refuses_a_line_that_the_mesh_leads_out_of_reach_before_it_moves) {
   execute({"G1 X-20 Y0 Z240.5 F6000"});
-  expect_refused("G1 X20", "out of reach with what the mesh adds");
+  expect_refused("G1 X20", "out of reach above the mesh");
   execute({"G1 X20 Z239.2"});
   printer.talk("-> M114\n<* X:20.00 Y:0.00 Z:239.20\n<- ok");
 }

@@ -55,6 +55,7 @@ class PrintPlanner {
   motion::Shaping shaping_;
   motion::Levelling levelling_;
   motion::Backlash backlash_;
+  application::FilamentCommands filament_;
   application::MotionTask motion_;
   application::HeatTask heat_;
   host_link::HostLink link_;
