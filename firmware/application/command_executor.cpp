@@ -22,7 +22,10 @@ bool CommandExecutor::update(Now now) {
   active_.now = now;
   follow_position_jump();
   answer_queries();
-  if (groups_.handles_filament()) groups_.filament().watch(now.milliseconds);
+  if (groups_.handles_filament()) {
+    // While it is changed it may be away.
+    asks_user() ? groups_.filament().reset() : groups_.filament().watch(now.milliseconds);
+  }
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ == Stage::executing) {
     if (held_ && begins()) return false;

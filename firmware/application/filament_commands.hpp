@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sensor of the filament, and how it is loaded and unloaded: M412 M603 M701 M702. Only a machine
-// that has one of both has the object.
+// The sensor of the filament, and how it is loaded and unloaded: M412 M603 M701 M702. Only a
+// machine that has one of both has the object.
 #pragma once
 
 #include <array>

@@ -22,8 +22,9 @@ class RetractionCommands {
 
   // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
   Progress retract(ActiveCommand& command);
-  // First Z, with whichever tool it was lifted, then the filament. After a stop Z is not lowered, since it need not have got there:
-  // its coordinate becomes higher by the lift instead, unless homing or G92 has set it.
+  // First Z, with whichever tool it was lifted, then the filament. After a stop Z is not lowered,
+  // since it need not have got there: its coordinate becomes higher by the lift instead, unless
+  // homing or G92 has set it.
   Progress recover(ActiveCommand& command);
 
  private:

@@ -137,6 +137,16 @@ TEST_F(Filament, that_runs_out_in_a_print_is_changed_as_m600_does) {
   expect_silence(3);
 }
 
+// Pulled out while the user changes it at the host's M600.
+TEST_F(Filament, may_be_away_while_it_is_changed) {
+  talk("-> M75\n<- ok\n-> M600\n<- //action:paused\n<* prompt_begin\n<* button\n<* show");
+  printer.chip.filament_is_out = true;
+  expect_silence();
+  printer.chip.filament_is_out = false;
+  talk("-> M108\n<- //action:prompt_end\n<- //action:resumed\n<- ok\n<- ok");
+  expect_silence(3);
+}
+
 TEST_F(Filament, is_looked_at_in_a_print_only_and_while_m412_says_so) {
   printer.chip.filament_is_out = true;
   expect_silence();
