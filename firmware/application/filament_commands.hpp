@@ -31,7 +31,7 @@ class FilamentCommands {
   void watch(units::Milliseconds now);
   // It has, and what M600 does is due.
   bool has_run_out() const { return has_run_out_; }
-  // Looked for anew.
+  // What the sensor has seen is forgotten.
   void reset() {
     has_run_out_ = false;
     without_ = false;

@@ -214,7 +214,7 @@ inline constexpr auto gcode_table = [] {
       m(410, handler<&MotionCommands::quick_stop>, "stops all motion and forgets what was planned",
         {}, {.on_reception = true}),
       m(412, execute_of_filament,
-        "S1: as M600 where filament runs out in a print; R: looks anew; without "
+        "S1: as M600 where filament runs out in a print; R: looks again; without "
         "`[filament_sensor]` not fitted",
         runout),
       m(413, handler<&HostCommands::report_not_fitted>,

@@ -146,7 +146,7 @@ class MotionTask {
   void set_steps_per_meter(const motion::Limits& limits);
 
   // Machine coordinates of the end of the last planned move, and the steps made so far, without
-  // those for backlash: after a stop by its length at most beside the axis, until that moves.
+  // those for backlash: after a stop by its length at most off the axis, until that moves.
   [[gnu::always_inline]] const units::PerAxis<units::Position>& position() const {
     if (levelled()) return levelling_->place;
     return chords_.done() ? planner_.position() : chords_.target();

@@ -27,8 +27,7 @@ class ToolCommands {
 
   // The new nozzle goes to the place of the old one, so that the host's coordinates stay: unless S1
   // is given, an axis is not homed or the way there is out of reach, when it stays where it is and
-  // the coordinates change. T of the tool in use brings its filament forward, where a change could
-  // not.
+  // the coordinates change. T of the tool in use brings filament forward that a change has left.
   Progress select(ActiveCommand& command);
   // M217: what happens then; Q extrudes as much as E says.
   Progress set_change(ActiveCommand& command);
