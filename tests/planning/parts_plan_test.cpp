@@ -12,11 +12,10 @@ namespace planning {
 namespace {
 
 constexpr motion::BacklashSettings backlash{.lengths = {units::Nanometers(200'000)}};
-constexpr application::FilamentChange change{
-    .load = units::Nanometers(30'000'000),
-    .unload = units::Nanometers(20'000'000),
-    .load_speed = units::MicrometersPerSecond(20'000),
-    .unload_speed = units::MicrometersPerSecond(20'000)};
+constexpr application::FilamentChange change{.load = units::Nanometers(30'000'000),
+                                             .unload = units::Nanometers(20'000'000),
+                                             .load_speed = units::MicrometersPerSecond(20'000),
+                                             .unload_speed = units::MicrometersPerSecond(20'000)};
 
 Plan plan_of(const application::MachineDescription& machine,
              const std::vector<std::string>& lines) {
