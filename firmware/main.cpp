@@ -42,6 +42,13 @@ extern "C" {
 
 const bool application::shaping_in_image = printer.shaping.has_value();
 const bool application::levelling_in_image = printer.levels();
+const bool application::filament_in_image = printer.handles_filament();
+const bool motion::backlash_in_image = printer.backlash != nullptr;
+
+application::Progress application::LevellingCommands::execute(ActiveCommand& command) {
+  if constexpr (printer.levels()) return execute_fitted(command);
+  return command.report_not_fitted();
+}
 
 int main() {
   const auto identity = drivers::read_identity();
@@ -66,6 +73,14 @@ int main() {
   if constexpr (printer.levels()) {
     static motion::Levelling memory;
     parts.levelling = &memory;
+  }
+  if constexpr (printer.backlash != nullptr) {
+    static motion::Backlash memory;
+    parts.backlash = &memory;
+  }
+  if constexpr (printer.handles_filament()) {
+    static application::FilamentCommands memory;
+    parts.filament = &memory;
   }
   static application::Application application(
       printer, {hotend_table, bed_table, picoseconds_per_ohm, second_hotend_table(printer)},

@@ -67,7 +67,7 @@ Application::Application(const MachineDescription& machine, const ThermalTables&
       motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops, parts),
       heat_(machine, tables, hardware.identity.clock, hardware.temperature_converter,
             hardware.heater_control),
-      executor_(machine, motion_, heat_, hardware.fan, link_, counters) {}
+      executor_(machine, motion_, heat_, hardware.fan, link_, counters, parts.filament) {}
 
 bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;

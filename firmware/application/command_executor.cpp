@@ -10,11 +10,11 @@ namespace application {
 
 CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
                                  HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
-                                 Statistics& counters)
+                                 Statistics& counters, FilamentCommands* filament)
     : motion_(motion),
       link_(link),
       counters_(counters),
-      groups_(machine, motion, heat, fan, link),
+      groups_(machine, motion, heat, fan, link, filament),
       active_(link),
       query_(link) {}
 
@@ -22,11 +22,21 @@ bool CommandExecutor::update(Now now) {
   active_.now = now;
   follow_position_jump();
   answer_queries();
+  if (groups_.handles_filament()) {
+    // While it is changed it may be away.
+    asks_user() ? groups_.filament().reset() : groups_.filament().watch(now.milliseconds);
+  }
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ == Stage::executing) {
     if (held_ && begins()) return false;
     if (proceed() == Progress::again || fatal()) return false;
     stage_ = Stage::answering;
+  }
+  if (groups_.handles_filament() && is_own_) {
+    is_own_ = false;
+    groups_.filament().reset();
+    stage_ = Stage::idle;
+    return link_.waiting_lines() != 0;
   }
   if (!link_.finished(active_.behind_ok.view())) return false;
   ++(active_.refused ? counters_.commands_refused : counters_.commands_executed);
@@ -53,7 +63,7 @@ void CommandExecutor::cancel_lines() {
   quick_stop();
   hold(false);
   cancelled_lines_ = link_.waiting_lines();
-  if (stage_ == Stage::idle) return;
+  if (stage_ == Stage::idle || (groups_.handles_filament() && is_own_)) return;
   --cancelled_lines_;
   if (begins()) stage_ = Stage::answering;
 }
@@ -65,11 +75,16 @@ host_link::Activity CommandExecutor::activity() const {
 }
 
 bool CommandExecutor::take_line() {
-  const auto line = link_.next_line();
+  // What M600 does, between two lines of the host.
+  const bool is_own = groups_.handles_filament() && groups_.filament().has_run_out();
+  if (is_own && active_.say("echo:Filament has run out") == Progress::again) return false;
+  const auto line =
+      is_own ? std::optional<host_link::AcceptedLine>({"M600", {}, false}) : link_.next_line();
   if (!line) return false;
+  if (groups_.handles_filament()) is_own_ = is_own;
   active_.begin(line->text);
   parse_error_.reset();
-  const bool cancelled = cancelled_lines_ != 0;
+  const bool cancelled = !is_own && cancelled_lines_ != 0;
   if (cancelled) --cancelled_lines_;
   active_.refused = cancelled && !line->emergency;
   stage_ = line->emergency || cancelled ? Stage::answering : parse(line->text);

@@ -18,7 +18,8 @@ namespace application {
 class CommandExecutor {
  public:
   CommandExecutor(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
-                  drivers::Fan& fan, host_link::HostLink& link, Statistics& counters);
+                  drivers::Fan& fan, host_link::HostLink& link, Statistics& counters,
+                  FilamentCommands* filament = nullptr);
 
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
   bool update(Now now);
@@ -101,6 +102,7 @@ class CommandExecutor {
   std::uint32_t position_jumps_{};
   bool waits_for_room_{};  // the planner holds as many lines as it can
   bool held_{};
+  bool is_own_{};  // the command in hand is none of the host's
   std::size_t cancelled_lines_{};  // to be answered, not executed
 };
 

@@ -7,6 +7,7 @@
 #include "application/coordinate_commands.hpp"
 #include "application/dry_run_commands.hpp"
 #include "application/factor_commands.hpp"
+#include "application/filament_commands.hpp"
 #include "application/file_commands.hpp"
 #include "application/heat_commands.hpp"
 #include "application/host_commands.hpp"
@@ -24,7 +25,7 @@ namespace application {
 
 struct CommandGroups {
   CommandGroups(const MachineDescription& machine, MotionTask& motion_task, HeatTask& heat_task,
-                drivers::Fan& fan, host_link::HostLink& link)
+                drivers::Fan& fan, host_link::HostLink& link, FilamentCommands* filament)
       : motion(motion_task, heat_task, coordinates),
         retraction(motion_task, heat_task, motion, coordinates),
         places(motion_task, motion, coordinates),
@@ -36,7 +37,12 @@ struct CommandGroups {
         heat(heat_task, fan, timer),
         reports(machine, motion_task, heat_task, coordinates),
         host(link, machine.host_silence),
-        levelling(motion_task, coordinates) {}
+        levelling(motion_task, coordinates),
+        filament_(filament) {
+    if (handles_filament()) {
+      filament_->attach(machine, motion_task, heat_task, motion, coordinates, timer);
+    }
+  }
   // The groups refer to the coordinates.
   CommandGroups(const CommandGroups&) = delete;
   CommandGroups& operator=(const CommandGroups&) = delete;
@@ -47,6 +53,14 @@ struct CommandGroups {
                                      factors, timer, heat, reports, host, levelling, files,
                                      dry_runs));
   }
+
+  // There is a sensor, or a way to load it.
+  // Inlined for certain, so that link-time optimisation drops what depends on it.
+  [[gnu::always_inline]] bool handles_filament() const {
+    return filament_in_image && filament_ != nullptr;
+  }
+  // Only where it does.
+  FilamentCommands& filament() { return *filament_; }
 
   Coordinates coordinates;
   MotionCommands motion;
@@ -64,10 +78,19 @@ struct CommandGroups {
   LevellingCommands levelling;
   FileCommands files;
   DryRunCommands dry_runs;
+
+ private:
+  FilamentCommands* filament_;
 };
 
 // How the executor calls what carries a command out.
 using Handler = Progress (*)(CommandGroups&, ActiveCommand&);
+
+// M412, M603, M701 and M702.
+inline Progress execute_of_filament(CommandGroups& groups, ActiveCommand& command) {
+  return groups.handles_filament() ? groups.filament().execute(command)
+                                   : command.report_not_fitted();
+}
 
 template <class Group, class... Constants>
 Group group_of(Progress (Group::*)(ActiveCommand&, Constants...));

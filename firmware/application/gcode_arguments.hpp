@@ -96,6 +96,12 @@ inline constexpr Arguments probed_place{numbers("XY", "mm"), numbers("E", no_eff
 inline constexpr Arguments mesh{numbers("S", "mode"), numbers("Z", "mm"), numbers("VT", "mode")};
 inline constexpr Arguments mesh_point{numbers("IJ", "point"), numbers("ZQ", "mm")};
 inline constexpr Arguments probe_offset{numbers("XYZ", "mm")};
+inline constexpr Arguments runout{numbers("S", "mode"), flags("R"), numbers("HD", no_effect)};
+inline constexpr Arguments backlash{numbers("XYZ", "mm", 5), numbers("F", "of 1"),
+                                    numbers("S", no_effect)};
+inline constexpr Arguments change_lengths{numbers("LU", "mm"), numbers("T", "(tool)")};
+inline constexpr Arguments filament_load{numbers("LZ", "mm"), numbers("T", "(tool in use)")};
+inline constexpr Arguments filament_unload{numbers("UZ", "mm"), numbers("T", "(tool in use)")};
 inline constexpr Arguments name{text("name")};
 inline constexpr Arguments message{text("text")};
 inline constexpr Arguments marked_message{text("A1 E1 text")};

@@ -11,6 +11,17 @@
 namespace application {
 namespace {
 
+// For the search, and one row for each.
+constexpr bool comes_before(const GcodeRow& first, const GcodeRow& second) {
+  return first.letter < second.letter ||
+         (first.letter == second.letter && first.code < second.code);
+}
+static_assert(std::ranges::adjacent_find(gcode_table,
+                                         [](const auto& first, const auto& second) {
+                                           return !comes_before(first, second);
+                                         }) == gcode_table.end(),
+              "the rows of the table of commands are in order of letter and code");
+
 // Two bits for the letter, as many for the code as the table's codes need.
 constexpr unsigned code_bits = 14;
 

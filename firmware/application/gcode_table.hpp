@@ -213,14 +213,20 @@ inline constexpr auto gcode_table = [] {
         {.start = Start::at_rest}),
       m(410, handler<&MotionCommands::quick_stop>, "stops all motion and forgets what was planned",
         {}, {.on_reception = true}),
-      m(412, handler<&HostCommands::report_not_fitted>, "not fitted: filament sensor"),
+      m(412, execute_of_filament,
+        "S1: as M600 where filament runs out in a print; R: looks again; without "
+        "`[filament_sensor]` not fitted",
+        runout),
       m(413, handler<&HostCommands::report_not_fitted>,
         "not fitted: recovery after a loss of power"),
       m(420, handler<&LevellingCommands::execute>,
         "S1: lines follow the mesh below Z (0: all); V: reports it; as G29 fitted", mesh),
       m(421, handler<&LevellingCommands::execute>,
         "height Z of the mesh in column I, row J, or of all; Q: added; as G29 fitted", mesh_point),
-      m(425, handler<&HostCommands::report_not_fitted>, "not fitted: compensation of backlash"),
+      m(425, handler<&SettingCommands::set_backlash>,
+        "backlash of an axis, and the part F of it that is taken up where the axis turns back; "
+        "without `[backlash]` not fitted",
+        backlash),
       m(428, handler<&CoordinateCommands::take_home_offset>,
         "M206 by which X, Y and Z are now at the nearer end of their travel, at most 20 mm away",
         {}, {.start = Start::at_rest}),
@@ -254,13 +260,15 @@ inline constexpr auto gcode_table = [] {
         "pause: asks the user and waits for M602, M108, M876", {}, {.start = Start::at_rest}),
       m(602, handler<&HostCommands::accept>, "ends the wait of M0, M600 or M601", {},
         {.on_reception = true}),
-      m(603, handler<&HostCommands::report_not_fitted>, "not fitted: lengths of a filament change"),
+      m(603, execute_of_filament,
+        "lengths of M701 (L) and M702 (U); without `[filament_change]` not fitted", change_lengths),
       m(605, of_tools<&ToolCommands::set_mode>,
         "one tool extrudes at a time; S2, duplication, is refused; fitted as M217", tool_mode),
       m(665, handler<&HostCommands::report_not_fitted>, "not fitted: kinematics with parameters"),
       m(666, handler<&HostCommands::report_not_fitted>, "not fitted: kinematics with parameters"),
-      m(701, handler<&HostCommands::report_not_fitted>, "not fitted: loading of filament"),
-      m(702, handler<&HostCommands::report_not_fitted>, "not fitted: unloading of filament"),
+      m(701, execute_of_filament, "loads filament by L, Z lifted meanwhile; fitted as M603",
+        filament_load),
+      m(702, execute_of_filament, "draws it back by U, likewise", filament_unload),
       m(808, handler<&HostCommands::refuse_repeats>,
         "refused: no repeats, the lines after it are executed once", repeats),
       m(851, handler<&LevellingCommands::execute>,
@@ -285,16 +293,5 @@ inline constexpr auto gcode_table = [] {
         "tool 0, or with `[tool_1]` T1 (F: mm/min of its way, S1: no move); no other"),
   });
 }();
-
-// For the search, and one row for each.
-constexpr bool comes_before(const GcodeRow& first, const GcodeRow& second) {
-  return first.letter < second.letter ||
-         (first.letter == second.letter && first.code < second.code);
-}
-static_assert(std::ranges::adjacent_find(gcode_table,
-                                         [](const auto& first, const auto& second) {
-                                           return !comes_before(first, second);
-                                         }) == gcode_table.end(),
-              "the rows of the table of commands are in order of letter and code");
 
 }  // namespace application

@@ -19,10 +19,9 @@ class LevellingCommands {
   LevellingCommands(MotionTask& motion, const Coordinates& coordinates)
       : motion_(motion), coordinates_(coordinates) {}
 
-  // Each of them. One for all: an image without a probe has only this one's first line.
-  Progress execute(ActiveCommand& command) {
-    return motion_.levels() ? execute_fitted(command) : command.report_not_fitted();
-  }
+  // Each of them. One for all, a part of the image's main.cpp: without a probe nothing is left of
+  // the others.
+  Progress execute(ActiveCommand& command);
 
  private:
   Progress execute_fitted(ActiveCommand& command);
@@ -35,7 +34,10 @@ class LevellingCommands {
   Progress probe_place(ActiveCommand& command);
   std::optional<std::string_view> take_grid(const gcode::Command& command,
                                             std::array<motion::MeshAxis, 2>& axes) const;
-  bool reaches(units::Nanometers x, units::Nanometers y) const;
+  Positions above(units::Nanometers x, units::Nanometers y) const;
+  bool reaches(const Positions& from, const Positions& nozzle) const;
+  std::optional<Progress> refuse_unreached(ActiveCommand& command,
+                                           const std::array<motion::MeshAxis, 2>& axes) const;
   std::optional<Progress> refuse_to_probe(ActiveCommand& command) const;
   // Nothing where there is a height.
   std::optional<Progress> failure(ActiveCommand& command) const;

@@ -5,6 +5,7 @@
 #include "application/levelling_commands.hpp"
 #include "application/levelling_reports.hpp"
 #include "motion/limits.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 
@@ -26,19 +27,59 @@ std::optional<Nanometers> LevellingCommands::machine_length(const gcode::Command
   return (*length - coordinates_.logical()[i] + motion_.position()[i]).nearest();
 }
 
-// With the nozzle at the height at which it travels.
-bool LevellingCommands::reaches(Nanometers x, Nanometers y) const {
+// Of the nozzle with the probe there, at the height at which it travels.
+Positions LevellingCommands::above(Nanometers x, Nanometers y) const {
   const motion::ProbeSettings& probe = motion_.levelling().probe;
   Positions nozzle = motion_.position();
   nozzle[0] = x - probe.offset[0];
   nozzle[1] = y - probe.offset[1];
   nozzle[2] = probe.clearance;
+  return nozzle;
+}
+
+// Where the nozzle is, and the way from `from`.
+bool LevellingCommands::reaches(const Positions& from, const Positions& nozzle) const {
   for (const Axis axis : spatial_axes) {
     const Nanometers travel = motion_.limits().of(axis).travel;
     const Nanometers place = nozzle[units::index_of(axis)].nearest();
     if (travel > Nanometers() && (place < Nanometers() || travel < place)) return false;
   }
-  return motion_.kinematics().reaches(nozzle);
+  return motion_.kinematics().reaches(nozzle) && motion_.kinematics().straight_within(from, nozzle);
+}
+
+// Every point in the order of probing, before the first one.
+std::optional<Progress> LevellingCommands::refuse_unreached(
+    ActiveCommand& command, const std::array<motion::MeshAxis, 2>& axes) const {
+  const std::size_t columns = axes[0].points, rows = axes[1].points;
+  // Where travels are all that bounds the axes, corners tell.
+  const bool corners = motion_.kinematics().straight();
+  Positions from = motion_.position();
+  from[2] = std::max(from[2], units::Position(motion_.levelling().probe.clearance));
+  units::LoopBound<motion::BedMesh::most_points> bound;
+  for (std::size_t row = 0; row < rows; row += corners ? rows - 1 : 1) {
+    bound.next();
+    units::LoopBound<motion::BedMesh::most_points, 1> points;
+    for (std::size_t i = 0; i < columns; i += corners ? columns - 1 : 1) {
+      points.next();
+      const std::size_t column = row % 2 == 0 ? i : columns - 1 - i;
+      const Nanometers x = axes[0].line(column), y = axes[1].line(row);
+      const Positions nozzle = above(x, y);
+      if (reaches(from, nozzle)) {
+        from = nozzle;
+        continue;
+      }
+      host_link::TextLine line;
+      line.text("The probe does not reach");
+      for (const std::size_t axis : {0UZ, 1UZ}) {
+        const units::Position place =
+            coordinates_.logical()[axis] - motion_.position()[axis] + (axis == 0 ? x : y);
+        line.character(' ').character(units::axis_letters[axis]);
+        line.decimal(place.nearest().count(), 6, 2);
+      }
+      return command.refuse(line.text(" in a straight line: change L R F B or X Y").view());
+    }
+  }
+  return std::nullopt;
 }
 
 // Where an axis may be anywhere, the way down could be one into the bed.
@@ -85,11 +126,6 @@ std::optional<std::string_view> LevellingCommands::take_grid(
     const Nanometers span = axes[i].last - axes[i].first;
     if (span < least_span || span > most_span) return "R must be right of L, and B behind F";
   }
-  for (const Nanometers x : {axes[0].first, axes[0].last}) {
-    for (const Nanometers y : {axes[1].first, axes[1].last}) {
-      if (!reaches(x, y)) return "The probe does not reach all of L, R, F and B";
-    }
-  }
   return std::nullopt;
 }
 
@@ -97,6 +133,7 @@ Progress LevellingCommands::begin_grid(ActiveCommand& command) {
   if (const auto refused = refuse_to_probe(command)) return *refused;
   auto axes = motion_.fitted_levelling().mesh.axes;
   if (const auto reason = take_grid(command.command, axes)) return command.refuse(*reason);
+  if (const auto refused = refuse_unreached(command, axes)) return *refused;
   const auto speed = coordinates_.rounded_length(command.command, 'S');
   if (speed && *speed < Nanometers(motion::nanometers_per_minute)) {
     return command.refuse("S must be above 0");
@@ -163,7 +200,10 @@ Progress LevellingCommands::probe_place(ActiveCommand& command) {
           machine_length(command.command, units::axis_letters[i], static_cast<Axis>(i))
               .value_or(motion_.position()[i].nearest() + motion_.levelling().probe.offset[i]);
     }
-    if (!reaches(place[0], place[1])) return command.refuse("The probe does not reach X and Y");
+    Positions from = motion_.position();
+    from[2] = std::max(from[2], units::Position(motion_.levelling().probe.clearance));
+    if (!reaches(from, above(place[0], place[1])))
+      return command.refuse("The probe does not reach X and Y");
     motion_.change_levelling(false, [](motion::Levelling&) {});
     motion_.start_probing(place[0], place[1]);
     command.phase = ActiveCommand::Phase::working;

@@ -9,9 +9,11 @@
 #include <string_view>
 #include <type_traits>
 
+#include "application/filament.hpp"
 #include "drivers/guard_timings.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/tools.hpp"
+#include "motion/backlash.hpp"
 #include "motion/levelling.hpp"
 #include "motion/limits.hpp"
 #include "motion/shaping.hpp"
@@ -90,6 +92,14 @@ struct MachineDescription {
   const motion::LevellingSettings* levelling{};
 
   constexpr bool levels() const { return levelling != nullptr; }
+  // Likewise: drives take up play; there is a sensor; lengths of loading are known.
+  const motion::BacklashSettings* backlash{};
+  const FilamentSensor* filament_sensor{};
+  const FilamentChange* filament_change{};
+
+  constexpr bool handles_filament() const {
+    return filament_sensor != nullptr || filament_change != nullptr;
+  }
 
   [[no_unique_address]] std::conditional_t<units::most_tools == 1, NoSecondTool,
                                            std::optional<SecondTool>> second_tool{};
@@ -101,11 +111,16 @@ struct MachineDescription {
 // out what it does not have. On a host they are true, and the description decides.
 extern const bool shaping_in_image;
 extern const bool levelling_in_image;
+extern const bool filament_in_image;
+
+class FilamentCommands;
 
 // The memory of parts that a machine may have; none of those that it does not have.
 struct OptionalParts {
   motion::Shaping* shaping{};
   motion::Levelling* levelling{};
+  motion::Backlash* backlash{};
+  FilamentCommands* filament{};
 };
 
 }  // namespace application

@@ -101,7 +101,9 @@ MotionTask::MotionTask(const MachineDescription& machine, units::Hertz clock,
                motion::kinematics::Chosen(machine.kinematics)),
       shaping_(parts.shaping),
       levelling_(parts.levelling),
-      pace_(step_generator, clock, lines_under_way + (shapes() ? shaped_lines : 0)) {}
+      pace_(step_generator, clock, lines_under_way + (shapes() ? shaped_lines : 0)) {
+  if (motion::backlash_in_image) planner_.set_backlash(parts.backlash);
+}
 
 bool MotionTask::start() {
   step_generator_.acknowledge_stop();
@@ -116,14 +118,22 @@ bool MotionTask::start() {
       std::uint64_t{end_stop_filter_ns} * clock_.count() / nanoseconds_per_second;
   std::uint8_t inputs = end_stops_of(machine_.limits);
   if (levels()) inputs = static_cast<std::uint8_t>(inputs | probe_input());
+  std::uint8_t low = 0;
+  if (filament_in_image && machine_.filament_sensor != nullptr) {
+    const auto sensor = static_cast<std::uint8_t>(1u << machine_.filament_sensor->input);
+    inputs = static_cast<std::uint8_t>(inputs | sensor);
+    if (machine_.filament_sensor->low_is_out) low = sensor;
+  }
   end_stops_.configure(
       {.enabled = inputs,
+       .active_low = low,
        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
   step_generator_.stop();  // update() learns where a program before this one has left the axes
   step_generator_.enable_stop_interrupt(true);
   step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
   pace_.set_limits(machine_.limits);
   if (levels()) restore_levelling();
+  if (takes_up_backlash()) planner_.backlash().configure(*machine_.backlash, limits());
   if (!shapes()) return true;
   shaping_->set_timing(planner_.timing());
   shaping_->set_limits(machine_.limits);
@@ -170,7 +180,7 @@ void MotionTask::settle_stop(units::Milliseconds now) {
   lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
   for (std::size_t i = 0; i < units::axis_count; ++i) {
-    steps[i] = unwrapped(stop.positions[i], steps[i]);
+    steps[i] = unwrapped(stop.positions[i], steps[i] + lead(i)) - lead(i);
   }
   planner_.set_position_steps(steps);
   if (levelled()) find_levelled_place();
@@ -254,35 +264,6 @@ void MotionTask::note_lost(units::Axis axis) {
     located_.remove(axis);
   } else {
     located_ = {};
-  }
-}
-
-void MotionTask::set_limits(const motion::Limits& limits) {
-  planner_.set_limits(limits);
-  pace_.set_limits(limits);
-  if (shapes()) shaping_->set_limits(limits);
-}
-
-void MotionTask::set_steps_per_meter(const motion::Limits& limits) {
-  const auto positions = planner_.position();
-  located_ = {};
-  set_limits(limits);
-  set_position(positions);
-}
-
-units::PerAxis<units::Steps> MotionTask::steps() {
-  units::PerAxis<units::Steps> counted;
-  const auto positions = step_generator_.snapshot().positions;
-  for (std::size_t i = 0; i < units::axis_count; ++i) counted[i] = units::Steps(positions[i]);
-  return counted;
-}
-
-// At rest, when the hardware accepts writes to its counters.
-void MotionTask::set_position(const units::PerAxis<units::Position>& positions) {
-  planner_.set_position(positions);
-  for (const units::Axis axis : all_axes) {
-    const auto steps = static_cast<std::int32_t>(planner_.position_steps()[index_of(axis)]);
-    static_cast<void>(step_generator_.set_position(axis, steps));
   }
 }
 

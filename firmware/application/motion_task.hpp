@@ -71,6 +71,13 @@ class MotionTask {
   // What the machine description says. As above.
   bool restore_shaping();
 
+  // Motors take up the play of their drives.
+  [[gnu::always_inline]] bool takes_up_backlash() const { return planner_.takes_up_backlash(); }
+  // Only where they do.
+  const motion::Backlash& backlash() const { return planner_.backlash(); }
+  // Only at rest: the axes stay where they are.
+  void set_backlash(const motion::BacklashSettings& settings);
+
   // A probe and a mesh are fitted.
   [[gnu::always_inline]] bool levels() const { return levelling_in_image && levelling_ != nullptr; }
   // Lines follow the mesh.
@@ -138,7 +145,8 @@ class MotionTask {
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
   void set_steps_per_meter(const motion::Limits& limits);
 
-  // Machine coordinates of the end of the last planned move, and the steps made so far.
+  // Machine coordinates of the end of the last planned move, and the steps made so far, without
+  // those for backlash: after a stop by its length at most off the axis, until that moves.
   [[gnu::always_inline]] const units::PerAxis<units::Position>& position() const {
     if (levelled()) return levelling_->place;
     return chords_.done() ? planner_.position() : chords_.target();
@@ -156,6 +164,10 @@ class MotionTask {
   [[gnu::always_inline]] bool line_is_whole() const {
     return chords_.done() && (!levels() || levelling_->line.done());
   }
+  // Of its counter from the place of its axis.
+  [[gnu::always_inline]] std::int32_t lead(std::size_t motor) const {
+    return takes_up_backlash() ? backlash().lead(motor) : 0;
+  }
   motion::Shaping::Output next_segment();
   void settle_stop(units::Milliseconds now);
   void lead_homing(units::Milliseconds now);
@@ -167,6 +179,7 @@ class MotionTask {
   std::expected<void, motion::Fault> limit_to_mechanism(motion::LineMove& move) const;
   void go_on_with_chords();
   std::expected<void, motion::Fault> append_levelled(motion::LineMove move);
+  bool reaches_levelled(const motion::LineMove& move, std::uint32_t chords);
   void go_on_levelled();
   void stop_levelling();
   bool begin_levelling();

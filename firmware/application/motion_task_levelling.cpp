@@ -1,13 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines above an uneven bed, chord by chord, and the moves of the probe.
+#include <algorithm>
+
 #include "application/motion_task.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
 
 constexpr std::size_t z = units::index_of(units::Axis::z);
 
+// Near the end of reach so many chords of a line are looked at; it is refused with more.
+constexpr std::uint32_t most_chords = 512;
+
 }  // namespace
+
+// Whether all of its chords are within reach with what the mesh adds.
+bool MotionTask::reaches_levelled(const motion::LineMove& move, std::uint32_t chords) {
+  motion::Levelling& levelling = *levelling_;
+  // A line that is within reach is so all along. Nowhere does the mesh add more than this to it.
+  const auto added = [&](const units::PerAxis<units::Position>& place) {
+    return levelling.mesh.faded(motion::BedMesh::most_height, place[z]);
+  };
+  const units::Nanometers most = std::max(added(levelling.place), added(move.target));
+  const auto reaches = [&](units::PerAxis<units::Position> place, units::Nanometers correction) {
+    place[z] += correction;
+    return kinematics().reaches(place);
+  };
+  if (reaches(levelling.place, most) && reaches(move.target, most) &&
+      reaches(levelling.place, -most) && reaches(move.target, -most)) {
+    return true;
+  }
+  levelling.line.begin(levelling.mesh, levelling.place, move, chords);
+  bool within = true;
+  units::LoopBound<most_chords> looked_at;
+  for (std::uint32_t i = 0; within && !levelling.line.done() && i < most_chords; ++i) {
+    looked_at.next();
+    within = kinematics().reaches(levelling.line.next(levelling.mesh).target);
+  }
+  within = within && levelling.line.done();
+  levelling.line.cancel();
+  return within;
+}
 
 std::expected<void, motion::Fault> MotionTask::append_levelled(motion::LineMove move) {
   using motion::LevelledLine;
@@ -19,6 +53,7 @@ std::expected<void, motion::Fault> MotionTask::append_levelled(motion::LineMove 
   if (!kinematics().straight()) {
     if (const auto limited = limit_to_mechanism(move); !limited) return limited;
     chords = kinematics().chords(levelling.place, move.target);
+    if (!reaches_levelled(move, chords)) return std::unexpected(motion::Fault::mesh_out_of_reach);
   }
   levelling.line.begin(levelling.mesh, levelling.place, move, chords);
   const auto accepted = append_line(levelling.line.next(levelling.mesh));
@@ -31,7 +66,7 @@ std::expected<void, motion::Fault> MotionTask::append_levelled(motion::LineMove 
   return accepted;
 }
 
-// A corrected chord may be out of a mechanism's reach where its line is not: all ends there.
+// All of them are within reach, and none is refused for want of room.
 void MotionTask::go_on_levelled() {
   motion::LevelledLine& line = levelling_->line;
   const std::size_t lines = planner_.lines();

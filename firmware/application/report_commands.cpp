@@ -84,8 +84,15 @@ Progress ReportCommands::report_end_stops(ActiveCommand& command) {
     if (command.say(*line) == Progress::again) return Progress::again;
     ++command.lines_said;
   }
-  if (!motion_.levels()) return Progress::done;
-  return command.say(motion_.probe_triggered() ? "z_probe: TRIGGERED" : "z_probe: open");
+  const std::size_t first = end_stop_names.size() + 1;
+  if (motion_.levels() && command.lines_said == first) {
+    const auto line = motion_.probe_triggered() ? "z_probe: TRIGGERED" : "z_probe: open";
+    if (command.say(line) == Progress::again) return Progress::again;
+    ++command.lines_said;
+  }
+  if (!filament_in_image || machine_.filament_sensor == nullptr) return Progress::done;
+  const bool is_out = (triggered >> machine_.filament_sensor->input & 1u) != 0;
+  return command.say(is_out ? "filament: TRIGGERED" : "filament: open");
 }
 
 Progress ReportCommands::set_position_interval(ActiveCommand& command) {

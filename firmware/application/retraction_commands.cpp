@@ -8,11 +8,11 @@ using units::Axis;
 using units::index_of;
 
 // `done` where the moves may follow.
-Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers lift) {
+Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers lift, bool extrudes) {
   Positions lifted = motion_.position();
   lifted[index_of(Axis::z)] = lifted[index_of(Axis::z)] + units::Position(lift);
   if (const auto refused = moves_.refuse_beyond_limits(command, lifted)) return *refused;
-  if (heat_.extrusion_is_cold()) {
+  if (extrudes && heat_.extrusion_is_cold()) {
     command.refused = true;
     return command.say("echo: cold extrusion prevented");
   }
@@ -41,48 +41,64 @@ units::Position RetractionCommands::above_host() const {
   return above + units::Position(coordinates_.tool_offset(z));
 }
 
+// After a stop Z need not have got there.
+void RetractionCommands::drop_void_lift() {
+  if (above_host() == above_host_) {
+    const units::Position here = coordinates_.logical()[index_of(Axis::z)];
+    coordinates_.set_logical(Axis::z, here + units::Position(lift_));
+  }
+  lift_ = {};
+}
+
 Progress RetractionCommands::retract(ActiveCommand& command) {
   State& state = this->state();
   const motion::Retraction& retraction = motion_.limits().retraction;
   if (command.phase == ActiveCommand::Phase::begin) {
     if (state.retracted) return Progress::done;
-    const Progress progress = begin(command, retraction.lift);
+    // Another tool's lift is enough.
+    const bool lifted = units::most_tools > 1 && lift_ != units::Nanometers() && !jumped();
+    const Progress progress = begin(command, lifted ? units::Nanometers() : retraction.lift);
     if (command.refused) return progress;
+    if (units::most_tools > 1 && lift_ != units::Nanometers() && jumped()) drop_void_lift();
     const Progress drawn = append(command, Axis::e, -retraction.length, retraction.speed);
     if (command.refused) return drawn;
     state.retracted = true;
     state.length = retraction.length;
-    state.lift = {};
-    state.jumps = motion_.position_jumps();
+    jumps_ = motion_.position_jumps();
+    if (lifted) return Progress::done;
+    lift_ = {};
   }
-  const bool stopped = motion_.stopping() || motion_.position_jumps() != state.jumps;
-  if (stopped || retraction.lift == units::Nanometers()) return Progress::done;
+  if (motion_.stopping() || jumped() || retraction.lift == units::Nanometers()) {
+    return Progress::done;
+  }
   if (!motion_.has_room()) return Progress::again;
   const Progress progress = lift(command, retraction.lift);
-  if (!command.refused) state.lift = retraction.lift;
-  state.above_host = above_host();
+  if (!command.refused) lift_ = retraction.lift;
+  above_host_ = above_host();
   return progress;
 }
 
 Progress RetractionCommands::recover(ActiveCommand& command) {
   State& state = this->state();
-  if (!state.retracted) return Progress::done;
-  const bool jumped = motion_.position_jumps() != state.jumps;
+  const bool only_lowers =
+      units::most_tools > 1 && !state.retracted && lift_ != units::Nanometers();
+  if (!state.retracted && !only_lowers) return Progress::done;
   if (command.phase == ActiveCommand::Phase::begin) {
-    const Progress progress = begin(command, jumped ? units::Nanometers() : -state.lift);
+    const bool void_lift = jumped();
+    const Progress progress =
+        begin(command, void_lift ? units::Nanometers() : -lift_, !only_lowers);
     if (command.refused) return progress;
-    if (jumped && above_host() == state.above_host) {
-      const units::Position here = coordinates_.logical()[index_of(Axis::z)];
-      coordinates_.set_logical(Axis::z, here + units::Position(state.lift));
-    } else if (!jumped && state.lift != units::Nanometers()) {
-      const Progress lowered = lift(command, -state.lift);
+    if (void_lift) {
+      drop_void_lift();
+    } else if (lift_ != units::Nanometers()) {
+      const Progress lowered = lift(command, -lift_);
       if (command.refused) return lowered;
     }
-    state.lift = {};
-    state.jumps = motion_.position_jumps();
-    return Progress::again;
+    lift_ = {};
+    jumps_ = motion_.position_jumps();
+    return only_lowers ? Progress::done : Progress::again;
   }
-  if (motion_.stopping() || jumped) return Progress::done;
+  if (motion_.stopping() || jumped()) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
   const motion::Retraction& retraction = motion_.limits().retraction;
   state.retracted = false;

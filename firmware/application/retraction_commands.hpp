@@ -22,16 +22,19 @@ class RetractionCommands {
 
   // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
   Progress retract(ActiveCommand& command);
-  // First Z, then the filament. After a stop Z is not lowered, since it need not have got there:
-  // its coordinate becomes higher by the lift instead, unless homing or G92 has set it.
+  // First Z, with whichever tool it was lifted, then the filament. After a stop Z is not lowered,
+  // since it need not have got there: its coordinate becomes higher by the lift instead, unless
+  // homing or G92 has set it.
   Progress recover(ActiveCommand& command);
 
  private:
-  Progress begin(ActiveCommand& command, units::Nanometers lift);
+  Progress begin(ActiveCommand& command, units::Nanometers lift, bool extrudes = true);
   Progress append(ActiveCommand& command, units::Axis axis, units::Nanometers distance,
                   units::MicrometersPerSecond speed);
   Progress lift(ActiveCommand& command, units::Nanometers distance);
   units::Position above_host() const;
+  bool jumped() const { return motion_.position_jumps() != jumps_; }
+  void drop_void_lift();
 
   MotionTask& motion_;
   HeatTask& heat_;
@@ -41,12 +44,13 @@ class RetractionCommands {
   struct State {
     bool retracted{};
     units::Nanometers length{};  // that is drawn back
-    units::Nanometers lift{};  // of Z
-    units::Position above_host{};  // the machine's Z above that of the host, when it was lifted
-    std::uint32_t jumps{};  // of the position then
   };
   State& state() { return states_[coordinates_.tool()]; }
   std::array<State, units::most_tools> states_{};
+  // Of Z, which all tools have in common.
+  units::Nanometers lift_{};
+  units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
+  std::uint32_t jumps_{};  // of the position then
 };
 
 }  // namespace application

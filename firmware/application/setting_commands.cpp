@@ -169,16 +169,23 @@ Progress SettingCommands::list(ActiveCommand& command) {
   std::size_t& said = command.lines_said;
   const std::size_t shaped = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
   const std::size_t levelled = shaped + (motion_.levels() ? levelling_reports : 0);
-  const std::size_t last = levelled + (coordinates_.tools().count() > 1 ? tool_reports : 0);
+  const std::size_t with_tools = levelled + (coordinates_.tools().count() > 1 ? tool_reports : 0);
+  const std::size_t last = with_tools + (motion_.takes_up_backlash() ? 1 : 0);
   units::LoopBound<std::size(reported_settings) + shaping_reports + levelling_reports +
-                   tool_reports + 1>
+                   tool_reports + 2>
       lines;
   for (said = std::max(said, first); said <= last; ++said) {
     lines.next();
+    if (motion_.takes_up_backlash() && said > with_tools) {
+      const auto line = backlash_report(motion_.backlash().settings(), coordinates_.inches());
+      if (command.say(line) == Progress::again) return Progress::again;
+      continue;
+    }
     if (units::most_tools > 1 && said > levelled) {
       const Tools& all = coordinates_.tools();
-      const auto line = said == last ? tool_offset_report(all.offset(1), coordinates_.inches())
-                                     : tool_change_report(all.change(), coordinates_.inches());
+      const auto line = said == with_tools
+                            ? tool_offset_report(all.offset(1), coordinates_.inches())
+                            : tool_change_report(all.change(), coordinates_.inches());
       if (command.say(line) == Progress::again) return Progress::again;
       continue;
     }
@@ -210,6 +217,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
       return Progress::again;
     }
     motion_.set_steps_per_meter(machine_.limits);
+    if (motion_.takes_up_backlash()) motion_.set_backlash(*machine_.backlash);
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     coordinates_.set_planned(motion_.position());

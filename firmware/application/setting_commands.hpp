@@ -25,6 +25,10 @@ class SettingCommands {
   // M207, M208.
   Progress set_retraction(ActiveCommand& command);
   Progress set_recovery(ActiveCommand& command);
+  // M425, and its report.
+  Progress set_backlash(ActiveCommand& command) {
+    return motion_.takes_up_backlash() ? set_fitted_backlash(command) : command.report_not_fitted();
+  }
   // Any of these without values.
   Progress report(ActiveCommand& command);
   Progress list(ActiveCommand& command);
@@ -46,6 +50,8 @@ class SettingCommands {
   template <class Quantity>
   using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
 
+  Progress set_fitted_backlash(ActiveCommand& command);
+  Progress report_backlash(ActiveCommand& command);
   // Into a copy, which counts only where all of the line is accepted.
   motion::Accepted change_for_all(motion::Limits& changed, const ActiveCommand& command,
                                   std::span<const Setting> settings) const;

@@ -70,6 +70,18 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
   return line;
 }
 
+host_link::TextLine backlash_report(const motion::BacklashSettings& backlash, bool inches) {
+  units::EventBound<units::Event::long_digit, 0> numbers;
+  host_link::TextLine line;
+  line.text("echo: M425 F").decimal(backlash.correction, 6, 2);
+  for (std::size_t i = 0; i < backlash.lengths.size(); ++i) {
+    const std::int64_t length = backlash.lengths[i].count();
+    line.character(' ').character(units::axis_letters[i]);
+    line.decimal(inches ? length * 10 / 254 : length, 6, 3);
+  }
+  return line;
+}
+
 host_link::TextLine tool_change_report(const ToolChange& change, bool inches) {
   units::EventBound<units::Event::long_digit, 0> numbers;
   host_link::TextLine line;

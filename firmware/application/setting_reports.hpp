@@ -19,6 +19,7 @@ inline constexpr std::array<std::uint16_t, 7> reported_settings{92, 203, 201, 20
 host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& limits, bool inches);
 
 // "echo: M217 S8.00 B0.00 E0.00 P600.00 R2400.00 U1200.00 Z1.00"
+host_link::TextLine backlash_report(const motion::BacklashSettings& backlash, bool inches);
 host_link::TextLine tool_change_report(const ToolChange& change, bool inches);
 // "echo: M218 T1 X18.000 Y0.000 Z0.000"
 host_link::TextLine tool_offset_report(const ToolOffset& offset, bool inches);

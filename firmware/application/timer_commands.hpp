@@ -18,6 +18,7 @@ class TimerCommands {
   // What M109 and M190 do, and M104 and M140 where nothing is heated any more.
   void begin(units::Milliseconds now);
   void end(units::Milliseconds now);
+  bool running() const { return state_ == State::running; }
 
  private:
   enum class State : std::uint8_t { stopped, running, paused };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The change of tools step by step, and its settings.
+// The change of tools step by step.
 #include "application/tool_commands.hpp"
 
 #include <algorithm>
 
-#include "application/setting_reports.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -17,31 +16,6 @@ namespace {
 
 constexpr std::size_t x = index_of(Axis::x), y = index_of(Axis::y), z = index_of(Axis::z),
                       e = index_of(Axis::e);
-
-// Marlin's EXTRUDE_MAXLENGTH, its most of B, and its range of speeds in mm/min.
-constexpr Nanometers longest_swap{200'000'000};
-constexpr Nanometers longest_resume{10'000'000};
-constexpr Nanometers farthest_offset{1'000'000'000};
-constexpr Nanometers least_per_minute{10'000'000}, most_per_minute{5'400'000'000};
-
-// The least of Marlin's speeds is 167 um/s.
-void take_speed(const std::optional<Nanometers>& per_minute, units::MicrometersPerSecond& speed) {
-  if (!per_minute) return;
-  const std::int64_t within = std::clamp(*per_minute, least_per_minute, most_per_minute).count();
-  speed = units::MicrometersPerSecond(static_cast<std::int32_t>(
-      (within + motion::nanometers_per_minute / 2) / motion::nanometers_per_minute));
-}
-
-void take_length(const std::optional<Nanometers>& asked, Nanometers least, Nanometers most,
-                 Nanometers& length) {
-  if (asked) length = std::clamp(*asked, least, most);
-}
-
-Progress refuse_unfitted(ActiveCommand& command) {
-  host_link::TextLine line;
-  line.text("echo:M").integer(command.command.code).text(" not fitted");
-  return command.say(line);
-}
 
 }  // namespace
 
@@ -56,12 +30,13 @@ Progress ToolCommands::select(ActiveCommand& command) {
   if constexpr (units::most_tools > 1) {
     Change& change = this->change();
     if (command.phase == ActiveCommand::Phase::begin) {
-      if (tool == coordinates().tool()) return Progress::done;
+      const bool changes = tool != coordinates().tool();
+      if (!changes && change.drawn[tool] == Nanometers()) return Progress::done;
       motion().flush();
       if (!motion().at_rest()) return Progress::again;
       plan(tool);
-      const bool asked_to_stay = command.command.integer('S').value_or(0) != 0;
-      if (change.moves && !asked_to_stay && !moves().may_go_to(change.target)) {
+      const bool asked_to_stay = !changes || command.command.integer('S').value_or(0) != 0;
+      if (change.moves && !asked_to_stay && !way_is_free()) {
         if (command.say("echo:The new nozzle does not reach this place, and stays") ==
             Progress::again) {
           return Progress::again;
@@ -75,15 +50,62 @@ Progress ToolCommands::select(ActiveCommand& command) {
     while (change.step != Step::done) {
       steps.next();
       // A stop voids what is left of it.
-      if (motion().stopping() || motion().position_jumps() != change.jumps) break;
+      if (motion().stopping()) return Progress::again;
+      if (motion().position_jumps() != change.jumps) {
+        note_stop();
+        break;
+      }
       if (!motion().at_rest()) return Progress::again;
       const Step step = change.step;
       change.step = static_cast<Step>(static_cast<std::uint8_t>(step) + 1);
       if (carry_out(step, tool)) motion().flush();
     }
-    if (!motion().at_rest() && !motion().stopping()) return Progress::again;
+    if (!motion().at_rest()) return Progress::again;
+    return report_end(command, tool);
   }
   return Progress::done;
+}
+
+// The filament is where the stop has left it, and the host's E still does not show it.
+void ToolCommands::note_stop() {
+  Change& change = this->change();
+  if (change.pushes) {
+    const Positions& here = motion().position();
+    change.drawn[coordinates().tool()] =
+        change.drawn_before + (change.extruder - here[e]).nearest();
+  }
+  coordinates().set_logical(Axis::e, change.logical_extruder);
+  change.step = Step::done;
+}
+
+// What is not as it was asked for, and what a nozzle lacks that is in use now.
+Progress ToolCommands::report_end(ActiveCommand& command, std::size_t tool) {
+  const std::size_t in_use = coordinates().tool();
+  if (command.lines_said == 0 && (in_use != tool || change().fault)) {
+    const Progress said = command.refuse(change().fault ? motion::describe(*change().fault)
+                                                        : "The change was stopped, the tool stays");
+    if (said == Progress::again) return said;
+    command.lines_said = 1;
+  }
+  const Nanometers drawn = change().drawn[in_use];
+  if (drawn == Nanometers()) return Progress::done;
+  host_link::TextLine line;
+  line.text("echo:Filament is drawn back by ").decimal(drawn.count(), 6, 2);
+  line.text(" mm, hot it comes forward with T").integer(static_cast<std::int64_t>(in_use));
+  return command.say(line);
+}
+
+// Up, across and down.
+bool ToolCommands::way_is_free() {
+  const Change& change = this->change();
+  const Positions& here = motion().position();
+  Positions above = here, across = change.target;
+  above[z] = across[z] = change.height;
+  const motion::kinematics::Chosen& kinematics = motion().kinematics();
+  return moves().may_go_to(change.target) && kinematics.reaches(above) &&
+         kinematics.reaches(across) && kinematics.straight_within(here, above) &&
+         kinematics.straight_within(above, across) &&
+         kinematics.straight_within(across, change.target);
 }
 
 // Where the new nozzle must go. Not homed, nothing is known of the way.
@@ -109,7 +131,9 @@ void ToolCommands::begin(ActiveCommand& command) {
   command.phase = ActiveCommand::Phase::working;
   change.step = Step::retract;
   change.jumps = motion().position_jumps();
-  change.resumes = false;
+  change.resumes = change.pushes = false;
+  change.fault.reset();
+  change.logical_extruder = coordinates().logical()[e];
   const motion::Limits& limits = motion().limits();
   change.feedrate = std::min(limits.of(Axis::x).max_speed, limits.of(Axis::y).max_speed);
   const units::MicrometersPerSecond kept = coordinates().kept_feedrate();
@@ -121,15 +145,13 @@ void ToolCommands::begin(ActiveCommand& command) {
 bool ToolCommands::carry_out(Step step, std::size_t tool) {
   Change& change = this->change();
   const ToolChange& settings = coordinates().tools().change();
-  if (!change.moves && step != Step::select) return false;
+  const bool stays = step == Step::select || step == Step::unretract || step == Step::resume;
+  if (!change.moves && !stays) return false;
   Positions place = motion().position();
+  change.pushes = false;
   switch (step) {
     case Step::retract:
-      if (settings.swap == Nanometers() || !extrude(-settings.swap, settings.retract_speed)) {
-        return false;
-      }
-      change.drawn[coordinates().tool()] += settings.swap;
-      return true;
+      return push(coordinates().tool(), -settings.swap, settings.retract_speed);
     case Step::lift:
       place[z] = change.height;
       return go_to(place, motion().limits().of(Axis::z).max_speed);
@@ -139,8 +161,10 @@ bool ToolCommands::carry_out(Step step, std::size_t tool) {
       coordinates().select_tool(tool);
       coordinates().set_planned(motion().position());
       return false;
+    // What the last change has drawn back; of a tool that has not been used yet nothing.
     case Step::unretract:
-      return unretract(tool);
+      change.resumes = push(tool, change.drawn[tool], settings.unretract_speed);
+      return change.resumes;
     case Step::prime:
       return extrude(settings.prime, settings.prime_speed);
     case Step::travel:
@@ -158,12 +182,14 @@ bool ToolCommands::carry_out(Step step, std::size_t tool) {
   return false;
 }
 
-// What the last change has drawn back; of a tool that has not been used yet nothing.
-bool ToolCommands::unretract(std::size_t tool) {
+// The tool's filament back or forward, where it is counted.
+bool ToolCommands::push(std::size_t tool, Nanometers length, units::MicrometersPerSecond speed) {
   Change& change = this->change();
-  if (!extrude(change.drawn[tool], coordinates().tools().change().unretract_speed)) return false;
-  change.drawn[tool] = {};
-  change.resumes = true;
+  change.extruder = motion().position()[e];
+  if (!extrude(length, speed)) return false;
+  change.pushes = true;
+  change.drawn_before = change.drawn[tool];
+  change.drawn[tool] -= length;
   return true;
 }
 
@@ -180,7 +206,10 @@ bool ToolCommands::extrude(Nanometers length, units::MicrometersPerSecond speed)
 // The host's coordinates change by as much as the machine's.
 bool ToolCommands::go_to(const Positions& machine, units::MicrometersPerSecond feedrate) {
   const Positions before = motion().position();
-  if (machine == before || !motion().append({.target = machine, .feedrate = feedrate})) {
+  if (machine == before) return false;
+  if (const auto accepted = motion().append({.target = machine, .feedrate = feedrate}); !accepted) {
+    change().fault = accepted.error();
+    change().step = Step::done;
     return false;
   }
   for (std::size_t i = 0; i < e; ++i) {
@@ -189,65 +218,6 @@ bool ToolCommands::go_to(const Positions& machine, units::MicrometersPerSecond f
   }
   coordinates().set_planned(motion().position());
   return true;
-}
-
-Progress ToolCommands::prime(ActiveCommand& command) {
-  if (heat().extrusion_is_cold()) return command.refuse("Cold extrusion prevented");
-  if (!motion().has_room() || motion().stopping()) return Progress::again;
-  const ToolChange& settings = coordinates().tools().change();
-  extrude(settings.prime, settings.prime_speed);
-  return Progress::done;
-}
-
-Progress ToolCommands::set_change(ActiveCommand& command) {
-  if (units::most_tools == 1 || count() == 1) return refuse_unfitted(command);
-  if constexpr (units::most_tools > 1) {
-    if (command.command.has('Q')) return prime(command);
-    const auto asked = [&](char letter) {
-      return coordinates().rounded_length(command.command, letter);
-    };
-    ToolChange& settings = coordinates().tools().change();
-    take_length(asked('S'), {}, longest_swap, settings.swap);
-    take_length(asked('B'), -longest_resume, longest_resume, settings.resume);
-    take_length(asked('E'), {}, longest_swap, settings.prime);
-    take_length(asked('Z'), {}, motion().limits().of(Axis::z).travel, settings.lift);
-    take_speed(asked('P'), settings.prime_speed);
-    take_speed(asked('R'), settings.retract_speed);
-    take_speed(asked('U'), settings.unretract_speed);
-  }
-  return command.say(tool_change_report(coordinates().tools().change(), coordinates().inches()));
-}
-
-Progress ToolCommands::set_offset(ActiveCommand& command) {
-  if (units::most_tools == 1 || count() == 1) return refuse_unfitted(command);
-  if constexpr (units::most_tools > 1) {
-    const auto tool = command.asked_tool(coordinates().tools());
-    if (!tool) return command.refuse_tool();
-    std::array<std::optional<Nanometers>, e> offsets;
-    for (std::size_t i = 0; i < e; ++i) {
-      offsets[i] = coordinates().rounded_length(command.command, units::axis_letters[i]);
-      if (offsets[i] && (*offsets[i] > farthest_offset || *offsets[i] < -farthest_offset)) {
-        return command.refuse("Number out of range");
-      }
-    }
-    for (std::size_t i = 0; i < e; ++i) {
-      if (offsets[i]) coordinates().set_tool_offset(*tool, i, *offsets[i]);
-    }
-  }
-  return Progress::done;
-}
-
-Progress ToolCommands::report_offset(ActiveCommand& command) {
-  if (units::most_tools == 1 || count() == 1) return refuse_unfitted(command);
-  return command.say(tool_offset_report(coordinates().tools().offset(1), coordinates().inches()));
-}
-
-Progress ToolCommands::set_mode(ActiveCommand& command) {
-  if (units::most_tools == 1 || count() == 1) return refuse_unfitted(command);
-  if (command.command.integer('S').value_or(0) > 1) {
-    return command.refuse("No duplication: one tool extrudes at a time");
-  }
-  return command.say("echo:One tool extrudes at a time");
 }
 
 }  // namespace application

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "application/active_command.hpp"
 #include "application/coordinates.hpp"
@@ -25,7 +26,8 @@ class ToolCommands {
   }
 
   // The new nozzle goes to the place of the old one, so that the host's coordinates stay: unless S1
-  // is given or an axis is not homed, when it stays where it is and the coordinates change.
+  // is given, an axis is not homed or the way there is out of reach, when it stays where it is and
+  // the coordinates change. T of the tool in use brings filament forward that a change has left.
   Progress select(ActiveCommand& command);
   // M217: what happens then; Q extrudes as much as E says.
   Progress set_change(ActiveCommand& command);
@@ -59,6 +61,11 @@ class ToolCommands {
     units::MicrometersPerSecond feedrate{};
     // Of each tool: what a change has drawn back.
     std::array<units::Nanometers, units::most_tools> drawn{};
+    // When the move under way began, which draws back or pushes: what was drawn, and E; the host's.
+    bool pushes{};
+    units::Nanometers drawn_before{};
+    units::Position extruder{}, logical_extruder{};
+    std::optional<motion::Fault> fault;  // of a move that was refused
   };
 
   void begin(ActiveCommand& command);
@@ -66,7 +73,10 @@ class ToolCommands {
   // A move has begun.
   bool carry_out(Step step, std::size_t tool);
   bool extrude(units::Nanometers length, units::MicrometersPerSecond speed);
-  bool unretract(std::size_t tool);
+  bool push(std::size_t tool, units::Nanometers length, units::MicrometersPerSecond speed);
+  bool way_is_free();
+  void note_stop();
+  Progress report_end(ActiveCommand& command, std::size_t tool);
   bool go_to(const Positions& machine, units::MicrometersPerSecond feedrate);
   Progress prime(ActiveCommand& command);
   Change& change() { return change_[0]; }

@@ -3,6 +3,9 @@
 #include "benchmark/planner_work.hpp"
 #include "benchmark/processor_program.hpp"
 
+// It plans for a machine without.
+const bool motion::backlash_in_image = false;
+
 int main() {
   static benchmark::PlannerWork work;
   benchmark::run_program(work);

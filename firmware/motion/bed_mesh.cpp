@@ -29,12 +29,10 @@ constexpr std::int64_t between(std::int64_t from, std::int64_t to, std::uint32_t
 void BedMesh::set_axes(const std::array<MeshAxis, 2>& axes) {
   axes_ = axes;
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    const std::int64_t span = (axes[axis].last - axes[axis].first).count();
     units::LoopBound<most_points> lines;
     for (std::size_t i = 0; i < axes[axis].points; ++i) {
       lines.next();
-      const auto index = static_cast<std::int64_t>(i);
-      lines_[axis][i] = axes[axis].first + Nanometers(divided(span * index, axes[axis].points - 1));
+      lines_[axis][i] = axes[axis].line(i);
     }
   }
   units::LoopBound<most_points, 1> rows;

@@ -21,6 +21,14 @@ struct MeshAxis {
   units::Nanometers first{};
   units::Nanometers last{};  // beyond the first, by less than 2 m
   std::uint8_t points{};  // 2 .. BedMesh::most_points
+
+  // Rounded to nearest, halves away from the first.
+  units::Nanometers line(std::size_t index) const {
+    const std::int64_t parts = points - 1;
+    return first +
+           units::Nanometers(
+               ((last - first).count() * static_cast<std::int64_t>(index) + parts / 2) / parts);
+  }
 };
 
 // What the machine description says of it.

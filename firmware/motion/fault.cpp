@@ -24,6 +24,8 @@ std::string_view describe(Fault fault) {
       return "target position out of range";
     case Fault::target_out_of_reach:
       return "target out of reach";
+    case Fault::mesh_out_of_reach:
+      return "out of reach above the mesh";
     case Fault::not_homed:
       return "home first";
     case Fault::line_too_long:

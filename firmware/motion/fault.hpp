@@ -17,6 +17,7 @@ enum class Fault : std::uint8_t {
   feedrate_out_of_range,
   target_out_of_range,
   target_out_of_reach,
+  mesh_out_of_reach,
   not_homed,
   line_too_long,
   queue_full,

@@ -57,10 +57,13 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
     }
     others.insert(static_cast<units::Axis>(i));
     const StepPosition end = steps_at(motors[i], limits().axes[i].steps_per_meter);
-    const std::int64_t steps = end.steps - position_steps_[i];
+    const std::int64_t way = end.steps - position_steps_[i];
+    const std::int64_t steps = takes_up_backlash() ? way + backlash_->steps_before(i, way) : way;
     if (steps < -most_steps || steps > most_steps) return std::unexpected(Fault::line_too_long);
     displacement.distance[i] =
-        distance_between(from[i], move.target[i], kinematics_.identity() ? steps : 0);
+        distance_between(from[i], move.target[i], kinematics_.identity() ? way : 0);
+    // It is a way of the motor, within its limits.
+    if (takes_up_backlash()) displacement.distance[i] += backlash_->length_of(i, steps - way);
     displacement.steps[i] = static_cast<std::int32_t>(steps);
     displacement.residual[i] = residual_[i] + end.residual;
     ends[i] = end;
@@ -76,6 +79,7 @@ std::expected<void, Fault> Planner::append(const LineMove& move, units::Microsec
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     if (!others.contains(static_cast<units::Axis>(i))) continue;
     if (kinematics_.identity()) line_end_[i] = move.target[i];
+    if (takes_up_backlash()) backlash_->turn(i, ends[i].steps - position_steps_[i]);
     position_steps_[i] = ends[i].steps;
     residual_[i] = ends[i].residual;
   }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "machine/kinematics.hpp"
+#include "motion/backlash.hpp"
 #include "motion/fault.hpp"
 #include "motion/limits.hpp"
 #include "motion/line.hpp"
@@ -44,6 +45,16 @@ class Planner {
   const Limits& limits() const { return geometry_.limits(); }
   const StepTiming& timing() const { return timing_; }
 
+  // The memory for what motors take up where they turn back; only with a motor for each axis.
+  void set_backlash(Backlash* backlash) { backlash_ = backlash; }
+  // Inlined for certain, so that link-time optimisation drops what depends on it.
+  [[gnu::always_inline]] bool takes_up_backlash() const {
+    return backlash_in_image && backlash_ != nullptr;
+  }
+  // Only where it does.
+  Backlash& backlash() { return *backlash_; }
+  const Backlash& backlash() const { return *backlash_; }
+
   bool has_room() const { return count_ < capacity; }
   // Nothing left to hand over (the step generator may still be busy).
   bool empty() const { return count_ == 0 && between_lines(); }
@@ -68,7 +79,7 @@ class Planner {
   // The last target: relative moves go on from here.
   const units::PerAxis<units::Position>& position() const { return target_; }
   // The motors' in steps, rounded; what the step generator's counters show when all is done
-  // (modulo 2^32).
+  // (modulo 2^32), but for what they are ahead by backlash.
   const units::PerAxis<std::int64_t>& position_steps() const { return position_steps_; }
 
   // Where the motors are, to the nanometre.
@@ -90,6 +101,7 @@ class Planner {
   void hand_over_first(units::Microseconds now);
 
   StepTiming timing_;
+  Backlash* backlash_{};
   Geometry geometry_;
   [[no_unique_address]] kinematics::Chosen kinematics_;
   units::PerAxis<units::Position> target_{};  // of the last move

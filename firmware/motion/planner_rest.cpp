@@ -10,7 +10,10 @@ Planner::Planner(const Limits& limits, const StepTiming& timing,
                  const kinematics::Chosen& kinematics)
     : timing_(timing), geometry_(limits, timing), kinematics_(kinematics) {}
 
-void Planner::set_limits(const Limits& limits) { geometry_ = Geometry(limits, timing_); }
+void Planner::set_limits(const Limits& limits) {
+  geometry_ = Geometry(limits, timing_);
+  if (takes_up_backlash()) backlash_->set_limits(limits);
+}
 
 void Planner::clear() {
   count_ = 0;

@@ -32,11 +32,14 @@ Printer::Printer(const application::MachineDescription& machine) : machine_(mach
 
 void Printer::begin() {
   levelling_ = {};
+  backlash_ = {};
   application_ = std::make_unique<application::Application>(
       machine_, application::ThermalTables{table, table, picoseconds_per_ohm, &table}, *hardware_,
       counters,
       application::OptionalParts{.shaping = machine_.shaping ? &shaping_ : nullptr,
-                                 .levelling = machine_.levelling ? &levelling_ : nullptr});
+                                 .levelling = machine_.levelling ? &levelling_ : nullptr,
+                                 .backlash = machine_.backlash ? &backlash_ : nullptr,
+                                 .filament = machine_.handles_filament() ? &filament_ : nullptr});
   EXPECT_TRUE(application_->start(machine::machine.baud));
 }
 

@@ -45,6 +45,8 @@ class Printer {
   application::MachineDescription machine_;
   motion::Shaping shaping_;
   motion::Levelling levelling_;
+  motion::Backlash backlash_;
+  application::FilamentCommands filament_;
   std::optional<application::Hardware> hardware_;
   std::unique_ptr<application::Application> application_;
 };

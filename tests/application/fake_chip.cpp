@@ -55,9 +55,13 @@ std::uint32_t FakeChip::end_stops() const {
   if (!end_stops_work) return 0;
   std::uint32_t triggered = end_stops_stuck;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    triggered |= (mechanical[axis] <= 0 ? 1u : 0u) << axis;
+    triggered |= (end_stop_closed(axis, mechanical[axis]) ? 1u : 0u) << axis;
   }
   if (probe_triggers(mechanical)) triggered |= 1u << probe_input;
+  const std::uint32_t levels = filament_is_out ? 0 : 1u << filament_input;
+  const std::uint32_t active_low = word(registers::end_stops::Polarity::address);
+  const std::uint32_t enabled = word(registers::end_stops::Enable::address);
+  triggered |= (levels ^ active_low) & enabled & 1u << filament_input;
   return triggered;
 }
 

@@ -58,12 +58,16 @@ class FakeChip {
   static constexpr std::size_t axes = 5;  // X Y Z E0 E1
   // Where the axes stand, in steps from their end stops; an end stop is closed at 0 and below.
   std::array<std::int64_t, axes> mechanical{1000, 1000, 30'000, 0, 0};
+  bool end_stops_above{};  // they are at the other end: closed at 0 and above
   bool end_stops_work{true};
   std::uint32_t end_stops_stuck{};  // closed, wherever the axis is; bit = axis
   // The nozzle's height above its end stop at which the probe on input 3 triggers, in mm, by the
   // nozzle's place; none without.
   static constexpr std::size_t probe_input = 3;
   std::function<double(double x, double y)> probe_mm;
+  // The sensor on this input, whose level is low without filament.
+  static constexpr std::size_t filament_input = 4;
+  bool filament_is_out{};
   std::array<double, 3> steps_per_mm{};  // for it
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
   std::array<std::int32_t, axes> position{};  // the hardware's counters
@@ -101,6 +105,9 @@ class FakeChip {
   std::uint32_t word(std::uint32_t address) const { return words_[place_of(address)]; }
   std::uint32_t& word(std::uint32_t address) { return words_[place_of(address)]; }
   std::uint32_t end_stops() const;
+  bool end_stop_closed(std::size_t axis, std::int64_t steps) const {
+    return end_stops_above ? axis < 3 && steps >= 0 : steps <= 0;
+  }
   bool probe_triggers(const std::array<std::int64_t, axes>& steps) const;
   void commit();
   void command(std::uint32_t value);

@@ -124,7 +124,7 @@ std::int64_t FakeChip::tick_of_stop(std::int64_t last_tick) const {
       for (std::size_t axis = 0; axis < there.size(); ++axis) {
         there[axis] += steps_until(axis, tick) - steps_until(axis, line_tick_);
       }
-      return input == probe_input ? probe_triggers(there) : there[input] <= 0;
+      return input == probe_input ? probe_triggers(there) : end_stop_closed(input, there[input]);
     };
     if (closed(line_tick_ + 1)) return line_tick_ + 1;
     if (!closed(first)) continue;

@@ -134,4 +134,62 @@ TEST(machine_generator, names_arms_that_do_not_fit) {
          "line 23: scara.end_stop_deg: lets the proximal arm turn from -25.0 to 100.0 degrees");
 }
 
+// With a table in front of the drivers'.
+std::string complaint_of_table(const std::string& text) {
+  return complaint("[drivers.a4988]", text + "\n[drivers.a4988]");
+}
+
+TEST(machine_generator, takes_backlash_and_what_is_known_of_filament) {
+  const TemporaryFolder folder;
+  folder.write("machine.toml",
+               tests::changed_description(
+                   "[drivers.a4988]",
+                   "[backlash]\nx_mm = 0.12\ny_mm = 0.1\nz_mm = 0\ncorrection = 0.75\n"
+                   "[filament_sensor]\ninput = 5\nlow_is_out = true\n"
+                   "[filament_change]\nload_mm = 420\nunload_mm = 450\nload_speed_mm_s = 25\n"
+                   "unload_speed_mm_s = 50\npurge_mm = 30\npurge_speed_mm_s = 3\n[drivers.a4988]"));
+  const std::string header = machine_generator::header_of(folder.path() / "machine.toml");
+  for (const char* value :
+       {".lengths = {{units::Nanometers{120000}, units::Nanometers{100000}, units::Nanometers{0}, "
+        "}}, .correction = 750000",
+        ".backlash = &backlash", ".input = 5, .low_is_out = true",
+        ".filament_sensor = &filament_sensor", ".load = units::Nanometers{420000000}",
+        ".purge_speed = units::MicrometersPerSecond{3000}",
+        ".filament_change = &filament_change"}) {
+    EXPECT_THAT(header, HasSubstr(value));
+  }
+  EXPECT_EQ(machine::machine.backlash, nullptr);
+  EXPECT_FALSE(machine::machine.handles_filament());
+}
+
+TEST(machine_generator, names_backlash_that_cannot_be) {
+  EXPECT_THAT(complaint_of_table("[backlash]\nx_mm = 5.1\ny_mm = 0\nz_mm = 0"),
+              HasSubstr("backlash.x_mm: is 5.1, but must be 0 to 5"));
+  EXPECT_THAT(complaint_of_table("[backlash]\nx_mm = 0.1\ny_mm = -0.1\nz_mm = 0"),
+              HasSubstr("backlash.y_mm: is -0.1"));
+  EXPECT_THAT(complaint_of_table("[backlash]\nx_mm = 0.1\ny_mm = 0.1"),
+              HasSubstr("backlash.z_mm: is missing"));
+  EXPECT_THAT(complaint_of_table("[backlash]\nx_mm = 0.1\ny_mm = 0.1\nz_mm = 0\ncorrection = 1.5"),
+              HasSubstr("backlash.correction: is 1.5, but must be 0 to 1"));
+  for (const char* machine : {"core_xy.toml", "delta.toml", "scara.toml"}) {
+    EXPECT_THAT(complaint_about(machine, "[motion]",
+                                "[backlash]\nx_mm = 0.1\ny_mm = 0.1\nz_mm = 0\n[motion]"),
+                HasSubstr("backlash: needs kinematics = \"cartesian\""));
+  }
+}
+
+TEST(machine_generator, names_a_filament_sensor_and_lengths_that_cannot_be) {
+  EXPECT_THAT(complaint_of_table("[filament_sensor]\ninput = 2\nlow_is_out = true"),
+              HasSubstr("filament_sensor.input: is the end stop of an axis already"));
+  EXPECT_THAT(complaint_of_table("[filament_sensor]\ninput = 8\nlow_is_out = true"),
+              HasSubstr("filament_sensor.input: is 8"));
+  EXPECT_THAT(complaint_of_table("[filament_sensor]\ninput = 3"),
+              HasSubstr("filament_sensor.low_is_out: is missing"));
+  EXPECT_THAT(complaint_about("probed_bed_slinger.toml", "[motion]",
+                              "[filament_sensor]\ninput = 3\nlow_is_out = false\n[motion]"),
+              HasSubstr("filament_sensor.input: is that of the probe already"));
+  EXPECT_THAT(complaint_of_table("[filament_change]\nload_mm = 2001"),
+              HasSubstr("filament_change.load_mm: is 2001, but must be 0 to 2000"));
+}
+
 }  // namespace

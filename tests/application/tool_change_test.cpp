@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // T0 and T1: where the carriage goes, and which motor turns.
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "tests/application/described_machine.hpp"
 #include "tests/application/two_tools.hpp"
 
 namespace application_test {
@@ -174,6 +177,111 @@ TEST_F(TwoTools, leave_a_change_that_is_stopped) {
   execute({"G1 X130 F6000"});
   EXPECT_EQ(printer.chip.position[0], 110 * 80);
   EXPECT_GT(at, 100);
+}
+
+class ToolsWithSwap : public TwoTools {
+ protected:
+  ToolsWithSwap() {
+    printer.talk("-> M217 S4 R60 U60\n<* S4.00\n<- ok");
+    execute({"G1 X100 Y50 Z10 F6000", "G1 E10 F300"});
+  }
+  static std::string drawn_back(double length) {
+    return fmt::format("echo:Filament is drawn back by {:.2f} mm, hot it comes forward with T0",
+                       length);
+  }
+};
+
+TEST_F(ToolsWithSwap, bring_filament_forward_where_they_do_not_move) {
+  execute({"T1"});
+  expect_steps(80, 49, 10.25, 6, 0);
+  execute({"T0 S1"});
+  expect_steps(80, 49, 10.25, 10, 0);
+  execute({"T1", "T0", "G91", "G1 X-75 F6000", "G90"});
+  expect_steps(5, 49, 10.25, 10, -4);
+  printer.talk("-> T1\n<- echo:The new nozzle does not reach this place, and stays\n<- ok");
+  expect_steps(5, 49, 10.25, 10, 0);
+}
+
+TEST_F(ToolsWithSwap, say_what_is_drawn_back_of_a_cold_one_and_bring_it_forward_when_it_is_hot) {
+  execute({"T1", "M302 S250"});
+  printer.talk(
+      "-> T0\n<- echo:Filament is drawn back by 4.00 mm, hot it comes forward with T0\n<- ok");
+  expect_steps(100, 50, 10, 6, 0);
+  execute({"M302 S170", "T0"});
+  expect_steps(100, 50, 10, 10, 0);
+  execute({"T0"});
+  expect_steps(100, 50, 10, 10, 0);
+  printer.talk("-> M114\n<* E:10.00\n<- ok");
+}
+
+// At 1 mm/s the filament is on its way back for 4 s.
+TEST_F(ToolsWithSwap, refuse_a_change_that_is_stopped_before_the_new_one_is_in_use) {
+  printer.send("T1");
+  printer.run(2);
+  printer.send("M410");
+  EXPECT_EQ(printer.reply(), "echo:The change was stopped, the tool stays, not executed: \"T1\"");
+  const std::string said = printer.reply().value_or("");
+  const double drawn = 10 - printer.chip.position[3] / 500.0;
+  EXPECT_GT(drawn, 1);
+  EXPECT_LT(drawn, 3);
+  EXPECT_EQ(said, drawn_back(drawn));
+  printer.talk("<- ok\n<- ok\n-> M114\n<* E:10.00\n<- ok");
+  execute({"T0"});
+  expect_steps(100, 50, 10, 10, 0);
+}
+
+TEST_F(ToolsWithSwap, count_what_a_stop_has_left_of_the_way_forward) {
+  execute({"T1"});
+  printer.send("T0");
+  printer.run(6.5);  // 4 s back, 4 s forward
+  printer.send("M410");
+  const std::string said = printer.reply().value_or("");
+  const double drawn = 10 - printer.chip.position[3] / 500.0;
+  EXPECT_GT(drawn, 0.5);
+  EXPECT_LT(drawn, 3.5);
+  EXPECT_EQ(said, drawn_back(drawn));
+  printer.talk("<- ok\n<- ok");
+  execute({"T0"});
+  EXPECT_EQ(printer.chip.position[3], 10 * 500);
+}
+
+// G10 lifts Z, whichever nozzle it is; what lowers it is the next G11.
+TEST_F(TwoTools, are_lowered_by_the_other_ones_g11) {
+  execute({"M207 S3 Z2", "G1 X100 Y50 Z10 F6000", "G10"});
+  expect_steps(100, 50, 12, -3, 0);
+  execute({"T1"});
+  expect_steps(80, 49, 12.25, -3, 0);
+  execute({"G11"});
+  expect_steps(80, 49, 10.25, -3, 0);
+  execute({"G10", "T0"});
+  expect_steps(100, 50, 12, -3, -3);
+  execute({"G11"});
+  expect_steps(100, 50, 10, 0, -3);
+  execute({"T1", "G11"});
+  expect_steps(80, 49, 10.25, 0, 0);
+}
+
+TEST_F(TwoTools, are_lifted_once_by_g10_of_both) {
+  execute({"M207 S3 Z2", "G1 X100 Y50 Z10 F6000", "G10", "T1", "G10"});
+  expect_steps(80, 49, 12.25, -3, -3);
+  execute({"G11"});
+  expect_steps(80, 49, 10.25, -3, 0);
+  execute({"T0", "G11"});
+  expect_steps(100, 50, 10, 0, 0);
+}
+
+// Between both places of the carriage the nozzle would come too near to the shoulder at X100 Y-120.
+TEST(two_tools, stay_where_the_way_of_a_scara_is_out_of_reach) {
+  application::MachineDescription machine = described_machine("scara");
+  machine.second_tool = machine_with_two_tools().second_tool;
+  machine.second_tool->offset = {units::Nanometers(-120'000'000)};
+  Printer printer(machine);
+  hang_below_end_stops(printer.chip);
+  printer.talk("-> G28\n<- ok\n-> G1 X30 Y40 F6000\n<- ok\n-> G1 Y1 Z10\n<- ok\n-> M400\n<- ok");
+  const auto before = printer.chip.mechanical;
+  printer.talk("-> T1\n<- echo:The new nozzle does not reach this place, and stays\n<- ok");
+  EXPECT_EQ(printer.chip.mechanical, before);
+  printer.talk("-> M114\n<* X:-90.00 Y:1.00 Z:10.00\n<- ok");
 }
 
 }  // namespace

@@ -70,12 +70,10 @@ int plan(const PlanOptions& options) {
                                 {"--commands", options.commands},
                                 {"--path", options.path},
                                 {"--picture", options.picture}}});
-  machine_generator::Machine machine = machine_of(options);
-  machine.description.name = machine.name;
-  if (machine.levelling) machine.description.levelling = &*machine.levelling;
+  const machine_generator::Machine machine = machine_of(options);
   const auto commands = devices::read_gcode_file(options.file);
   if (!commands) throw std::runtime_error(commands.error());
-  planning::PrintPlanner planner(machine.description, options.clock_hz);
+  planning::PrintPlanner planner(machine.whole(), options.clock_hz);
   planning::PathRecorder path;
   if (!options.path.empty() || !options.picture.empty()) {
     planner.on_line([&path](const planning::Walk& walk) { path.add(walk); });

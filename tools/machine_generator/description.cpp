@@ -214,6 +214,7 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
     read_shaping(root.table("shaping"), machine.description.shaping.emplace());
   }
   machine.levelling = read_levelling(root, machine.description);
+  machine.parts = read_parts(root, machine.description, machine.levelling);
   if (root.has("tool_1")) {
     machine.description.second_tool =
         read_second_tool(root.table("tool_1"), root.table("tool_change"), root.table("drivers"));
@@ -221,6 +222,16 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   read_heaters(root, machine.description);
   root.finish();
   return machine;
+}
+
+application::MachineDescription Machine::whole() const {
+  application::MachineDescription all = description;
+  all.name = name;
+  if (levelling) all.levelling = &*levelling;
+  if (parts.backlash) all.backlash = &*parts.backlash;
+  if (parts.filament_sensor) all.filament_sensor = &*parts.filament_sensor;
+  if (parts.filament_change) all.filament_change = &*parts.filament_change;
+  return all;
 }
 
 Machine read_machine(const std::filesystem::path& file) {

@@ -10,6 +10,7 @@
 #include <toml++/toml.hpp>
 
 #include "application/machine_description.hpp"
+#include "machine_generator/parts_description.hpp"
 
 namespace machine_generator {
 
@@ -17,7 +18,11 @@ struct Machine {
   std::string name;
   std::optional<std::uint32_t> memory_bytes{};  // that its chip must have; none: the default's
   std::optional<motion::LevellingSettings> levelling{};
+  Parts parts{};
   application::MachineDescription description{};  // but for its name and for what it points to
+
+  // The description, with its name and what it points to; this must outlive it.
+  application::MachineDescription whole() const;
 };
 
 // Throws DescriptionError on anything missing, ill-typed, out of the firmware's range or unknown.

@@ -148,7 +148,7 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "// Generated from {} by machine_generator: do not edit.\n"
       "#pragma once\n\n"
       "#include \"application/machine_description.hpp\"\n\n"
-      "namespace machine {{\n\n{}"
+      "namespace machine {{\n\n{}{}"
       "inline constexpr application::MachineDescription machine{{\n"
       "  .name = \"{}\",\n  .baud = {},\n"
       "  .advanced_ok = {},\n  .host_silence = {},\n"
@@ -156,14 +156,14 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .homing_search = {{{{{}}}}},\n"
       "  .drivers = {{{{\n{}              }}}},\n"
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
-      "  .converter = {},\n{}{}{}}};\n\n}}  // namespace machine\n",
+      "  .converter = {},\n{}{}{}{}}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.levelling ? levelling_text(*machine.levelling) : "",
-      machine.name, description.baud, description.advanced_ok, text(description.host_silence),
-      text(description.limits), kinematics_text(description.kinematics), searches, drivers,
-      text(description.hotend), text(description.bed), text(description.min_extrusion),
-      text(description.converter),
+      parts_text(machine.parts), machine.name, description.baud, description.advanced_ok,
+      text(description.host_silence), text(description.limits),
+      kinematics_text(description.kinematics), searches, drivers, text(description.hotend),
+      text(description.bed), text(description.min_extrusion), text(description.converter),
       description.shaping ? "  .shaping = " + text(*description.shaping) + ",\n" : "",
-      machine.levelling ? "  .levelling = &levelling,\n" : "",
+      machine.levelling ? "  .levelling = &levelling,\n" : "", parts_entries(machine.parts),
       description.second_tool ? "  .second_tool = " + text(*description.second_tool) + ",\n" : "");
 }
 

@@ -27,11 +27,12 @@ constexpr application::ConverterDescription converter{
 constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
     converter.capacitor_picofarads, converter.supply_millivolts, converter.threshold_millivolts);
 
-// Extrusion is never cold.
+// Extrusion is never cold, and filament never ends.
 application::MachineDescription heated(const application::MachineDescription& machine) {
   application::MachineDescription changed = machine;
   changed.converter = converter;
   changed.min_extrusion = machine.hotend.min;
+  changed.filament_sensor = nullptr;
   return changed;
 }
 
@@ -76,10 +77,12 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
       heater_control_(units::Hertz(clock_hz)),
       motion_(machine_, units::Hertz(clock_hz), step_generator_, end_stops_,
               {.shaping = machine_.shaping ? &shaping_ : nullptr,
-               .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr}),
+               .levelling = machine_.levelling != nullptr ? &levelling_ : nullptr,
+               .backlash = machine_.backlash != nullptr ? &backlash_ : nullptr}),
       heat_(machine_, {hot_table, hot_table, picoseconds_per_ohm, &hot_table},
             units::Hertz(clock_hz), converter_, heater_control_),
-      executor_(machine_, motion_, heat_, fan_, link_, statistics_) {
+      executor_(machine_, motion_, heat_, fan_, link_, statistics_,
+                machine_.handles_filament() ? &filament_ : nullptr) {
   plan_.machine = machine_.name;
   if (machine_.levelling != nullptr) {
     model_.fit_probe(machine_.levelling->probe.input, -machine_.levelling->probe.offset[2]);

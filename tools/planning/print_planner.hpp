@@ -54,6 +54,8 @@ class PrintPlanner {
   drivers::Fan fan_;
   motion::Shaping shaping_;
   motion::Levelling levelling_;
+  motion::Backlash backlash_;
+  application::FilamentCommands filament_;
   application::MotionTask motion_;
   application::HeatTask heat_;
   host_link::HostLink link_;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// M412, M603, M701 and M702: what is loaded, and what happens when filament runs out.
+#include <gmock/gmock.h>
+
+#include "tests/application/dialogue.hpp"
+
+namespace application_test {
+namespace {
+
+using units::MicrometersPerSecond;
+using units::Nanometers;
+
+constexpr application::FilamentSensor sensor{.input = FakeChip::filament_input, .low_is_out = true};
+constexpr application::FilamentChange change{.load = Nanometers(50'000'000),
+                                             .unload = Nanometers(60'000'000),
+                                             .load_speed = MicrometersPerSecond(20'000),
+                                             .unload_speed = MicrometersPerSecond(40'000),
+                                             .purge = Nanometers(5'000'000),
+                                             .purge_speed = MicrometersPerSecond(2'000)};
+
+class Filament : public testing::Test {
+ protected:
+  Filament()
+      : printer([] {
+          application::MachineDescription machine = machine_under_test();
+          machine.filament_sensor = &sensor;
+          machine.filament_change = &change;
+          return machine;
+        }()) {
+    printer.chip.heaters[0].celsius = 200;
+    talk("-> M104 S200\n<- ok\n-> G28\n<- ok\n-> G1 Z10 F600\n<- ok\n-> M400\n<- ok");
+  }
+  void talk(std::string_view dialogue) { printer.talk(dialogue); }
+  double filament() const { return printer.chip.position[3] / 500.0; }
+  // Whether the firmware says anything within a second.
+  void expect_silence(double seconds = 1) { EXPECT_EQ(printer.reply(seconds), std::nullopt); }
+
+  Printer printer;
+};
+
+TEST_F(Filament, is_loaded_and_unloaded_while_the_host_sees_nothing_of_it) {
+  talk("-> G1 E1 F300\n<- ok\n-> M701\n<- ok");
+  EXPECT_DOUBLE_EQ(filament(), 56);
+  talk("-> M114\n<* X:0.00 Y:0.00 Z:10.00 E:1.00 \n<- ok\n-> M702\n<- ok");
+  EXPECT_DOUBLE_EQ(filament(), -4);
+  talk("-> M701 L10\n<- ok");
+  EXPECT_DOUBLE_EQ(filament(), 11);
+  talk("-> M702 U3\n<- ok\n-> G1 E2\n<- ok\n-> M400\n<- ok");
+  EXPECT_DOUBLE_EQ(filament(), 9);
+}
+
+TEST_F(Filament, is_loaded_with_its_speeds_above_the_part) {
+  const auto began = printer.chip.time;
+  printer.send("M701 Z5");
+  printer.run(1.5);
+  EXPECT_EQ(printer.chip.position[2], 15 * 2560);
+  EXPECT_GT(filament(), 5);
+  talk("<- ok");
+  EXPECT_EQ(printer.chip.position[2], 10 * 2560);
+  // 5 mm at 12 mm/s twice, 50 mm at 20 mm/s, 5 mm at 2 mm/s.
+  EXPECT_NEAR(static_cast<double>(printer.chip.time - began) / clock_hz, 0.9 + 2.5 + 2.5, 0.5);
+  talk(R"(
+    -> M701 Z101
+    <- echo:Move beyond the end of Z (0.00 to 110.00), not executed: "M701 Z101"
+    <- ok
+  )");
+  EXPECT_DOUBLE_EQ(filament(), 55);
+}
+
+TEST_F(Filament, is_not_moved_cold) {
+  talk("-> M302 S250\n<- ok");
+  talk("-> M701\n<- echo:Hotend too cold, not executed: \"M701\"\n<- ok");
+  talk("-> M702 Z2\n<- echo:Hotend too cold, not executed: \"M702 Z2\"\n<- ok");
+  printer.run(1);
+  EXPECT_DOUBLE_EQ(filament(), 0);
+  EXPECT_EQ(printer.chip.position[2], 10 * 2560);
+}
+
+TEST_F(Filament, has_the_lengths_of_m603) {
+  talk(R"(
+    -> M603
+    <- echo: M603 L50.00 U60.00
+    <- ok
+    -> M603 L20 U0
+    <- ok
+    -> M603
+    <- echo: M603 L20.00 U0.00
+    <- ok
+    -> M603 L2001
+    <- echo:L or U not within 0 to 2000 mm, not executed: "M603 L2001"
+    <- ok
+    -> M701
+    <- ok
+    -> M702
+    <- ok
+  )");
+  EXPECT_DOUBLE_EQ(filament(), 25);
+}
+
+TEST_F(Filament, stops_moving_with_m410) {
+  printer.send("M701");
+  printer.run(1);
+  talk("-> M410\n<- ok\n<- ok");
+  const double there = filament();
+  EXPECT_GT(there, 5);
+  EXPECT_LT(there, 45);
+  printer.run(1);
+  EXPECT_DOUBLE_EQ(filament(), there);
+}
+
+TEST_F(Filament, that_runs_out_in_a_print_is_changed_as_m600_does) {
+  talk(R"(
+    -> M75
+    <- ok
+    -> M119
+    <- Reporting endstop status
+    <- x_min: TRIGGERED
+    <- y_min: TRIGGERED
+    <- z_min: open
+    <- filament: open
+    <- ok
+  )");
+  printer.chip.filament_is_out = true;
+  talk(R"(
+    <- echo:Filament has run out
+    <- //action:paused
+    <- //action:prompt_begin Change the filament
+    <- //action:prompt_button Continue
+    <- //action:prompt_show
+  )");
+  printer.send("G1 X10 F6000");
+  expect_silence();
+  EXPECT_EQ(printer.chip.position[0], 0);
+  printer.chip.filament_is_out = false;
+  talk("-> M108\n<- //action:prompt_end\n<- //action:resumed\n<- ok\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[0], 10 * 80);
+  expect_silence(3);
+}
+
+// Pulled out while the user changes it at the host's M600.
+TEST_F(Filament, may_be_away_while_it_is_changed) {
+  talk("-> M75\n<- ok\n-> M600\n<- //action:paused\n<* prompt_begin\n<* button\n<* show");
+  printer.chip.filament_is_out = true;
+  expect_silence();
+  printer.chip.filament_is_out = false;
+  talk("-> M108\n<- //action:prompt_end\n<- //action:resumed\n<- ok\n<- ok");
+  expect_silence(3);
+}
+
+TEST_F(Filament, is_looked_at_in_a_print_only_and_while_m412_says_so) {
+  printer.chip.filament_is_out = true;
+  expect_silence();
+  talk(R"(
+    -> M412
+    <- echo:Filament runout ON
+    <- ok
+    -> M412 S0
+    <- ok
+    -> M412
+    <- echo:Filament runout OFF
+    <- ok
+    -> M75
+    <- ok
+  )");
+  expect_silence();
+  printer.send("M119");
+  std::string last;
+  while (const auto line = printer.reply()) {
+    if (*line == "ok") break;
+    last = *line;
+  }
+  EXPECT_EQ(last, "filament: TRIGGERED");
+  talk("-> M412 S1\n<- ok\n<- echo:Filament has run out\n<- //action:paused");
+}
+
+// A contact that bounces is no end of filament.
+TEST_F(Filament, is_there_though_a_contact_opens_for_a_moment) {
+  talk("-> M75\n<- ok");
+  for (int i = 0; i < 10; ++i) {
+    printer.chip.filament_is_out = true;
+    printer.run(0.1);
+    printer.chip.filament_is_out = false;
+    printer.run(0.1);
+  }
+  expect_silence();
+}
+
+TEST(filament_parts, are_answered_each_where_it_is_fitted) {
+  application::MachineDescription machine = machine_under_test();
+  machine.filament_sensor = &sensor;
+  Printer printer(machine);
+  printer.talk("-> M412\n<- echo:Filament runout ON\n<- ok");
+  printer.talk("-> M603\n<- echo:M603 not fitted\n<- ok\n-> M701\n<- echo:M701 not fitted\n<- ok");
+  machine.filament_sensor = nullptr;
+  machine.filament_change = &change;
+  Printer other(machine);
+  other.talk("-> M412 S1\n<- echo:M412 not fitted\n<- ok\n-> M603\n<* L50.00 U60.00\n<- ok");
+}
+
+}  // namespace
+}  // namespace application_test
