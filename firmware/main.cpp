@@ -2,6 +2,7 @@
 // The program of the chip: makes the objects, and gives each pass of the loop to the application.
 #include "application/application.hpp"
 #include "machine/machine.hpp"
+#include "motion/s_curve.hpp"
 #include "platform/boot_loader.hpp"
 #include "platform/fault.hpp"
 #include "platform/processor.hpp"
@@ -42,6 +43,7 @@ extern "C" {
 
 const bool application::shaping_in_image = printer.shaping.has_value();
 const bool application::levelling_in_image = printer.levels();
+const bool motion::s_curve_in_image = printer.limits.s_curve;
 
 int main() {
   const auto identity = drivers::read_identity();
