@@ -29,7 +29,7 @@ struct Course {
   // When so many ticks are made. Not far beyond that the rate may fall below 0.
   Real time_of(Real made) const {
     Real low = 0, high = 1;
-    while (ticks(high) < made) low = high, high *= 1.2L;
+    while (ticks(high) < made && high < 1e18L) low = high, high *= 1.2L;
     for (int i = 0; i < 80; ++i) (ticks((low + high) / 2) < made ? low : high) = (low + high) / 2;
     return high;
   }

@@ -27,7 +27,7 @@ Course course_of_third_order(const motion::Segment& segment, double clock) {
   const auto ticks = [&](double t) { return ((jerk / 6 * t + acceleration / 2) * t + rate) * t; };
   double low = 0, high = 1e-6;
   // Not far beyond it: there the rate falls below 0.
-  while (ticks(high) < segment.ticks) low = high, high *= 1.2;
+  while (ticks(high) < segment.ticks && high < 1e9) low = high, high *= 1.2;
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (ticks(middle) < segment.ticks ? low : high) = middle;

@@ -26,7 +26,7 @@ class Cubic {
   double clocks_of(double made) const {
     double low = 0, high = 1;
     // Not far beyond the end of the segment, where the rate may fall below 0.
-    while (ticks(high) < made) low = high, high *= 1.2;
+    while (ticks(high) < made && high < 1e18) low = high, high *= 1.2;
     for (int halvings = 0; halvings < 64; ++halvings) {
       const double middle = (low + high) / 2;
       (ticks(middle) < made ? low : high) = middle;
