@@ -22,8 +22,8 @@ extern const bool s_curve_in_image;
 //   k = T (3 a u + d u^2) / 3        ticks on the slow side
 //
 // The ramp is two segments, so n and k are whole: k is what u = 1/2 gives, rounded up, and u
-// follows from it. So rate and acceleration run on from one segment to the next, and the rates at both ends
-// are exact. Rounded up makes T longer and A lower than u = 1/2 does.
+// follows from it. So rate and acceleration run on from one segment to the next, and the rates at
+// both ends are exact. Rounded up makes T longer and A lower than u = 1/2 does.
 class SCurve {
  public:
   // A ramp of less time or fewer ticks has to be one of constant acceleration: too short to keep a
