@@ -2,6 +2,7 @@
 // The program of the chip: makes the objects, and gives each pass of the loop to the application.
 #include "application/application.hpp"
 #include "machine/machine.hpp"
+#include "motion/s_curve.hpp"
 #include "platform/boot_loader.hpp"
 #include "platform/fault.hpp"
 #include "platform/processor.hpp"
@@ -44,6 +45,7 @@ const bool application::shaping_in_image = printer.shaping.has_value();
 const bool application::levelling_in_image = printer.levels();
 const bool application::filament_in_image = printer.handles_filament();
 const bool motion::backlash_in_image = printer.backlash != nullptr;
+const bool motion::s_curve_in_image = printer.limits.s_curve;
 
 application::Progress application::LevellingCommands::execute(ActiveCommand& command) {
   if constexpr (printer.levels()) return execute_fitted(command);

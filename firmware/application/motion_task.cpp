@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "motion/s_curve.hpp"
+
 namespace application {
 namespace {
 
@@ -20,6 +22,9 @@ constexpr std::uint32_t end_stop_filter_ns = 2000;
 // the queue, which holds 10 lines of three phases, lasts longer than any pass of the loop.
 constexpr std::int64_t least_line_clocks = 16'000;
 constexpr std::int64_t longest_pass_clocks = 10 * least_line_clocks;
+// So it does with ramps of two segments: a line with one has four, a line with two has five.
+static_assert(motion::SCurve::least_clocks * 3 >= 4 * least_line_clocks);
+static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * least_line_clocks);
 
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 constexpr std::uint32_t watchdog_ms = 200;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "application/motion_task.hpp"
+#include "motion/s_curve.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -26,6 +27,8 @@ bool MotionTask::refill() {
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
     if (!step_generator_.append(*next.segment)) return false;
     if (next.again || planner_.between_lines()) return true;
+    // A line with such ramps has more segments than the bound; it goes on at once.
+    if (motion::s_curve_in_image && !planner_.between_halves()) return true;
   }
   queue_full_ = true;
   return false;

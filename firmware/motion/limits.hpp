@@ -51,6 +51,7 @@ struct Limits {
   units::MicrometersPerSecond min_travel_speed{};
   units::Nanometers junction_deviation{};  // 0: X, Y and Z are limited by their jerk
   std::uint8_t min_cruise_percent{};  // of a line on which the nominal speed is not reached
+  bool s_curve{};  // ramps are of third order, where the image has them
   Retraction retraction{};
 
   constexpr AxisLimits& of(units::Axis axis) { return axes[units::index_of(axis)]; }

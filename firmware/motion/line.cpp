@@ -7,6 +7,7 @@
 #include <bit>
 #include <limits>
 
+#include "motion/s_curve.hpp"
 #include "units/loop_bound.hpp"
 #include "units/magnitude.hpp"
 
@@ -180,6 +181,10 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
   const std::uint64_t work = (scaled(result.acceleration.count()) * length).floor();
   line.work = std::clamp(SpecificEnergy(work), SpecificEnergy(1), max_work);
   result.work = line.work;
+  // The acceleration of such ramps is twice their mean one at most.
+  if (s_curve_in_image && limits_.s_curve) {
+    line.work = std::max(SpecificEnergy(line.work / 2), SpecificEnergy(1));
+  }
   const Scaled rate_of_root = rate_factor_ * ticks_per_length;
   line.rate_mantissa = rate_of_root.mantissa();
   line.rate_exponent = static_cast<std::int8_t>(rate_of_root.exponent());

@@ -49,7 +49,7 @@ struct Line {
   LineStart start{};
   std::int8_t rate_exponent{};  // -120 .. -30, and mantissa: see rate_of_root
   std::uint32_t rate_mantissa{};
-  SpecificEnergy work{};  // of the acceleration over the whole length
+  SpecificEnergy work{};  // of the mean acceleration of a ramp over the whole length
   SpecificEnergy max_entry{};  // energies of the highest speed allowed at the start,
   SpecificEnergy entry{};  // and of the planned one
   units::MicrometersPerSecond speed{};  // requested, under the limits

@@ -7,6 +7,7 @@
 #include "motion/junction.hpp"
 #include "motion/kinematics/path_limits.hpp"
 #include "motion/line_start.hpp"
+#include "motion/s_curve.hpp"
 #include "motion/steps.hpp"
 #include "units/loop_bound.hpp"
 
@@ -172,9 +173,21 @@ std::optional<Segment> Planner::next_segment(units::Microseconds now) {
   segment.rate = phase.rate;
   segment.acceleration = phase.acceleration;
   segment.stop_mask = stop_mask_;
+  if (s_curve_in_image && phase.apex != 0 && set_half(phase, segment)) return made;
   ++next_phase_;
   segment.ends_motion = resting_ && next_phase_ == profile_.count;
   return made;
+}
+
+// The next half of a ramp of third order, which is a phase of two segments. True if it was the
+// first one.
+bool Planner::set_half(const Phase& phase, Segment& segment) {
+  const std::uint64_t last_rate = phase.rate + static_cast<std::uint64_t>(phase.acceleration);
+  const SCurve curve(phase.ticks, phase.rate, last_rate, phase.apex);
+  if (second_half_) segment.continues_line = true;
+  curve.set_half(second_half_, segment);
+  second_half_ = !second_half_;
+  return second_half_;
 }
 
 bool Planner::may_hand_over(units::Microseconds now) const {
@@ -190,7 +203,7 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 void Planner::hand_over_first(units::Microseconds now) {
   const Line& first = line(0);
   make_profile(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
-               limits().min_cruise_percent, profile_);
+               limits().min_cruise_percent, s_curve_in_image && limits().s_curve, profile_);
   steps_ = first.steps;
   start_ = first.start;
   stop_mask_ = first.stop_mask;

@@ -60,6 +60,8 @@ class Planner {
   bool empty() const { return count_ == 0 && between_lines(); }
   // All segments of the line that was begun last have been handed over.
   bool between_lines() const { return next_phase_ == profile_.count; }
+  // No ramp of third order has been handed over in part.
+  bool between_halves() const { return !second_half_; }
   std::size_t lines() const { return count_; }
 
   // A fault leaves everything as it was. A move that steps no axis takes no room: its distance is
@@ -99,6 +101,7 @@ class Planner {
   Stock stock(units::Microseconds now) const;
   bool may_hand_over(units::Microseconds now) const;
   void hand_over_first(units::Microseconds now);
+  bool set_half(const Phase& phase, Segment& segment);
 
   StepTiming timing_;
   Backlash* backlash_{};
@@ -125,6 +128,7 @@ class Planner {
   units::PerAxis<std::int32_t> steps_{};
   LineStart start_{};
   std::uint8_t stop_mask_{};
+  bool second_half_{};  // is due of the next phase, a ramp of third order
   Profile profile_{};
   std::size_t next_phase_{};
 };

@@ -2,6 +2,7 @@
 // The planner at rest: settings, positions, and how it forgets. Apart from what runs for each line,
 // which is compiled for speed.
 #include "motion/planner.hpp"
+#include "motion/s_curve.hpp"
 #include "motion/steps.hpp"
 
 namespace motion {
@@ -24,6 +25,7 @@ void Planner::clear() {
   busy_until_ = {};
   profile_.count = 0;
   next_phase_ = 0;
+  if (s_curve_in_image) second_half_ = false;
 }
 
 void Planner::set_position(const units::PerAxis<units::Position>& position) {

@@ -3,6 +3,9 @@
 #include "motion/profile.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "motion/s_curve.hpp"
 
 namespace motion {
 
@@ -91,14 +94,15 @@ std::uint64_t rate_of(const Line& line, SpecificEnergy energy) {
 // Collects the phases of a profile.
 class Builder {
  public:
-  Builder(const Line& line, Profile& profile)
-      : rate_of_root_(line.rate_of_root()), profile_(profile) {
+  Builder(const Line& line, bool s_curve, Profile& profile)
+      : rate_of_root_(line.rate_of_root()), profile_(profile), s_curve_(s_curve) {
     profile_.count = 0;
   }
 
   // From an energy to another, and between their rates.
   void add_ramp(std::uint32_t ticks, SpecificEnergy from, SpecificEnergy to,
                 std::uint64_t from_rate, std::uint64_t to_rate) {
+    if (s_curve_in_image && s_curve_ && add_s_curve(ticks, from_rate, to_rate)) return;
     Phase& phase = add(ticks, from_rate, from_rate / 2 + to_rate / 2);
     // (rate^2 - rate^2) / (2 ticks)
     const Scaled difference = scaled(to > from ? to - from : from - to);
@@ -113,6 +117,7 @@ class Builder {
     clocks_ += (Scaled::of_word(ticks, rate_fraction_bits) / Scaled::of(mean_rate)).floor();
     Phase& phase = profile_.phases[profile_.count++];
     phase.ticks = ticks;
+    if (s_curve_in_image) phase.apex = 0;
     phase.rate = rate;
     phase.acceleration = 0;
     return phase;
@@ -131,17 +136,32 @@ class Builder {
   }
 
  private:
+  // False, and nothing done, where the ramp has to stay one of constant acceleration.
+  bool add_s_curve(std::uint32_t ticks, std::uint64_t from, std::uint64_t to) {
+    const std::optional<SCurve> curve = SCurve::between(ticks, from, to);
+    if (!curve) return false;
+    clocks_ += curve->clocks();
+    Phase& phase = profile_.phases[profile_.count++];
+    phase.ticks = ticks;
+    phase.apex = curve->apex();
+    phase.rate = from;
+    phase.acceleration = static_cast<std::int64_t>(to - from);
+    return true;
+  }
+
   Scaled rate_of_root_;
   Profile& profile_;
+  bool s_curve_;
   std::uint64_t clocks_{};
 };
 
 }  // namespace
 
 [[gnu::noinline]] void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                                    std::uint8_t min_cruise_percent, Profile& profile) {
+                                    std::uint8_t min_cruise_percent, bool s_curve,
+                                    Profile& profile) {
   const EnergyCourse course = course_of(line, exit, min_cruise_percent);
-  Builder builder(line, profile);
+  Builder builder(line, s_curve, profile);
   profile.ticks = course.ticks;
   const std::uint32_t cruising = course.ticks - course.accelerating - course.braking;
   const std::uint64_t peak_rate = rate_of(line, course.peak);

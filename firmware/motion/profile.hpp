@@ -13,9 +13,13 @@ namespace motion {
 
 struct Phase {
   std::uint32_t ticks{};
+  // Of a ramp of third order (s_curve): `rate` is the first one, and `acceleration` the change to
+  // the last one in 2^-64 ticks per clock. 0: the phase is one segment.
+  std::uint32_t apex{};
   std::uint64_t rate{};  // as in Segment
   std::int64_t acceleration{};  // as in Segment
 };
+static_assert(sizeof(Phase) == 24);
 
 // Acceleration, cruise, braking.
 inline constexpr std::size_t most_phases = 3;
@@ -40,13 +44,15 @@ struct Profile {
 //
 // Where the nominal speed is not reached, at least `min_cruise_percent` of what is left for ramps
 // is cruised: short lines to and fro do not shake the machine (Klipper's minimum_cruise_ratio).
+//
+// With `s_curve` ramps are of third order where they are long enough for it.
 void make_profile(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                  std::uint8_t min_cruise_percent, Profile& profile);
+                  std::uint8_t min_cruise_percent, bool s_curve, Profile& profile);
 
 inline Profile profile_of(const Line& line, SpecificEnergy exit, units::Hertz clock,
-                          std::uint8_t min_cruise_percent = 0) {
+                          std::uint8_t min_cruise_percent = 0, bool s_curve = false) {
   Profile profile;
-  make_profile(line, exit, clock, min_cruise_percent, profile);
+  make_profile(line, exit, clock, min_cruise_percent, s_curve, profile);
   return profile;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "units/loop_bound.hpp"
 
@@ -104,6 +105,16 @@ Scaled Scaled::operator*(Scaled factor) const {
   const int exponent = exponent_ + factor.exponent_ + 32;
   if (high >> 31 != 0) return Scaled(high, exponent);
   return Scaled(high << 1 | static_cast<std::uint32_t>(product) >> 31, exponent - 1);
+}
+
+Scaled Scaled::operator+(Scaled summand) const {
+  Scaled large = *this;
+  if (large < summand) std::swap(large, summand);
+  const int shift = large.exponent_ - summand.exponent_;
+  if (summand.mantissa_ == 0 || shift > 31) return large;
+  const std::uint64_t sum = std::uint64_t{large.mantissa_} + (summand.mantissa_ >> shift);
+  if (sum >> 32 == 0) return Scaled(static_cast<std::uint32_t>(sum), large.exponent_);
+  return Scaled(static_cast<std::uint32_t>(sum >> 1), large.exponent_ + 1);
 }
 
 Scaled Scaled::operator/(Scaled divisor) const {

@@ -30,6 +30,7 @@ class Scaled {
   }
 
   Scaled operator*(Scaled factor) const;
+  Scaled operator+(Scaled summand) const;
   // The integer part of value * this * 2^scale, which must be below 2^32.
   std::uint32_t floor_of_product(std::uint32_t value, int scale) const {
     const int shift = -(exponent_ + scale + 32);

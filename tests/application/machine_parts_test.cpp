@@ -84,6 +84,29 @@ TEST(machine_generator, names_what_a_probe_cannot_do) {
               HasSubstr("probe: a machine with [tool_1] cannot have one yet"));
 }
 
+TEST(machine_generator, takes_ramps_of_third_order) {
+  EXPECT_THAT(machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/core_xy.toml"),
+              HasSubstr(".s_curve = true"));
+  EXPECT_FALSE(machine::machine.limits.s_curve);
+}
+
+TEST(machine_generator, names_where_ramps_of_third_order_cannot_be) {
+  const std::string on = "[motion]\ns_curve_acceleration = true";
+  EXPECT_THAT(complaint("[motion]", on), testing::IsEmpty());
+  EXPECT_THAT(complaint("[motion]", "[motion]\ns_curve_acceleration = 1"),
+              HasSubstr("motion.s_curve_acceleration: must be true or false"));
+  EXPECT_THAT(complaint_about("bed_slinger.toml", "[motion]", on),
+              HasSubstr("line 58: motion.s_curve_acceleration: cannot be true in a machine with "
+                        "[shaping]"));
+  for (const char* machine : {"delta.toml", "scara.toml"}) {
+    EXPECT_THAT(complaint_about(machine, "[motion]", on),
+                HasSubstr("motion.s_curve_acceleration: cannot be true with these kinematics"));
+  }
+  for (const char* machine : {"probed_bed_slinger.toml", "two_extruders.toml"}) {
+    EXPECT_THAT(complaint_about(machine, "[motion]", on), testing::IsEmpty());
+  }
+}
+
 TEST(machine_generator, takes_the_arms_of_a_scara) {
   const std::string header =
       machine_generator::header_of(PROJECT_DIRECTORY "/firmware/machines/scara.toml");

@@ -36,6 +36,7 @@ TEST(scaled, agrees_with_long_arithmetic_on_random_numbers) {
     const Scaled right = Scaled::of(any(random));
     expect_truncated(left * right, value_of(left) * value_of(right));
     expect_truncated(left / right, value_of(left) / value_of(right));
+    expect_truncated(left + right, value_of(left) + value_of(right));
     expect_truncated(left.square_root(), std::sqrt(value_of(left)));
     ASSERT_EQ(left < right, value_of(left) < value_of(right));
     ASSERT_FALSE(HasFailure());

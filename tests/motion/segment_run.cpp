@@ -13,11 +13,31 @@ namespace motion_test {
 namespace {
 
 struct Course {
-  double begin, end, acceleration;  // ticks/s, ticks/s^2
+  double begin, end, acceleration;  // ticks/s, ticks/s^2, the highest of it
   double seconds;
 };
 
+// With a jerk; its time is halved in until its ticks are made.
+Course course_of_third_order(const motion::Segment& segment, double clock) {
+  const double jerk = std::ldexp(static_cast<double>(segment.jerk), -84) * clock * clock * clock;
+  const double acceleration =
+      std::ldexp(static_cast<double>(segment.acceleration - segment.jerk), -84) * clock * clock;
+  const double rate = std::ldexp(static_cast<double>(segment.rate), -64) * clock -
+                      acceleration / clock / 2 - jerk / clock / clock / 6;
+  const auto ticks = [&](double t) { return ((jerk / 6 * t + acceleration / 2) * t + rate) * t; };
+  double low = 0, high = 1e-6;
+  // Not far beyond it: there the rate falls below 0.
+  while (ticks(high) < segment.ticks && high < 1e9) low = high, high *= 1.2;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (ticks(middle) < segment.ticks ? low : high) = middle;
+  }
+  return {rate, (jerk / 2 * high + acceleration) * high + rate,
+          std::max(std::abs(acceleration), std::abs(acceleration + jerk * high)), high};
+}
+
 Course course_of(const motion::Segment& segment, double clock) {
+  if (segment.jerk != 0) return course_of_third_order(segment, clock);
   const double rate = std::ldexp(static_cast<double>(segment.rate), -64) * clock;
   const double acceleration =
       std::ldexp(static_cast<double>(segment.acceleration), -84) * clock * clock;
@@ -42,6 +62,7 @@ class Watch {
         result_.steps[i] += segment.steps[i];
       }
     }
+    if (segment.jerk != 0) ++result_.third_order;
     before_ = segment;
     before_course_ = course;
     return course.seconds;
@@ -94,6 +115,10 @@ class Watch {
 };
 
 }  // namespace
+
+double seconds_of(const motion::Segment& segment, double clock_hz) {
+  return course_of(segment, clock_hz).seconds;
+}
 
 SegmentRunResult run_segments(const motion::Limits& limits,
                               const std::vector<motion::LineMove>& moves, std::uint32_t clock_hz,

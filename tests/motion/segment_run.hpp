@@ -17,10 +17,14 @@ struct SegmentRunResult {
   std::vector<double> speeds{};  // in ticks/s, at the start of each line
   std::vector<motion::Segment> lines{};  // the first segment of each
   units::PerAxis<std::int64_t> steps{};
+  std::uint64_t third_order{};  // segments with a jerk
   // Excesses over what is allowed, as parts of it; 0 or less where kept. Rounding may give a line a
   // step more than its distance has: what that makes is allowed.
   double worst_speed{-1}, worst_acceleration{-1}, worst_jump{-1};
 };
+
+// How long it lasts by its numbers.
+double seconds_of(const motion::Segment& segment, double clock_hz);
 
 // Hands over all moves; the planner holds at most `look_ahead` lines at a time.
 SegmentRunResult run_segments(const motion::Limits& limits,

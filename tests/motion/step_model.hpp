@@ -34,7 +34,8 @@ class StepModel {
     const std::uint64_t before = phase_;
     phase_ += static_cast<std::uint64_t>(rate_ >> 20);
     const bool tick = phase_ < before;
-    rate_ += segment_.acceleration;
+    rate_ += acceleration_;
+    acceleration_ += segment_.jerk;
     if (rate_ <= 0) rate_ = 1, ++rates_below_zero_;
     ++busy_clocks_;
     if (tick) make_tick();
@@ -59,6 +60,7 @@ class StepModel {
     if (resting_) phase_ = 0;
     resting_ = false;
     rate_ = static_cast<Wide>(segment_.rate) << 20;
+    acceleration_ = segment_.acceleration;
     ticks_left_ = segment_.ticks;
     busy_ = true;
     return true;
@@ -94,6 +96,7 @@ class StepModel {
   bool resting_{true};
   std::uint64_t phase_{};
   Wide rate_{};  // 2^-84
+  std::int64_t acceleration_{};
   std::uint32_t ticks_left_{};
   std::uint32_t line_ticks_done_{};
   units::PerAxis<std::uint64_t> errors_{};

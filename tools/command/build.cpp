@@ -79,6 +79,12 @@ class OtherMachine {
           "{}: with two extruders the step generator makes the steps: omit --stepping software",
           description.string()));
     }
+    if (machine.description.limits.s_curve && stepping == "software") {
+      throw std::runtime_error(fmt::format(
+          "{}: ramps of third order need the step generator: omit --stepping software, or set "
+          "motion.s_curve_acceleration = false",
+          description.string()));
+    }
     const std::string image_name =
         fmt::format("other_machine_{}_{}{}", stepping,
                     machine_generator::kinematics_name(machine.description.kinematics),

@@ -22,6 +22,7 @@ constexpr std::int64_t max_driver_ns = 100'000;
 constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t least_memory_kib = 64, most_memory_kib = 256;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
+constexpr const char* s_curve_key = "s_curve_acceleration";
 
 // M115 reports it in a line with other fields.
 constexpr std::size_t longest_name = 64;
@@ -119,7 +120,18 @@ void read_motion(Reader motion, motion::Limits& limits) {
     limits.min_cruise_percent =
         static_cast<std::uint8_t>(motion.scaled("minimum_cruise_ratio", 100, 0, 99));
   }
+  if (motion.has(s_curve_key)) limits.s_curve = motion.truth(s_curve_key);
   motion.finish();
+}
+
+// What makes segments of its own of a line, or many lines of one, would cut its ramps.
+void check_s_curve(Reader& root, const application::MachineDescription& machine) {
+  if (!machine.limits.s_curve) return;
+  const Reader motion = root.table("motion");
+  if (machine.shaping) motion.fail(s_curve_key, "cannot be true in a machine with [shaping]");
+  if (!motion::kinematics::Any(machine.kinematics).straight()) {
+    motion.fail(s_curve_key, "cannot be true with these kinematics: each chord would be a ramp");
+  }
 }
 
 // Of G10 and G11; a machine without the table has Marlin's values.
@@ -213,6 +225,7 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
   if (root.has("shaping")) {
     read_shaping(root.table("shaping"), machine.description.shaping.emplace());
   }
+  check_s_curve(root, machine.description);
   machine.levelling = read_levelling(root, machine.description);
   machine.parts = read_parts(root, machine.description, machine.levelling);
   if (root.has("tool_1")) {

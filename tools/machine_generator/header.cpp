@@ -52,13 +52,14 @@ std::string text(const motion::Limits& limits) {
   return fmt::format(
       "{{\n      .axes = {{{{\n{}      }}}},\n      .print_acceleration = {},\n"
       "      .travel_acceleration = {},\n      .retract_acceleration = {},\n"
-      "      .junction_deviation = {}, .min_cruise_percent = {},\n"
+      "      .junction_deviation = {}, .min_cruise_percent = {}, .s_curve = {},\n"
       "      .retraction = {{.length = {}, .speed = {}, .lift = {},\n"
       "                     .extra = {}, .recovery_speed = {}}},\n  }}",
       axes, text(limits.print_acceleration), text(limits.travel_acceleration),
       text(limits.retract_acceleration), text(limits.junction_deviation), limits.min_cruise_percent,
-      text(limits.retraction.length), text(limits.retraction.speed), text(limits.retraction.lift),
-      text(limits.retraction.extra), text(limits.retraction.recovery_speed));
+      limits.s_curve, text(limits.retraction.length), text(limits.retraction.speed),
+      text(limits.retraction.lift), text(limits.retraction.extra),
+      text(limits.retraction.recovery_speed));
 }
 
 std::string text(const drivers::DriverChipTimings& driver) {

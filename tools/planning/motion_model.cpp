@@ -11,6 +11,7 @@
 #include "registers/end_stops_registers.hpp"
 #include "registers/step_generator_registers.hpp"
 #include "registers/temperature_converter_registers.hpp"
+#include "tools/planning/cubic.hpp"
 #include "units/axes.hpp"
 
 namespace planning {
@@ -175,16 +176,25 @@ void MotionModel::commit() {
   const double acceleration = std::ldexp(
       wide(generator::SegmentAccelerationLow::address, generator::SegmentAccelerationHigh::address),
       -84);
+  const double jerk = std::ldexp(
+      wide(generator::SegmentJerkLow::address, generator::SegmentJerkHigh::address), -84);
   const double floor = std::ldexp(word(generator::RateFloor::address), -32);
   const double ticks = word(generator::SegmentTicks::address);
   const double stop_after = line_.last_tick - line_.ticks_done;
   const double walked = std::min(ticks, stop_after);
-  const auto rate_after = [&](double made) {
-    return std::max(std::sqrt(std::max(rate * rate + 2 * acceleration * made, 0.0)), floor);
-  };
   const double scale = word(generator::Override::address) / one;
-  const double clocks = 2 * walked / (std::max(rate, floor) + rate_after(walked)) / scale;
-  record_peaks(rate, rate_after(walked), acceleration, scale);
+  double base_clocks = 0;
+  if (jerk == 0) {
+    const double last_rate =
+        std::max(std::sqrt(std::max(rate * rate + 2 * acceleration * walked, 0.0)), floor);
+    base_clocks = 2 * walked / (std::max(rate, floor) + last_rate);
+    record_peaks(rate, last_rate, acceleration, scale);
+  } else {
+    const Cubic course(rate, acceleration, jerk);
+    base_clocks = course.clocks_of(walked);
+    record_peaks(rate, course.rate(base_clocks), course.highest_acceleration(base_clocks), scale);
+  }
+  const double clocks = base_clocks / scale;
   line_.ticks_done += walked;
   begins_.push_back(begin);
   queue_end_ += clocks;
