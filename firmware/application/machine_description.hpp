@@ -73,8 +73,12 @@ struct NoSecondTool {
   const SecondTool* operator->() const;  // named in code that is left out
 };
 
+// A chip with so much memory has firmware that is compiled for speed.
+inline constexpr std::uint32_t fast_memory_bytes = 192 * 1024;
+
 struct MachineDescription {
   std::string_view name;
+  bool fast{};  // compiled for speed
   std::uint32_t baud{};
   bool advanced_ok{};  // report the free places with each ok
   units::Milliseconds host_silence{};  // heaters off after it; 0 is never

@@ -20,8 +20,8 @@ constexpr std::uint32_t end_stop_filter_ns = 2000;
 
 // No line is planned shorter. To hand one over takes about half of it, its registers included, and
 // the queue, which holds 10 lines of three phases, lasts longer than any pass of the loop.
-constexpr std::int64_t least_line_clocks = 16'000;
-constexpr std::int64_t longest_pass_clocks = 10 * least_line_clocks;
+constexpr std::int64_t least_line_clocks = 16'000, fast_least_line_clocks = 9'600;
+constexpr std::int64_t lines_of_a_pass = 10;
 // So it does with ramps of two segments: a line with one has four, a line with two has five.
 static_assert(motion::SCurve::least_clocks * 3 >= 4 * least_line_clocks);
 static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * least_line_clocks);
@@ -65,9 +65,10 @@ motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clo
   const auto time_of = [clock](std::int64_t clocks) {
     return units::Microseconds(clocks * 1'000'000 / clock.count() + 1);
   };
+  const std::int64_t least_line = machine.fast ? fast_least_line_clocks : least_line_clocks;
   motion::StepTiming timing{.clock = clock,
-                            .least_line_time = time_of(least_line_clocks),
-                            .longest_pass = time_of(longest_pass_clocks)};
+                            .least_line_time = time_of(least_line),
+                            .longest_pass = time_of(lines_of_a_pass * least_line)};
   const auto guards = guards_of(machine, clock);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));

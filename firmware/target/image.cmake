@@ -29,6 +29,7 @@ ExternalProject_Add(firmware_image
     -DPROCESSOR_HAS_ZBB=${chip_has_zbb}
     -DCHIP_MEMORY_BYTES=${chip_memory_bytes}
     -DCOMPARISON_MEMORY_BYTES=${comparison_memory_bytes}
+    -DFAST_MEMORY_BYTES=${fast_memory_bytes}
     -DGENERATED_INCLUDES=${CMAKE_BINARY_DIR}/generated
   BUILD_ALWAYS ON
   BUILD_BYPRODUCTS ${CMAKE_BINARY_DIR}/firmware/firmware.elf
@@ -45,7 +46,8 @@ add_custom_target(firmware_software_stepping
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target software_stepping.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
 foreach(kinematics IN ITEMS cartesian core_xy delta scara)
-  foreach(image IN ITEMS hardware_${kinematics} hardware_${kinematics}_two_tools software_${kinematics})
+  foreach(image IN ITEMS hardware_${kinematics} hardware_${kinematics}_two_tools hardware_${kinematics}_fast
+      hardware_${kinematics}_two_tools_fast software_${kinematics})
     add_custom_target(firmware_other_machine_${image}
       COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware --target other_machine_${image}.elf
       DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)
@@ -66,4 +68,5 @@ add_custom_target(processor_benchmark_programs
 add_custom_target(link_benchmark_programs
   COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR}/firmware
     --target link_benchmark_250000.elf link_benchmark_1000000.elf link_benchmark_3000000.elf
+      link_benchmark_1000000_fast.elf link_benchmark_3000000_fast.elf
   DEPENDS firmware_image JOB_POOL firmware_folder VERBATIM)

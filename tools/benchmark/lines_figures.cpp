@@ -54,11 +54,14 @@ std::vector<LinesFigure> measure_lines(const LinesScope& scope,
                                        const std::function<void(const std::string&)>& say) {
   const Lines lines = lines_of(scope.quick ? quick_measured_lines : measured_lines);
   std::vector<LinesFigure> figures;
-  for (const auto& [baud, program] : scope.programs) {
+  for (const auto& [baud, memory_bytes, program] : scope.programs) {
     const sim::ElfImage firmware = sim::read_elf(program);
+    machine::Description description = scope.machine;
+    description.memory_bytes = memory_bytes;
     for (const std::size_t window : windows) {
-      say(fmt::format("printing lines at {} baud, {} in flight", baud, window));
-      const LinkRun run = run_link(firmware, scope.machine,
+      say(fmt::format("printing lines at {} baud with {} KiB, {} in flight", baud,
+                      memory_bytes / 1024, window));
+      const LinkRun run = run_link(firmware, description,
                                    {.lines = lines.lines,
                                     .first_measured = lines.first_measured,
                                     .window = window,
@@ -71,6 +74,7 @@ std::vector<LinesFigure> measure_lines(const LinesScope& scope,
                            (window == 1 ? ok_bytes : 0);
       LinesFigure figure{
           .baud = baud,
+          .memory_kib = memory_bytes / 1024,
           .window = window,
           .lines_per_second = run.lines_per_second,
           .line_limit = baud / bits_per_byte / bytes,
@@ -89,6 +93,7 @@ std::string to_json(const std::vector<LinesFigure>& figures) {
   nlohmann::ordered_json json{{"benchmark", "lines"}, {"clock_hz", clock_hz}};
   for (const LinesFigure& figure : figures) {
     json["lines"].push_back({{"baud", figure.baud},
+                             {"memory_kib", figure.memory_kib},
                              {"window", figure.window},
                              {"lines_per_second", figure.lines_per_second},
                              {"line_limit_per_second", figure.line_limit},
@@ -101,14 +106,16 @@ std::string to_json(const std::vector<LinesFigure>& figures) {
 }
 
 std::string to_table(const std::vector<LinesFigure>& figures) {
-  std::string table = fmt::format("{:>8} {:>6} {:>8} {:>8} {:>6} {:>12} {:>9} ", "baud", "window",
-                                  "lines/s", "line's", "busy", "clocks/line", "underruns");
+  std::string table =
+      fmt::format("{:>8} {:>4} {:>6} {:>8} {:>8} {:>6} {:>12} {:>9} ", "baud", "KiB", "window",
+                  "lines/s", "line's", "busy", "clocks/line", "underruns");
   for (const char* part : parts) table += fmt::format(" {:>9}", part);
   table += '\n';
   for (const LinesFigure& figure : figures) {
-    table += fmt::format("{:>8} {:>6} {:>8.0f} {:>8.0f} {:>5.1f}% {:>12.0f} {:>9} ", figure.baud,
-                         figure.window, figure.lines_per_second, figure.line_limit,
-                         figure.busy_percent, figure.clocks_per_line, figure.underruns);
+    table +=
+        fmt::format("{:>8} {:>4} {:>6} {:>8.0f} {:>8.0f} {:>5.1f}% {:>12.0f} {:>9} ", figure.baud,
+                    figure.memory_kib, figure.window, figure.lines_per_second, figure.line_limit,
+                    figure.busy_percent, figure.clocks_per_line, figure.underruns);
     for (const char* part : parts) {
       const auto found = figure.parts.find(part);
       table += fmt::format(" {:>9.0f}", found == figure.parts.end() ? 0.0 : found->second);

@@ -14,8 +14,14 @@
 
 namespace benchmarks {
 
+struct LinesProgram {
+  std::uint32_t baud{};
+  std::uint32_t memory_bytes{};  // of the chip
+  std::filesystem::path file;
+};
+
 struct LinesScope {
-  std::map<std::uint32_t, std::filesystem::path> programs;  // by the baud rate
+  std::vector<LinesProgram> programs;
   machine::Description machine;
   bool quick = false;
   std::function<void()> look = [] {};  // called many times a second; what it throws ends all
@@ -23,6 +29,7 @@ struct LinesScope {
 
 struct LinesFigure {
   std::uint32_t baud{};
+  std::uint32_t memory_kib{};
   std::size_t window{};  // lines in flight
   double lines_per_second{};
   double line_limit{};  // lines/s that the bits permit

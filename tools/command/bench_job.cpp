@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "application/machine_description.hpp"
 #include "tools/benchmark/lines_figures.hpp"
 #include "tools/benchmark/link_figures.hpp"
 #include "tools/benchmark/model_profile.hpp"
@@ -187,7 +188,11 @@ int bench_lines(const BenchOptions& options) {
                                .quick = options.quick,
                                .look = end_if_interrupted};
   for (const std::uint32_t baud : {1'000'000u, 3'000'000u}) {
-    scope.programs.emplace(baud, programs_folder() / fmt::format("link_benchmark_{}.elf", baud));
+    const auto program = [baud](const char* variant) {
+      return programs_folder() / fmt::format("link_benchmark_{}{}.elf", baud, variant);
+    };
+    scope.programs.push_back({baud, CHIP_MEMORY_BYTES, program("")});
+    scope.programs.push_back({baud, application::fast_memory_bytes, program("_fast")});
   }
   const auto figures = benchmarks::measure_lines(scope, note);
   if (!options.json.empty()) files::write_file(options.json, benchmarks::to_json(figures));

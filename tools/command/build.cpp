@@ -70,7 +70,9 @@ void require_stack(const std::filesystem::path& image, const std::filesystem::pa
 class OtherMachine {
  public:
   OtherMachine(const std::filesystem::path& description, const std::string& stepping) {
-    const std::string header = machine_generator::header_of(description);
+    const std::string header = stepping == "software"
+                                   ? machine_generator::software_stepping_header_of(description)
+                                   : machine_generator::header_of(description);
     const machine_generator::Machine machine = machine_generator::read_machine(description);
     tools_ = machine.description.tools();
     const bool two_tools = tools_ > 1;
@@ -86,9 +88,10 @@ class OtherMachine {
           description.string()));
     }
     const std::string image_name =
-        fmt::format("other_machine_{}_{}{}", stepping,
+        fmt::format("other_machine_{}_{}{}{}", stepping,
                     machine_generator::kinematics_name(machine.description.kinematics),
-                    two_tools ? "_two_tools" : "");
+                    two_tools ? "_two_tools" : "",
+                    machine.description.fast && stepping == "hardware" ? "_fast" : "");
     memory_bytes_ = std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES);
     const std::string memory = fmt::format("--defsym=chip_memory_bytes={}\n", memory_bytes_);
     const std::filesystem::path generated = build_folder() / "generated" / "other_machine";

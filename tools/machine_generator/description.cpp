@@ -214,6 +214,7 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
     const std::int64_t kib = root.whole("memory_kib", least_memory_kib, most_memory_kib);
     if (kib % 4 != 0) root.fail("memory_kib", "must be a multiple of 4");
     machine.memory_bytes = static_cast<std::uint32_t>(kib * 1024);
+    machine.description.fast = machine.memory_bytes >= application::fast_memory_bytes;
   }
   read_serial(root.table("serial"), machine.description);
   read_axes(root.table("axes"), root.table("drivers"), machine.description);

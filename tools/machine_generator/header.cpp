@@ -151,7 +151,7 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "#include \"application/machine_description.hpp\"\n\n"
       "namespace machine {{\n\n{}{}"
       "inline constexpr application::MachineDescription machine{{\n"
-      "  .name = \"{}\",\n  .baud = {},\n"
+      "  .name = \"{}\",\n{}  .baud = {},\n"
       "  .advanced_ok = {},\n  .host_silence = {},\n"
       "  .limits = {},\n{}"
       "  .homing_search = {{{{{}}}}},\n"
@@ -159,8 +159,10 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n{}{}{}{}}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.levelling ? levelling_text(*machine.levelling) : "",
-      parts_text(machine.parts), machine.name, description.baud, description.advanced_ok,
-      text(description.host_silence), text(description.limits),
+      parts_text(machine.parts), machine.name, description.fast ? "  .fast = true,
+" : "",
+      description.baud, description.advanced_ok, text(description.host_silence),
+      text(description.limits),
       kinematics_text(description.kinematics), searches, drivers, text(description.hotend),
       text(description.bed), text(description.min_extrusion), text(description.converter),
       description.shaping ? "  .shaping = " + text(*description.shaping) + ",\n" : "",
@@ -172,6 +174,12 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
 
 std::string header_of(const std::filesystem::path& file) {
   return header_of(read_machine(file), file);
+}
+
+std::string software_stepping_header_of(const std::filesystem::path& file) {
+  Machine machine = read_machine(file);
+  machine.description.fast = false;
+  return header_of(machine, file);
 }
 
 void check(const toml::table& description, const std::filesystem::path& file) {
