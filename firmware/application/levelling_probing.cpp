@@ -202,8 +202,9 @@ Progress LevellingCommands::probe_place(ActiveCommand& command) {
     }
     Positions from = motion_.position();
     from[2] = std::max(from[2], units::Position(motion_.levelling().probe.clearance));
-    if (!reaches(from, above(place[0], place[1])))
+    if (!reaches(from, above(place[0], place[1]))) {
       return command.refuse("The probe does not reach X and Y");
+    }
     motion_.change_levelling(false, [](motion::Levelling&) {});
     motion_.start_probing(place[0], place[1]);
     command.phase = ActiveCommand::Phase::working;

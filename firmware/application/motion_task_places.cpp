@@ -32,8 +32,9 @@ void MotionTask::set_backlash(const motion::BacklashSettings& settings) {
 units::PerAxis<units::Steps> MotionTask::steps() {
   units::PerAxis<units::Steps> counted;
   const auto positions = step_generator_.snapshot().positions;
-  for (std::size_t i = 0; i < units::axis_count; ++i)
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
     counted[i] = units::Steps(positions[i] - lead(i));
+  }
   return counted;
 }
 

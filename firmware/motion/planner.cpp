@@ -116,7 +116,7 @@ void Planner::append(const Displacement& displacement, const LineMove& move,
   last_course_ = course;
   planned_time_ += added.least_time();
   ++count_;
-  look_ahead();
+  if (++fresh_ == most_fresh) look_ahead();
 }
 
 Stock Planner::stock(units::Microseconds now) const {
@@ -129,6 +129,9 @@ Stock Planner::stock(units::Microseconds now) const {
 // next one; then forwards, none faster than the line before can have accelerated to. A line that
 // begins as fast as its junction or its predecessor permit cannot gain from further lines, nor can
 // those before it.
+//
+// It goes over as many lines as braking takes, so it is done for some lines at once, and in any
+// case before one is handed over whose end a fresh line may still make faster.
 void Planner::look_ahead() {
   std::size_t changed = count_ - 1;
   Line* here = &line(changed);
@@ -137,7 +140,7 @@ void Planner::look_ahead() {
   for (; changed > settled_; --changed) {
     backwards.next();
     const SpecificEnergy entry = std::min(here->max_entry, exit + here->work);
-    if (entry == here->entry && changed + 1 < count_) break;
+    if (entry == here->entry && changed + fresh_ < count_) break;
     here->entry = entry;
     exit = entry;
     here = (here == lines_.data() ? lines_.data() + capacity : here) - 1;
@@ -154,6 +157,7 @@ void Planner::look_ahead() {
       settled_ = i;
     }
   }
+  fresh_ = 0;
 }
 
 std::optional<Segment> Planner::next_segment(units::Microseconds now) {
@@ -201,6 +205,7 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 }
 
 void Planner::hand_over_first(units::Microseconds now) {
+  if (fresh_ != 0 && settled_ == 0) look_ahead();
   const Line& first = line(0);
   make_profile(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),
                limits().min_cruise_percent, s_curve_in_image && limits().s_curve, profile_);

@@ -34,6 +34,8 @@ class Planner {
   // Segments are handed over only while less than this is still to be executed, and less than what
   // is still in the ring, but for StepTiming::longest_pass: the rest stays plannable.
   static constexpr units::Microseconds horizon{40'000};
+  // Look-ahead is done at the latest when so many lines have come since the last time.
+  static constexpr std::size_t most_fresh = 16;
 
   Planner(const Limits& limits, const StepTiming& timing,
           const kinematics::Chosen& kinematics = kinematics::Chosen{});
@@ -116,6 +118,7 @@ class Planner {
   Course last_course_{};  // of the last appended line
   std::size_t first_{};
   std::size_t count_{};
+  std::size_t fresh_{};  // of these, the last ones, which look-ahead has not seen
   std::size_t settled_{};  // lines before this index have entry speeds that look-ahead cannot raise
   Supply supply_;
   bool resting_{true};  // the last line handed over ends at rest

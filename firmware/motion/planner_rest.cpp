@@ -18,6 +18,7 @@ void Planner::set_limits(const Limits& limits) {
 
 void Planner::clear() {
   count_ = 0;
+  fresh_ = 0;
   settled_ = 0;
   resting_ = true;
   flush_ = false;

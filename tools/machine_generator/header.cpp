@@ -159,12 +159,11 @@ std::string header_of(const Machine& machine, const std::filesystem::path& file)
       "  .hotend = {},\n  .bed = {},\n  .min_extrusion = {},\n"
       "  .converter = {},\n{}{}{}{}}};\n\n}}  // namespace machine\n",
       file.filename().string(), machine.levelling ? levelling_text(*machine.levelling) : "",
-      parts_text(machine.parts), machine.name, description.fast ? "  .fast = true,
-" : "",
+      parts_text(machine.parts), machine.name, description.fast ? "  .fast = true,\n" : "",
       description.baud, description.advanced_ok, text(description.host_silence),
-      text(description.limits),
-      kinematics_text(description.kinematics), searches, drivers, text(description.hotend),
-      text(description.bed), text(description.min_extrusion), text(description.converter),
+      text(description.limits), kinematics_text(description.kinematics), searches, drivers,
+      text(description.hotend), text(description.bed), text(description.min_extrusion),
+      text(description.converter),
       description.shaping ? "  .shaping = " + text(*description.shaping) + ",\n" : "",
       machine.levelling ? "  .levelling = &levelling,\n" : "", parts_entries(machine.parts),
       description.second_tool ? "  .second_tool = " + text(*description.second_tool) + ",\n" : "");
