@@ -160,12 +160,14 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
   }
   constexpr Scaled thousand = Scaled::of_word(1'000);
   const Scaled microseconds_times_speed = thousand * length;
-  const Scaled time = microseconds_times_speed / speed;
-  units::Microseconds nominal_time(static_cast<std::int64_t>(time.floor()));
-  if (nominal_time < least_time) {
-    result.speed = at_least_slowest(microseconds_times_speed /
-                                    Scaled::of(static_cast<std::uint64_t>(least_time.count())));
-    nominal_time = least_time;
+  // At most 100 ms (Supply). Compared as a product: of the two quotients only one is needed.
+  const Scaled least = Scaled::of_word(static_cast<std::uint32_t>(least_time.count()));
+  units::Microseconds nominal_time = least_time;
+  if (speed * least > microseconds_times_speed) {
+    result.speed = at_least_slowest(microseconds_times_speed / least);
+  } else {
+    const Scaled time = microseconds_times_speed / speed;
+    nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
   }
   const units::Microseconds most_time = longest_tick * ticks;
   if (nominal_time > most_time) {
