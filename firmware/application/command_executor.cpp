@@ -62,6 +62,7 @@ void CommandExecutor::hold(bool held) {
 void CommandExecutor::cancel_lines() {
   quick_stop();
   hold(false);
+  if (groups_.handles_filament()) groups_.filament().cancel();
   cancelled_lines_ = link_.waiting_lines();
   if (stage_ == Stage::idle || (groups_.handles_filament() && is_own_)) return;
   --cancelled_lines_;

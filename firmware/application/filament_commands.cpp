@@ -27,7 +27,8 @@ void FilamentCommands::attach(const MachineDescription& machine, MotionTask& mot
 }
 
 void FilamentCommands::watch(units::Milliseconds now) {
-  const bool looks = has_sensor() && watches_ && timer_->running();
+  if (!timer_->running()) cancelled_ = false;
+  const bool looks = has_sensor() && watches_ && timer_->running() && !cancelled_;
   if (!looks || (motion_->end_stops() >> machine_->filament_sensor->input & 1u) == 0) {
     without_ = false;
     return;
@@ -103,7 +104,16 @@ std::optional<Progress> FilamentCommands::plan(ActiveCommand& command, bool load
            Move{Axis::z, -lift, z_speed}};
   next_ = 0;
   jumps_ = motion_->position_jumps();
+  extruder_ = coordinates_->logical()[index_of(Axis::e)];
+  height_shift_ =
+      coordinates_->logical()[index_of(Axis::z)] - motion_->position()[index_of(Axis::z)];
   return std::nullopt;
+}
+
+// What the host calls E is as before, and its Z differs by what is left of the lift.
+void FilamentCommands::note_stop() {
+  coordinates_->set_logical(Axis::e, extruder_);
+  coordinates_->set_logical(Axis::z, motion_->position()[index_of(Axis::z)] + height_shift_);
 }
 
 // The host's coordinates do not show it. A stop voids what is left.
@@ -115,7 +125,10 @@ Progress FilamentCommands::move(ActiveCommand& command, bool loads) {
     command.phase = ActiveCommand::Phase::working;
   }
   if (motion_->stopping()) return Progress::again;
-  if (motion_->position_jumps() != jumps_) return Progress::done;
+  if (motion_->position_jumps() != jumps_) {
+    note_stop();
+    return Progress::done;
+  }
   if (!motion_->at_rest()) return Progress::again;
   if (next_ == plan_.size()) return Progress::done;
   const Move& next = plan_[next_];

@@ -36,6 +36,11 @@ class FilamentCommands {
     has_run_out_ = false;
     without_ = false;
   }
+  // The print is cancelled: nothing is asked before the timer has stopped.
+  void cancel() {
+    reset();
+    cancelled_ = true;
+  }
 
  private:
   // One of the moves of M701 or M702, one after another.
@@ -50,6 +55,7 @@ class FilamentCommands {
   Progress set_sensor(ActiveCommand& command);
   Progress set_lengths(ActiveCommand& command);
   Progress move(ActiveCommand& command, bool loads);
+  void note_stop();
   std::optional<Progress> plan(ActiveCommand& command, bool loads);
 
   const MachineDescription* machine_{};
@@ -60,6 +66,7 @@ class FilamentCommands {
   const TimerCommands* timer_{};
 
   bool watches_{true};
+  bool cancelled_{};
   bool without_{};
   bool has_run_out_{};
   units::Milliseconds without_since_{};
@@ -67,6 +74,8 @@ class FilamentCommands {
   std::array<Move, 4> plan_{};
   std::size_t next_{};  // of them
   std::uint32_t jumps_{};  // of the position, when they began
+  units::Position extruder_{};  // as the host calls it, when they began
+  units::Position height_shift_{};  // of the Z that the host knows from the machine's
 };
 
 }  // namespace application

@@ -67,6 +67,7 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   const auto acceleration = prints ? limits.print_acceleration : limits.travel_acceleration;
   arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
   arc_jumps_ = motion_.position_jumps();
+  arc_fault_.reset();
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
   coordinates_.set_logical(logical);
@@ -105,9 +106,14 @@ std::optional<Progress> MotionCommands::take_centre(ActiveCommand& command,
 Progress MotionCommands::append_chord(ActiveCommand& command) {
   if (motion_.stopping() || motion_.position_jumps() != arc_jumps_) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
-  const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
-  if (!accepted) return command.refuse(motion::describe(accepted.error()));
-  return arc_.done() ? Progress::done : Progress::again;
+  if (!arc_fault_) {
+    const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
+    if (accepted) return arc_.done() ? Progress::done : Progress::again;
+    // The arc ends here, and the host's position with it.
+    arc_fault_ = accepted.error();
+    coordinates_.follow(motion_.position());
+  }
+  return command.refuse(motion::describe(*arc_fault_));
 }
 
 Progress MotionCommands::append(ActiveCommand& command) {

@@ -56,6 +56,7 @@ class MotionCommands {
   motion::Arc arc_;
   units::MicrometersPerSecond arc_feedrate_{};
   std::uint32_t arc_jumps_{};  // of the position, when the arc began
+  std::optional<motion::Fault> arc_fault_;  // of a chord that was refused
   units::AxisSet homing_axes_;
   units::Milliseconds dwell_end_{};
   units::Milliseconds motor_timeout_{};

@@ -37,8 +37,7 @@ Progress ToolCommands::select(ActiveCommand& command) {
       plan(tool);
       const bool asked_to_stay = !changes || command.command.integer('S').value_or(0) != 0;
       if (change.moves && !asked_to_stay && !way_is_free()) {
-        if (command.say("echo:The new nozzle does not reach this place, and stays") ==
-            Progress::again) {
+        if (command.say("echo:Out of reach of the new nozzle: the head stays") == Progress::again) {
           return Progress::again;
         }
         change.moves = false;
@@ -90,8 +89,9 @@ Progress ToolCommands::report_end(ActiveCommand& command, std::size_t tool) {
   const Nanometers drawn = change().drawn[in_use];
   if (drawn == Nanometers()) return Progress::done;
   host_link::TextLine line;
-  line.text("echo:Filament is drawn back by ").decimal(drawn.count(), 6, 2);
-  line.text(" mm, hot it comes forward with T").integer(static_cast<std::int64_t>(in_use));
+  line.text("echo:Filament is retracted by ").decimal(drawn.count(), 6, 2);
+  line.text(" mm, once hot T").integer(static_cast<std::int64_t>(in_use));
+  line.text(" pushes it forward");
   return command.say(line);
 }
 

@@ -167,7 +167,8 @@ Course Geometry::make_line(const Displacement& displacement, units::MicrometersP
     result.speed = at_least_slowest(microseconds_times_speed / least);
   } else {
     const Scaled time = microseconds_times_speed / speed;
-    nominal_time = units::Microseconds(static_cast<std::int64_t>(time.floor()));
+    nominal_time =
+        std::max(least_time, units::Microseconds(static_cast<std::int64_t>(time.floor())));
   }
   const units::Microseconds most_time = longest_tick * ticks;
   if (nominal_time > most_time) {

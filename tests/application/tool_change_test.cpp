@@ -102,7 +102,7 @@ TEST_F(TwoTools, have_the_travel_of_their_own_nozzle) {
 
 TEST_F(TwoTools, stay_where_the_new_nozzle_does_not_reach) {
   execute({"G1 X5 Y50 Z10 F6000"});
-  printer.talk("-> T1\n<- echo:The new nozzle does not reach this place, and stays\n<- ok");
+  printer.talk("-> T1\n<- echo:Out of reach of the new nozzle: the head stays\n<- ok");
   printer.talk("-> M114\n<* X:25.00 Y:51.00 Z:9.75\n<- ok");
   expect_steps(5, 50, 10, 0, 0);
 }
@@ -186,7 +186,7 @@ class ToolsWithSwap : public TwoTools {
     execute({"G1 X100 Y50 Z10 F6000", "G1 E10 F300"});
   }
   static std::string drawn_back(double length) {
-    return fmt::format("echo:Filament is drawn back by {:.2f} mm, hot it comes forward with T0",
+    return fmt::format("echo:Filament is retracted by {:.2f} mm, once hot T0 pushes it forward",
                        length);
   }
 };
@@ -198,14 +198,14 @@ TEST_F(ToolsWithSwap, bring_filament_forward_where_they_do_not_move) {
   expect_steps(80, 49, 10.25, 10, 0);
   execute({"T1", "T0", "G91", "G1 X-75 F6000", "G90"});
   expect_steps(5, 49, 10.25, 10, -4);
-  printer.talk("-> T1\n<- echo:The new nozzle does not reach this place, and stays\n<- ok");
+  printer.talk("-> T1\n<- echo:Out of reach of the new nozzle: the head stays\n<- ok");
   expect_steps(5, 49, 10.25, 10, 0);
 }
 
 TEST_F(ToolsWithSwap, say_what_is_drawn_back_of_a_cold_one_and_bring_it_forward_when_it_is_hot) {
   execute({"T1", "M302 S250"});
   printer.talk(
-      "-> T0\n<- echo:Filament is drawn back by 4.00 mm, hot it comes forward with T0\n<- ok");
+      "-> T0\n<- echo:Filament is retracted by 4.00 mm, once hot T0 pushes it forward\n<- ok");
   expect_steps(100, 50, 10, 6, 0);
   execute({"M302 S170", "T0"});
   expect_steps(100, 50, 10, 10, 0);
@@ -279,7 +279,7 @@ TEST(two_tools, stay_where_the_way_of_a_scara_is_out_of_reach) {
   hang_below_end_stops(printer.chip);
   printer.talk("-> G28\n<- ok\n-> G1 X30 Y40 F6000\n<- ok\n-> G1 Y1 Z10\n<- ok\n-> M400\n<- ok");
   const auto before = printer.chip.mechanical;
-  printer.talk("-> T1\n<- echo:The new nozzle does not reach this place, and stays\n<- ok");
+  printer.talk("-> T1\n<- echo:Out of reach of the new nozzle: the head stays\n<- ok");
   EXPECT_EQ(printer.chip.mechanical, before);
   printer.talk("-> M114\n<* X:-90.00 Y:1.00 Z:10.00\n<- ok");
 }

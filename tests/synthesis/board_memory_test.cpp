@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chip's memory on a board is as large as the machine's firmware needs, or the reason is told.
+// The chip's memory on a board is as large as the machine's firmware needs, or the call says why it
+// cannot be.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -54,7 +54,9 @@ function(add_record_target name)
   file(WRITE ${CMAKE_BINARY_DIR}/recorded.tsv.new "${rows}")
   list(JOIN groups "|" any)
   add_custom_target(${name}
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/recorded.tsv.new ${CMAKE_BINARY_DIR}/recorded.tsv.before
     COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${CMAKE_BINARY_DIR} --output-on-failure --no-tests=error -FA .* -R "^(${any})_"
+    COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_BINARY_DIR}/recorded.tsv.new ${CMAKE_BINARY_DIR}/recorded.tsv.before
     COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_BINARY_DIR}/recorded.tsv.new ${recorded_table}
     USES_TERMINAL VERBATIM)
 endfunction()

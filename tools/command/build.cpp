@@ -65,13 +65,13 @@ void require_stack(const std::filesystem::path& image, const std::filesystem::pa
       description.string(), needed ? std::to_string(*needed) : "an unknown number of", left));
 }
 
-// The firmware for another machine than that of the build: nobody builds that for a third one as
+// The firmware for another machine than that of the build: none is built for a third one as
 // long as this exists.
 class OtherMachine {
  public:
   OtherMachine(const std::filesystem::path& description, const std::string& stepping) {
     const std::string header = stepping == "software"
-                                   ? machine_generator::software_stepping_header_of(description)
+                                   ? machine_generator::small_header_of(description)
                                    : machine_generator::header_of(description);
     const machine_generator::Machine machine = machine_generator::read_machine(description);
     tools_ = machine.description.tools();

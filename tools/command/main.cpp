@@ -116,7 +116,8 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (synth.machine.empty()) {
     build({"firmware"});
   } else {
-    firmware = std::filesystem::absolute(synth.directory) / "firmware.elf";
+    // Of this call: another one may build another machine's meanwhile.
+    firmware = build_folder() / "boards" / fmt::format("firmware_{}.elf", getpid());
     synth.memory_bytes = write_board_firmware(synth.machine, firmware);
   }
   return synthesis::synthesize(synth, project_folder(), firmware, end_if_interrupted) ? success

@@ -175,7 +175,7 @@ std::string header_of(const std::filesystem::path& file) {
   return header_of(read_machine(file), file);
 }
 
-std::string software_stepping_header_of(const std::filesystem::path& file) {
+std::string small_header_of(const std::filesystem::path& file) {
   Machine machine = read_machine(file);
   machine.description.fast = false;
   return header_of(machine, file);

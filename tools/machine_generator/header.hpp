@@ -11,8 +11,8 @@ namespace machine_generator {
 // The text of machine/machine.hpp. Throws DescriptionError on anything missing, ill-typed, out of
 // the firmware's range or unknown.
 std::string header_of(const std::filesystem::path& file);
-// The same for the firmware that steps in software, which is never compiled for speed.
-std::string software_stepping_header_of(const std::filesystem::path& file);
+// The same for firmware that is compiled for size, whatever the chip's memory.
+std::string small_header_of(const std::filesystem::path& file);
 
 // The same judgement for another reader of the description, which then needs none of its own.
 // `file` is for the message.

@@ -16,10 +16,14 @@ int main(int argument_count, char** arguments) {
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("--output", output, "The header to write")->required();
+  bool fast = false;
+  app.add_flag("--fast", fast,
+               "for firmware that is compiled for speed where the chip's memory suffices");
   CLI11_PARSE(app, argument_count, arguments);
 
   try {
-    const std::string text = machine_generator::header_of(machine);
+    const std::string text =
+        fast ? machine_generator::header_of(machine) : machine_generator::small_header_of(machine);
     std::filesystem::create_directories(output.parent_path());
     std::ofstream stream(output, std::ios::binary);
     stream << text;

@@ -98,7 +98,7 @@ class Scripts {
   const std::function<void()>& look_;
 };
 
-// The memory lies in block RAM, beside the chip's queues: nextpnr would end much later, and without
+// The memory lies in block RAM, and so do the chip's queues: nextpnr would end much later, and without
 // a remedy.
 void require_block_rams(const Options& options, const Device& device) {
   const std::uint32_t needed = options.memory_bytes / ecp5_block_bytes;
@@ -220,7 +220,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
     return true;
   }
   if (!alone) require_block_rams(options, device);
-  std::filesystem::remove(directory / "layout.config");
+  for (const char* of_before : {"layout.config", "synthesis.json"}) {
+    std::filesystem::remove(directory / of_before);
+  }
   scripts.synthesize();
   Report report;
   std::vector<Placement> placements;

@@ -39,7 +39,8 @@ void add_options(CLI::App& job, Options& options);
 // netlist, BOARD.bit, layout.config and synthesis.json of the fastest placement, and a folder for
 // each placement, into the directory.
 // False where the clock or a pin is too slow for the board's. Throws std::runtime_error where a
-// tool fails, or where the memory does not fit into the device. `look` is called every few milliseconds; where it throws, the tools end.
+// tool fails, or where the memory does not fit into the device. `look` is called every few
+// milliseconds; where it throws, the tools end.
 bool synthesize(const Options& options, const std::filesystem::path& project,
                 const std::filesystem::path& firmware, const std::function<void()>& look = {});
 

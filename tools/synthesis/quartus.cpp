@@ -141,6 +141,7 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
         "another memory_kib",
         options.memory_bytes / 1024, most_banks));
   }
+  std::filesystem::remove(directory / "synthesis.json");
   std::vector<std::string> words{(tools / "write_quartus_project.sh").string(),
                                  project.string(),
                                  options.board,

@@ -186,7 +186,11 @@ std::optional<std::uint32_t> memory_of(const std::filesystem::path& synthesis_js
   std::ifstream stream(synthesis_json);
   if (!stream) return std::nullopt;
   try {
-    return json::parse(stream).at("memory_bytes").get<std::uint32_t>();
+    const json object = json::parse(stream);
+    if (!object.contains("memory_bytes")) {
+      return std::nullopt;  // of an earlier version
+    }
+    return object.at("memory_bytes").get<std::uint32_t>();
   } catch (const json::exception& error) {
     throw std::runtime_error(fmt::format("{}: {}", synthesis_json.string(), error.what()));
   }
