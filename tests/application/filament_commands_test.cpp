@@ -106,6 +106,33 @@ TEST_F(Filament, stops_moving_with_m410) {
   EXPECT_LT(there, 45);
   printer.run(1);
   EXPECT_DOUBLE_EQ(filament(), there);
+  talk("-> M114\n<* X:0.00 Y:0.00 Z:10.00 E:0.00 \n<- ok\n-> G1 E1 F300\n<- ok\n-> M400\n<- ok");
+  EXPECT_NEAR(filament(), there + 1, 0.003);
+}
+
+TEST_F(Filament, leaves_the_host_its_height_when_m410_stops_a_lifted_load) {
+  printer.send("M701 Z5");
+  printer.run(2);
+  talk("-> M410\n<- ok\n<- ok");
+  EXPECT_EQ(printer.chip.position[2], 15 * 2560);
+  talk("-> M114\n<* Z:15.00 E:0.00 \n<- ok\n-> G1 Z10 F600\n<- ok\n-> M400\n<- ok");
+  EXPECT_EQ(printer.chip.position[2], 10 * 2560);
+  printer.send("M701 Z20");
+  printer.run(0.5);
+  talk("-> M410\n<- ok\n<- ok\n-> G1 Z12 F600\n<- ok\n-> M400\n<- ok");
+  EXPECT_NEAR(printer.chip.position[2], 12 * 2560, 1);
+}
+
+TEST_F(Filament, asks_for_nothing_once_the_print_is_cancelled) {
+  talk("-> M75\n<- ok");
+  printer.chip.filament_is_out = true;
+  talk("<- echo:Filament has run out\n<- //action:paused\n<* begin\n<* button\n<* show");
+  printer.send("//action:cancel");
+  while (printer.reply(0.5)) {
+  }
+  expect_silence();
+  talk("-> M104 S0\n<- ok\n-> M75\n<- ok");
+  talk("<- echo:Filament has run out\n<- //action:paused");
 }
 
 TEST_F(Filament, that_runs_out_in_a_print_is_changed_as_m600_does) {

@@ -79,6 +79,24 @@ TEST_F(LevelledDelta, goes_wherever_it_is_within_reach) {
   printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:249.90\n<- ok");
 }
 
+class Delta : public OtherKinematics {
+ protected:
+  Delta() : OtherKinematics("delta", delta_grid) {}
+};
+
+// Its ends are within reach, its middle is not: the arc ends before it, and the host is where the
+// nozzle is.
+TEST_F(Delta, keeps_the_hosts_place_where_an_arc_leaves_its_reach) {
+  execute({"G1 X60 Y-50 Z50 F6000"});
+  printer.send("G3 X60 Y50 R50");
+  EXPECT_THAT(printer.reply().value_or("nothing"), HasSubstr("out of reach"));
+  EXPECT_EQ(printer.reply(), "ok");
+  execute({"G1 X0 Y0"});
+  printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:50.00\n<- ok");
+  EXPECT_NEAR(printer.chip.position[0], printer.chip.position[1], 1);
+  EXPECT_NEAR(printer.chip.position[0], printer.chip.position[2], 1);
+}
+
 // The shoulder is at X100 Y-120, and the nozzle keeps 130 mm from it: not at X100 Y5.
 const motion::LevellingSettings scara_grid = grid(20, 180, 5, 105);
 class LevelledScara : public OtherKinematics {

@@ -98,8 +98,8 @@ class Scripts {
   const std::function<void()>& look_;
 };
 
-// The memory lies in block RAM, and so do the chip's queues: nextpnr would end much later, and without
-// a remedy.
+// The memory lies in block RAM, and so do the chip's queues. nextpnr would end much later, and
+// without a remedy.
 void require_block_rams(const Options& options, const Device& device) {
   const std::uint32_t needed = options.memory_bytes / ecp5_block_bytes;
   if (needed < device.block_rams) return;
