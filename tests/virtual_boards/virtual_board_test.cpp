@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board prints what the bare chip prints.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <fstream>
@@ -40,8 +41,9 @@ std::vector<Edge> edges_of(const fs::path& file) {
 }
 
 std::vector<Edge> printed(const fs::path& gcode, const std::string& board, bool warm) {
-  const fs::path folder = fs::path(testing::TempDir()) /
-                          ("stepfabric virtual board " + (board.empty() ? "none" : board));
+  // The tests of the boards run at once, and each prints on the bare chip too: no two may share it.
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("stepfabric virtual board " + std::to_string(getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::string> words{
