@@ -127,7 +127,7 @@ Request GcodePath::probe_place(const GcodeWords& words) {
   return Probing{nozzle()};
 }
 
-// Down step by step until the probe triggers; the height that this step tells. The nozzle ends at
+// Down step by step until the probe triggers; the height by this step. The nozzle ends at
 // the clearance.
 double GcodePath::probe_at(double x, double y) {
   const ProbeFacts& probe = *facts_.probe;

@@ -33,8 +33,8 @@ class PathCheck {
   void forget() { items_.clear(); }
 
   double max_deviation_mm() const { return max_deviation_mm_; }
-  // The same in steps of the coarser of X and Y, without what chords of lines and play explain; where
-  // motors are not axes, in the tool's way with a step of a motor there.
+  // The same in steps of the coarser of X and Y, without what chords and play explain; where motors
+  // are not axes, in the tool's way with a step of a motor there.
   double max_deviation_steps() const { return max_deviation_steps_; }
   // Lines of many steps in whose middle Z or E was not in the middle of its own way.
   std::uint64_t lines_apart() const { return lines_apart_; }

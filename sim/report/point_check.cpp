@@ -167,7 +167,7 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
 Steps PointCheck::detour_of(const Move& move) const {
   if (!grid_.mechanism().is_cartesian()) return grid_.detour_of(move);
   Steps detour{};
-  // Besides, a Z beside the nearest step.
+  // Besides, a Z next to the nearest step.
   if (move.mesh) detour[height] = grid_.detour_of(move)[height] + 2;
   if (!move.arc) return detour;
   for (const std::size_t side : {0UZ, 1UZ}) {

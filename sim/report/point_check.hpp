@@ -26,7 +26,7 @@ namespace report {
 // nearest to it, halves away from zero. What a refused line requests is not expected; a prevented
 // extrusion is a miss, and the lines after it are judged from where E then stands. Homing and
 // probing are free until they are acknowledged. Above a mesh the firmware's whole nanometres may
-// round Z to the step beside the nearest one, where it is as near to half a step.
+// round Z to the step next to the nearest, where it is as near to half a step.
 //
 // Whether a line was refused is known only with its answer, when it may have been executed already:
 // what the motors do from its sending on is kept and judged then.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report's own reader of G-code: two extruders, and filament beside the coordinates.
+// The report's own reader of G-code: two extruders, and filament apart from the coordinates.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -78,7 +78,7 @@ TEST(GcodePath, pushes_filament_forward_where_the_nozzle_stays) {
   EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("T0")));
 }
 
-TEST(GcodePath, moves_filament_beside_the_coordinates) {
+TEST(GcodePath, moves_filament_apart_from_the_coordinates) {
   report::MachineFacts facts;
   facts.filament = report::FilamentFacts{.load = 30 * mm, .unload = 20 * mm, .purge = 5 * mm};
   GcodePath path(facts);

@@ -191,7 +191,7 @@ TEST_F(LevelledPrint, is_bad_where_lines_are_not_cut_at_the_cells) {
   EXPECT_GT(check.max_height_error_mm(), 0.1);
 }
 
-TEST_F(LevelledPrint, is_bad_a_step_beside_the_height) {
+TEST_F(LevelledPrint, is_bad_a_step_off_the_height) {
   print([](const Place& at) { return right(at) + 0.0026; });
   EXPECT_GE(missed(), 5u);
 }
@@ -263,7 +263,7 @@ TEST_F(ProbedPrint, is_good_with_the_heights_at_which_the_probe_triggers) {
   EXPECT_TRUE(good());
 }
 
-TEST_F(ProbedPrint, is_bad_with_heights_a_step_beside_those) {
+TEST_F(ProbedPrint, is_bad_with_heights_a_step_off_those) {
   probe(probed());
   print_on(probed(0.0025));
   EXPECT_EQ(missed(), 3u);
