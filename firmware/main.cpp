@@ -44,7 +44,7 @@ extern "C" {
 const bool application::shaping_in_image = printer.shaping.has_value();
 const bool application::levelling_in_image = printer.levels();
 const bool application::filament_in_image = printer.handles_filament();
-const bool motion::backlash_in_image = printer.backlash != nullptr;
+const bool motion::backlash_in_image = printer.takes_up_backlash();
 const bool motion::s_curve_in_image = printer.limits.s_curve;
 
 application::Progress application::LevellingCommands::execute(ActiveCommand& command) {
@@ -76,7 +76,7 @@ int main() {
     static motion::Levelling memory;
     parts.levelling = &memory;
   }
-  if constexpr (printer.backlash != nullptr) {
+  if constexpr (printer.takes_up_backlash()) {
     static motion::Backlash memory;
     parts.backlash = &memory;
   }

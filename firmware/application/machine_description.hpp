@@ -98,6 +98,7 @@ struct MachineDescription {
   constexpr bool levels() const { return levelling != nullptr; }
   // Likewise: drives take up play; there is a sensor; lengths of loading are known.
   const motion::BacklashSettings* backlash{};
+  constexpr bool takes_up_backlash() const { return backlash != nullptr; }
   const FilamentSensor* filament_sensor{};
   const FilamentChange* filament_change{};
 

@@ -125,10 +125,22 @@ std::shared_ptr<const Mechanism> mechanism_of(const Entry& root) {
   return cartesian_mechanism();
 }
 
-ProbeDescription probe_of(const Entry& probe) {
-  return {probe["input"].whole_number(),
-          {probe["offset_x_mm"].number(), probe["offset_y_mm"].number(),
-           probe["offset_z_mm"].number()}};
+ProbeDescription probe_of(const Entry& probe, const Entry& mesh) {
+  return {.input = probe["input"].whole_number(),
+          .offset_mm = {probe["offset_x_mm"].number(), probe["offset_y_mm"].number(),
+                        probe["offset_z_mm"].number()},
+          .clearance_mm = probe["clearance_mm"].number(),
+          .mesh_from_mm = {mesh["min_x_mm"].number(), mesh["min_y_mm"].number()},
+          .mesh_to_mm = {mesh["max_x_mm"].number(), mesh["max_y_mm"].number()},
+          .mesh_points = {mesh["points_x"].whole_number(), mesh["points_y"].whole_number()},
+          .fade_height_mm = mesh["fade_height_mm"].number()};
+}
+
+BacklashDescription backlash_of(const Entry& backlash) {
+  BacklashDescription description{
+      {backlash["x_mm"].number(), backlash["y_mm"].number(), backlash["z_mm"].number()}};
+  if (const Entry part = backlash["correction"]) description.correction = part.number();
+  return description;
 }
 
 BedSurface surface_of(const Entry& surface) {
@@ -175,7 +187,12 @@ Description description_of(const toml::table& table, const std::filesystem::path
     description.retraction = {retraction["length_mm"].number(), retraction["lift_mm"].number(),
                               retraction["extra_mm"].number()};
   }
-  if (const Entry probe = root["probe"]) description.probe = probe_of(probe);
+  if (const Entry play = root["backlash"]) description.backlash = backlash_of(play);
+  if (const Entry change = root["filament_change"]) {
+    description.filament_change = {change["load_mm"].number(), change["unload_mm"].number(),
+                                   change["purge_mm"].number()};
+  }
+  if (const Entry probe = root["probe"]) description.probe = probe_of(probe, root["mesh"]);
   if (const Entry surface = root["bed_surface"]) description.bed_surface = surface_of(surface);
   for (std::size_t i = 0; i < description.bed_surface.size.size(); ++i) {
     description.bed_surface.size[i] = description.axes[i].travel_mm.value_or(1);

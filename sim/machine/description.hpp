@@ -39,11 +39,27 @@ struct RetractionDescription {
   double extra_mm{};
 };
 
+// What the firmware takes up of the play of X, Y and Z.
+struct BacklashDescription {
+  std::array<double, 3> lengths_mm{};
+  double correction = 1;  // the part of it
+};
+
+// What M701 and M702 move of the filament.
+struct FilamentDescription {
+  double load_mm{}, unload_mm{}, purge_mm{};
+};
+
 struct ProbeDescription {
   std::size_t input{};  // of the end stops
   // From the nozzle to where it measures; Z: the nozzle's where it touches the bed, from where the
   // probe triggers.
   std::array<double, 3> offset_mm{};
+  double clearance_mm{};  // Z of the nozzle between two places
+  // The mesh that it finds where G29 says no other: on X and Y.
+  std::array<double, 2> mesh_from_mm{}, mesh_to_mm{};
+  std::array<std::size_t, 2> mesh_points{};
+  double fade_height_mm{};
 };
 
 struct HeaterDescription {
@@ -79,6 +95,8 @@ struct Description {
   std::array<AxisDescription, axis_count> axes;
   std::shared_ptr<const Mechanism> mechanism = cartesian_mechanism();
   RetractionDescription retraction;
+  std::optional<BacklashDescription> backlash;
+  std::optional<FilamentDescription> filament_change;
   std::optional<ProbeDescription> probe;
   BedSurface bed_surface;  // flat without a table of it
   HeaterDescription hotend;

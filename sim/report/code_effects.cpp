@@ -59,6 +59,7 @@ constexpr std::array moving_m{
     Range{303, 303},  // heats to find the controller's constants
     Range{306, 306},   Range{360, 364},  // moves of a SCARA
     Range{401, 402},  // probe out, in
+    Range{421, 421},  // a point of the bed's mesh
     Range{428, 428},  // home offset
     Range{567, 568},  // mixing, tool temperatures (RepRapFirmware)
     Range{585, 585},  // probes a tool
@@ -119,6 +120,9 @@ bool moves_or_heats(std::string_view command) {
       return true;
   }
   if (effective(first)) return true;
+  // Lines follow the mesh from then on; switching that off, or a report, changes nothing that a
+  // machine without it could do otherwise.
+  if (words.is('M', 420)) return words.has('S') && words.value('S').value_or(billionths) != 0;
   constexpr std::int64_t names_an_object = 486;
   if (first.letter == 'M' && first.value == names_an_object * billionths) return false;
   // A second command in the line, which some firmwares execute and others refuse with the line.

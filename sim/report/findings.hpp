@@ -48,6 +48,7 @@ struct Findings {
   std::array<bool, 5> homed_elsewhere{};  // G28 ended away from the end stop
   std::array<bool, 5> moved_after_end{};  // after the last line was made
   std::uint64_t lines_apart{};  // Z or E did not go along with X and Y
+  double max_height_error_mm{};  // of Z from the mesh, between the ends of lines
   // Commands of the file that the chip never acknowledged; 0 where the user stopped the print.
   std::uint64_t lines_lost{};
   // Each is a sentence that makes the print bad. None: it is good.

@@ -22,14 +22,25 @@ bool is_any(const GcodeWords& words, char letter, Codes... codes) {
 }  // namespace
 
 Request GcodePath::read(std::string_view command) {
-  const GcodeWords words(command);
+  Request request = read_line(GcodeWords(command));
+  if (Move* move = std::get_if<Move>(&request)) move->mesh = levelling_.followed();
+  if (ToolMoves* all = std::get_if<ToolMoves>(&request)) {
+    for (Move& move : all->moves) move.mesh = levelling_.followed();
+  }
+  return request;
+}
+
+Request GcodePath::read_line(const GcodeWords& words) {
   Request request = NoMotion{};
   if (!words.all().empty() && words.all().front().letter == 'T') return change_tool(words);
   if (words.is('G', 53)) {
     const GcodeWords line = words.without_first();
     return is_any(line, 'G', 0, 1, 2, 3) ? move(line, true) : Request(NoMotion{});
   }
-  if (read_coordinates(words)) return request;
+  if (words.is('M', 290)) request = Babystep{};
+  if (words.is('M', 425)) return set_play(words);
+  if (is_any(words, 'M', 603, 701, 702)) return move_filament(words);
+  if (read_coordinates(words) || read_levelling(words, request)) return request;
   if (!words.all().empty() && words.all().front().letter == 'G') {
     read_g(words, request);
   } else {
@@ -81,6 +92,9 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     NewResolution resolution;
     for (std::size_t i = 0; i < axis_words.size(); ++i) {
       resolution.steps_per_mm[i] = words.value(axis_words[i]);
+      if (i < facts_.steps_per_mm.size() && resolution.steps_per_mm[i]) {
+        facts_.steps_per_mm[i] = static_cast<double>(*resolution.steps_per_mm[i]) / billionths;
+      }
     }
     request = resolution;
   } else if (words.is('M', 207)) {
@@ -89,11 +103,18 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
   } else if (words.is('M', 208)) {
     retraction_.extra = length(words, 'S').value_or(retraction_.extra);
   } else if (is_any(words, 'M', 501, 502)) {
+    if (facts_.probe) {
+      relevel(false, [&](Levelling& levelling) { levelling = Levelling(*facts_.probe); });
+    }
     retraction_ = facts_.retraction;
     const ToolFacts before = change_;
     change_ = facts_.second_tool.value_or(ToolFacts());
     for (std::size_t i = 0; i < height + 1; ++i) {
       if (tool_ != 0) logical_[i] += change_.offset[i] - before.offset[i];
+    }
+    if (given_.play) {
+      facts_.play = given_.play;
+      request = play();
     }
   } else if (words.is('M', 217)) {
     set_change(words);
@@ -179,6 +200,7 @@ std::optional<ArcShape> GcodePath::arc_of(const GcodeWords& words, const Move& m
 }
 
 Request GcodePath::home(const GcodeWords& words) {
+  relevel(false, [](Levelling&) {});
   Homing homing;
   const bool all =
       facts_.home.of_all_axes || (!words.has('X') && !words.has('Y') && !words.has('Z'));

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -15,6 +17,7 @@
 #include "sim/report/femtometers.hpp"
 #include "sim/report/file_coordinates.hpp"
 #include "sim/report/gcode_words.hpp"
+#include "sim/report/levelling.hpp"
 
 namespace report {
 
@@ -22,7 +25,7 @@ namespace report {
 inline constexpr std::size_t motor_count = 5;
 
 // Exact machine positions, zero at the end stops: offsets of G92 are taken out. x y z are the
-// carriage's: where tool 0 is.
+// carriage's: where tool 0 is. While lines follow a mesh, Z is without what the mesh adds.
 using Point = std::array<Femtometers, motor_count>;
 
 struct Move {
@@ -30,9 +33,14 @@ struct Move {
   Point to{};
   std::optional<ArcShape> arc;
   std::optional<Point> over{};  // two straight lines with this place between them: G27
+  std::shared_ptr<const BedMesh> mesh{};  // that it follows
 };
 struct Homing {
   std::array<bool, 3> axes{};
+};
+// G29 or G30: the nozzle ends here.
+struct Probing {
+  Point nozzle{};
 };
 struct TemperatureTarget {
   bool bed{};
@@ -47,11 +55,16 @@ struct NewResolution {
 struct ToolMoves {
   std::vector<Move> moves;
 };
+// M425 and what brings it back: what drives have, as far as it is to be taken up.
+struct NewPlay {
+  std::array<Femtometers, 3> lengths{};
+};
+struct Babystep {};  // M290: at rest it is made at once
 struct Rest {};  // M400: everything before it has been made
 struct QuickStop {};  // M410: what was under way stays undone
 struct NoMotion {};
-using Request = std::variant<NoMotion, Move, ToolMoves, Homing, TemperatureTarget, NewResolution,
-                             Rest, QuickStop>;
+using Request = std::variant<NoMotion, Move, ToolMoves, Homing, Probing, TemperatureTarget,
+                             NewResolution, NewPlay, Babystep, Rest, QuickStop>;
 
 // What G10 does: M207 S and Z, with M208 S what G11 does. Marlin's defaults, those of a machine
 // without [retraction].
@@ -73,36 +86,69 @@ struct ToolFacts {
   Femtometers swap{}, resume{}, prime{}, lift{};
 };
 
+// What the firmware takes up of the play of drives.
+struct PlayFacts {
+  std::array<Femtometers, 3> lengths{};
+  double part = 1;
+};
+
+// What M701 and M702 move of the filament; M603 changes the first two.
+struct FilamentFacts {
+  Femtometers load{}, unload{}, purge{};
+};
+
 // What the file's motion depends on: the machine's description.
 struct MachineFacts {
   Retraction retraction;
   std::array<Femtometers, 3> travel{};  // for G27 and M428
   HomePlace home{};
   std::optional<ToolFacts> second_tool{};
+  std::optional<ProbeFacts> probe{};
+  std::optional<PlayFacts> play{};
+  std::optional<FilamentFacts> filament{};
+  std::array<double, 3> steps_per_mm{};  // at which a probe is looked at
 };
 
-// Understands G0 to G3, G10 G11, G17 to G21, G27, G28, G53 to G61, G90 to G92, M82 M83 M92 M200
-// M206 to M208 M217 M218 M221 M290 M400 M410 M428, T and M104 M109 M140 M149 M190; all else asks
-// no motion.
+// Understands G0 to G3, G10 G11, G17 to G21, G27 to G30, G53 to G61, G90 to G92, M82 M83 M92
+// M200 M206 to M208 M217 M218 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M603 M701 M702
+// M851, T and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
   explicit GcodePath(const MachineFacts& machine = {})
       : facts_(machine),
+        given_(machine),
         retraction_(machine.retraction),
-        change_(machine.second_tool.value_or(ToolFacts())) {}
+        change_(machine.second_tool.value_or(ToolFacts())) {
+    if (facts_.probe) levelling_ = Levelling(*facts_.probe);
+  }
 
   Request read(std::string_view command);
   const Point& position() const { return machine_; }
+  Point nozzle() const { return above(levelling_.followed(), machine_); }
 
-  // The machine stands here without having been sent there: after M410, or where the chip said that
-  // it prevents an extrusion. What the file calls the place stays as it is.
+  // The machine stands here without having been sent there, where the chip said that it prevents an
+  // extrusion. What the file calls the place stays as it is.
   void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
+  // After M410 the file calls it as its coordinates say.
+  void stop_at(const Point& nozzle);
+  // What of M290 is still to be made, in a move of its own.
+  Move make_babystep();
 
  private:
+  Request read_line(const GcodeWords& words);
   void read_g(const GcodeWords& words, Request& request);
   bool read_coordinates(const GcodeWords& words);
   bool read_offsets(const GcodeWords& words);
   void read_m(const GcodeWords& words, Request& request);
+  bool read_levelling(const GcodeWords& words, Request& request);
+  void relevel(bool follow, const std::function<void(Levelling&)>& change);
+  Point uncorrected(Point nozzle) const;
+  void set_point(const GcodeWords& words, BedMesh& mesh) const;
+  Request probe_bed(const GcodeWords& words);
+  Request probe_place(const GcodeWords& words);
+  double probe_at(double x, double y);
+  NewPlay play() const;
+  Request set_play(const GcodeWords& words);
   double celsius(double temperature) const;
   std::optional<Femtometers> length(const GcodeWords& words, char letter) const;
   Request move(const GcodeWords& words, bool machines = false);
@@ -123,6 +169,7 @@ class GcodePath {
   // Of Point: the motor that E moves.
   std::size_t extruder_motor() const { return 3 + tool_; }
   Request change_tool(const GcodeWords& words);
+  Request move_filament(const GcodeWords& words);
   void set_change(const GcodeWords& words);
   void set_offset(const GcodeWords& words);
 
@@ -133,7 +180,7 @@ class GcodePath {
   Femtometers babystep_{};  // of M290, still to be made
   std::array<double, 2> filament_mm_{};  // of each tool: the diameter of M200
   bool volumetric_ = false;
-  MachineFacts facts_;
+  MachineFacts facts_, given_;
   Retraction retraction_;
   // Of each tool: what G10 has done, the machine's Z above that of the file then, and whether it
   // has jumped since then, by a stop or homing.
@@ -144,6 +191,7 @@ class GcodePath {
   ToolFacts change_;
   std::size_t tool_ = 0;  // in use
   std::array<Femtometers, 2> drawn_{};  // of each: what a change of tools has drawn back
+  Levelling levelling_;
   std::array<bool, 3> homed_{};
   std::size_t plane_ = 0;  // G17 XY, G18 ZX, G19 YZ
   bool inches_ = false;

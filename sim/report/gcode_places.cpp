@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "sim/report/gcode_path.hpp"
 
@@ -98,6 +99,39 @@ Request GcodePath::lead_to(const Point& place) {
   for (std::size_t i = 0; i < straight_axes.size(); ++i) logical_[i] += place[i] - machine_[i];
   machine_ = place;
   return move;
+}
+
+void GcodePath::stop_at(const Point& nozzle) {
+  const Point place = uncorrected(nozzle);
+  for (std::size_t i = 0; i < straight_axes.size(); ++i) logical_[i] += place[i] - machine_[i];
+  logical_[extruder] += place[extruder_motor()] - machine_[extruder_motor()];
+  machine_ = place;
+}
+
+Move GcodePath::make_babystep() {
+  Move move{machine_, machine_, {}, {}, levelling_.followed()};
+  move.to[height] += std::exchange(babystep_, 0);
+  machine_ = move.to;
+  return move;
+}
+
+NewPlay GcodePath::play() const {
+  NewPlay play{facts_.play->lengths};
+  for (Femtometers& length : play.lengths) {
+    length = femtometers(millimeters(length) * facts_.play->part);
+  }
+  return play;
+}
+
+Request GcodePath::set_play(const GcodeWords& words) {
+  if (!facts_.play) return NoMotion{};
+  for (std::size_t i = 0; i < straight_axes.size(); ++i) {
+    if (const auto asked = length(words, straight_axes[i])) facts_.play->lengths[i] = *asked;
+  }
+  if (const auto part = words.value('F')) {
+    facts_.play->part = std::clamp(static_cast<double>(*part) / billionths, 0.0, 1.0);
+  }
+  return play();
 }
 
 Request GcodePath::park(const GcodeWords& words) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// T, M217 and M218: from the old nozzle's place to the new one's.
+// T, M217 and M218: from the old nozzle's place to the new one's. M603, M701 and M702.
 #include <algorithm>
 #include <utility>
 
@@ -51,9 +51,9 @@ Request GcodePath::change_tool(const GcodeWords& words) {
   const std::int64_t number = words.all().front().value.value_or(0) / billionths;
   if (!facts_.second_tool || number < 0 || number > 1) return NoMotion{};
   const auto tool = static_cast<std::size_t>(number);
-  if (tool == tool_) return NoMotion{};
+  if (tool == tool_ && drawn_[tool] == 0) return NoMotion{};
   std::array<Femtometers, 3> target{};
-  bool moves = words.value('S').value_or(0) < billionths;
+  bool moves = tool != tool_ && words.value('S').value_or(0) < billionths;
   for (std::size_t i = 0; i < target.size(); ++i) {
     const Femtometers way = (tool == 0 ? 0 : change_.offset[i]) - offset(i);
     target[i] = machine_[i] - way;
@@ -62,7 +62,7 @@ Request GcodePath::change_tool(const GcodeWords& words) {
   }
   ToolMoves all;
   const auto go = [&](const Point& place) {
-    if (!moves || place == machine_) return;
+    if (place == machine_) return;
     for (std::size_t i = 0; i < target.size(); ++i) logical_[i] += place[i] - machine_[i];
     all.moves.push_back({machine_, place, {}});
     machine_ = place;
@@ -72,23 +72,60 @@ Request GcodePath::change_tool(const GcodeWords& words) {
     place[extruder_motor()] += distance;
     go(place);
   };
-  if (moves) drawn_[tool_] += change_.swap;
-  extrude(-change_.swap);
   Point place = machine_;
-  const Femtometers higher = std::max(machine_[height], target[height]);
-  place[height] = std::max(higher, std::min(higher + change_.lift, facts_.travel[height]));
-  go(place);
+  if (moves) {
+    drawn_[tool_] += change_.swap;
+    extrude(-change_.swap);
+    place = machine_;
+    const Femtometers higher = std::max(machine_[height], target[height]);
+    place[height] = std::max(higher, std::min(higher + change_.lift, facts_.travel[height]));
+    go(place);
+  }
   tool_ = tool;
-  const Femtometers forward = moves ? std::exchange(drawn_[tool_], 0) : 0;
+  // Where the nozzle stays, its filament comes forward all the same.
+  const Femtometers forward = std::exchange(drawn_[tool_], 0);
   extrude(forward);
-  extrude(change_.prime);
-  place = machine_;
-  place[0] = target[0];
-  place[1] = target[1];
-  go(place);
-  place[height] = target[height];
-  go(place);
+  if (moves) {
+    extrude(change_.prime);
+    place = machine_;
+    place[0] = target[0];
+    place[1] = target[1];
+    go(place);
+    place[height] = target[height];
+    go(place);
+  }
   if (forward != 0) extrude(change_.resume);
+  return all;
+}
+
+// Up, the filament, and down again; the file's coordinates do not show it.
+Request GcodePath::move_filament(const GcodeWords& words) {
+  if (!facts_.filament) return NoMotion{};
+  FilamentFacts& filament = *facts_.filament;
+  const auto size = [&](char letter, Femtometers otherwise) {
+    const Femtometers value = length(words, letter).value_or(otherwise);
+    return value < 0 ? -value : value;
+  };
+  const bool loads = words.is('M', 701);
+  const Femtometers load = size('L', filament.load), unload = size('U', filament.unload);
+  if (words.is('M', 603)) {
+    filament.load = load;
+    filament.unload = unload;
+    return NoMotion{};
+  }
+  ToolMoves all;
+  const auto go = [&](std::size_t axis, Femtometers distance) {
+    if (distance == 0) return;
+    Move move{machine_, machine_, {}};
+    move.to[axis] += distance;
+    machine_ = move.to;
+    all.moves.push_back(move);
+  };
+  const Femtometers lift = size('Z', 0);
+  go(height, lift);
+  go(extruder_motor(), loads ? load : -unload);
+  go(extruder_motor(), loads ? filament.purge : 0);
+  go(height, -lift);
   return all;
 }
 

@@ -23,6 +23,7 @@ std::array<double, 3> place_at(const Move& move, double part) {
     place[move.arc->first] = on_arc[0];
     place[move.arc->second] = on_arc[1];
   }
+  if (move.mesh) place[2] += move.mesh->correction(place[0], place[1], place[2]);
   return place;
 }
 

@@ -38,8 +38,10 @@ void PathCheck::ask(const Move& move) {
     item.from[i] = millimeters(move.from[i]);
     item.to[i] = millimeters(move.to[i]);
   }
-  item.start = grid_.steps_at(move.from);
-  item.target = grid_.steps_at(move.to);
+  item.mesh = move.mesh;
+  item.z = {millimeters(move.from[2]), millimeters(move.to[2])};
+  item.start = grid_.steps_at(above(move.mesh, move.from));
+  item.target = grid_.steps_at(above(move.mesh, move.to));
   items_.push_back(item);
   pass_reached_lines();
 }
@@ -59,7 +61,10 @@ void PathCheck::at(const MotorGrid::Steps& position) {
     distance = distance_mm(items_.front());
   }
   note_deviation(distance);
-  if (steps_of(distance) <= left_line_steps) watch_z_and_e(items_.front());
+  if (steps_of(distance) <= left_line_steps) {
+    watch_z_and_e(items_.front());
+    watch_height(items_.front());
+  }
   pass_reached_lines();
 }
 
@@ -81,7 +86,7 @@ void PathCheck::watch_z_and_e(Item& item) {
   const bool long_enough = std::max(std::abs(way(0)), std::abs(way(1))) >= least_steps;
   if (item.apart || !long_enough || part < middle_from || part > middle_to) return;
   for (const std::size_t axis : {2UZ, 3UZ, 4UZ}) {
-    if (axis == 2 && !grid_.mechanism().has_own_z()) continue;
+    if (axis == 2 && (item.mesh || !grid_.mechanism().has_own_z())) continue;
     const bool turns = item.arc && (axis == item.arc->first || axis == item.arc->second);
     if (turns || std::abs(way(axis)) < least_steps) continue;
     const double done =
@@ -91,8 +96,27 @@ void PathCheck::watch_z_and_e(Item& item) {
   lines_apart_ += item.apart ? 1 : 0;
 }
 
+// Chords leave the path above the mesh by up to 5 um (firmware/motion), and steps a chord by less
+// than two of Z's. Where Z itself goes up or down, a place in XY that is a step off counts too.
+void PathCheck::watch_height(const Item& item) {
+  const bool on_the_way = (position_[0] != item.start[0] || position_[1] != item.start[1]) &&
+                          (position_[0] != item.target[0] || position_[1] != item.target[1]);
+  if (!item.mesh || !on_the_way) return;
+  constexpr double most_chord_deviation_mm = 0.005, most_steps = 2;
+  const double length = item.arc ? item.arc->length_mm()
+                                 : std::hypot(item.to[0] - item.from[0], item.to[1] - item.from[1]);
+  const double way = item.z[1] - item.z[0];
+  const double z = item.z[0] + part_of_way(item) * way;
+  const double wanted = z + item.mesh->correction(place_[0], place_[1], z);
+  const double step = grid_.mechanism().has_own_z() ? 1 / steps_per_mm_[2] : grid_.step_mm(place_);
+  const double tolerance = most_chord_deviation_mm +
+                           most_steps * (step + grid_.step_mm(place_) * std::abs(way) / length);
+  const double error = std::abs(place_[2] - wanted);
+  if (error > tolerance) max_height_error_mm_ = std::max(max_height_error_mm_, error);
+}
+
 double PathCheck::steps_of(double distance_mm) const {
-  const double steps_mm = distance_mm - grid_.mechanism().chord_deviation_mm();
+  const double steps_mm = distance_mm - grid_.mechanism().chord_deviation_mm() - play_mm_;
   return steps_mm > 0 ? steps_mm / grid_.step_mm(place_) : 0;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 
 #include "sim/report/gcode_path.hpp"
@@ -19,6 +20,8 @@ namespace report {
 class PathCheck {
  public:
   void set_grid(const MotorGrid& grid);
+  // While a motor crosses the play of its drive, the other axis goes on along the line.
+  void set_play_mm(double play_mm) { play_mm_ = play_mm; }
 
   // A line of the file, or homing, is requested from now on.
   void ask(const Move& move);
@@ -30,11 +33,13 @@ class PathCheck {
   void forget() { items_.clear(); }
 
   double max_deviation_mm() const { return max_deviation_mm_; }
-  // The same in steps of the coarser of X and Y, without what chords of lines may deviate; where
-  // motors are not axes, in the tool's way with a step of a motor there.
+  // The same in steps of the coarser of X and Y, without what chords and play explain; where motors
+  // are not axes, in the tool's way with a step of a motor there.
   double max_deviation_steps() const { return max_deviation_steps_; }
   // Lines of many steps in whose middle Z or E was not in the middle of its own way.
   std::uint64_t lines_apart() const { return lines_apart_; }
+  // How far Z was from the height above the mesh, beyond what chords and steps explain; 0: nowhere.
+  double max_height_error_mm() const { return max_height_error_mm_; }
 
  private:
   struct Item {
@@ -43,6 +48,8 @@ class PathCheck {
     MotorGrid::Steps start{}, target{};  // steps, mechanical
     bool apart{};
     std::optional<ArcShape> arc{};
+    std::array<double, 2> z{};  // mm at its ends, without the mesh
+    std::shared_ptr<const BedMesh> mesh{};
     bool left{};  // an arc that ends where it begins has been away from there
   };
 
@@ -54,6 +61,7 @@ class PathCheck {
   void note_deviation(double distance_mm);
   bool reached(const Item& item) const;
   void watch_z_and_e(Item& item);
+  void watch_height(const Item& item);
   void pass_reached_lines();
   void pass_lost_line();
 
@@ -62,9 +70,11 @@ class PathCheck {
   MotorGrid::Steps position_{};
   std::array<double, 3> place_{};  // of the tool, mm
   std::deque<Item> items_;
+  double play_mm_ = 0;
   double max_deviation_mm_ = 0;
   double max_deviation_steps_ = 0;
   std::uint64_t lines_apart_ = 0;
+  double max_height_error_mm_ = 0;
 };
 
 }  // namespace report

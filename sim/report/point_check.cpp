@@ -12,9 +12,10 @@ namespace report {
 namespace {
 
 constexpr std::size_t most_listed = 1000;
-// From where its end stop switches, where homing ends: filter and reaction take a few.
-constexpr std::int64_t furthest_home_steps = 40;
+constexpr std::size_t height = 2;
 constexpr std::size_t extruder = 3;
+// Of a mesh's correction in the firmware, to 5 nm of a height and 1 nm of what is left of it.
+constexpr Femtometers mesh_rounding = 10 * femtometers_per_mm / 1'000'000;
 
 double length_of(const Move& move) {
   std::array<double, 3> way{};
@@ -39,15 +40,24 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
   grid_ = MotorGrid(std::move(mechanism), resolution, start);
   grid_.move_origin({}, start);
   state_.position = start;
+  for (std::size_t i = 0; i < extruder; ++i) play_.start(i, start[i]);
+  if (machine.play) {
+    if (const Request play = gcode_.read("M425"); std::holds_alternative<NewPlay>(play)) {
+      take_up(std::get<NewPlay>(play));
+    }
+  }
   path_.at(start);
   set_grid();
 }
 
 void PointCheck::stepped(const devices::StepEdge& edge) {
   if (edge.axis >= state_.position.size()) return;
+  const std::int64_t place =
+      edge.axis < extruder ? play_.follow(edge.axis, edge.position) : edge.position;
+  if (place == state_.position[edge.axis]) return;
   close_state(edge.clock);
   state_.clock = edge.clock;
-  state_.position[edge.axis] = edge.position;
+  state_.position[edge.axis] = place;
   ++state_.steps_made[edge.axis];
 }
 
@@ -106,21 +116,31 @@ void PointCheck::carry_out(const SentCommand& command) {
     for (const Move& part : change->moves) ask(part, command);
     return;
   }
+  if (std::holds_alternative<Babystep>(request)) {
+    if (match_.all_reached()) ask(gcode_.make_babystep(), command);
+    return;
+  }
   if (std::holds_alternative<NoMotion>(request) ||
       std::holds_alternative<TemperatureTarget>(request)) {
     return;
   }
   // The others wait for the end of all motion, also where the next command has been sent already.
-  if (std::holds_alternative<Homing>(request)) path_.ask_homing();
+  const bool is_free =
+      std::holds_alternative<Homing>(request) || std::holds_alternative<Probing>(request);
+  if (is_free) path_.ask_homing();
   judge_states_until(std::numeric_limits<sim::Clock>::max());
   if (!std::holds_alternative<QuickStop>(request)) {
-    match_.settle(!std::holds_alternative<Homing>(request));
+    match_.settle(!is_free);
     path_.finish();
   }
   if (const Homing* homing = std::get_if<Homing>(&request)) {
     finish_homing(*homing);
+  } else if (const Probing* probing = std::get_if<Probing>(&request)) {
+    finish_probing(*probing, command);
   } else if (const NewResolution* resolution = std::get_if<NewResolution>(&request)) {
     change_resolution(*resolution);
+  } else if (const NewPlay* play = std::get_if<NewPlay>(&request)) {
+    take_up(*play);
   } else if (std::holds_alternative<QuickStop>(request)) {
     match_.abandon();
     path_.forget();
@@ -129,10 +149,11 @@ void PointCheck::carry_out(const SentCommand& command) {
 }
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
-  match_.ask(grid_.steps_at(move.to), {command.file_line, command.text}, detour_of(move));
+  match_.ask(grid_.steps_at(above(move.mesh, move.to)), {command.file_line, command.text},
+             detour_of(move), other_target(move));
   if (move.over) {
-    path_.ask({move.from, *move.over, {}});
-    path_.ask({*move.over, move.to, {}});
+    path_.ask({move.from, *move.over, {}, {}, move.mesh});
+    path_.ask({*move.over, move.to, {}, {}, move.mesh});
   } else {
     path_.ask(move);
   }
@@ -146,6 +167,8 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
 Steps PointCheck::detour_of(const Move& move) const {
   if (!grid_.mechanism().is_cartesian()) return grid_.detour_of(move);
   Steps detour{};
+  // Besides, a Z next to the nearest step.
+  if (move.mesh) detour[height] = grid_.detour_of(move)[height] + 2;
   if (!move.arc) return detour;
   for (const std::size_t side : {0UZ, 1UZ}) {
     const std::size_t axis = side == 0 ? move.arc->first : move.arc->second;
@@ -153,6 +176,7 @@ Steps PointCheck::detour_of(const Move& move) const {
       return std::llround(move.arc->at(part)[side] * static_cast<double>(grid_.resolution()[axis]) /
                           static_cast<double>(billionths));
     };
+    if (move.mesh && axis == height) continue;
     std::int64_t before = step_at(0);
     detour[axis] = -std::llabs(step_at(1) - before);
     std::vector<double> parts = move.arc->turning_points();
@@ -165,57 +189,16 @@ Steps PointCheck::detour_of(const Move& move) const {
   return detour;
 }
 
-void PointCheck::finish_homing(const Homing& homing) {
-  Steps meant = match_.last_target();
-  if (grid_.mechanism().is_cartesian()) {
-    for (std::size_t i = 0; i < homing.axes.size(); ++i) {
-      if (!homing.axes[i]) continue;
-      judged_.homed_elsewhere[i] =
-          judged_.homed_elsewhere[i] || std::llabs(state_.position[i]) > furthest_home_steps;
-      grid_.set_origin(i, 0);
-      meant[i] = 0;
-    }
-  } else {
-    meant = home_motors(homing);
+std::optional<Steps> PointCheck::other_target(const Move& move) const {
+  if (!move.mesh || !grid_.mechanism().has_own_z()) return std::nullopt;
+  const Point place = above(move.mesh, move.to);
+  const Steps target = grid_.steps_at(place);
+  for (const Femtometers rounding : {-mesh_rounding, mesh_rounding}) {
+    Point rounded = place;
+    rounded[height] += rounding;
+    if (const Steps other = grid_.steps_at(rounded); other != target) return other;
   }
-  match_.restart(state_, meant);
-  homed_ = true;
-  set_grid();
-}
-
-// The axes that were not homed are where they were. Where both motors of a switch make a step at a
-// time, it may close half a step late.
-Steps PointCheck::home_motors(const Homing& homing) {
-  const auto real =
-      MotorGrid(grid_.shared_mechanism(), grid_.resolution(), {}).place_mm(state_.position);
-  const Point& meant = gcode_.position();
-  for (std::size_t i = 0; i < homing.axes.size(); ++i) {
-    if (!homing.axes[i]) continue;
-    const double off = std::abs(real[i] - millimeters(meant[i]));
-    judged_.homed_elsewhere[i] =
-        judged_.homed_elsewhere[i] || off * grid_.steps_per_mm(i) > furthest_home_steps;
-  }
-  grid_.move_origin(meant, state_.position);
-  return grid_.steps_at(meant);
-}
-
-// The place in millimetres stays what it is.
-void PointCheck::change_resolution(const NewResolution& resolution) {
-  const Steps before = grid_.steps_at(gcode_.position());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (const auto value = resolution.steps_per_mm[std::min(i, extruder)]; value && *value > 0) {
-      grid_.set_resolution(i, *value);
-      const Steps now = grid_.steps_at(gcode_.position());
-      grid_.set_origin(i, grid_.origin()[i] + before[i] - now[i]);
-    }
-  }
-  set_grid();
-}
-
-void PointCheck::stop_here() {
-  const Point here = grid_.place_of_steps(state_.position);
-  for (std::size_t i = 0; i < here.size(); ++i) gcode_.stand_at(i, here[i]);
-  match_.restart(state_, state_.position);
+  return std::nullopt;
 }
 
 void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const {
@@ -250,7 +233,8 @@ PointCheck::Judgement PointCheck::judgement() const {
   result.reached = match.reached();
   result.unasked_steps = match.unasked_steps();
   for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
-    result.moved_after_end[i] = nothing_requested && state_.position[i] != match_.last_target()[i];
+    result.moved_after_end[i] = nothing_requested && !match_.is_at_last_target(state_.position) &&
+                                state_.position[i] != match_.last_target()[i];
   }
   return result;
 }

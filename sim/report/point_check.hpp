@@ -11,6 +11,7 @@
 
 #include "sim/devices/host_listener.hpp"
 #include "sim/devices/step_edge.hpp"
+#include "sim/report/drive_play.hpp"
 #include "sim/report/findings.hpp"
 #include "sim/report/gcode_path.hpp"
 #include "sim/report/motor_grid.hpp"
@@ -23,8 +24,9 @@ namespace report {
 
 // The end of a G0 to G3 is reached where X, Y, Z and E stand at the same time at the steps that are
 // nearest to it, halves away from zero. What a refused line requests is not expected; a prevented
-// extrusion is a miss, and the lines after it are judged from where E then stands. Homing is free
-// until it is acknowledged.
+// extrusion is a miss, and the lines after it are judged from where E then stands. Homing and
+// probing are free until they are acknowledged. Above a mesh the firmware's whole nanometres may
+// round Z to the step next to the nearest, where it is as near to half a step.
 //
 // Whether a line was refused is known only with its answer, when it may have been executed already:
 // what the motors do from its sending on is kept and judged then.
@@ -56,6 +58,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   double max_deviation_mm() const { return path_.max_deviation_mm(); }
   double max_deviation_steps() const { return path_.max_deviation_steps(); }
   std::uint64_t lines_apart() const { return path_.lines_apart(); }
+  double max_height_error_mm() const { return path_.max_height_error_mm(); }
   // Of the executed moves, in X, Y and Z, as the G-code requests them.
   double length_mm() const { return length_mm_; }
   bool homed() const { return homed_; }
@@ -71,6 +74,9 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   void carry_out(const SentCommand& command);
   void ask(const Move& move, const SentCommand& command);
   Steps detour_of(const Move& move) const;
+  std::optional<Steps> other_target(const Move& move) const;
+  void take_up(const NewPlay& play);
+  void finish_probing(const Probing& probing, const SentCommand& command);
   void finish_homing(const Homing& homing);
   Steps home_motors(const Homing& homing);
   void change_resolution(const NewResolution& resolution);
@@ -87,6 +93,8 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   std::deque<SentCommand> in_flight_;
   MachineState state_;  // while edges of its clock may still come
   std::deque<MachineState> states_;  // that are not judged yet
+  DrivePlay play_;
+  NewPlay taken_up_;
   PointMatch match_;
   PathCheck path_;
   Judgement judged_;

@@ -18,7 +18,8 @@ constexpr std::size_t most_items = 512;
 PointMatch::PointMatch(const MachineState& start)
     : last_target_(start.position), settled_target_(start.position), anchor_(start), now_(start) {}
 
-void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detour) {
+void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detour,
+                     const std::optional<Steps>& other) {
   last_line_ = line;
   last_line_open_ = true;
   const bool same_place = !items_.empty() && items_.back().target == target;
@@ -29,12 +30,14 @@ void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detou
     if (items_.size() == most_items) settle_oldest();
     Item& item = items_.emplace_back();
     item.target = target;
+    item.other = other;
     item.detour = detour;
     item.lines.push_back(std::move(line));
     item.nearest = now_;
     item.distance = -1;
   }
   last_target_ = target;
+  last_other_ = other;
   at(now_);
 }
 
@@ -42,7 +45,7 @@ void PointMatch::at(const MachineState& state) {
   now_ = state;
   bool any = false;
   for (Item& item : items_) {
-    any = any || item.target == state.position;
+    any = any || item.is_at(state.position);
     if (item.reached == 0) note_nearest(item, state);
   }
   if (any) {
@@ -71,7 +74,7 @@ void PointMatch::update_chains(const MachineState& state) {
   std::ptrdiff_t best_end = -1;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
-    if (item.target == state.position && best + item.lines.size() > item.reached) {
+    if (item.is_at(state.position) && best + item.lines.size() > item.reached) {
       item.reached = best + item.lines.size();
       item.before = best_end;
       item.when = state;
@@ -171,7 +174,7 @@ void PointMatch::settle(bool rests) {
   at(now_);
   finish(items_.size(), best_chain());
   const bool listed = !missed_.empty() && missed_.back().line.file_line == last_line_.file_line;
-  if (rests && last_line_open_ && !listed && now_.position != last_target_) {
+  if (rests && last_line_open_ && !listed && !is_at_last_target(now_.position)) {
     --reached_;  // it was there, but on the way to another place
     missed_.push_back({last_line_, last_target_, now_});
   }
@@ -190,6 +193,7 @@ void PointMatch::restart(const MachineState& here, const Steps& meant) {
   last_line_open_ = false;
   now_ = anchor_ = here;
   last_target_ = settled_target_ = meant;
+  last_other_.reset();
   requested_since_anchor_ = {};
 }
 

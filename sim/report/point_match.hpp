@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,9 @@ class PointMatch {
   explicit PointMatch(const MachineState& start);
 
   // The file requests this place, from now on. `detour`: how many more steps than those between the
-  // places lead there, at most: of an arc, on which axes turn back.
-  void ask(const Steps& target, RequestedLine line, const Steps& detour = {});
+  // places lead there, at most: of an arc, on which axes turn back. `other`: as good as the target.
+  void ask(const Steps& target, RequestedLine line, const Steps& detour = {},
+           const std::optional<Steps>& other = std::nullopt);
   // The machine's present position.
   void at(const MachineState& state);
   // Everything requested must have been made: what was not reached is missed. Where the machine is
@@ -57,6 +59,8 @@ class PointMatch {
   // The machine has been moved here by something other than lines.
   void restart(const MachineState& here, const Steps& meant);
 
+  // No line requested is under way.
+  bool all_reached() const { return items_.empty(); }
   // Every line requested is decided on, and the last one known to be made.
   bool nothing_open() const { return items_.empty() && !last_line_open_; }
   std::uint64_t reached() const { return reached_; }
@@ -64,10 +68,17 @@ class PointMatch {
   // Those that were missed since the last call.
   std::vector<UnreachedPoint> take_missed();
   const Steps& last_target() const { return last_target_; }
+  // Where it is to stand after the last line, or a place as good.
+  bool is_at_last_target(const Steps& position) const {
+    return position == last_target_ || position == last_other_;
+  }
 
  private:
   struct Item {
+    bool is_at(const Steps& position) const { return position == target || position == other; }
+
     Steps target{};
+    std::optional<Steps> other{};
     Steps detour{};
     std::vector<RequestedLine> lines;  // that end here, one after the other
     std::size_t reached{};  // lines of the best chain that ends here, within the window; 0: none
@@ -87,6 +98,7 @@ class PointMatch {
 
   std::deque<Item> items_;
   Steps last_target_;  // of the last line requested
+  std::optional<Steps> last_other_{};
   RequestedLine last_line_;
   bool last_line_open_ = false;  // has not been settled
   Steps settled_target_;  // of the last line that is decided on

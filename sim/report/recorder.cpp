@@ -45,6 +45,28 @@ MachineFacts facts_of(const machine::Printer& printer) {
       home_of(*printer.description().mechanism)};
   for (std::size_t i = 0; i < facts.travel.size(); ++i) {
     facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
+    facts.steps_per_mm[i] = printer.description().axes[i].steps_per_mm;
+  }
+  if (const auto& backlash = printer.description().backlash) {
+    PlayFacts& play = facts.play.emplace();
+    std::ranges::transform(backlash->lengths_mm, play.lengths.begin(), length);
+    play.part = backlash->correction;
+  }
+  if (const auto& filament = printer.description().filament_change) {
+    facts.filament = {length(filament->load_mm), length(filament->unload_mm),
+                      length(filament->purge_mm)};
+  }
+  if (const auto& probe = printer.description().probe) {
+    facts.probe = {probe->offset_mm,
+                   probe->clearance_mm,
+                   {},
+                   probe->fade_height_mm,
+                   [surface = printer.description().bed_surface](double x, double y) {
+                     return surface.height(x, y);
+                   }};
+    for (std::size_t i = 0; i < facts.probe->lines.size(); ++i) {
+      facts.probe->lines[i] = {probe->mesh_from_mm[i], probe->mesh_to_mm[i], probe->mesh_points[i]};
+    }
   }
   if (const auto& tool = printer.description().second_tool) {
     ToolFacts& second = facts.second_tool.emplace();
@@ -145,6 +167,7 @@ void Recorder::add_findings(Results& results) const {
   results.findings.homed_elsewhere = points.homed_elsewhere;
   results.findings.moved_after_end = points.moved_after_end;
   results.findings.lines_apart = points_.lines_apart();
+  results.findings.max_height_error_mm = points_.max_height_error_mm();
   for (std::size_t i = 0; i < results.axes.size(); ++i) {
     results.axes[i].unasked_steps = static_cast<std::uint64_t>(points.unasked_steps[i]);
   }

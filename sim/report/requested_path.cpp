@@ -2,6 +2,7 @@
 // Reads the answered lines, executed or refused.
 #include "sim/report/requested_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace report {
@@ -15,17 +16,20 @@ int chords_of(const ArcShape& arc) {
 }
 
 std::array<float, 3> place_at(const Move& move, double part) {
-  std::array<float, 3> place{};
+  std::array<double, 3> place{};
   for (std::size_t i = 0; i < place.size(); ++i) {
     const double from = millimeters(move.from[i]), to = millimeters(move.to[i]);
-    place[i] = static_cast<float>(from + part * (to - from));
+    place[i] = from + part * (to - from);
   }
   if (move.arc) {
     const auto on_arc = move.arc->at(part);
-    place[move.arc->first] = static_cast<float>(on_arc[0]);
-    place[move.arc->second] = static_cast<float>(on_arc[1]);
+    place[move.arc->first] = on_arc[0];
+    place[move.arc->second] = on_arc[1];
   }
-  return place;
+  if (move.mesh) place[2] += move.mesh->correction(place[0], place[1], place[2]);
+  std::array<float, 3> drawn{};
+  std::ranges::transform(place, drawn.begin(), [](double mm) { return static_cast<float>(mm); });
+  return drawn;
 }
 
 }  // namespace

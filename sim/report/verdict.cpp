@@ -85,6 +85,10 @@ void judge(Results& results) {
     problems.push_back(fmt::format("{} line{} on which Z or E does not go along with X and Y",
                                    count, plural(count)));
   }
+  if (findings.max_height_error_mm > 0) {
+    problems.push_back(fmt::format("Z leaves the height above the mesh by up to {:.3f} mm",
+                                   findings.max_height_error_mm));
+  }
   if (const std::string axes = names_of(findings.homed_elsewhere); !axes.empty()) {
     problems.push_back(fmt::format("homing ended away from the end stop: {}", axes));
   }

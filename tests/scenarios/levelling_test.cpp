@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A first layer above the uneven bed of a simulated printer, on the whole chip, judged by the step
-// edges; and probes that fail.
+// A first layer above the uneven bed of a simulated printer, on the whole chip, judged by the
+// report and by the step edges; and probes that fail.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Print print_on_it(const std::string& gcode, std::vector<std::string> options = {
 // 25 points of the mesh leave 13 um of the bed's bend; the rest is for steps and chords.
 TEST(levelling, keeps_the_nozzle_at_its_height_above_an_uneven_bed) {
   const Print print = print_on_it(first_layer("G29\nM420 V\n"));
-  EXPECT_EQ(print.report["result"], "completed") << print.job.output;
+  EXPECT_EQ(print.job.status, 0) << print.job.output;  // judged by the mesh
   EXPECT_EQ(print.report["queue"]["underruns"], 0);
   EXPECT_TRUE(print.said("Bilinear Leveling Grid:"));
   EXPECT_TRUE(print.said("echo:Bed Leveling ON"));

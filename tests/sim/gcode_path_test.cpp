@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report's own reader of G-code.
-#include "sim/report/gcode_path.hpp"
-
 #include <gmock/gmock.h>
 
 #include <array>
@@ -9,27 +7,16 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/sim/gcode_ends.hpp"
+
 namespace {
 
 using report::GcodePath;
 using testing::ElementsAre;
+using tests::end_of;
+using tests::place;
 
 constexpr report::Femtometers mm = report::femtometers_per_mm;
-
-// In millimetres.
-std::array<double, 4> place(const GcodePath& path) {
-  std::array<double, 4> result{};
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = report::millimeters(path.position()[i]);
-  }
-  return result;
-}
-
-std::array<double, 4> end_of(GcodePath& path, std::string_view command) {
-  const report::Request request = path.read(command);
-  EXPECT_TRUE(std::holds_alternative<report::Move>(request)) << command;
-  return place(path);
-}
 
 TEST(GcodePath, reads_numbers_as_slicers_and_people_write_them) {
   GcodePath path;
@@ -207,75 +194,6 @@ TEST(GcodePath, measures_filament_by_its_volume) {
   EXPECT_NEAR(end_of(path, "G1 E31.41592654")[3], 10, 1e-8);
   for (const char* line : {"M200 D0", "G92 E0"}) path.read(line);
   EXPECT_NEAR(end_of(path, "G1 E1")[3], 11, 1e-8);
-}
-
-// Where the carriage and both filaments are after each move of a change of tools.
-std::vector<std::array<double, 5>> changes(GcodePath& path, std::string_view command) {
-  std::vector<std::array<double, 5>> ends;
-  const report::Request request = path.read(command);
-  for (const report::Move& move : std::get<report::ToolMoves>(request).moves) {
-    std::array<double, 5>& end = ends.emplace_back();
-    for (std::size_t i = 0; i < end.size(); ++i) end[i] = report::millimeters(move.to[i]);
-  }
-  return ends;
-}
-
-const report::MachineFacts two_tools{
-    .retraction = {},
-    .travel = {200 * mm, 200 * mm, 100 * mm},
-    .second_tool = report::ToolFacts{.offset = {20 * mm, 1 * mm, -mm / 4}, .lift = 2 * mm}};
-
-TEST(GcodePath, leads_the_new_nozzle_to_the_place_of_the_old_one) {
-  GcodePath path(two_tools);
-  path.read("G28");
-  path.read("G1 X100 Y50 Z10 E5");
-  path.read("M217 S4 B0.5 E1");
-  using Ends = std::vector<std::array<double, 5>>;
-  // Nothing is drawn back yet from the filament that comes.
-  EXPECT_EQ(changes(path, "T1"), (Ends{{100, 50, 10, 1, 0},
-                                       {100, 50, 12.25, 1, 0},
-                                       {100, 50, 12.25, 1, 1},
-                                       {80, 49, 12.25, 1, 1},
-                                       {80, 49, 10.25, 1, 1}}));
-  EXPECT_THAT(end_of(path, "G1 X110 E7"), ElementsAre(90.0, 49.0, 10.25, 1.0));
-  EXPECT_EQ(report::millimeters(path.position()[4]), 3);
-  EXPECT_EQ(changes(path, "T0"), (Ends{{90, 49, 10.25, 1, -1},
-                                       {90, 49, 12.25, 1, -1},
-                                       {90, 49, 12.25, 5, -1},
-                                       {90, 49, 12.25, 6, -1},
-                                       {110, 50, 12.25, 6, -1},
-                                       {110, 50, 10, 6, -1},
-                                       {110, 50, 10, 6.5, -1}}));
-}
-
-TEST(GcodePath, leaves_the_nozzle_where_it_may_not_move) {
-  GcodePath path(two_tools);
-  EXPECT_THAT(changes(path, "T1"), testing::IsEmpty());  // not homed
-  EXPECT_THAT(end_of(path, "G1 X25 Y1"), ElementsAre(5.0, 0.0, 0.0, 0.0));
-  path.read("G28");
-  EXPECT_THAT(end_of(path, "G1 X120 Y51 Z9.75"), ElementsAre(100.0, 50.0, 10.0, 0.0));
-  EXPECT_THAT(changes(path, "T0 S1"), testing::IsEmpty());
-  EXPECT_THAT(end_of(path, "G1 X101"), ElementsAre(101.0, 50.0, 10.0, 0.0));
-  path.read("G1 X5");
-  EXPECT_THAT(changes(path, "T1"), testing::IsEmpty());  // beyond the travel
-  EXPECT_THAT(end_of(path, "G1 X26"), ElementsAre(6.0, 50.0, 10.0, 0.0));
-}
-
-TEST(GcodePath, gives_each_tool_its_flow_filament_retraction_and_heat) {
-  GcodePath path(two_tools);
-  path.read("M83");
-  path.read("M221 S50 T1");
-  path.read("G10");
-  path.read("T1");
-  path.read("G1 E2");
-  EXPECT_EQ(report::millimeters(path.position()[3]), -3);
-  EXPECT_EQ(report::millimeters(path.position()[4]), 1);
-  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(path.read("G11")));
-  EXPECT_EQ(std::get<report::TemperatureTarget>(path.read("M104 S200")).tool, 1u);
-  EXPECT_EQ(std::get<report::TemperatureTarget>(path.read("M104 S200 T0")).tool, 0u);
-  GcodePath one;
-  EXPECT_TRUE(std::holds_alternative<report::NoMotion>(one.read("T1")));
-  EXPECT_EQ(std::get<report::TemperatureTarget>(one.read("M104 S200")).tool, 0u);
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ class PointCheckTest : public testing::Test {
  protected:
   static constexpr std::array<double, 4> steps_per_mm{80, 80, 2560, 500};
 
+  explicit PointCheckTest(const report::MachineFacts& facts = {})
+      : check(steps_per_mm, {1234, 567, 0, 0}, sim::ClockRate(4'000'000), facts) {}
+
   void send(const std::string& command, bool executed = true) {
     begin(command);
     if (executed && command.starts_with("G28")) go_to(0, 0);
@@ -57,7 +60,7 @@ class PointCheckTest : public testing::Test {
   report::Steps position{1234, 567, 0, 0};
   std::uint64_t clock = 0;
   std::size_t file_line = 0;
-  report::PointCheck check{steps_per_mm, {1234, 567, 0, 0}, sim::ClockRate(4'000'000)};
+  report::PointCheck check;
 };
 
 }  // namespace tests

@@ -119,4 +119,85 @@ TEST_F(PointCheckTest, finds_steps_that_no_line_asks_for_although_all_points_are
   EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 14, 0));
 }
 
+TEST_F(PointCheckTest, takes_a_babystep_at_rest_as_a_move) {
+  send("G28 X Y");
+  send("G1 X10 F1200");
+  go_to(10, 0);
+  send("M290 Z0.1");
+  go_to(800, 0, 256, 0);
+  send("M400");
+  send("G1 X20 Z0.2");
+  go_to(1600, 0, 768, 0);
+  send("M290 Z-0.1");
+  send("M400");
+  EXPECT_EQ(missed(), 1u);  // not made
+}
+
+TEST_F(PointCheckTest, takes_a_babystep_within_the_next_line_where_one_is_under_way) {
+  send("G28 X Y");
+  send("G1 X10 F1200");
+  go_to(5, 0);
+  send("M290 Z0.1");
+  go_to(10, 0);
+  send("G1 X20");
+  go_to(1600, 0, 256, 0);
+  send("M400");
+  EXPECT_EQ(missed(), 0u);
+  EXPECT_EQ(check.lines_apart(), 0u);
+}
+
+TEST_F(PointCheckTest, goes_on_from_where_a_stop_has_left_it) {
+  send("G28 X Y");
+  send("G1 X50 Y50 F1200");
+  go_to(20, 20);
+  send("M410");
+  send("G1 X10 Y10");
+  go_to(10, 10);
+  send("G91");
+  send("G1 X5");
+  go_to(15, 10);
+  send("M400");
+  EXPECT_EQ(missed(), 0u);
+  EXPECT_EQ(check.max_deviation_steps() < 2, true);
+}
+
+report::MachineFacts with_play() {
+  report::MachineFacts facts;
+  facts.play = report::PlayFacts{.lengths = {report::femtometers_per_mm / 5}};
+  return facts;
+}
+
+class BacklashTest : public PointCheckTest {
+ protected:
+  BacklashTest() : PointCheckTest(with_play()) { send("G28 X Y"); }
+};
+
+// 0.2 mm are 16 steps of X; M425 halves them.
+TEST_F(BacklashTest, is_good_where_motors_cross_the_play) {
+  send("G1 X10 F1200");
+  go_to(816, 0, 0, 0);
+  send("G1 X5 Y5");
+  go_to(800, 0, 0, 0);
+  go_to(400, 400, 0, 0);
+  send("M400");
+  send("M425 F0.5");
+  send("G1 X6");
+  go_to(488, 400, 0, 0);
+  send("G1 X5.5");
+  go_to(440, 400, 0, 0);
+  send("M400");
+  EXPECT_EQ(missed(), 0u);
+  EXPECT_THAT(unasked(), ElementsAre(0, 0, 0, 0, 0));
+  EXPECT_LT(check.max_deviation_steps(), 1.0);
+}
+
+TEST_F(BacklashTest, is_bad_where_they_do_not) {
+  send("G1 X10 F1200");
+  go_to(10, 0);
+  send("G1 X5 Y5");
+  go_to(5, 5);
+  send("M400");
+  EXPECT_EQ(missed(), 1u);
+}
+
 }  // namespace

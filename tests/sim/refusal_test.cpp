@@ -21,7 +21,7 @@ TEST(CodeEffects, knows_the_codes_that_move_or_heat_or_say_where_to) {
         "T1",        "T?",           "X10 Y5",    "Y5",         "G17 G2 X5", "START_PRINT BED=60",
         "G1 X1.2.3", "M104 T1 S200", "M290 Z.1",  "M200 D1.75", "M23 a.gco", "M24",
         "M28 a.gco", "M29",          "M32 a.gco", "M808 L5",    "M37 S1",    "M111 S8",
-        "M149 F",    "M149 K",       "G18",       "G19"}) {
+        "M149 F",    "M149 K",       "G18",       "G19",        "M420 S1",   "M421 I1 J1 Z.1"}) {
     EXPECT_TRUE(moves_or_heats(line)) << line;
   }
 }
@@ -29,6 +29,8 @@ TEST(CodeEffects, knows_the_codes_that_move_or_heat_or_say_where_to) {
 TEST(CodeEffects, knows_the_codes_that_move_nothing) {
   for (const char* line : {"M862.3 P \"MK3S\"",
                            "M900 K30",
+                           "M420 S0",
+                           "M420 V",
                            "M486 S1",
                            "M73 P5",
                            "M117 G1 X5",

@@ -61,6 +61,8 @@ TEST(Verdict, is_bad_for_each_fault_by_itself) {
          r.max_deviation_steps = 2.1;
        }},
       {"3 lines on which Z or E does not go along", [](Results& r) { r.findings.lines_apart = 3; }},
+      {"Z leaves the height above the mesh by up to 0.020 mm",
+       [](Results& r) { r.findings.max_height_error_mm = 0.02; }},
       {"homing ended away from the end stop: Y",
        [](Results& r) { r.findings.homed_elsewhere[1] = true; }},
       {"axes moved after the last line: Z",
