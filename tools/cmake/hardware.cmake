@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# add_testbench(NAME [WITHOUT_PROPERTIES] [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a
+# add_testbench(NAME [SLOW] [WITHOUT_PROPERTIES] [BENCH entity] [GENERICS name=value...] [LABELS label...] [TIMEOUT seconds]): a
 #   self-checking GHDL test bench, NAME.vhd of the current folder unless BENCH says otherwise, run against all of rtl/ and
-#   boards/.
+#   boards/. SLOW is for benches of over five seconds: they are run only while tests/recorded.tsv does not hold.
 # add_verilated_model(TARGET TOP entity [PREFIX name] [GENERICS name=value...] [TRACE] [FILES extra.vhd...]
 #   [CONTROL file.vlt]): entity -> GHDL synthesis -> Verilog -> Verilator -> static library TARGET, with the
 #   header <name>.h, which is V<entity>.h where no other is given.
@@ -16,7 +16,10 @@ set(bench_contents ${CMAKE_SOURCE_DIR}/rtl ${CMAKE_SOURCE_DIR}/boards ${CMAKE_SO
   ${CMAKE_SOURCE_DIR}/tools/hardware/weave_properties.sh)
 
 function(add_testbench name)
-  cmake_parse_arguments(PARSE_ARGV 1 argument "WITHOUT_PROPERTIES" "TIMEOUT;BENCH" "GENERICS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 argument "SLOW;WITHOUT_PROPERTIES" "TIMEOUT;BENCH" "GENERICS;LABELS")
+  if(argument_SLOW AND slow_benches_recorded)
+    return()
+  endif()
   set(options)
   if(argument_WITHOUT_PROPERTIES)
     set(options --without-properties)
@@ -34,6 +37,9 @@ function(add_testbench name)
     ${CMAKE_BINARY_DIR}/testbench/${name} ${argument_BENCH} ${CMAKE_SOURCE_DIR} ${argument_GENERICS})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${argument_TIMEOUT}
     LABELS "testbench;${argument_LABELS}" SKIP_RETURN_CODE 77)
+  if(argument_SLOW)
+    add_recorded_test(${name})
+  endif()
 endfunction()
 
 function(add_verilated_model target)
