@@ -66,6 +66,19 @@ TEST_F(TwoTools, prime_with_m217_q) {
   expect_steps(80, 49, 10.25, 3, 3);
 }
 
+// What of it has come out is not the host's, as where it ends by itself.
+TEST_F(TwoTools, keep_the_hosts_e_where_a_stop_ends_m217_q) {
+  printer.talk("-> M217 E20 P300\n<* E20.00\n<- ok");
+  execute({"G1 E1 F300"});
+  printer.send("M217 Q");
+  printer.run(1);
+  printer.talk("-> M410\n<- ok\n<- ok\n-> M114\n<* E:1.00\n<- ok");
+  EXPECT_LT(printer.mm(3), 10);
+  const double there = printer.mm(3);
+  execute({"G1 E2"});
+  EXPECT_NEAR(printer.mm(3), there + 1, 0.005);
+}
+
 TEST_F(TwoTools, do_not_duplicate) {
   printer.talk(R"(
     -> M605
