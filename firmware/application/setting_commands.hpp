@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "application/active_command.hpp"
@@ -14,8 +15,9 @@ namespace application {
 
 class SettingCommands {
  public:
-  SettingCommands(const MachineDescription& machine, MotionTask& motion, Coordinates& coordinates)
-      : machine_(machine), motion_(motion), coordinates_(coordinates) {}
+  SettingCommands(const MachineDescription& machine, MotionTask& motion, Coordinates& coordinates,
+                  FilamentCommands* filament)
+      : machine_(machine), motion_(motion), coordinates_(coordinates), filament_(filament) {}
 
   Progress set_steps_per_millimeter(ActiveCommand& command);
   Progress set_max_accelerations(ActiveCommand& command);
@@ -24,7 +26,6 @@ class SettingCommands {
   Progress set_advanced(ActiveCommand& command);
   // M207, M208.
   Progress set_retraction(ActiveCommand& command);
-  Progress set_recovery(ActiveCommand& command);
   // M425, and its report.
   Progress set_backlash(ActiveCommand& command) {
     return motion_.takes_up_backlash() ? set_fitted_backlash(command) : command.report_not_fitted();
@@ -50,6 +51,12 @@ class SettingCommands {
   template <class Quantity>
   using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);
 
+  // Inlined as in CommandGroups.
+  [[gnu::always_inline]] bool handles_filament() const {
+    return filament_in_image && filament_ != nullptr;
+  }
+  // What M503 lists, line by line; nothing behind the last one.
+  std::optional<host_link::TextLine> listed(std::size_t index) const;
   Progress set_fitted_backlash(ActiveCommand& command);
   Progress report_backlash(ActiveCommand& command);
   // Into a copy, which counts only where all of the line is accepted.
@@ -66,6 +73,7 @@ class SettingCommands {
   const MachineDescription& machine_;
   MotionTask& motion_;
   Coordinates& coordinates_;
+  FilamentCommands* filament_;
 };
 
 }  // namespace application
