@@ -61,6 +61,7 @@ inline constexpr Arguments retraction{numbers("SZ", "mm"), numbers("F", "mm/min"
                                       numbers("W", no_effect)};
 inline constexpr Arguments recovery{numbers("S", "mm"), numbers("F", "mm/min"),
                                     numbers("WR", no_effect)};
+inline constexpr Arguments automatic_retraction{numbers("S", "", 1)};
 inline constexpr Arguments pressure_advance{numbers("S", "s", 10), numbers("D", "(extruder 0)")};
 inline constexpr Arguments linear_advance{numbers("K", "s", 10), numbers("TLS", no_effect)};
 inline constexpr Arguments shapers{flags("XY"), numbers("F", "Hz", 500), numbers("DS", "of 1"),

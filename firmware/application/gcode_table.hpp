@@ -12,9 +12,9 @@ namespace application {
 inline constexpr auto gcode_table = [] {
   using namespace gcode_arguments;
   return std::to_array<GcodeRow>({
-      g(0, handler<&MotionCommands::move>, "straight move, as G1", move,
+      g(0, handler<&RetractionCommands::move>, "straight move, as G1", move,
         {.start = Start::with_room, .refuses_others = true}),
-      g(1, handler<&MotionCommands::move>, "straight move", move,
+      g(1, handler<&RetractionCommands::move>, "straight move", move,
         {.start = Start::with_room, .refuses_others = true}),
       g(2, handler<&MotionCommands::arc, true>,
         "clockwise arc about the centre I J K from its start, or of radius R; also a helix; a full "
@@ -176,8 +176,9 @@ inline constexpr auto gcode_table = [] {
       m(208, handler<&SettingCommands::set_retraction>,
         "of G11: length beyond that of G10, and speed", recovery,
         {.report = handler<&SettingCommands::report>}),
-      m(209, handler<&HostCommands::report_not_fitted>,
-        "not fitted: retraction without G10, found in moves of E"),
+      m(209, handler<&SettingCommands::set_retraction>,
+        "S1: G0, G1 of E alone, 0.1 to 10 mm, are G10, G11; in a chip below 192 KiB not fitted",
+        automatic_retraction, {.report = handler<&SettingCommands::report>}),
       m(211, handler<&MotionCommands::set_soft_limits>,
         "S0: moves beyond the travel of a homed axis are not refused until S1", soft_limits,
         {.report = handler<&MotionCommands::report_soft_limits>}),

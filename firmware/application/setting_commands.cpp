@@ -65,7 +65,8 @@ constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
       .retraction{{{'S', motion::set_retraction_length},
                    {'F', motion::set_retraction_speed},
                    {'Z', motion::set_retraction_lift}}},
-      .recovery{{{'S', motion::set_recovery_extra}, {'F', motion::set_recovery_speed}}}};
+      .recovery{{{'S', motion::set_recovery_extra}, {'F', motion::set_recovery_speed}}},
+      .automatic{{{'S', motion::set_automatic_retraction}}}};
 }();
 
 // A line with one value out of range changes nothing.
@@ -132,9 +133,13 @@ Progress SettingCommands::set_advanced(ActiveCommand& command) {
 }
 
 Progress SettingCommands::set_retraction(ActiveCommand& command) {
+  if (!automatic_retraction_in_image && command.command.code == 209) {
+    return command.report_not_fitted();
+  }
   motion::Limits changed = motion_.limits();
   std::span<const Setting> settings = settings_.retraction;
   if (command.command.code == 208) settings = settings_.recovery;
+  if (automatic_retraction_in_image && command.command.code == 209) settings = settings_.automatic;
   return set_limits(command, changed, change_for_all(changed, command, settings));
 }
 
@@ -160,6 +165,9 @@ Progress SettingCommands::set_steps_per_millimeter(ActiveCommand& command) {
 
 // "echo: M203 X200.00 Y200.00 Z12.00 E80.00"
 Progress SettingCommands::report(ActiveCommand& command) {
+  if (!automatic_retraction_in_image && command.command.code == 209) {
+    return command.report_not_fitted();
+  }
   return command.say(setting_report(command.command.code, motion_.limits(), coordinates_.inches()));
 }
 
@@ -174,7 +182,7 @@ std::optional<host_link::TextLine> SettingCommands::listed(std::size_t index) co
     index -= lines;
     return false;
   };
-  if (is_of(reported_settings.size())) {
+  if (is_of(reported_settings.size() - (automatic_retraction_in_image ? 0 : 1))) {
     return setting_report(reported_settings[index], motion_.limits(), inches);
   }
   if (motion_.shapes() && is_of(shaping_reports)) return shaping_report(index, motion_.shaping());

@@ -24,7 +24,7 @@ class SettingCommands {
   Progress set_max_speeds(ActiveCommand& command);
   Progress set_accelerations(ActiveCommand& command);
   Progress set_advanced(ActiveCommand& command);
-  // M207, M208.
+  // M207, M208, M209.
   Progress set_retraction(ActiveCommand& command);
   // M425, and its report.
   Progress set_backlash(ActiveCommand& command) {
@@ -47,6 +47,7 @@ class SettingCommands {
     std::array<Setting, 3> advanced;
     std::array<Setting, 3> retraction;
     std::array<Setting, 2> recovery;
+    std::array<Setting, 1> automatic;
   };
   template <class Quantity>
   using SetOfAxis = motion::Accepted (*)(motion::Limits&, units::Axis, Quantity);

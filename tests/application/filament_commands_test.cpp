@@ -2,7 +2,7 @@
 // M412, M603, M701 and M702: what is loaded, and what happens when filament runs out.
 #include <gmock/gmock.h>
 
-#include "tests/application/dialogue.hpp"
+#include "tests/application/described_machine.hpp"
 
 namespace application_test {
 namespace {
@@ -215,7 +215,7 @@ TEST_F(Filament, is_there_though_a_contact_opens_for_a_moment) {
 TEST_F(Filament, has_settings_that_are_listed_and_restored) {
   talk("-> M412 S0\n<- ok\n-> M603 L20 U30\n<- ok");
   const std::string others =
-      "<* M92\n<* M203\n<* M201\n<* M204\n<* M205\n<* M207\n<* M208\n";
+      "<* M92\n<* M203\n<* M201\n<* M204\n<* M205\n<* M207\n<* M208\n<* M209\n";
   talk("-> M503\n" + others + "<- echo: M412 S0\n<- echo: M603 L20.00 U30.00\n<- ok");
   const std::string described = "<- echo: M412 S1\n<- echo: M603 L50.00 U60.00\n<- ok";
   talk("-> M501\n<* Hardcoded\n" + others + described);
@@ -312,6 +312,25 @@ TEST(filament_parts, are_answered_each_where_it_is_fitted) {
   machine.filament_change = &change;
   Printer other(machine);
   other.talk("-> M412 S1\n<- echo:M412 not fitted\n<- ok\n-> M603\n<* L50.00 U60.00\n<- ok");
+}
+
+TEST(filament_parts, have_lengths_of_each_tool) {
+  application::MachineDescription machine = described_machine("two_extruders");
+  machine.filament_change = &change;
+  Printer printer(machine);
+  printer.talk(R"(
+    -> M603 T1 L20 U30
+    <- ok
+    -> M603
+    <- echo: M603 T0 L50.00 U60.00
+    <- ok
+    -> M603 T1
+    <- echo: M603 T1 L20.00 U30.00
+    <- ok
+    -> M603 T2
+    <- echo:M603 Invalid extruder 2
+    <- ok
+  )");
 }
 
 }  // namespace

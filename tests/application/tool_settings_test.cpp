@@ -43,6 +43,7 @@ TEST_F(TwoTools, have_settings_that_are_listed_and_restored) {
     <* M205
     <* M207
     <* M208
+    <* M209
     <- echo: M217 S200.00 B10.00 E0.00 P5400.00 R10.02 U1200.00 Z110.00
     <- echo: M218 T1 X20.000 Y3.000 Z-0.250
     <- ok
