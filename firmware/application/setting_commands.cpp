@@ -18,9 +18,10 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
-// By M503: inches, tools, backlash, a sensor of filament and the lengths of each tool besides.
+// By M503: inches, tools, backlash, a delta, a sensor of filament and the lengths of each tool
+// besides.
 constexpr std::size_t most_listed =
-    std::size(reported_settings) + shaping_reports + levelling_reports + 5 + units::most_tools;
+    std::size(reported_settings) + shaping_reports + levelling_reports + 7 + units::most_tools;
 
 // Beyond the range of the type it becomes a value that the setting refuses.
 template <class Quantity>
@@ -197,6 +198,9 @@ std::optional<host_link::TextLine> SettingCommands::listed(std::size_t index) co
   if (motion_.takes_up_backlash() && is_of(1)) {
     return backlash_report(motion_.backlash().settings(), inches);
   }
+  if constexpr (motion::kinematics::Chosen::may_be_delta) {
+    if (motion_.kinematics().delta() != nullptr && is_of(2)) return geometry_report(index == 0);
+  }
   if (handles_filament()) return filament_->report(index, inches);
   return std::nullopt;
 }
@@ -221,6 +225,7 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     }
     motion_.set_steps_per_meter(machine_.limits);
     if (motion_.takes_up_backlash()) motion_.set_backlash(*machine_.backlash);
+    if constexpr (motion::kinematics::Chosen::may_be_delta) restore_geometry();
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     coordinates_.set_planned(motion_.position());

@@ -9,6 +9,7 @@
 #include "application/active_command.hpp"
 #include "application/coordinates.hpp"
 #include "application/motion_task.hpp"
+#include "motion/kinematics/delta.hpp"
 #include "motion/limits.hpp"
 
 namespace application {
@@ -30,6 +31,10 @@ class SettingCommands {
   Progress set_backlash(ActiveCommand& command) {
     return motion_.takes_up_backlash() ? set_fitted_backlash(command) : command.report_not_fitted();
   }
+  // M665 and M666 of a delta, and their reports.
+  Progress set_geometry(ActiveCommand& command);
+  Progress set_end_stop_offsets(ActiveCommand& command);
+  Progress report_geometry(ActiveCommand& command);
   // Any of these without values.
   Progress report(ActiveCommand& command);
   Progress list(ActiveCommand& command);
@@ -59,6 +64,9 @@ class SettingCommands {
   // What M503 lists, line by line; nothing behind the last one.
   std::optional<host_link::TextLine> listed(std::size_t index) const;
   Progress set_fitted_backlash(ActiveCommand& command);
+  void change_geometry(const motion::kinematics::Delta::Parameters& geometry);
+  void restore_geometry();
+  host_link::TextLine geometry_report(bool of_m665) const;
   Progress report_backlash(ActiveCommand& command);
   // Into a copy, which counts only where all of the line is accepted.
   motion::Accepted change_for_all(motion::Limits& changed, const ActiveCommand& command,
