@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // G10 and G11: filament is drawn back and pushed forward again as M207 and M208 say, and Z is
-// lifted meanwhile. The host's coordinates do not show it. After M209 S1 so do G0 and G1 of E alone.
+// lifted meanwhile. The host's coordinates do not show it. After M209 S1 G0 and G1 too.
 #pragma once
 
 #include <array>

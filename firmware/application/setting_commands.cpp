@@ -18,8 +18,7 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
-// By M503: inches, tools, backlash, a delta, a sensor of filament and the lengths of each tool
-// besides.
+// By M503: inches, tools, backlash, a delta, a sensor of filament, and the lengths of each tool.
 constexpr std::size_t most_listed =
     std::size(reported_settings) + shaping_reports + levelling_reports + 7 + units::most_tools;
 

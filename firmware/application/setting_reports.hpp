@@ -11,8 +11,7 @@
 
 namespace application {
 
-// Whether M209 is fitted: in a chip that has room for it, and on a host. As those of the machine
-// description.
+// Whether M209 is fitted: in a chip that has room for it, and on a host.
 extern const bool automatic_retraction_in_image;
 
 // The commands that M503 lists, in Marlin's order; the last one where it is fitted.

@@ -1,42 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // M412, M603, M701 and M702: what is loaded, and what happens when filament runs out.
-#include <gmock/gmock.h>
-
-#include "tests/application/described_machine.hpp"
+#include "tests/application/filament_printer.hpp"
 
 namespace application_test {
 namespace {
-
-using units::MicrometersPerSecond;
-using units::Nanometers;
-
-constexpr application::FilamentSensor sensor{.input = FakeChip::filament_input, .low_is_out = true};
-constexpr application::FilamentChange change{.load = Nanometers(50'000'000),
-                                             .unload = Nanometers(60'000'000),
-                                             .load_speed = MicrometersPerSecond(20'000),
-                                             .unload_speed = MicrometersPerSecond(40'000),
-                                             .purge = Nanometers(5'000'000),
-                                             .purge_speed = MicrometersPerSecond(2'000)};
-
-class Filament : public testing::Test {
- protected:
-  Filament()
-      : printer([] {
-          application::MachineDescription machine = machine_under_test();
-          machine.filament_sensor = &sensor;
-          machine.filament_change = &change;
-          return machine;
-        }()) {
-    printer.chip.heaters[0].celsius = 200;
-    talk("-> M104 S200\n<- ok\n-> G28\n<- ok\n-> G1 Z10 F600\n<- ok\n-> M400\n<- ok");
-  }
-  void talk(std::string_view dialogue) { printer.talk(dialogue); }
-  double filament() const { return printer.chip.position[3] / 500.0; }
-  // Whether the firmware says anything within a second.
-  void expect_silence(double seconds = 1) { EXPECT_EQ(printer.reply(seconds), std::nullopt); }
-
-  Printer printer;
-};
 
 TEST_F(Filament, is_loaded_and_unloaded_while_the_host_sees_nothing_of_it) {
   talk("-> G1 E1 F300\n<- ok\n-> M701\n<- ok");
@@ -221,85 +188,6 @@ TEST_F(Filament, has_settings_that_are_listed_and_restored) {
   talk("-> M501\n<* Hardcoded\n" + others + described);
   talk("-> M412 S0\n<- ok\n-> M603 L20 U30\n<- ok\n-> M502\n<* Hardcoded\n<- ok");
   talk("-> M503\n" + others + described);
-}
-
-// Where lines are not executed, what M600 would ask is none of the host's, and it is not asked again
-// and again.
-TEST_F(Filament, is_not_looked_at_where_lines_are_not_executed) {
-  for (const auto& [begin, end] :
-       {std::pair{"M28 part.gco", "M29"}, std::pair{"M111 S8", "M111 S0"},
-        std::pair{"M37 S1", "M37 S0"}}) {
-    talk(std::string("-> M75\n<- ok\n-> ") + begin + "\n<* No\n<- ok");
-    printer.chip.filament_is_out = true;
-    expect_silence(2);
-    printer.send(end);
-    while (printer.reply().value_or("ok") != "ok") {
-    }
-    talk("<- echo:Filament has run out\n<- //action:paused\n<* begin\n<* button\n<* show");
-    printer.chip.filament_is_out = false;
-    talk("-> M108\n<- //action:prompt_end\n<- //action:resumed\n<- ok");
-  }
-}
-
-// It is not looked for while M701 or M702 moves it, nor before it has been seen again.
-TEST_F(Filament, may_be_away_from_m702_until_it_is_back) {
-  talk("-> M75\n<- ok");
-  printer.send("M702");
-  printer.run(1);
-  printer.chip.filament_is_out = true;
-  talk("<- ok");
-  expect_silence(3);
-  printer.send("M701");
-  printer.run(1.5);
-  printer.chip.filament_is_out = false;
-  talk("<- ok");
-  expect_silence();
-  printer.chip.filament_is_out = true;
-  talk("<- echo:Filament has run out\n<- //action:paused");
-}
-
-TEST_F(Filament, that_is_back_by_hand_after_m702_is_looked_at) {
-  talk("-> M75\n<- ok\n-> M702\n<- ok");
-  printer.chip.filament_is_out = true;
-  printer.run(1);
-  printer.chip.filament_is_out = false;
-  printer.run(1);
-  printer.chip.filament_is_out = true;
-  talk("<- echo:Filament has run out\n<- //action:paused");
-}
-
-TEST_F(Filament, that_m702_has_taken_before_a_print_is_asked_for_in_it) {
-  talk("-> M702\n<- ok");
-  printer.chip.filament_is_out = true;
-  talk("-> M75\n<- ok\n<- echo:Filament has run out\n<- //action:paused");
-}
-
-// Seen while the line that stops the timer is held back.
-TEST_F(Filament, is_not_asked_for_once_the_timer_has_stopped) {
-  for (const char* stop : {"M76", "M77"}) {
-    talk("-> M75\n<- ok");
-    printer.send("//action:pause");
-    printer.send(stop);
-    printer.run(0.2);
-    printer.chip.filament_is_out = true;
-    printer.run(0.5);
-    printer.send("//action:resume");
-    std::string said;
-    while (const auto line = printer.reply(1)) said += *line + "\n";
-    EXPECT_THAT(said, testing::Not(testing::HasSubstr("run out"))) << stop;
-    printer.chip.filament_is_out = false;
-  }
-}
-
-// 50 mm are made, then the nozzle is colder than M302 says.
-TEST_F(Filament, is_left_where_it_is_and_z_lowered_where_the_nozzle_gets_cold) {
-  printer.send("M701 Z5");
-  printer.run(2);
-  EXPECT_EQ(printer.chip.position[2], 15 * 2560);
-  printer.chip.heaters[0].celsius = 20;
-  talk("<- echo:Hotend too cold, not executed: \"M701 Z5\"\n<- ok");
-  EXPECT_EQ(printer.chip.position[2], 10 * 2560);
-  EXPECT_DOUBLE_EQ(filament(), 50);
 }
 
 TEST(filament_parts, are_answered_each_where_it_is_fitted) {
