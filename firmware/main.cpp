@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program of the chip: makes the objects, and gives each pass of the loop to the application.
 #include "application/application.hpp"
+#include "application/setting_reports.hpp"
 #include "machine/machine.hpp"
 #include "motion/s_curve.hpp"
 #include "platform/boot_loader.hpp"
@@ -44,6 +45,7 @@ extern "C" {
 const bool application::shaping_in_image = printer.shaping.has_value();
 const bool application::levelling_in_image = printer.levels();
 const bool application::filament_in_image = printer.handles_filament();
+const bool application::automatic_retraction_in_image = printer.fast;
 const bool motion::backlash_in_image = printer.takes_up_backlash();
 const bool motion::s_curve_in_image = printer.limits.s_curve;
 

@@ -23,8 +23,9 @@ bool CommandExecutor::update(Now now) {
   follow_position_jump();
   answer_queries();
   if (groups_.handles_filament()) {
-    // While it is changed it may be away.
-    asks_user() ? groups_.filament().reset() : groups_.filament().watch(now.milliseconds);
+    // While it is changed it may be away, and where lines are not executed, M600 is none either.
+    const bool ignores = asks_user() || groups_.files.storing() || groups_.dry_runs.asked_for();
+    ignores ? groups_.filament().reset() : groups_.filament().watch(now.milliseconds);
   }
   if (stage_ == Stage::idle && !take_line()) return false;
   if (stage_ == Stage::executing) {

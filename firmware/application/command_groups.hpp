@@ -31,7 +31,7 @@ struct CommandGroups {
         places(motion_task, motion, coordinates),
         tools(machine, motion_task, heat_task, motion, coordinates),
         modes(motion_task, coordinates),
-        settings(machine, motion_task, coordinates),
+        settings(machine, motion_task, coordinates, filament),
         shaping(motion_task),
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),

@@ -19,20 +19,27 @@ void FilamentCommands::attach(const MachineDescription& machine, MotionTask& mot
   moves_ = &moves;
   coordinates_ = &coordinates;
   timer_ = &timer;
+  restore();
+}
+
+void FilamentCommands::restore() {
   watches_ = true;
   reset();
   if (!has_change()) return;
-  load_ = machine.filament_change->load;
-  unload_ = machine.filament_change->unload;
+  load_.fill(machine_->filament_change->load);
+  unload_.fill(machine_->filament_change->unload);
 }
 
 void FilamentCommands::watch(units::Milliseconds now) {
-  if (!timer_->running()) cancelled_ = false;
-  const bool looks = has_sensor() && watches_ && timer_->running() && !cancelled_;
-  if (!looks || (motion_->end_stops() >> machine_->filament_sensor->input & 1u) == 0) {
+  if (!timer_->running()) cancelled_ = expected_ = false;
+  const bool looks = has_sensor() && watches_ && timer_->running() && !cancelled_ && !at_work_;
+  if (!looks) return reset();
+  if ((motion_->end_stops() >> machine_->filament_sensor->input & 1u) == 0) {
     without_ = false;
+    expected_ = false;
     return;
   }
+  if (expected_) return;
   if (!without_) without_since_ = now;
   without_ = true;
   if (now - without_since_ >= time_without) has_run_out_ = true;
@@ -52,33 +59,52 @@ Progress FilamentCommands::set_sensor(ActiveCommand& command) {
     return command.say(watches_ ? "echo:Filament runout ON" : "echo:Filament runout OFF");
   }
   reset();
+  expected_ = false;
   if (line.has('S')) watches_ = line.integer('S').value_or(1) != 0;
   return Progress::done;
 }
 
 Progress FilamentCommands::set_lengths(ActiveCommand& command) {
   const gcode::Command& line = command.command;
-  if (!command.asked_tool(coordinates_->tools())) return command.refuse_tool();
+  const auto tool = command.asked_tool(coordinates_->tools());
+  if (!tool) return command.refuse_tool();
   const auto load = coordinates_->rounded_length(line, 'L');
   const auto unload = coordinates_->rounded_length(line, 'U');
-  if (!load && !unload) {
-    const auto put = [&](host_link::TextLine& report, Nanometers length) {
-      const std::int64_t count = length.count();
-      report.decimal(coordinates_->inches() ? count * 10 / 254 : count, 6, 2);
-    };
-    host_link::TextLine report;
-    put(report.text("echo: M603 L"), load_);
-    put(report.text(" U"), unload_);
-    return command.say(report);
-  }
+  if (!load && !unload) return command.say(lengths_report(*tool, coordinates_->inches()));
   for (const auto& asked : {load, unload}) {
     if (asked && (*asked < Nanometers() || *asked > FilamentChange::longest)) {
       return command.refuse("L or U not within 0 to 2000 mm");
     }
   }
-  load_ = load.value_or(load_);
-  unload_ = unload.value_or(unload_);
+  load_[*tool] = load.value_or(load_[*tool]);
+  unload_[*tool] = unload.value_or(unload_[*tool]);
   return Progress::done;
+}
+
+// "echo: M603 L420.00 U450.00", with T where there are two tools.
+host_link::TextLine FilamentCommands::lengths_report(std::size_t tool, bool inches) const {
+  host_link::TextLine line;
+  line.text("echo: M603");
+  if (units::most_tools > 1 && coordinates_->tools().count() > 1) {
+    line.text(" T").integer(static_cast<std::int64_t>(tool));
+  }
+  const auto put = [&](char letter, Nanometers length) {
+    line.character(' ').character(letter);
+    line.decimal(inches ? length.count() * 10 / 254 : length.count(), 6, 2);
+  };
+  put('L', load_[tool]);
+  put('U', unload_[tool]);
+  return line;
+}
+
+std::optional<host_link::TextLine> FilamentCommands::report(std::size_t index, bool inches) const {
+  if (has_sensor()) {
+    host_link::TextLine line;
+    if (index == 0) return line.text("echo: M412 S").character(watches_ ? '1' : '0');
+    --index;
+  }
+  if (!has_change() || index >= coordinates_->tools().count()) return std::nullopt;
+  return lengths_report(index, inches);
 }
 
 // Up by Z, the filament, down again. Marlin takes lengths of either sign.
@@ -90,8 +116,8 @@ std::optional<Progress> FilamentCommands::plan(ActiveCommand& command, bool load
   if (*tool != coordinates_->tool()) return command.refuse("T is not the tool in use");
   if (heat_->extrusion_is_cold()) return command.refuse("Hotend too cold");
   const auto size = [](Nanometers length) { return length < Nanometers() ? -length : length; };
-  const Nanometers length =
-      size(coordinates_->rounded_length(line, loads ? 'L' : 'U').value_or(loads ? load_ : unload_));
+  const Nanometers length = size(coordinates_->rounded_length(line, loads ? 'L' : 'U')
+                                     .value_or(loads ? load_[*tool] : unload_[*tool]));
   if (length > FilamentChange::longest) return command.refuse("L or U not within 0 to 2000 mm");
   const Nanometers lift = size(coordinates_->rounded_length(line, 'Z').value_or(Nanometers()));
   Positions lifted = motion_->position();
@@ -103,6 +129,7 @@ std::optional<Progress> FilamentCommands::plan(ActiveCommand& command, bool load
            Move{Axis::e, loads ? change.purge : Nanometers(), change.purge_speed},
            Move{Axis::z, -lift, z_speed}};
   next_ = 0;
+  reason_ = {};
   jumps_ = motion_->position_jumps();
   extruder_ = coordinates_->logical()[index_of(Axis::e)];
   height_shift_ =
@@ -118,29 +145,49 @@ void FilamentCommands::note_stop() {
 
 // The host's coordinates do not show it. A stop voids what is left.
 Progress FilamentCommands::move(ActiveCommand& command, bool loads) {
-  if (command.phase == ActiveCommand::Phase::begin) {
-    motion_->flush();
-    if (!motion_->at_rest()) return Progress::again;
-    if (const auto refused = plan(command, loads)) return *refused;
-    command.phase = ActiveCommand::Phase::working;
-  }
+  if (command.phase == ActiveCommand::Phase::begin) return begin(command, loads);
   if (motion_->stopping()) return Progress::again;
   if (motion_->position_jumps() != jumps_) {
     note_stop();
+    at_work_ = false;
     return Progress::done;
   }
   if (!motion_->at_rest()) return Progress::again;
-  if (next_ == plan_.size()) return Progress::done;
+  return next_ == plan_.size() ? end(command) : go_on();
+}
+
+Progress FilamentCommands::begin(ActiveCommand& command, bool loads) {
+  motion_->flush();
+  if (!motion_->at_rest()) return Progress::again;
+  if (const auto refused = plan(command, loads)) return *refused;
+  at_work_ = true;
+  expected_ = !loads;
+  command.phase = ActiveCommand::Phase::working;
+  return Progress::again;
+}
+
+// What cannot be moved is left out, so that Z is lowered again.
+Progress FilamentCommands::go_on() {
   const Move& next = plan_[next_];
   ++next_;
   if (next.distance == Nanometers()) return Progress::again;
+  if (next.axis == Axis::e && heat_->extrusion_is_cold()) reason_ = "Hotend too cold";
+  if (next.axis == Axis::e && !reason_.empty()) return Progress::again;
   Positions target = motion_->position();
   target[index_of(next.axis)] += next.distance;
   const auto accepted = motion_->append({.target = target, .feedrate = next.speed});
-  if (!accepted) return command.refuse(motion::describe(accepted.error()));
+  if (!accepted) {
+    reason_ = motion::describe(accepted.error());
+    if (next.axis == Axis::z) next_ = plan_.size();
+  }
   coordinates_->set_planned(motion_->position());
   motion_->flush();
   return Progress::again;
+}
+
+Progress FilamentCommands::end(ActiveCommand& command) {
+  at_work_ = false;
+  return reason_.empty() ? Progress::done : command.refuse(reason_);
 }
 
 }  // namespace application

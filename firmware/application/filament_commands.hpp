@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "application/active_command.hpp"
 #include "application/coordinates.hpp"
@@ -25,8 +27,14 @@ class FilamentCommands {
   // Each of them.
   Progress execute(ActiveCommand& command);
 
+  // M501 and M502: as the machine description has them.
+  void restore();
+  // What M503 lists of it, line by line; nothing behind the last one.
+  std::optional<host_link::TextLine> report(std::size_t index, bool inches) const;
+
   // Each pass. The filament has run out once the sensor has been without it for this time, while
-  // the timer of the print runs.
+  // the timer of the print runs. It may be away while it is loaded or unloaded, and from then on
+  // until it is seen again or another print begins.
   static constexpr units::Milliseconds time_without{200};
   void watch(units::Milliseconds now);
   // It has, and what M600 does is due.
@@ -55,6 +63,10 @@ class FilamentCommands {
   Progress set_sensor(ActiveCommand& command);
   Progress set_lengths(ActiveCommand& command);
   Progress move(ActiveCommand& command, bool loads);
+  Progress begin(ActiveCommand& command, bool loads);
+  Progress go_on();
+  Progress end(ActiveCommand& command);
+  host_link::TextLine lengths_report(std::size_t tool, bool inches) const;
   void note_stop();
   std::optional<Progress> plan(ActiveCommand& command, bool loads);
 
@@ -70,9 +82,14 @@ class FilamentCommands {
   bool without_{};
   bool has_run_out_{};
   units::Milliseconds without_since_{};
-  units::Nanometers load_{}, unload_{};
+  // M701 or M702 is at work; the filament that it has drawn back has not been seen since.
+  bool at_work_{};
+  bool expected_{};
+  // Of each tool.
+  std::array<units::Nanometers, units::most_tools> load_{}, unload_{};
   std::array<Move, 4> plan_{};
   std::size_t next_{};  // of them
+  std::string_view reason_{};  // why filament stays where it is; Z is lowered all the same
   std::uint32_t jumps_{};  // of the position, when they began
   units::Position extruder_{};  // as the host calls it, when they began
   units::Position height_shift_{};  // of the Z that the host knows from the machine's

@@ -14,6 +14,16 @@ template <auto method>
 constexpr Handler of_tools =
     units::most_tools == 1 ? handler<&HostCommands::report_not_fitted> : handler<method>;
 
+// In an image for other kinematics there is none of these.
+inline constexpr bool may_be_delta = motion::kinematics::Chosen::may_be_delta;
+template <auto method>
+constexpr Handler of_delta =
+    may_be_delta ? handler<method> : handler<&HostCommands::report_not_fitted>;
+inline constexpr Conduct of_delta_report =
+    may_be_delta
+        ? Conduct{.start = Start::at_rest, .report = handler<&SettingCommands::report_geometry>}
+        : Conduct{};
+
 namespace gcode_arguments {
 
 inline constexpr std::int32_t day_s = 24 * 3600;
@@ -61,6 +71,7 @@ inline constexpr Arguments retraction{numbers("SZ", "mm"), numbers("F", "mm/min"
                                       numbers("W", no_effect)};
 inline constexpr Arguments recovery{numbers("S", "mm"), numbers("F", "mm/min"),
                                     numbers("WR", no_effect)};
+inline constexpr Arguments automatic_retraction{numbers("S", "", 1)};
 inline constexpr Arguments pressure_advance{numbers("S", "s", 10), numbers("D", "(extruder 0)")};
 inline constexpr Arguments linear_advance{numbers("K", "s", 10), numbers("TLS", no_effect)};
 inline constexpr Arguments shapers{flags("XY"), numbers("F", "Hz", 500), numbers("DS", "of 1"),
@@ -102,6 +113,12 @@ inline constexpr Arguments backlash{numbers("XYZ", "mm", 5), numbers("F", "of 1"
 inline constexpr Arguments change_lengths{numbers("LU", "mm"), numbers("T", "(tool)")};
 inline constexpr Arguments filament_load{numbers("LZ", "mm"), numbers("T", "(tool in use)")};
 inline constexpr Arguments filament_unload{numbers("UZ", "mm"), numbers("T", "(tool in use)")};
+inline constexpr Arguments delta_geometry =
+    may_be_delta ? Arguments{numbers("LRH", "mm"), numbers("XYZ", "°"), numbers("ABC", "mm"),
+                             numbers("S", no_effect)}
+                 : Arguments{};
+inline constexpr Arguments end_stop_offsets =
+    may_be_delta ? Arguments{numbers("XYZ", "mm")} : Arguments{};
 inline constexpr Arguments name{text("name")};
 inline constexpr Arguments message{text("text")};
 inline constexpr Arguments marked_message{text("A1 E1 text")};

@@ -144,6 +144,13 @@ class MotionTask {
   void set_limits(const motion::Limits& limits);
   // The same with other steps per millimetre, only at rest: the position in millimetres is kept.
   void set_steps_per_meter(const motion::Limits& limits);
+  // M666: what homing finds from now on. Only at rest.
+  void set_kinematics(const motion::kinematics::Chosen& kinematics) {
+    planner_.set_kinematics(kinematics);
+  }
+  // M665: the same motors move the tool otherwise, and where it is is not known any more: until it
+  // is homed no line is accepted. Only at rest.
+  void change_geometry(const motion::kinematics::Chosen& kinematics, const motion::Limits& limits);
 
   // Machine coordinates of the end of the last planned move, and the steps made so far, without
   // those for backlash: after a stop by its length at most off the axis, until that moves.

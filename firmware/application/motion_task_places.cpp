@@ -24,6 +24,14 @@ void MotionTask::set_steps_per_meter(const motion::Limits& limits) {
   set_position(positions);
 }
 
+void MotionTask::change_geometry(const motion::kinematics::Chosen& kinematics,
+                                 const motion::Limits& limits) {
+  if (levels()) stop_levelling();
+  planner_.set_kinematics(kinematics);
+  homed_ = {};
+  set_steps_per_meter(limits);
+}
+
 void MotionTask::set_backlash(const motion::BacklashSettings& settings) {
   planner_.backlash().configure(settings, limits());
   set_position(planner_.position());

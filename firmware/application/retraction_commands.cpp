@@ -2,10 +2,19 @@
 // The two moves of each command, the second as soon as the planner has room.
 #include "application/retraction_commands.hpp"
 
+#include "application/setting_reports.hpp"
+
 namespace application {
 
 using units::Axis;
 using units::index_of;
+
+namespace {
+
+// Marlin's MIN_AUTORETRACT and MAX_AUTORETRACT.
+constexpr units::Nanometers least_replaced{100'000}, most_replaced{10'000'000};
+
+}  // namespace
 
 // `done` where the moves may follow.
 Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers lift, bool extrudes) {
@@ -103,6 +112,32 @@ Progress RetractionCommands::recover(ActiveCommand& command) {
   const motion::Retraction& retraction = motion_.limits().retraction;
   state.retracted = false;
   return append(command, Axis::e, state.length + retraction.extra, retraction.recovery_speed);
+}
+
+// Where filament is drawn back already, a line backward is what it says; likewise forward.
+Progress RetractionCommands::move(ActiveCommand& command) {
+  if (!automatic_retraction_in_image) return moves_.move(command);
+  const bool begins = command.phase == ActiveCommand::Phase::begin;
+  Positions target;
+  if (begins) {
+    const bool extrudes_alone =
+        command.command.has('E') && !command.command.has_any(gcode::Command::set_of("XYZ"));
+    if (!extrudes_alone || !motion_.limits().retraction.automatic) return moves_.move(command);
+    coordinates_.put_target_of(command.command, target);
+    constexpr std::size_t e = index_of(Axis::e);
+    const units::Nanometers way = target[e].whole() - coordinates_.logical()[e].whole();
+    recovers_ = way > units::Nanometers();
+    const units::Nanometers length = recovers_ ? way : -way;
+    if (recovers_ != state().retracted || length < least_replaced || length > most_replaced) {
+      return moves_.move(command);
+    }
+  }
+  const Progress progress = recovers_ ? recover(command) : retract(command);
+  if (begins && !command.refused) {
+    coordinates_.take_feedrate(command.command);
+    coordinates_.set_logical(Axis::e, target[index_of(Axis::e)]);
+  }
+  return progress;
 }
 
 }  // namespace application

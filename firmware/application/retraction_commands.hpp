@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // G10 and G11: filament is drawn back and pushed forward again as M207 and M208 say, and Z is
-// lifted meanwhile. The host's coordinates do not show it.
+// lifted meanwhile. The host's coordinates do not show it. After M209 S1 G0 and G1 too.
 #pragma once
 
 #include <array>
@@ -26,6 +26,9 @@ class RetractionCommands {
   // since it need not have got there: its coordinate becomes higher by the lift instead, unless
   // homing or G92 has set it.
   Progress recover(ActiveCommand& command);
+  // G0 and G1: one of the above where M209 says so, or a move. The host's E then shows what it has
+  // asked for.
+  Progress move(ActiveCommand& command);
 
  private:
   Progress begin(ActiveCommand& command, units::Nanometers lift, bool extrudes = true);
@@ -51,6 +54,7 @@ class RetractionCommands {
   units::Nanometers lift_{};
   units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
   std::uint32_t jumps_{};  // of the position then
+  bool recovers_{};  // the line in hand, which stands for G10 or G11
 };
 
 }  // namespace application

@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "application/filament_commands.hpp"
 #include "application/levelling_reports.hpp"
 #include "application/setting_reports.hpp"
 #include "application/shaping_commands.hpp"
@@ -17,7 +18,9 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
-constexpr std::size_t tool_reports = 2;
+// By M503: inches, tools, backlash, a delta, a sensor of filament, and the lengths of each tool.
+constexpr std::size_t most_listed =
+    std::size(reported_settings) + shaping_reports + levelling_reports + 7 + units::most_tools;
 
 // Beyond the range of the type it becomes a value that the setting refuses.
 template <class Quantity>
@@ -62,7 +65,8 @@ constinit const SettingCommands::Settings SettingCommands::settings_ = [] {
       .retraction{{{'S', motion::set_retraction_length},
                    {'F', motion::set_retraction_speed},
                    {'Z', motion::set_retraction_lift}}},
-      .recovery{{{'S', motion::set_recovery_extra}, {'F', motion::set_recovery_speed}}}};
+      .recovery{{{'S', motion::set_recovery_extra}, {'F', motion::set_recovery_speed}}},
+      .automatic{{{'S', motion::set_automatic_retraction}}}};
 }();
 
 // A line with one value out of range changes nothing.
@@ -129,13 +133,14 @@ Progress SettingCommands::set_advanced(ActiveCommand& command) {
 }
 
 Progress SettingCommands::set_retraction(ActiveCommand& command) {
+  if (!automatic_retraction_in_image && command.command.code == 209) {
+    return command.report_not_fitted();
+  }
   motion::Limits changed = motion_.limits();
-  return set_limits(command, changed, change_for_all(changed, command, settings_.retraction));
-}
-
-Progress SettingCommands::set_recovery(ActiveCommand& command) {
-  motion::Limits changed = motion_.limits();
-  return set_limits(command, changed, change_for_all(changed, command, settings_.recovery));
+  std::span<const Setting> settings = settings_.retraction;
+  if (command.command.code == 208) settings = settings_.recovery;
+  if (automatic_retraction_in_image && command.command.code == 209) settings = settings_.automatic;
+  return set_limits(command, changed, change_for_all(changed, command, settings));
 }
 
 // The position in millimetres is kept, as in Marlin.
@@ -160,53 +165,54 @@ Progress SettingCommands::set_steps_per_millimeter(ActiveCommand& command) {
 
 // "echo: M203 X200.00 Y200.00 Z12.00 E80.00"
 Progress SettingCommands::report(ActiveCommand& command) {
+  if (!automatic_retraction_in_image && command.command.code == 209) {
+    return command.report_not_fitted();
+  }
   return command.say(setting_report(command.command.code, motion_.limits(), coordinates_.inches()));
+}
+
+// The first line stands for inches only.
+std::optional<host_link::TextLine> SettingCommands::listed(std::size_t index) const {
+  const bool inches = coordinates_.inches();
+  if (index == 0) return host_link::TextLine().text("echo: G20 ; Units in inches");
+  --index;
+  // Whether it is one of the next `lines`; otherwise the index is counted from behind them.
+  const auto is_of = [&index](std::size_t lines) {
+    if (index < lines) return true;
+    index -= lines;
+    return false;
+  };
+  if (is_of(reported_settings.size() - (automatic_retraction_in_image ? 0 : 1))) {
+    return setting_report(reported_settings[index], motion_.limits(), inches);
+  }
+  if (motion_.shapes() && is_of(shaping_reports)) return shaping_report(index, motion_.shaping());
+  if (motion_.levels() && is_of(levelling_reports)) {
+    return levelling_report(index, motion_.levelling(), inches);
+  }
+  if constexpr (units::most_tools > 1) {
+    const Tools& tools = coordinates_.tools();
+    if (tools.count() > 1 && is_of(1)) return tool_change_report(tools.change(), inches);
+    if (tools.count() > 1 && is_of(1)) return tool_offset_report(tools.offset(1), inches);
+  }
+  if (motion_.takes_up_backlash() && is_of(1)) {
+    return backlash_report(motion_.backlash().settings(), inches);
+  }
+  if constexpr (motion::kinematics::Chosen::may_be_delta) {
+    if (motion_.kinematics().delta() != nullptr && is_of(2)) return geometry_report(index == 0);
+  }
+  if (handles_filament()) return filament_->report(index, inches);
+  return std::nullopt;
 }
 
 // In millimetres as they are, in inches with a first line that says so.
 Progress SettingCommands::list(ActiveCommand& command) {
-  const std::size_t first = coordinates_.inches() ? 0 : 1;
   std::size_t& said = command.lines_said;
-  const std::size_t shaped = reported_settings.size() + (motion_.shapes() ? shaping_reports : 0);
-  const std::size_t levelled = shaped + (motion_.levels() ? levelling_reports : 0);
-  const std::size_t with_tools = levelled + (coordinates_.tools().count() > 1 ? tool_reports : 0);
-  const std::size_t last = with_tools + (motion_.takes_up_backlash() ? 1 : 0);
-  units::LoopBound<std::size(reported_settings) + shaping_reports + levelling_reports +
-                   tool_reports + 2>
-      lines;
-  for (said = std::max(said, first); said <= last; ++said) {
+  said = std::max<std::size_t>(said, coordinates_.inches() ? 0 : 1);
+  units::LoopBound<most_listed> lines;
+  while (const auto line = listed(said)) {
     lines.next();
-    if (motion_.takes_up_backlash() && said > with_tools) {
-      const auto line = backlash_report(motion_.backlash().settings(), coordinates_.inches());
-      if (command.say(line) == Progress::again) return Progress::again;
-      continue;
-    }
-    if (units::most_tools > 1 && said > levelled) {
-      const Tools& all = coordinates_.tools();
-      const auto line = said == with_tools
-                            ? tool_offset_report(all.offset(1), coordinates_.inches())
-                            : tool_change_report(all.change(), coordinates_.inches());
-      if (command.say(line) == Progress::again) return Progress::again;
-      continue;
-    }
-    if (motion_.levels() && said > shaped) {
-      const auto line =
-          levelling_report(said - shaped - 1, motion_.levelling(), coordinates_.inches());
-      if (command.say(line) == Progress::again) return Progress::again;
-      continue;
-    }
-    if (motion_.shapes() && said > reported_settings.size()) {
-      const auto line = shaping_report(said - reported_settings.size() - 1, motion_.shaping());
-      if (command.say(line) == Progress::again) return Progress::again;
-      continue;
-    }
-    if (said == 0) {
-      if (command.say("echo: G20 ; Units in inches") == Progress::again) return Progress::again;
-      continue;
-    }
-    const auto line =
-        setting_report(reported_settings[said - 1], motion_.limits(), coordinates_.inches());
-    if (command.say(line) == Progress::again) return Progress::again;
+    if (command.say(*line) == Progress::again) return Progress::again;
+    ++said;
   }
   return Progress::done;
 }
@@ -218,12 +224,14 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     }
     motion_.set_steps_per_meter(machine_.limits);
     if (motion_.takes_up_backlash()) motion_.set_backlash(*machine_.backlash);
+    if constexpr (motion::kinematics::Chosen::may_be_delta) restore_geometry();
     // As at the start, so it is accepted or was refused then.
     if (motion_.shapes()) static_cast<void>(motion_.restore_shaping());
     coordinates_.set_planned(motion_.position());
     // Behind it, so that the host's position follows what levelling has added to Z.
     if (motion_.levels()) motion_.restore_levelling();
     coordinates_.restore_tools(machine_);
+    if (handles_filament()) filament_->restore();
     command.phase = ActiveCommand::Phase::working;
   }
   return lists ? list(command) : Progress::done;

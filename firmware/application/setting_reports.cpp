@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// M92 M201 M203 M204 M205 M207 M208 as lines.
+// M92 M201 M203 M204 M205 M207 M208 M209 as lines.
 #include "application/setting_reports.hpp"
 
 #include "units/event_bound.hpp"
@@ -44,6 +44,10 @@ host_link::TextLine setting_report(std::uint16_t code, const motion::Limits& lim
   }
   if (code >= 207) {
     const motion::Retraction& retraction = limits.retraction;
+    if (automatic_retraction_in_image && code == 209) {
+      line.text(" S").character(retraction.automatic ? '1' : '0');
+      return line;
+    }
     const auto put_values = [&](units::Nanometers length, units::MicrometersPerSecond speed) {
       put(line, 'S', length.count(), inches);
       put(line, 'F', speed.count() * motion::nanometers_per_minute, inches);

@@ -11,8 +11,12 @@
 
 namespace application {
 
-// The commands that M503 lists, in Marlin's order.
-inline constexpr std::array<std::uint16_t, 7> reported_settings{92, 203, 201, 204, 205, 207, 208};
+// Whether M209 is fitted: in a chip that has room for it, and on a host.
+extern const bool automatic_retraction_in_image;
+
+// The commands that M503 lists, in Marlin's order; the last one where it is fitted.
+inline constexpr std::array<std::uint16_t, 8> reported_settings{92,  203, 201, 204,
+                                                                205, 207, 208, 209};
 
 // "echo: M203 X200.00 Y200.00 Z12.00 E80.00", with the code of one of these commands. In s and
 // in mm or inches, but steps always per mm.

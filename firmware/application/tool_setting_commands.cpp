@@ -42,12 +42,26 @@ Progress refuse_unfitted(ActiveCommand& command) {
 
 }  // namespace
 
+// Until it has ended: the host's E does not show it, also where a stop leaves only a part of it.
 Progress ToolCommands::prime(ActiveCommand& command) {
-  if (heat().extrusion_is_cold()) return command.refuse("Cold extrusion prevented");
-  if (!motion().has_room() || motion().stopping()) return Progress::again;
-  const ToolChange& settings = coordinates().tools().change();
-  extrude(settings.prime, settings.prime_speed);
-  return Progress::done;
+  Change& change = this->change();
+  if (command.phase == ActiveCommand::Phase::begin) {
+    if (heat().extrusion_is_cold()) return command.refuse("Cold extrusion prevented");
+    motion().flush();
+    if (!motion().at_rest()) return Progress::again;
+    change.jumps = motion().position_jumps();
+    change.logical_extruder = coordinates().logical()[e];
+    const ToolChange& settings = coordinates().tools().change();
+    extrude(settings.prime, settings.prime_speed);
+    motion().flush();
+    command.phase = ActiveCommand::Phase::working;
+  }
+  if (motion().stopping()) return Progress::again;
+  if (motion().position_jumps() != change.jumps) {
+    coordinates().set_logical(Axis::e, change.logical_extruder);
+    return Progress::done;
+  }
+  return motion().at_rest() ? Progress::done : Progress::again;
 }
 
 Progress ToolCommands::set_change(ActiveCommand& command) {

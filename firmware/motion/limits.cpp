@@ -103,6 +103,11 @@ Accepted set_recovery_speed(Limits& limits, units::Nanometers per_minute) {
   return set_speed_per_minute(limits.retraction.recovery_speed, per_minute);
 }
 
+Accepted set_automatic_retraction(Limits& limits, units::Nanometers value) {
+  limits.retraction.automatic = value != units::Nanometers();
+  return {};
+}
+
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
                                         const units::PerAxis<units::Position>& target) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The limits of the machine's axes and how filament is retracted: set by the machine description,
-// changed by M92 and M201 to M208.
+// changed by M92 and M201 to M209.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +40,7 @@ struct Retraction {
   units::Nanometers lift{};  // of Z, until G11
   units::Nanometers extra{};  // beyond what was drawn back; below 0: less than that
   units::MicrometersPerSecond recovery_speed{8'000};
+  bool automatic{};  // also for moves of E alone
 };
 
 struct Limits {
@@ -96,6 +97,8 @@ Accepted set_retraction_speed(Limits& limits, units::Nanometers per_minute);
 // M208 S, of either sign, and F.
 Accepted set_recovery_extra(Limits& limits, units::Nanometers value);
 Accepted set_recovery_speed(Limits& limits, units::Nanometers per_minute);
+// M209 S, 0 or another number.
+Accepted set_automatic_retraction(Limits& limits, units::Nanometers value);
 
 // The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,

@@ -145,6 +145,9 @@ void Planner::look_ahead() {
     exit = entry;
     here = (here == lines_.data() ? lines_.data() + capacity : here) - 1;
   }
+  // From rest neither may the first one begin faster; otherwise its entry is the exit of a line
+  // that has been handed over.
+  if (resting_ && changed == 0) here->entry = std::min(here->max_entry, exit + here->work);
   units::LoopBound<capacity, 1> forwards;
   for (std::size_t i = changed + 1; i < count_; ++i) {
     forwards.next();

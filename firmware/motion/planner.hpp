@@ -41,6 +41,8 @@ class Planner {
           const kinematics::Chosen& kinematics = kinematics::Chosen{});
 
   const kinematics::Chosen& kinematics() const { return kinematics_; }
+  // M665: only while empty and at rest, and the position is to be set again afterwards.
+  void set_kinematics(const kinematics::Chosen& kinematics) { kinematics_ = kinematics; }
 
   // Holds for lines appended from now on.
   void set_limits(const Limits& limits);

@@ -1,42 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // M412, M603, M701 and M702: what is loaded, and what happens when filament runs out.
-#include <gmock/gmock.h>
-
-#include "tests/application/dialogue.hpp"
+#include "tests/application/filament_printer.hpp"
 
 namespace application_test {
 namespace {
-
-using units::MicrometersPerSecond;
-using units::Nanometers;
-
-constexpr application::FilamentSensor sensor{.input = FakeChip::filament_input, .low_is_out = true};
-constexpr application::FilamentChange change{.load = Nanometers(50'000'000),
-                                             .unload = Nanometers(60'000'000),
-                                             .load_speed = MicrometersPerSecond(20'000),
-                                             .unload_speed = MicrometersPerSecond(40'000),
-                                             .purge = Nanometers(5'000'000),
-                                             .purge_speed = MicrometersPerSecond(2'000)};
-
-class Filament : public testing::Test {
- protected:
-  Filament()
-      : printer([] {
-          application::MachineDescription machine = machine_under_test();
-          machine.filament_sensor = &sensor;
-          machine.filament_change = &change;
-          return machine;
-        }()) {
-    printer.chip.heaters[0].celsius = 200;
-    talk("-> M104 S200\n<- ok\n-> G28\n<- ok\n-> G1 Z10 F600\n<- ok\n-> M400\n<- ok");
-  }
-  void talk(std::string_view dialogue) { printer.talk(dialogue); }
-  double filament() const { return printer.chip.position[3] / 500.0; }
-  // Whether the firmware says anything within a second.
-  void expect_silence(double seconds = 1) { EXPECT_EQ(printer.reply(seconds), std::nullopt); }
-
-  Printer printer;
-};
 
 TEST_F(Filament, is_loaded_and_unloaded_while_the_host_sees_nothing_of_it) {
   talk("-> G1 E1 F300\n<- ok\n-> M701\n<- ok");
@@ -212,6 +179,17 @@ TEST_F(Filament, is_there_though_a_contact_opens_for_a_moment) {
   expect_silence();
 }
 
+TEST_F(Filament, has_settings_that_are_listed_and_restored) {
+  talk("-> M412 S0\n<- ok\n-> M603 L20 U30\n<- ok");
+  const std::string others =
+      "<* M92\n<* M203\n<* M201\n<* M204\n<* M205\n<* M207\n<* M208\n<* M209\n";
+  talk("-> M503\n" + others + "<- echo: M412 S0\n<- echo: M603 L20.00 U30.00\n<- ok");
+  const std::string described = "<- echo: M412 S1\n<- echo: M603 L50.00 U60.00\n<- ok";
+  talk("-> M501\n<* Hardcoded\n" + others + described);
+  talk("-> M412 S0\n<- ok\n-> M603 L20 U30\n<- ok\n-> M502\n<* Hardcoded\n<- ok");
+  talk("-> M503\n" + others + described);
+}
+
 TEST(filament_parts, are_answered_each_where_it_is_fitted) {
   application::MachineDescription machine = machine_under_test();
   machine.filament_sensor = &sensor;
@@ -222,6 +200,25 @@ TEST(filament_parts, are_answered_each_where_it_is_fitted) {
   machine.filament_change = &change;
   Printer other(machine);
   other.talk("-> M412 S1\n<- echo:M412 not fitted\n<- ok\n-> M603\n<* L50.00 U60.00\n<- ok");
+}
+
+TEST(filament_parts, have_lengths_of_each_tool) {
+  application::MachineDescription machine = described_machine("two_extruders");
+  machine.filament_change = &change;
+  Printer printer(machine);
+  printer.talk(R"(
+    -> M603 T1 L20 U30
+    <- ok
+    -> M603
+    <- echo: M603 T0 L50.00 U60.00
+    <- ok
+    -> M603 T1
+    <- echo: M603 T1 L20.00 U30.00
+    <- ok
+    -> M603 T2
+    <- echo:M603 Invalid extruder 2
+    <- ok
+  )");
 }
 
 }  // namespace

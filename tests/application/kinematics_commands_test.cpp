@@ -3,6 +3,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <numbers>
+
 #include "tests/application/described_machine.hpp"
 
 namespace application_test {
@@ -95,6 +101,91 @@ TEST_F(Delta, keeps_the_hosts_place_where_an_arc_leaves_its_reach) {
   printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:50.00\n<- ok");
   EXPECT_NEAR(printer.chip.position[0], printer.chip.position[1], 1);
   EXPECT_NEAR(printer.chip.position[0], printer.chip.position[2], 1);
+}
+
+TEST_F(Delta, reports_its_geometry_and_the_offsets_of_its_end_stops) {
+  printer.talk(R"(
+    -> M665
+    <- echo: M665 L250.000 R105.000 H250.000 X0.000 Y0.000 Z0.000 A0.000 B0.000 C0.000
+    <- ok
+    -> M666
+    <- echo: M666 X0.000 Y0.000 Z0.000
+    <- ok
+    -> M665 L251.5 R106.25 H249 X0.5 Y-0.25 Z1 A0.1 B-0.2 C0.3
+    <- ok
+    -> M666 X-0.5 Z-0.025
+    <- ok
+    -> M503
+    <* M92
+    <* M203
+    <* M201
+    <* M204
+    <* M205
+    <* M207
+    <* M208
+    <* M209
+    <* M420
+    <* M851
+    <- echo: M665 L251.500 R106.250 H249.000 X0.500 Y-0.250 Z1.000 A0.100 B-0.200 C0.300
+    <- echo: M666 X-0.500 Y0.000 Z-0.025
+    <- ok
+    -> M502
+    <* Hardcoded
+    <- ok
+    -> M665
+    <- echo: M665 L250.000 R105.000 H250.000 X0.000 Y0.000 Z0.000 A0.000 B0.000 C0.000
+    <- ok
+    -> M666
+    <- echo: M666 X0.000 Y0.000 Z0.000
+    <- ok
+  )");
+}
+
+TEST_F(Delta, refuses_a_geometry_that_cannot_be_and_stays_homed) {
+  expect_refused("M665 L199", "rods would lie flat");
+  expect_refused("M665 L340", "upright");
+  expect_refused("M665 H0", "H not within");
+  expect_refused("M665 R100 X10.1", "X, Y or Z not within");
+  expect_refused("M665 C-11", "A, B or C not within");
+  expect_refused("M666 Y0.1", "M666 offsets must be <= 0");
+  execute({"M665 S100", "M665 L250", "G1 X10 Y10 Z100 F6000"});
+  printer.talk("-> M114\n<* X:10.00 Y:10.00 Z:100.00\n<- ok");
+}
+
+// The carriages by the geometry alone, X and Y beside the towers' axes of symmetry.
+TEST_F(Delta, goes_by_its_new_geometry_once_it_is_homed) {
+  execute({"G1 X10 Z100 F6000", "M665 L255 R110 H240 A1 Z2"});
+  expect_refused("G1 X0", "home first");
+  execute({"G28"});
+  printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:240.00\n<- ok");
+  execute({"G1 X30 Y-20 Z50 F6000"});
+  const std::array<double, 3> rods{256, 255, 255}, degrees{210, 330, 92};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double angle = degrees[i] * std::numbers::pi / 180;
+    const double x = 30 - 110 * std::cos(angle), y = -20 - 110 * std::sin(angle);
+    const double height = 50 + std::sqrt(rods[i] * rods[i] - x * x - y * y);
+    EXPECT_NEAR(static_cast<double>(printer.chip.position[i]), height * 80, 0.51) << i;
+  }
+  expect_refused("G1 X0 Y0 Z240.1", "beyond the end of Z (0.00 to 240.00)");
+  printer.talk("-> M211\n<* Z240.00\n<- ok");
+}
+
+TEST_F(Delta, hangs_its_carriages_by_m666_below_their_end_stops) {
+  const auto home = printer.chip.mechanical;
+  execute({"M666 Y-0.5 Z-1", "G1 Z200 F6000", "G28"});
+  const std::array<std::int64_t, 3> lower{0, 40, 80};  // steps
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    EXPECT_LE(std::abs(home[i] - lower[i] - printer.chip.mechanical[i]), 1) << i;
+  }
+  printer.talk("-> M114\n<* X:0.00 Y:0.00 Z:250.00\n<- ok");
+}
+
+TEST_F(Delta, is_homed_again_after_m502_only_where_that_changes_its_geometry) {
+  execute({"G1 Z100 F6000"});
+  printer.talk("-> M502\n<* Hardcoded\n<- ok");
+  execute({"G1 Z90", "M665 A0.5", "G28"});
+  printer.talk("-> M502\n<* Hardcoded\n<- ok");
+  expect_refused("G1 Z90", "home first");
 }
 
 // The shoulder is at X100 Y-120, and the nozzle keeps 130 mm from it: not at X100 Y5.

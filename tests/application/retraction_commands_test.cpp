@@ -190,5 +190,80 @@ TEST_F(Retraction, takes_inches_after_g20) {
   expect(20 - 2.54, 5 + 2.54);
 }
 
+// The limits are Marlin's: 0.1 to 10 mm.
+TEST_F(Retraction, stands_for_moves_of_e_alone_after_m209) {
+  execute({"M207 S3 Z0.5", "M209 S1", "G1 E19.2 F2400"});
+  expect(17, 5.5);
+  talk("-> M114\n<* X:10.00 Y:10.00 Z:5.00 E:19.20\n<- ok");
+  execute({"G1 X20 F6000", "G0 E20"});
+  expect(20, 5);
+  execute({"G1 E9.9"});
+  expect(9.9, 5);
+  execute({"G1 E9.8", "G1 E9.9", "M83", "G1 E-10", "G1 E10"});
+  expect(9.9, 5);
+  execute({"G1 E-0.09"});
+  expect(9.81, 5);
+}
+
+TEST_F(Retraction, of_m209_leaves_other_moves_as_they_are) {
+  execute({"M207 S3 Z0.5", "M83", "M209 S1", "G1 X20 E-1 F6000", "G1 Z6 E-1", "G1 E1 F2400"});
+  expect(19, 6);
+  execute({"G1 E-1", "G1 E-1"});  // drawn back already
+  expect(15, 6.5);
+  execute({"G1 E2"});
+  expect(18, 6);
+  execute({"M209 S0", "G1 E-2"});
+  expect(16, 6);
+}
+
+TEST_F(Retraction, of_m209_and_of_g10_are_one) {
+  execute({"M209 S1", "M83", "G10", "G1 E1", "G1 E-1", "G11", "G11"});
+  expect(20, 5);
+}
+
+TEST_F(Retraction, of_m209_takes_the_feedrate_and_does_not_run_at_it) {
+  execute({"M207 S6 F3600", "M209 S1"});
+  const auto began = printer.chip.time;
+  execute({"G1 E18 F60"});
+  EXPECT_LT(static_cast<double>(printer.chip.time - began) / clock_hz, 0.5);
+  execute({"G1 E20", "G1 X10 F6000", "G1 E18 F600"});
+  const auto drawn = printer.chip.time;
+  execute({"G1 X20"});
+  EXPECT_NEAR(static_cast<double>(printer.chip.time - drawn) / clock_hz, 1.0, 0.1);
+}
+
+// So the host's next absolute E still means what it says.
+TEST_F(Retraction, of_m209_that_is_refused_leaves_the_hosts_e) {
+  execute({"M209 S1", "M302 S250"});
+  talk("-> G1 E18\n<- echo: cold extrusion prevented\n<- ok\n-> M114\n<* E:20.00\n<- ok");
+  execute({"M302 S170", "G1 E20", "G1 E20.05"});
+  expect(20.05, 5);
+}
+
+TEST_F(Retraction, of_m209_is_exact_over_many_times) {
+  execute({"M207 S0.7 Z0.3", "M209 S1", "M83"});
+  for (int i = 0; i < 200; ++i) execute({"G1 E-0.8", "G1 X11", "G1 E0.8", "G1 X10 E0.01"});
+  expect(22, 5);
+}
+
+TEST_F(Retraction, of_m209_is_reported_and_ends_with_m502) {
+  talk(R"(
+    -> M209
+    <- echo: M209 S0
+    <- ok
+    -> M209 S1
+    <- ok
+    -> M209
+    <- echo: M209 S1
+    <- ok
+    -> M502
+    <- echo:Hardcoded Default Settings Loaded
+    <- ok
+    -> M209
+    <- echo: M209 S0
+    <- ok
+  )");
+}
+
 }  // namespace
 }  // namespace application_test

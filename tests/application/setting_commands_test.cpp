@@ -16,6 +16,7 @@ const std::string described_settings = R"(
     <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
     <- echo: M207 S3.00 F2700.00 Z0.00
     <- echo: M208 S0.00 F480.00
+    <- echo: M209 S0
     <- ok
 )";
 
@@ -128,6 +129,7 @@ TEST(setting_commands, m503_lists_all_in_the_form_that_sets_them) {
     <- echo: M205 S0.00 T0.00 X10.00 Y10.00 Z0.40 E2.50
     <- echo: M207 S3.00 F2700.00 Z0.00
     <- echo: M208 S0.00 F480.00
+    <- echo: M209 S0
     <- ok
   )");
 }
@@ -156,6 +158,7 @@ TEST(setting_commands, reports_in_inches_after_g20) {
     <- echo: M205 S0.000 T0.000 J0.010000 X0.394 Y0.394 Z0.016 E0.098
     <- echo: M207 S0.118 F106.299 Z0.000
     <- echo: M208 S0.000 F18.898
+    <- echo: M209 S0
     <- ok
     -> G21
     <- ok

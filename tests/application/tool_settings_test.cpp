@@ -43,6 +43,7 @@ TEST_F(TwoTools, have_settings_that_are_listed_and_restored) {
     <* M205
     <* M207
     <* M208
+    <* M209
     <- echo: M217 S200.00 B10.00 E0.00 P5400.00 R10.02 U1200.00 Z110.00
     <- echo: M218 T1 X20.000 Y3.000 Z-0.250
     <- ok
@@ -64,6 +65,19 @@ TEST_F(TwoTools, prime_with_m217_q) {
   expect_steps(100, 50, 10, 3, 0);
   execute({"T1"});  // and at each change
   expect_steps(80, 49, 10.25, 3, 3);
+}
+
+// What of it has come out is not the host's, as where it ends by itself.
+TEST_F(TwoTools, keep_the_hosts_e_where_a_stop_ends_m217_q) {
+  printer.talk("-> M217 E20 P300\n<* E20.00\n<- ok");
+  execute({"G1 E1 F300"});
+  printer.send("M217 Q");
+  printer.run(1);
+  printer.talk("-> M410\n<- ok\n<- ok\n-> M114\n<* E:1.00\n<- ok");
+  EXPECT_LT(printer.mm(3), 10);
+  const double there = printer.mm(3);
+  execute({"G1 E2"});
+  EXPECT_NEAR(printer.mm(3), there + 1, 0.005);
 }
 
 TEST_F(TwoTools, do_not_duplicate) {

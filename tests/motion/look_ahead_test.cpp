@@ -72,14 +72,17 @@ class LookAhead {
     const auto segment = planner_.next_segment(now_);
     if (!segment) return false;
     if (planner_.lines() == lines) return true;
-    // Its first segment, at the energy that was planned when the line before it went.
+    // Its first segment, at the energy that was planned when the line before it went, or now.
+    if (resting_) look_ahead();
     const PlannedLine line = ring_.front();
     const double half_acceleration = std::ldexp(static_cast<double>(segment->acceleration), -85);
     const double rate = std::ldexp(static_cast<double>(segment->rate), -64) - half_acceleration;
     const double planned = std::sqrt(std::max(line.entry, line.least)) * line.rate_of_root;
     worst_ = std::max(worst_, std::abs(rate / planned - 1));
+    resting_ = false;
     look_ahead();
     ring_.pop_front();
+    resting_ = ring_.empty();
     return true;
   }
 
@@ -107,6 +110,7 @@ class LookAhead {
     for (std::size_t i = ring_.size() - 1; i > 0; --i) {
       exit = ring_[i].entry = std::min(ring_[i].max_entry, exit + ring_[i].work);
     }
+    if (resting_) ring_[0].entry = std::min(ring_[0].max_entry, exit + ring_[0].work);
     for (std::size_t i = 1; i < ring_.size(); ++i) {
       ring_[i].entry = std::min(ring_[i].entry, ring_[i - 1].entry + ring_[i - 1].work);
     }
@@ -121,6 +125,7 @@ class LookAhead {
   std::deque<PlannedLine> ring_;
   std::int64_t x_ = 0, y_ = 0;
   units::Microseconds now_{1'000'000};
+  bool resting_ = true;  // what has been handed over
   double worst_ = 0;
 };
 

@@ -88,6 +88,25 @@ TEST(plan_properties, no_limit_is_exceeded_in_100_000_random_sequences) {
   EXPECT_GE(acceleration, -1e-3);
 }
 
+// Where braking takes longer than lines are, also at a start with classic jerk and in corners.
+TEST(plan_properties, no_acceleration_is_exceeded_however_low_it_is) {
+  double worst = -1;
+  for (std::uint64_t seed = 1; seed <= 10'000; ++seed) {
+    RandomPath path(seed);
+    motion::Limits limits = machine(seed % 4 == 0 ? path.within(1'000, 100'000) : 0);
+    for (motion::AxisLimits& axis : limits.axes) {
+      axis.max_acceleration = units::MicrometersPerSecondSquared(
+          static_cast<std::int32_t>(path.within(1'000, 100'000)));
+    }
+    const auto count = static_cast<std::size_t>(path.within(1, 8));
+    const SegmentRunResult run =
+        run_segments(limits, path.moves(count, 500'000, 2'000'000), clock_hz);
+    worst = std::max(worst, run.worst_acceleration);
+    ASSERT_LE(worst, 1e-4) << seed;
+  }
+  EXPECT_GE(worst, -1e-3);
+}
+
 // Two lines of X and Y at an angle: the speed in the corner by the two circles, in floating point.
 TEST(plan_properties, corners_are_as_fast_as_the_junction_deviation_permits) {
   constexpr double deviation_mm = 0.02, acceleration = 1'500, speed = 150;

@@ -35,6 +35,7 @@ class Any {
   Any() = default;
   explicit Any(const Parameters& parameters) : model_(std::visit(MakeModel(), parameters)) {}
 
+  static constexpr bool may_be_delta = true;
   static constexpr bool may_home_motors = true;
   using Chords = Division;
 
@@ -42,6 +43,7 @@ class Any {
   bool crosses_xy() const { return std::holds_alternative<CoreXy>(model_); }
   bool has_own_z() const { return !std::holds_alternative<Delta>(model_); }
 
+  const Delta* delta() const { return std::get_if<Delta>(&model_); }
   bool identity() const {
     return visit([](const auto& model) { return model.identity(); });
   }

@@ -31,7 +31,7 @@ std::uint32_t narrow(Nanometers length) { return static_cast<std::uint32_t>(leng
 std::uint32_t Delta::rise(std::size_t tower, Nanometers x, Nanometers y) const {
   const std::uint64_t away = square((x - parameters_.towers[tower].x).count()) +
                              square((y - parameters_.towers[tower].y).count());
-  const std::uint64_t rod = square(parameters_.rod.count());
+  const std::uint64_t rod = square(this->rod(tower).count());
   return away < rod ? nearest_root(rod - away) : 0;
 }
 
@@ -48,7 +48,7 @@ std::uint32_t Delta::lowest_rise(const Place& from, const Place& to) const {
 }
 
 // The rise of a carriage above the tool is concave, so it lies below its tangent above the origin,
-// whose slope is radius / rise.
+// whose slope is radius / rise: with the shortest rods the steepest one.
 bool Delta::reaches(const Place& tool) const {
   const Nanometers most = parameters_.printable_radius;
   for (const std::size_t i : {0UZ, 1UZ}) {
@@ -58,9 +58,9 @@ bool Delta::reaches(const Place& tool) const {
   if (away > square(most.count()) || tool[2] < lowest) return false;
   const Nanometers room = parameters_.height - tool[2].nearest();
   const std::uint64_t rise =
-      nearest_root(square(parameters_.rod.count()) - square(parameters_.radius.count()));
+      nearest_root(square(shortest_rod().count()) - square(parameters_.radius.count()));
   return room >= Nanometers(0) &&
-         (room > parameters_.rod ||
+         (room > longest_rod() ||
           magnitude(room.count()) * rise >=
               std::uint64_t{narrow(parameters_.radius)} * nearest_root(away));
 }
@@ -74,7 +74,9 @@ Place Delta::motors_of(const Place& tool) const {
 
 Place Delta::place_of(const Place& motors) const {
   constexpr int bits = 14;  // of slopes
-  constexpr std::int64_t furthest = std::int64_t{1} << 28;
+  // So that products fit. Bits of a difference of two carriages, and of squares of X and Y.
+  constexpr std::int64_t furthest_off = std::int64_t{1} << 28;
+  constexpr std::int64_t furthest = std::int64_t{1} << 30;
   const std::int64_t most = parameters_.printable_radius.count();
   std::int64_t x = 0, y = 0;
   std::int64_t z = motors[0].nearest().count() - rise(0, Nanometers(0), Nanometers(0));
@@ -86,7 +88,7 @@ Place Delta::place_of(const Place& motors) const {
     bool arrived = true;
     for (std::size_t i = 0; i < spatial_axes; ++i) {
       const std::int64_t height = std::max(rise(i, Nanometers(x), Nanometers(y)), least_rise);
-      off[i] = std::clamp(motors[i].nearest().count() - z - height, -furthest, furthest);
+      off[i] = std::clamp(motors[i].nearest().count() - z - height, -furthest_off, furthest_off);
       slope_x[i] = (parameters_.towers[i].x.count() - x) * (1 << bits) / height;
       slope_y[i] = (parameters_.towers[i].y.count() - y) * (1 << bits) / height;
       arrived = arrived && off[i] == 0;
@@ -112,10 +114,11 @@ Place Delta::place_of(const Place& motors) const {
 }
 
 // With the way w in XY and the rise h, the height of a carriage has a second derivative of at most
-// rod^2 / h^3 by w, and its middle leaves a chord of w by rod^2 w^2 / (8 h^3).
+// rod^2 / h^3 by w, and its middle leaves a chord of w by rod^2 w^2 / (8 h^3). The longest rods and
+// the least rise are those of the worst carriage, or worse.
 std::uint32_t Delta::chords(const Place& from, const Place& to) const {
   const Scaled rise = Scaled::of(lowest_rise(from, to));
-  const Scaled way = Scaled::of(horizontal_length(from, to)) * Scaled::of(narrow(parameters_.rod));
+  const Scaled way = Scaled::of(horizontal_length(from, to)) * Scaled::of(narrow(longest_rod()));
   const Scaled by_deviation =
       way / (Scaled::of(8 * carriage_deviation) * rise * rise * rise).square_root();
   return static_cast<std::uint32_t>(by_deviation.floor()) + 1;
@@ -128,7 +131,7 @@ units::MicrometersPerSecond Delta::speed_limit(const Place& from, const Place& t
   if (way == 0) return max_speed;
   const Scaled rise = Scaled::of(lowest_rise(from, to));
   const Scaled share =
-      spatial_length(from, to) / (Scaled::of(way) * Scaled::of(narrow(parameters_.rod)));
+      spatial_length(from, to) / (Scaled::of(way) * Scaled::of(narrow(longest_rod())));
   const Scaled square =
       Scaled::of(magnitude(most.count())) * rise * rise * rise * share * share / Scaled::of(1'000);
   const std::uint64_t speed = square.square_root().floor();

@@ -2,7 +2,9 @@
 // Three carriages on vertical towers carry the tool by rods of one length (linear delta).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "motion/kinematics/division.hpp"
 #include "motion/kinematics/kinematics.hpp"
@@ -12,11 +14,14 @@ namespace motion::kinematics {
 // A motor's place is the height of its carriage's joint above the joint of the tool at Z = 0:
 //   Z + sqrt(rod^2 - (X - x)^2 - (Y - y)^2), with the tower at x, y,
 // where X, Y and the root are rounded to the nanometre and Z is exact, so that moves of Z alone
-// never drift. Towers A, B, C stand at 210, 330 and 90 degrees about the origin, as in Marlin.
+// never drift. Towers A, B, C stand at 210, 330 and 90 degrees about the origin, as in Marlin,
+// each with trims of its angle and of its rods.
 class Delta {
  public:
   struct Tower {
     units::Nanometers x{}, y{};
+
+    bool operator==(const Tower&) const = default;
   };
   // Lengths up to 1 m, so that their squares fit.
   struct Parameters {
@@ -27,7 +32,14 @@ class Delta {
     std::array<Tower, spatial_axes> towers{};
     // What a carriage goes down from its end stop to be at home, 0 or below.
     std::array<units::Nanometers, spatial_axes> end_stop_offset{};
+    // M665: what a tower stands off its direction, counter-clockwise, in millionths of a degree;
+    // what its rods are longer than the others.
+    std::array<std::int32_t, spatial_axes> angle_trim{};
+    std::array<units::Nanometers, spatial_axes> rod_trim{};
+
+    bool operator==(const Parameters&) const = default;
   };
+  static constexpr bool may_be_delta = true;
   static constexpr bool may_home_motors = true;
   using Chords = Division;
 
@@ -35,6 +47,7 @@ class Delta {
   explicit Delta(const Parameters& parameters) : parameters_(parameters) {}
 
   const Parameters& parameters() const { return parameters_; }
+  const Delta* delta() const { return this; }
 
   static constexpr bool identity() { return false; }
   static constexpr bool straight() { return false; }
@@ -56,6 +69,11 @@ class Delta {
   Home home() const;
 
  private:
+  units::Nanometers rod(std::size_t tower) const {
+    return parameters_.rod + parameters_.rod_trim[tower];
+  }
+  units::Nanometers shortest_rod() const { return std::min({rod(0), rod(1), rod(2)}); }
+  units::Nanometers longest_rod() const { return std::max({rod(0), rod(1), rod(2)}); }
   // How high carriages are above the tool, nm; the lowest one of those at both places.
   std::uint32_t rise(std::size_t tower, units::Nanometers x, units::Nanometers y) const;
   std::uint32_t lowest_rise(const Place& from, const Place& to) const;

@@ -18,6 +18,8 @@ using Place = units::PerAxis<units::Position>;
 
 inline constexpr std::size_t spatial_axes = 3;
 
+class Delta;
+
 // Where homing ends.
 struct Home {
   Place tool{};
@@ -35,6 +37,8 @@ concept Model =
       M(typename M::Parameters{});
       // Each axis has a motor of its own: both functions return what they take.
       { model.identity() } -> std::same_as<bool>;
+      // As a delta, whose geometry M665 can change; null where it is none.
+      { model.delta() } -> std::convertible_to<const Delta*>;
       // A straight line of the tool is one of the motors: lines need not be cut into chords.
       { model.straight() } -> std::same_as<bool>;
       // Homing moves motors, not axes, and finds all places at once.

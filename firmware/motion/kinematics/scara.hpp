@@ -32,6 +32,7 @@ class Scara {
     // Directions at which the end stops switch; -340 .. 340 degrees, at home or beyond.
     std::array<Millionths, 2> end_stop{Millionths(100'000'000), Millionths(215'000'000)};
   };
+  static constexpr bool may_be_delta = false;
   static constexpr bool may_home_motors = true;
   using Chords = Division;
   // A target may be so far outside of the bounds that straight_within has for a whole line: chords
@@ -42,6 +43,7 @@ class Scara {
   explicit Scara(const Parameters& parameters) : parameters_(parameters) {}
 
   const Parameters& parameters() const { return parameters_; }
+  static constexpr const Delta* delta() { return nullptr; }
 
   static constexpr bool identity() { return false; }
   static constexpr bool straight() { return false; }

@@ -9,6 +9,8 @@ namespace motion::kinematics {
 
 class Straight {
  public:
+  static constexpr bool may_be_delta = false;
+  static constexpr const Delta* delta() { return nullptr; }
   static constexpr bool may_home_motors = false;
   using Chords = NoDivision;
 
