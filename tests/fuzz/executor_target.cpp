@@ -85,9 +85,9 @@ class Host {
     if (printer_.exchange(line.text, waits)) return true;
     if (printer_.halted() || printer_.moves() || held_ || dwells) return false;
     require(waits, "no answer to \"{}\"", line.text);
-    require(printer_.end_wait() || printer_.halted() || printer_.moves(), "\"{}\" does not end",
-            line.text);
-    return !printer_.halted();
+    const bool ended = printer_.end_wait();
+    require(ended || printer_.halted() || printer_.moves(), "\"{}\" does not end", line.text);
+    return ended;
   }
 
   fuzz::ExecutorModel& printer_;
