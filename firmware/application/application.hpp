@@ -38,6 +38,11 @@ class Application {
   // M999 after a fault: the program is to restart.
   bool restart_wanted() const { return restart_wanted_; }
 
+  // For tests.
+  const CommandExecutor& executor() const { return executor_; }
+  const MotionTask& motion() const { return motion_; }
+  const HeatTask& heat() const { return heat_; }
+
  private:
   void set_alarms();
   // Bytes that a pass takes at most.

@@ -68,12 +68,15 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
   arc_jumps_ = motion_.position_jumps();
   arc_fault_.reset();
+  // All chords are as long: where the first is refused, nothing of the line has changed anything.
+  const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
+  if (!accepted) return command.refuse(motion::describe(accepted.error()));
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
   coordinates_.set_logical(logical);
   coordinates_.set_planned(machine);
   command.phase = ActiveCommand::Phase::appending;
-  return Progress::again;
+  return arc_.done() ? Progress::done : Progress::again;
 }
 
 // I, J and K lead from the start to the centre, two of them in each plane.

@@ -146,67 +146,6 @@ TEST(arc_commands, count_in_inches_and_from_where_they_are) {
   EXPECT_NEAR(printer.mm(y), 24.6, 0.00626);
 }
 
-TEST(arc_commands, are_refused_where_they_are_no_arcs) {
-  Printer printer;
-  prepare(printer);
-  printer.talk(R"(
-    -> G1 X50 Y50 F6000
-    <- ok
-    -> M400
-    <- ok
-    -> G2 X60 Y60
-    <- echo:Arc with neither R nor I, J or K, not executed: "G2 X60 Y60"
-    <- ok
-    -> G2 X60 I5 R5
-    <- echo:Arc with both R and I, J or K, not executed: "G2 X60 I5 R5"
-    <- ok
-    -> G2 X60 Y60 I0 J0
-    <- echo:arc without radius, not executed: "G2 X60 Y60 I0 J0"
-    <- ok
-    -> G3 R5
-    <- echo:arc without radius, not executed: "G3 R5"
-    <- ok
-    -> G3 X61 I5
-    <- echo:arc's end is not on its circle, not executed: "G3 X61 I5"
-    <- ok
-    -> G3 X61 R5
-    <- echo:arc's ends are farther apart than 2 R, not executed: "G3 X61 R5"
-    <- ok
-    -> G3 X60 R10001
-    <- echo:arc with a radius above 10 m, not executed: "G3 X60 R10001"
-    <- ok
-    -> G3 X60 I5 P2
-    <- echo:Unknown parameter, not executed: "G3 X60 I5 P2"
-    <- ok
-    -> G3 X60 I
-    <- echo:Number missing after I, not executed: "G3 X60 I"
-    <- ok
-    -> M400
-    <- ok
-  )");
-  EXPECT_EQ(printer.chip.position[y], 4000);
-  EXPECT_EQ(printer.chip.position[x], 4000);
-}
-
-TEST(arc_commands, are_refused_as_a_whole_where_they_leave_the_travel) {
-  Printer printer;
-  prepare(printer);
-  printer.talk(R"(
-    -> G1 X50 Y5 F6000
-    <- ok
-    -> G3 X70 Y5 I10 F1200
-    <- echo:Move beyond the end of Y (0.00 to 200.00), not executed: "G3 X70 Y5 I10 F1200"
-    <- ok
-    -> G2 X70 Y5 I10
-    <- ok
-    -> G2 I-5 J0
-    <- ok
-    -> M400
-    <- ok
-  )");
-  EXPECT_EQ(printer.chip.position[x], 5600);
-}
-
 TEST(arc_commands, a_circle_that_touches_the_end_of_the_travel_is_not_beyond_it) {
   Printer printer;
   prepare(printer);

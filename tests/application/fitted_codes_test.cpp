@@ -191,7 +191,9 @@ TEST_P(FittedCodes, are_known_and_called_not_fitted_only_where_they_are_not) {
     EXPECT_EQ(answer.find("Unknown command"), std::string::npos) << code;
     EXPECT_EQ(answer.find("not fitted") != std::string::npos, absent.contains(code))
         << code << ": " << answer;
-    if (line != "ok") printer.reset();  // it waits, or has halted
+    if (line != "ok") {
+      printer.reset();  // it waits, or has halted
+    }
   }
 }
 

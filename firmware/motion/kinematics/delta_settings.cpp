@@ -56,8 +56,9 @@ std::string_view fault_of(const Delta::Parameters& delta) {
     if (flattest.count() * 100 > rod.count() * 95) {
       return "L too short: rods would lie flat at the edge of the bed";
     }
-    if (delta.radius.count() * 100 < rod.count() * 31)
+    if (delta.radius.count() * 100 < rod.count() * 31) {
       return "L too long: rods would stand upright";
+    }
   }
   if (delta.printable_radius >= delta.radius) return "R not above the radius of the bed";
   return {};
