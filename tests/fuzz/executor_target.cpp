@@ -75,7 +75,9 @@ class Host {
         is_one_of(line, 'M', {206, 290, 428})) {
       printer_.forget_origin();
     }
-    if (line.text.contains("//action")) held_ = true;
+    if (line.text.contains("//action")) {
+      held_ = true;
+    }
   }
 
   // False where the input ends.
