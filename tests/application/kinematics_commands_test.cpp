@@ -152,7 +152,7 @@ TEST_F(Delta, refuses_a_geometry_that_cannot_be_and_stays_homed) {
   printer.talk("-> M114\n<* X:10.00 Y:10.00 Z:100.00\n<- ok");
 }
 
-// The carriages by the geometry alone, X and Y beside the towers' axes of symmetry.
+// The carriages by the geometry alone, X and Y along the towers' axes of symmetry.
 TEST_F(Delta, goes_by_its_new_geometry_once_it_is_homed) {
   execute({"G1 X10 Z100 F6000", "M665 L255 R110 H240 A1 Z2"});
   expect_refused("G1 X0", "home first");
