@@ -34,14 +34,21 @@ void take_line(std::span<const std::uint8_t> bytes, Line& line) {
     const char c = byte == '*' ? '+' : static_cast<char>(byte);
     if ((byte >= ' ' && byte <= '~') || byte == '\t') line.text += c;
   }
-  auto at = std::ranges::find_if_not(line.text, is_blank);
-  if (at == line.text.end()) return;
-  if (*at == 'N' || *at == 'n') *at = 'G';
-  line.letter = static_cast<char>(*at++ & ~0x20);
-  for (; at != line.text.end() && is_blank(*at); ++at) {
-  }
-  for (; at != line.text.end() && *at >= '0' && *at <= '9' && line.code < 100'000; ++at) {
-    line.code = line.code * 10 + static_cast<unsigned>(*at - '0');
+  bool comment = false, number = false;
+  for (char& c : line.text) {
+    if (comment || c == '(') {
+      comment = c != ')';
+    } else if (c == ';') {
+      return;
+    } else if (line.letter == 0 && !is_blank(c)) {
+      if (c == 'N' || c == 'n') c = 'G';
+      line.letter = static_cast<char>(c & ~0x20);
+    } else if (c >= '0' && c <= '9' && line.code < 100'000) {
+      line.code = line.code * 10 + static_cast<unsigned>(c - '0');
+      number = true;
+    } else if (number || !is_blank(c)) {
+      return;
+    }
   }
 }
 
