@@ -80,7 +80,7 @@ class Host {
     // By the letters alone, wherever they stand.
     if (is_one_of(line, 'M', {92, 211})) printer_.forget_travel();
     if (is_one_of(line, 'G', {53, 54, 55, 56, 57, 58, 59, 92}) ||
-        is_one_of(line, 'M', {206, 290, 428})) {
+        is_one_of(line, 'M', {206, 207, 290, 428})) {
       printer_.forget_origin();
     }
     if (line.text.contains("//action")) {
