@@ -169,7 +169,7 @@ void Application::note_cooling(Now now) {
   if (now.milliseconds < next_cooling_) return;
   next_cooling_ = now.milliseconds + cooling_period;
   constexpr std::int32_t most_steps = 2'000'000;  // more is a counter that has jumped
-  // No hotend melts more. M92 in mid-move makes more of the same steps; the model's 32 bits hold this.
+  // No hotend melts more. M92 in mid-move makes more of the same steps; 32 bits of the model hold it.
   constexpr std::int32_t most_melted = 50'000;
   const auto steps =
       static_cast<std::uint32_t>(motion_.steps()[units::index_of(units::Axis::e)].count());
@@ -183,10 +183,10 @@ void Application::note_cooling(Now now) {
   }
   const std::int32_t steps_per_mm =
       std::max<std::int32_t>(motion_.limits().of(units::Axis::e).steps_per_meter.count() / 1000, 1);
-  heat_.set_cooling({.fan = hardware_.fan.duty(),
-                     .filament = units::MicrometersPerSecond(std::min<std::int32_t>(
-                         std::clamp<std::int32_t>(made, 0, most_steps) * 1000 / steps_per_mm,
-                         most_melted))});
+  heat_.set_cooling(
+      {.fan = hardware_.fan.duty(),
+       .filament = units::MicrometersPerSecond(std::min<std::int32_t>(
+           std::clamp<std::int32_t>(made, 0, most_steps) * 1000 / steps_per_mm, most_melted))});
 }
 
 void Application::look_for_faults() {
