@@ -169,7 +169,7 @@ void Application::note_cooling(Now now) {
   if (now.milliseconds < next_cooling_) return;
   next_cooling_ = now.milliseconds + cooling_period;
   constexpr std::int32_t most_steps = 2'000'000;  // more is a counter that has jumped
-  // No hotend melts more. M92 in mid-move makes more of the same steps; 32 bits of the model hold it.
+  // No hotend melts more. M92 in mid-move makes more of the same steps than 32 bits would hold.
   constexpr std::int32_t most_melted = 50'000;
   const auto steps =
       static_cast<std::uint32_t>(motion_.steps()[units::index_of(units::Axis::e)].count());
