@@ -36,7 +36,9 @@ void take_line(std::span<const std::uint8_t> bytes, Line& line) {
   }
   bool comment = false, number = false;
   for (char& c : line.text) {
-    if (number && c == '(') return;
+    if (number && c == '(') {
+      return;
+    }
     if (comment || c == '(') {
       comment = c != ')';
     } else if (c == ';') {
