@@ -6,35 +6,15 @@
 #include <new>
 #include <string>
 
-#include "machine/machine.hpp"
 #include "registers/fan_registers.hpp"
 #include "registers/step_generator_registers.hpp"
+#include "tests/fuzz/firmware_in_memory.hpp"
 #include "tests/fuzz/property.hpp"
 
 namespace fuzz {
 namespace {
 
-constexpr const application::MachineDescription& description = machine::machine;
-constexpr thermal::ThermistorTable table{description.hotend.thermistor};
-constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
-    description.converter.capacitor_picofarads, description.converter.supply_millivolts,
-    description.converter.threshold_millivolts);
 constexpr std::uint32_t clocks_of_ms = InstantChip::clock_hz / 1000;
-
-struct Firmware {
-  Firmware()
-      : hardware(drivers::read_identity().value()),
-        application(description, application::ThermalTables{table, table, picoseconds_per_ohm},
-                    hardware, counters) {
-    require(application.start(description.baud), "the firmware does not start");
-  }
-  application::Statistics counters;
-  application::Hardware hardware;
-  application::Application application;
-};
-
-alignas(Firmware) std::array<std::byte, sizeof(Firmware)> memory;
-Firmware& firmware() { return *std::launder(reinterpret_cast<Firmware*>(memory.data())); }
 
 struct Snapshot {
   std::array<std::byte, sizeof(Firmware)> memory;

@@ -9,8 +9,7 @@
 #include <cstring>
 #include <new>
 
-#include "application/application.hpp"
-#include "machine/machine.hpp"
+#include "tests/fuzz/firmware_in_memory.hpp"
 #include "tests/fuzz/property.hpp"
 
 namespace fuzz {
@@ -20,28 +19,7 @@ namespace {
 using application_test::clock_hz;
 using application_test::FakeChip;
 
-constexpr const application::MachineDescription& description = machine::machine;
-constexpr thermal::ThermistorTable table{description.hotend.thermistor};
-constexpr std::uint32_t picoseconds_per_ohm = thermal::picoseconds_per_ohm(
-    description.converter.capacitor_picofarads, description.converter.supply_millivolts,
-    description.converter.threshold_millivolts);
-
-struct Firmware {
-  Firmware()
-      : hardware(drivers::read_identity().value()),
-        application(description, application::ThermalTables{table, table, picoseconds_per_ohm},
-                    hardware, counters) {
-    require(application.start(description.baud), "the firmware does not start");
-  }
-  application::Statistics counters;
-  application::Hardware hardware;
-  application::Application application;
-};
-
-alignas(Firmware) std::array<std::byte, sizeof(Firmware)> memory;
 FakeChip* living_chip = nullptr;
-
-Firmware& firmware() { return *std::launder(reinterpret_cast<Firmware*>(memory.data())); }
 
 void pass_unchecked(FakeChip& chip) {
   if (firmware().application.update()) return;
