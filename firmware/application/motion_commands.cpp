@@ -170,17 +170,27 @@ std::optional<Progress> MotionCommands::take_target(ActiveCommand& command, Posi
 std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& command,
                                                              const Positions& machine) {
   if (!representable(machine)) return command.refuse("Number out of range");
-  if (!soft_limits_) return std::nullopt;
-  if (const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine)) {
+  if (const auto axis = axis_out_of_bounds(machine)) {
     const units::Nanometers offset = coordinates_.tool_offset(index_of(*axis));
     return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel, offset).view());
   }
   return std::nullopt;
 }
 
+std::optional<Axis> MotionCommands::axis_out_of_bounds(const Positions& machine) const {
+  if (!soft_limits_) return std::nullopt;
+  const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine);
+  if (axis || lift_.height == units::Nanometers() || motion_.position_jumps() != lift_.jumps) {
+    return axis;
+  }
+  Positions lowered = machine;
+  lowered[index_of(Axis::z)] = lowered[index_of(Axis::z)] - units::Position(lift_.height);
+  return motion::check_bounds(motion_.limits(), motion_.homed(), lowered);
+}
+
 bool MotionCommands::may_go_to(const Positions& machine) const {
   return representable(machine) && motion_.kinematics().reaches(machine) &&
-         (!soft_limits_ || !motion::check_bounds(motion_.limits(), motion_.homed(), machine));
+         !axis_out_of_bounds(machine);
 }
 
 Progress MotionCommands::dwell(ActiveCommand& command) {

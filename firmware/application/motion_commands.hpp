@@ -2,6 +2,7 @@
 // The commands that move, stop or switch motors: G0 to G4 G28 M17 M18 M84 M211 M400 M410.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "application/active_command.hpp"
@@ -35,6 +36,14 @@ class MotionCommands {
   // Whether it may, without a word.
   bool may_go_to(const Positions& machine) const;
 
+  // How much G10 has lifted Z, until G11 or a jump of the position. Soft limits hold for the
+  // lowered nozzle too, so that G11 can always lower it.
+  struct Lift {
+    units::Nanometers height{};
+    std::uint32_t jumps{};  // of the position, when Z was lifted
+  };
+  Lift& lift() { return lift_; }
+
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
 
@@ -49,6 +58,7 @@ class MotionCommands {
   std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);
   Progress append_chord(ActiveCommand& command);
   Progress switch_motors(const ActiveCommand& command, bool enabled);
+  std::optional<units::Axis> axis_out_of_bounds(const Positions& machine) const;
 
   MotionTask& motion_;
   HeatTask& heat_;
@@ -61,6 +71,7 @@ class MotionCommands {
   units::Milliseconds dwell_end_{};
   units::Milliseconds motor_timeout_{};
   bool soft_limits_{true};
+  Lift lift_{};
 };
 
 }  // namespace application

@@ -17,9 +17,9 @@ constexpr units::Nanometers least_replaced{100'000}, most_replaced{10'000'000};
 }  // namespace
 
 // `done` where the moves may follow.
-Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers lift, bool extrudes) {
+Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers raise, bool extrudes) {
   Positions lifted = motion_.position();
-  lifted[index_of(Axis::z)] = lifted[index_of(Axis::z)] + units::Position(lift);
+  lifted[index_of(Axis::z)] = lifted[index_of(Axis::z)] + units::Position(raise);
   if (const auto refused = moves_.refuse_beyond_limits(command, lifted)) return *refused;
   if (extrudes && heat_.extrusion_is_cold()) {
     command.refused = true;
@@ -54,7 +54,7 @@ units::Position RetractionCommands::above_host() const {
 void RetractionCommands::drop_void_lift() {
   if (above_host() == above_host_) {
     const units::Position here = coordinates_.logical()[index_of(Axis::z)];
-    coordinates_.set_logical(Axis::z, here + units::Position(lift_));
+    coordinates_.set_logical(Axis::z, here + units::Position(lift_.height));
   }
   lift_ = {};
 }
@@ -65,24 +65,23 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
   if (command.phase == ActiveCommand::Phase::begin) {
     if (state.retracted) return Progress::done;
     // Another tool's lift is enough.
-    const bool lifted = units::most_tools > 1 && lift_ != units::Nanometers() && !jumped();
+    const bool lifted = units::most_tools > 1 && lift_.height != units::Nanometers() && !jumped();
     const Progress progress = begin(command, lifted ? units::Nanometers() : retraction.lift);
     if (command.refused) return progress;
-    if (units::most_tools > 1 && lift_ != units::Nanometers() && jumped()) drop_void_lift();
+    if (units::most_tools > 1 && lift_.height != units::Nanometers() && jumped()) drop_void_lift();
     const Progress drawn = append(command, Axis::e, -retraction.length, retraction.speed);
     if (command.refused) return drawn;
     state.retracted = true;
     state.length = retraction.length;
-    jumps_ = motion_.position_jumps();
     if (lifted) return Progress::done;
-    lift_ = {};
+    lift_ = {.jumps = motion_.position_jumps()};
   }
   if (motion_.stopping() || jumped() || retraction.lift == units::Nanometers()) {
     return Progress::done;
   }
   if (!motion_.has_room()) return Progress::again;
   const Progress progress = lift(command, retraction.lift);
-  if (!command.refused) lift_ = retraction.lift;
+  if (!command.refused) lift_.height = retraction.lift;
   above_host_ = above_host();
   return progress;
 }
@@ -90,21 +89,19 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
 Progress RetractionCommands::recover(ActiveCommand& command) {
   State& state = this->state();
   const bool only_lowers =
-      units::most_tools > 1 && !state.retracted && lift_ != units::Nanometers();
+      units::most_tools > 1 && !state.retracted && lift_.height != units::Nanometers();
   if (!state.retracted && !only_lowers) return Progress::done;
   if (command.phase == ActiveCommand::Phase::begin) {
     const bool void_lift = jumped();
-    const Progress progress =
-        begin(command, void_lift ? units::Nanometers() : -lift_, !only_lowers);
+    const Progress progress = begin(command, {}, !only_lowers);
     if (command.refused) return progress;
     if (void_lift) {
       drop_void_lift();
-    } else if (lift_ != units::Nanometers()) {
-      const Progress lowered = lift(command, -lift_);
+    } else if (lift_.height != units::Nanometers()) {
+      const Progress lowered = lift(command, -lift_.height);
       if (command.refused) return lowered;
     }
-    lift_ = {};
-    jumps_ = motion_.position_jumps();
+    lift_ = {.jumps = motion_.position_jumps()};
     return only_lowers ? Progress::done : Progress::again;
   }
   if (motion_.stopping() || jumped()) return Progress::done;

@@ -18,7 +18,11 @@ class RetractionCommands {
  public:
   RetractionCommands(MotionTask& motion, HeatTask& heat, MotionCommands& moves,
                      Coordinates& coordinates)
-      : motion_(motion), heat_(heat), moves_(moves), coordinates_(coordinates) {}
+      : motion_(motion),
+        heat_(heat),
+        moves_(moves),
+        coordinates_(coordinates),
+        lift_(moves.lift()) {}
 
   // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
   Progress retract(ActiveCommand& command);
@@ -31,12 +35,12 @@ class RetractionCommands {
   Progress move(ActiveCommand& command);
 
  private:
-  Progress begin(ActiveCommand& command, units::Nanometers lift, bool extrudes = true);
+  Progress begin(ActiveCommand& command, units::Nanometers raise, bool extrudes = true);
   Progress append(ActiveCommand& command, units::Axis axis, units::Nanometers distance,
                   units::MicrometersPerSecond speed);
   Progress lift(ActiveCommand& command, units::Nanometers distance);
   units::Position above_host() const;
-  bool jumped() const { return motion_.position_jumps() != jumps_; }
+  bool jumped() const { return motion_.position_jumps() != lift_.jumps; }
   void drop_void_lift();
 
   MotionTask& motion_;
@@ -51,9 +55,8 @@ class RetractionCommands {
   State& state() { return states_[coordinates_.tool()]; }
   std::array<State, units::most_tools> states_{};
   // Of Z, which all tools have in common.
-  units::Nanometers lift_{};
+  MotionCommands::Lift& lift_;
   units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
-  std::uint32_t jumps_{};  // of the position then
   bool recovers_{};  // the line in hand, which stands for G10 or G11
 };
 

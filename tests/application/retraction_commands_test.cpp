@@ -103,6 +103,28 @@ TEST_F(Retraction, is_refused_where_z_cannot_be_lifted) {
   expect(20, 109);
 }
 
+// Otherwise the nozzle would be below the bed after G11, or G11 refused and Z left lifted.
+TEST_F(Retraction, keeps_the_lowered_nozzle_within_the_travel) {
+  execute({"M207 S2 Z1.5", "G10"});
+  talk(R"(
+    -> G0 Z-1
+    <- echo:Move beyond the end of Z (0.00 to 110.00), not executed: "G0 Z-1"
+    <- ok
+    -> G2 X30 I5 Z-0.01 F600
+    <- echo:Move beyond the end of Z (0.00 to 110.00), not executed: "G2 X30 I5 Z-0.01 F600"
+    <- ok
+  )");
+  execute({"G1 Z0 F600"});
+  expect(18, 1.5);
+  execute({"G11"});
+  expect(20, 0);
+}
+
+TEST_F(Retraction, counts_no_lift_that_a_jump_has_made_void) {
+  execute({"M207 S2 Z1.5", "G10", "G28 Z", "G1 Z0.5 F600"});
+  expect(18, 0.5);
+}
+
 TEST_F(Retraction, is_refused_below_the_extrusion_limit) {
   execute({"M302 S250"});
   talk("-> G10\n<- echo: cold extrusion prevented\n<- ok\n");
