@@ -179,13 +179,9 @@ std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& comm
 
 std::optional<Axis> MotionCommands::axis_out_of_bounds(const Positions& machine) const {
   if (!soft_limits_) return std::nullopt;
-  const auto axis = motion::check_bounds(motion_.limits(), motion_.homed(), machine);
-  if (axis || lift_.height == units::Nanometers() || motion_.position_jumps() != lift_.jumps) {
-    return axis;
-  }
-  Positions lowered = machine;
-  lowered[index_of(Axis::z)] = lowered[index_of(Axis::z)] - units::Position(lift_.height);
-  return motion::check_bounds(motion_.limits(), motion_.homed(), lowered);
+  const bool lifted = motion_.position_jumps() == lift_->jumps;
+  return motion::check_bounds(motion_.limits(), motion_.homed(), machine,
+                              lifted ? lift_->height : units::Nanometers());
 }
 
 bool MotionCommands::may_go_to(const Positions& machine) const {

@@ -42,7 +42,7 @@ class MotionCommands {
     units::Nanometers height{};
     std::uint32_t jumps{};  // of the position, when Z was lifted
   };
-  Lift& lift() { return lift_; }
+  void respect(const Lift& lift) { lift_ = &lift; }
 
   // M84 S: after how long at rest the motors are switched off; 0 is never.
   units::Milliseconds motor_timeout() const { return motor_timeout_; }
@@ -71,7 +71,7 @@ class MotionCommands {
   units::Milliseconds dwell_end_{};
   units::Milliseconds motor_timeout_{};
   bool soft_limits_{true};
-  Lift lift_{};
+  const Lift* lift_{};
 };
 
 }  // namespace application

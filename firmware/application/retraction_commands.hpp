@@ -18,11 +18,9 @@ class RetractionCommands {
  public:
   RetractionCommands(MotionTask& motion, HeatTask& heat, MotionCommands& moves,
                      Coordinates& coordinates)
-      : motion_(motion),
-        heat_(heat),
-        moves_(moves),
-        coordinates_(coordinates),
-        lift_(moves.lift()) {}
+      : motion_(motion), heat_(heat), moves_(moves), coordinates_(coordinates) {
+    moves.respect(lift_);
+  }
 
   // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
   Progress retract(ActiveCommand& command);
@@ -55,7 +53,7 @@ class RetractionCommands {
   State& state() { return states_[coordinates_.tool()]; }
   std::array<State, units::most_tools> states_{};
   // Of Z, which all tools have in common.
-  MotionCommands::Lift& lift_;
+  MotionCommands::Lift lift_{};
   units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
   bool recovers_{};  // the line in hand, which stands for G10 or G11
 };

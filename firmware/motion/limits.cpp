@@ -109,12 +109,14 @@ Accepted set_automatic_retraction(Limits& limits, units::Nanometers value) {
 }
 
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
-                                        const units::PerAxis<units::Position>& target) {
+                                        const units::PerAxis<units::Position>& target,
+                                        units::Nanometers lift) {
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     const auto axis = static_cast<units::Axis>(i);
     const units::Nanometers travel = limits.axes[i].travel;
     const bool bounded = homed.contains(axis) && travel > units::Nanometers(0);
-    if (bounded && (target[i] < units::Nanometers(0) || target[i] > travel)) return axis;
+    const units::Nanometers lowest = axis == units::Axis::z ? lift : units::Nanometers(0);
+    if (bounded && (target[i].whole() < lowest || target[i] > travel)) return axis;
   }
   return std::nullopt;
 }

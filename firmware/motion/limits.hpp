@@ -100,8 +100,10 @@ Accepted set_recovery_speed(Limits& limits, units::Nanometers per_minute);
 // M209 S, 0 or another number.
 Accepted set_automatic_retraction(Limits& limits, units::Nanometers value);
 
-// The first axis on which `target` leaves the travel; axes not in `homed` have no bounds yet.
+// The first axis on which `target`, also lower by `lift`, leaves the travel; axes not in `homed`
+// have no bounds yet.
 std::optional<units::Axis> check_bounds(const Limits& limits, units::AxisSet homed,
-                                        const units::PerAxis<units::Position>& target);
+                                        const units::PerAxis<units::Position>& target,
+                                        units::Nanometers lift = {});
 
 }  // namespace motion
