@@ -106,12 +106,16 @@ void Coordinates::rename_place(units::Axis axis, const units::Position& position
   const std::size_t i = units::index_of(axis);
   if (i < Workspaces::axes) workspaces_.shift(i, position - logical_[i]);
   logical_[i] = position;
+  if (axis == units::Axis::z) z_is_set_ = true;
 }
 
 void Coordinates::axis_homed(units::Axis axis, const units::Position& machine) {
   const std::size_t i = units::index_of(axis);
   workspaces_.axis_homed(i);
-  if (axis == units::Axis::z) babystep_ = pending_babystep_ = {};
+  if (axis == units::Axis::z) {
+    babystep_ = pending_babystep_ = {};
+    z_is_set_ = true;
+  }
   logical_[i] = machine + workspaces_.origin(i);
   if (units::most_tools > 1 && i < std::tuple_size_v<ToolOffset>) logical_[i] += tool_offset(i);
 }

@@ -92,6 +92,9 @@ class Coordinates {
   void rename_place(units::Axis axis, const units::Position& position);
   // The axis is homed, and is there in the machine's coordinates.
   void axis_homed(units::Axis axis, const units::Position& machine);
+  // Whether homing or G92 has set the host's Z since it was last watched.
+  bool z_is_set() const { return z_is_set_; }
+  void watch_z() { z_is_set_ = false; }
   // The machine's position at the end of the last move.
   void set_planned(const Positions& machine) { planned_ = machine; }
   // After a stop or homing the machine is elsewhere: the host's position changes by the same.
@@ -137,6 +140,7 @@ class Coordinates {
   bool axes_relative_{};
   bool extruder_relative_{};
   bool inches_{};
+  bool z_is_set_{};
   Workspaces workspaces_;
   units::Position babystep_{};
   units::Position pending_babystep_{};

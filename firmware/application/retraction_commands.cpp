@@ -16,11 +16,7 @@ constexpr units::Nanometers least_replaced{100'000}, most_replaced{10'000'000};
 
 }  // namespace
 
-// `done` where the moves may follow.
-Progress RetractionCommands::begin(ActiveCommand& command, units::Nanometers raise, bool extrudes) {
-  Positions lifted = motion_.position();
-  lifted[index_of(Axis::z)] = lifted[index_of(Axis::z)] + units::Position(raise);
-  if (const auto refused = moves_.refuse_beyond_limits(command, lifted)) return *refused;
+Progress RetractionCommands::begin(ActiveCommand& command, bool extrudes) {
   if (extrudes && heat_.extrusion_is_cold()) {
     command.refused = true;
     return command.say("echo: cold extrusion prevented");
@@ -43,16 +39,9 @@ Progress RetractionCommands::lift(ActiveCommand& command, units::Nanometers dist
   return append(command, Axis::z, distance, motion_.limits().of(Axis::z).max_speed);
 }
 
-units::Position RetractionCommands::above_host() const {
-  constexpr std::size_t z = index_of(Axis::z);
-  const units::Position above = motion_.position()[z] - coordinates_.logical()[z];
-  if (units::most_tools == 1) return above;
-  return above + units::Position(coordinates_.tool_offset(z));
-}
-
 // After a stop Z need not have got there.
 void RetractionCommands::drop_void_lift() {
-  if (above_host() == above_host_) {
+  if (!coordinates_.z_is_set()) {
     const units::Position here = coordinates_.logical()[index_of(Axis::z)];
     coordinates_.set_logical(Axis::z, here + units::Position(lift_.height));
   }
@@ -66,7 +55,12 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
     if (state.retracted) return Progress::done;
     // Another tool's lift is enough.
     const bool lifted = units::most_tools > 1 && lift_.height != units::Nanometers() && !jumped();
-    const Progress progress = begin(command, lifted ? units::Nanometers() : retraction.lift);
+    if (!lifted) {
+      Positions raised = motion_.position();
+      raised[index_of(Axis::z)] += units::Position(retraction.lift);
+      if (const auto refused = moves_.refuse_beyond_limits(command, raised)) return *refused;
+    }
+    const Progress progress = begin(command);
     if (command.refused) return progress;
     if (units::most_tools > 1 && lift_.height != units::Nanometers() && jumped()) drop_void_lift();
     const Progress drawn = append(command, Axis::e, -retraction.length, retraction.speed);
@@ -82,7 +76,7 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
   if (!motion_.has_room()) return Progress::again;
   const Progress progress = lift(command, retraction.lift);
   if (!command.refused) lift_.height = retraction.lift;
-  above_host_ = above_host();
+  coordinates_.watch_z();
   return progress;
 }
 
@@ -93,7 +87,7 @@ Progress RetractionCommands::recover(ActiveCommand& command) {
   if (!state.retracted && !only_lowers) return Progress::done;
   if (command.phase == ActiveCommand::Phase::begin) {
     const bool void_lift = jumped();
-    const Progress progress = begin(command, {}, !only_lowers);
+    const Progress progress = begin(command, !only_lowers);
     if (command.refused) return progress;
     if (void_lift) {
       drop_void_lift();

@@ -24,20 +24,20 @@ class RetractionCommands {
 
   // First the filament, then Z. A line beyond the travel of Z is refused as a whole.
   Progress retract(ActiveCommand& command);
-  // First Z, with whichever tool it was lifted, then the filament. After a stop Z is not lowered,
-  // since it need not have got there: its coordinate becomes higher by the lift instead, unless
-  // homing or G92 has set it.
+  // First Z, with whichever tool it was lifted, to where the host's coordinate says that it is,
+  // then the filament. After a stop Z is not lowered, since it need not have got there: its
+  // coordinate becomes higher by the lift instead, unless homing or G92 has set it.
   Progress recover(ActiveCommand& command);
   // G0 and G1: one of the above where M209 says so, or a move. The host's E then shows what it has
   // asked for.
   Progress move(ActiveCommand& command);
 
  private:
-  Progress begin(ActiveCommand& command, units::Nanometers raise, bool extrudes = true);
+  // `done` where the moves may follow.
+  Progress begin(ActiveCommand& command, bool extrudes = true);
   Progress append(ActiveCommand& command, units::Axis axis, units::Nanometers distance,
                   units::MicrometersPerSecond speed);
   Progress lift(ActiveCommand& command, units::Nanometers distance);
-  units::Position above_host() const;
   bool jumped() const { return motion_.position_jumps() != lift_.jumps; }
   void drop_void_lift();
 
@@ -54,7 +54,6 @@ class RetractionCommands {
   std::array<State, units::most_tools> states_{};
   // Of Z, which all tools have in common.
   MotionCommands::Lift lift_{};
-  units::Position above_host_{};  // the machine's Z above that of the host, when it was lifted
   bool recovers_{};  // the line in hand, which stands for G10 or G11
 };
 

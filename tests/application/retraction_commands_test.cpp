@@ -125,6 +125,27 @@ TEST_F(Retraction, counts_no_lift_that_a_jump_has_made_void) {
   expect(18, 0.5);
 }
 
+// Where Z stands below its travel, as after lines without limits: G11 leads there again.
+TEST_F(Retraction, is_recovered_below_the_travel_where_it_began) {
+  execute({"M211 S0", "G1 Z-0.5 F600", "M211 S1", "M207 S2 Z1.5", "G10", "G11"});
+  expect(20, -0.5);
+}
+
+// By what has been set, and not by where Z is: baby steps and G92 may add up to the lift.
+TEST_F(Retraction, leaves_a_z_alone_that_was_homed_at_any_shift) {
+  execute({"G92 Z6.5", "M207 Z1.5", "G10", "G28 Z", "G11", "G1 Z1 F600"});
+  expect(20, 1);
+  execute({"M290 Z-0.5", "M207 Z0.5", "G10", "G28 Z", "G11", "G1 Z2"});
+  expect(20, 2);
+}
+
+TEST_F(Retraction, gives_the_lift_back_after_a_stop_however_z_is_shifted_meanwhile) {
+  execute({"M207 S2 Z1.5", "G10", "M290 Z0.05", "M410", "G11", "G1 Z5 F600"});
+  expect(20, 5.05);
+  execute({"M290 Z-0.05", "G10", "M206 Z0.2", "G28 X", "G11", "G1 Z5.2 F600"});
+  expect(20, 5);
+}
+
 TEST_F(Retraction, is_refused_below_the_extrusion_limit) {
   execute({"M302 S250"});
   talk("-> G10\n<- echo: cold extrusion prevented\n<- ok\n");
