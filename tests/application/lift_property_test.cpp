@@ -102,8 +102,7 @@ class Lift : public testing::TestWithParam<bool> {
       lead("M290 Z" + mm(by), z() + by);
     } else if (kind == 9) {
       EXPECT_TRUE(accepted("G92 Z" + mm(to)));
-      if (shift != z() - to) left = 0, named = true;
-      shift = z() - to;
+      left = 0, named = true, shift = z() - to;
     } else if (kind == 10) {
       const bool all = pick(0, 1) == 0;
       EXPECT_TRUE(executed(all ? "G28" : "G28 X"));

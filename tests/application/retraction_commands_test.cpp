@@ -140,9 +140,9 @@ TEST_F(Retraction, leaves_a_z_alone_that_was_homed_at_any_shift) {
 }
 
 TEST_F(Retraction, gives_the_lift_back_after_a_stop_however_z_is_shifted_meanwhile) {
-  execute({"M207 S2 Z1.5", "G10", "M290 Z0.05", "M410", "G11", "G1 Z5 F600"});
+  execute({"M207 S2 Z1.5", "G10", "M400", "M290 Z0.05", "M400", "M410", "G11", "G1 Z5 F600"});
   expect(20, 5.05);
-  execute({"M290 Z-0.05", "G10", "M206 Z0.2", "G28 X", "G11", "G1 Z5.2 F600"});
+  execute({"M290 Z-0.05", "G10", "M400", "M206 Z0.2", "G28 X", "G11", "G1 Z5.2 F600"});
   expect(20, 5);
 }
 
