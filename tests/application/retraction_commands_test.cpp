@@ -1,37 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // G10, G11, M207 and M208, as dialogues and by the positions of the axes.
-#include <gtest/gtest.h>
-
-#include "tests/application/dialogue.hpp"
+#include "tests/application/retraction.hpp"
 
 namespace application_test {
 namespace {
-
-constexpr std::size_t x = 0, z = 2, e = 3;
-constexpr double step = 0.002;  // of E, the coarsest of those that are compared, in mm
-
-class Retraction : public testing::Test {
- protected:
-  // Homed, with a hot nozzle, at X10 Y10 Z5 E20.
-  Retraction() {
-    printer.chip.heaters[0].celsius = 200;
-    talk("-> G28\n<- ok\n-> M104 S200\n<- ok\n-> G1 X10 Y10 Z5 E20 F6000\n<- ok\n");
-  }
-  void talk(std::string_view dialogue) { printer.talk(dialogue); }
-  // Sends the lines, each of which is answered by nothing but ok, and waits for the end of motion.
-  void execute(std::initializer_list<std::string_view> lines) {
-    for (const std::string_view line : lines) {
-      talk(std::string("-> ") + std::string(line) + "\n<- ok\n");
-    }
-    talk("-> M400\n<- ok\n");
-  }
-  void expect(double filament, double height) const {
-    EXPECT_NEAR(printer.mm(e), filament, step);
-    EXPECT_NEAR(printer.mm(z), height, step);
-  }
-
-  Printer printer;
-};
 
 TEST_F(Retraction, draws_back_3_mm_by_default_and_pushes_them_forward) {
   execute({"G10"});
@@ -103,49 +75,6 @@ TEST_F(Retraction, is_refused_where_z_cannot_be_lifted) {
   expect(20, 109);
 }
 
-// Otherwise the nozzle would be below the bed after G11, or G11 refused and Z left lifted.
-TEST_F(Retraction, keeps_the_lowered_nozzle_within_the_travel) {
-  execute({"M207 S2 Z1.5", "G10"});
-  talk(R"(
-    -> G0 Z-1
-    <- echo:Move beyond the end of Z (0.00 to 110.00), not executed: "G0 Z-1"
-    <- ok
-    -> G2 X30 I5 Z-0.01 F600
-    <- echo:Move beyond the end of Z (0.00 to 110.00), not executed: "G2 X30 I5 Z-0.01 F600"
-    <- ok
-  )");
-  execute({"G1 Z0 F600"});
-  expect(18, 1.5);
-  execute({"G11"});
-  expect(20, 0);
-}
-
-TEST_F(Retraction, counts_no_lift_that_a_jump_has_made_void) {
-  execute({"M207 S2 Z1.5", "G10", "G28 Z", "G1 Z0.5 F600"});
-  expect(18, 0.5);
-}
-
-// Where Z stands below its travel, as after lines without limits: G11 leads there again.
-TEST_F(Retraction, is_recovered_below_the_travel_where_it_began) {
-  execute({"M211 S0", "G1 Z-0.5 F600", "M211 S1", "M207 S2 Z1.5", "G10", "G11"});
-  expect(20, -0.5);
-}
-
-// By what has been set, and not by where Z is: baby steps and G92 may add up to the lift.
-TEST_F(Retraction, leaves_a_z_alone_that_was_homed_at_any_shift) {
-  execute({"G92 Z6.5", "M207 Z1.5", "G10", "G28 Z", "G11", "G1 Z1 F600"});
-  expect(20, 1);
-  execute({"M290 Z-0.5", "M207 Z0.5", "G10", "G28 Z", "G11", "G1 Z2"});
-  expect(20, 2);
-}
-
-TEST_F(Retraction, gives_the_lift_back_after_a_stop_however_z_is_shifted_meanwhile) {
-  execute({"M207 S2 Z1.5", "G10", "M400", "M290 Z0.05", "M400", "M410", "G11", "G1 Z5 F600"});
-  expect(20, 5.05);
-  execute({"M290 Z-0.05", "G10", "M400", "M206 Z0.2", "G28 X", "G11", "G1 Z5.2 F600"});
-  expect(20, 5);
-}
-
 TEST_F(Retraction, is_refused_below_the_extrusion_limit) {
   execute({"M302 S250"});
   talk("-> G10\n<- echo: cold extrusion prevented\n<- ok\n");
@@ -162,25 +91,6 @@ TEST_F(Retraction, with_a_letter_of_another_meaning_of_g10_is_refused) {
     <- echo:Unknown parameter, not executed: "G10 L2 P1 X5"
     <- ok
   )");
-}
-
-// A homed Z is where it says it is: lowering it would drive the nozzle into the bed.
-TEST_F(Retraction, does_not_lower_z_after_homing_it) {
-  execute({"M207 S2 Z1", "G10", "G28 Z", "G11", "G1 Z5 F600"});
-  expect(20, 5);
-}
-
-// Wherever a stop has ended the moves: the host's coordinate of Z is that of the place again.
-TEST_F(Retraction, does_not_lower_z_after_a_stop) {
-  execute({"M207 S2 Z1", "G10"});
-  talk("-> G1 X150 F600\n<- ok\n");
-  printer.run(1.0);
-  execute({"M410", "G11"});
-  EXPECT_GT(printer.mm(x), 11);
-  EXPECT_LT(printer.mm(x), 140);
-  expect(20, 6);
-  execute({"G1 Z5 F600"});
-  expect(20, 5);
 }
 
 TEST_F(Retraction, is_exact_over_many_times) {
