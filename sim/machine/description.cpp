@@ -143,6 +143,18 @@ BacklashDescription backlash_of(const Entry& backlash) {
   return description;
 }
 
+ShapingDescription shaping_of(const Entry& shaping) {
+  ShapingDescription description;
+  for (std::size_t i = 0; i < description.shapers.size(); ++i) {
+    const Entry shaper = shaping[i == 0 ? "x" : "y"];
+    if (!shaper) continue;
+    description.shapers[i] = {shaper["type"].text(), shaper["frequency_hz"].number(),
+                              shaper["damping"].number()};
+  }
+  description.advance_s = shaping["advance_s"].number();
+  return description;
+}
+
 BedSurface surface_of(const Entry& surface) {
   return {.left_front = surface["left_front_mm"].number(),
           .right_front = surface["right_front_mm"].number(),
@@ -192,6 +204,7 @@ Description description_of(const toml::table& table, const std::filesystem::path
     description.filament_change = {change["load_mm"].number(), change["unload_mm"].number(),
                                    change["purge_mm"].number()};
   }
+  if (const Entry shaping = root["shaping"]) description.shaping = shaping_of(shaping);
   if (const Entry probe = root["probe"]) description.probe = probe_of(probe, root["mesh"]);
   if (const Entry surface = root["bed_surface"]) description.bed_surface = surface_of(surface);
   for (std::size_t i = 0; i < description.bed_surface.size.size(); ++i) {

@@ -50,6 +50,19 @@ struct FilamentDescription {
   double load_mm{}, unload_mm{}, purge_mm{};
 };
 
+// Of the motor of X or Y.
+struct ShaperDescription {
+  std::string type = "none";  // as M593 P
+  double frequency_hz{};
+  double damping = 0.1;
+};
+
+// Input shaping and linear advance, until the file sets others.
+struct ShapingDescription {
+  std::array<ShaperDescription, 2> shapers;
+  double advance_s{};
+};
+
 struct ProbeDescription {
   std::size_t input{};  // of the end stops
   // From the nozzle to where it measures; Z: the nozzle's where it touches the bed, from where the
@@ -97,6 +110,7 @@ struct Description {
   RetractionDescription retraction;
   std::optional<BacklashDescription> backlash;
   std::optional<FilamentDescription> filament_change;
+  std::optional<ShapingDescription> shaping;
   std::optional<ProbeDescription> probe;
   BedSurface bed_surface;  // flat without a table of it
   HeaterDescription hotend;

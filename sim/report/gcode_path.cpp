@@ -22,7 +22,9 @@ bool is_any(const GcodeWords& words, char letter, Codes... codes) {
 }  // namespace
 
 Request GcodePath::read(std::string_view command) {
-  Request request = read_line(GcodeWords(command));
+  const GcodeWords words(command);
+  if (facts_.shaping) read_shaping(words, command);
+  Request request = read_line(words);
   if (Move* move = std::get_if<Move>(&request)) move->mesh = levelling_.followed();
   if (ToolMoves* all = std::get_if<ToolMoves>(&request)) {
     for (Move& move : all->moves) move.mesh = levelling_.followed();
@@ -120,6 +122,8 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     set_change(words);
   } else if (words.is('M', 218)) {
     set_offset(words);
+  } else if (words.is('M', 220)) {
+    read_speed(words);
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
     std::int64_t& flow = flow_percent_[tool_of(words)];
@@ -167,6 +171,8 @@ Request GcodePath::move(const GcodeWords& words, bool machines) {
       move.to[i] += distance;
     }
   }
+  read_speed(words);
+  move.speed_mm_s = feed_mm_s_ * static_cast<double>(speed_percent_) / 100;
   const bool straight = is_any(words, 'G', 0, 1);
   if (straight && (move.to[0] != move.from[0] || move.to[1] != move.from[1])) {
     move.to[height] += babystep_;

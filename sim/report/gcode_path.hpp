@@ -17,6 +17,7 @@
 #include "sim/report/femtometers.hpp"
 #include "sim/report/file_coordinates.hpp"
 #include "sim/report/gcode_words.hpp"
+#include "sim/report/input_shaper.hpp"
 #include "sim/report/levelling.hpp"
 
 namespace report {
@@ -34,6 +35,7 @@ struct Move {
   std::optional<ArcShape> arc;
   std::optional<Point> over{};  // two straight lines with this place between them: G27
   std::shared_ptr<const BedMesh> mesh{};  // that it follows
+  double speed_mm_s{};  // as F asks, at most; 0: another
 };
 struct Homing {
   std::array<bool, 3> axes{};
@@ -107,11 +109,13 @@ struct MachineFacts {
   std::optional<PlayFacts> play{};
   std::optional<FilamentFacts> filament{};
   std::array<double, 3> steps_per_mm{};  // at which a probe is looked at
+  std::optional<ShapingSetting> shaping{};
+  double fastest_mm_s = 500;  // without F
 };
 
 // Understands G0 to G3, G10 G11, G17 to G21, G27 to G30, G53 to G61, G90 to G92, M82 M83 M92
-// M200 M206 to M208 M217 M218 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M603 M701 M702
-// M851, T and M104 M109 M140 M149 M190; all else asks no motion.
+// M200 M206 to M208 M217 M218 M220 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M572 M593 M603
+// M701 M702 M851 M900, T and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
   explicit GcodePath(const MachineFacts& machine = {})
@@ -120,9 +124,11 @@ class GcodePath {
         retraction_(machine.retraction),
         change_(machine.second_tool.value_or(ToolFacts())) {
     if (facts_.probe) levelling_ = Levelling(*facts_.probe);
+    shaping_ = facts_.shaping.value_or(ShapingSetting());
   }
 
   Request read(std::string_view command);
+  const ShapingSetting& shaping() const { return shaping_; }
   const Point& position() const { return machine_; }
   Point nozzle() const { return above(levelling_.followed(), machine_); }
 
@@ -141,6 +147,8 @@ class GcodePath {
   bool read_offsets(const GcodeWords& words);
   void read_m(const GcodeWords& words, Request& request);
   bool read_levelling(const GcodeWords& words, Request& request);
+  void read_speed(const GcodeWords& words);
+  void read_shaping(const GcodeWords& words, std::string_view command);
   void relevel(bool follow, const std::function<void(Levelling&)>& change);
   Point uncorrected(Point nozzle) const;
   void set_point(const GcodeWords& words, BedMesh& mesh) const;
@@ -188,6 +196,9 @@ class GcodePath {
   std::array<Femtometers, 2> above_file_{};
   std::array<bool, 2> has_jumped_{};
   std::array<std::int64_t, 2> flow_percent_{100, 100};
+  double feed_mm_s_{};  // of F; 0: none yet
+  std::int64_t speed_percent_ = 100, kept_speed_percent_ = 100;
+  ShapingSetting shaping_;
   ToolFacts change_;
   std::size_t tool_ = 0;  // in use
   std::array<Femtometers, 2> drawn_{};  // of each: what a change of tools has drawn back

@@ -118,6 +118,8 @@ std::string to_json(const Results& results) {
       {"length_mm", rounded(results.length_mm)},
       {"points_reached", results.points_reached},
       {"points_missed", results.points_missed},
+      {"points_shaped", results.points_shaped},
+      {"max_shaping_mm", rounded(results.max_shaping_mm)},
       {"points_missed_by_axis", counts_json(results.findings.missed_by_axis, results.motors)}};
   json["lines"] = {{"refused", results.findings.refused_count},
                    {"warnings", results.findings.warning_count},

@@ -32,7 +32,10 @@ double length_of(const Move& move) {
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
                        sim::ClockRate rate, const MachineFacts& machine,
                        std::shared_ptr<const machine::Mechanism> mechanism)
-    : rate_(rate), gcode_(machine), match_({.position = start}) {
+    : rate_(rate),
+      gcode_(machine),
+      match_({.position = start}),
+      shaped_(static_cast<double>(rate.hertz()), machine.fastest_mm_s) {
   std::array<Resolution, motor_count> resolution{};
   for (std::size_t i = 0; i < resolution.size(); ++i) {
     resolution[i] = resolution_of(steps_per_mm[std::min(i, extruder)]);
@@ -48,6 +51,8 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
   }
   path_.at(start);
   set_grid();
+  shaped_.restart({.position = start}, start);
+  set_shaping();
 }
 
 void PointCheck::stepped(const devices::StepEdge& edge) {
@@ -77,8 +82,12 @@ void PointCheck::judge_states() {
 void PointCheck::judge_states_until(sim::Clock until) {
   while (!states_.empty() && states_.front().clock <= until) {
     const MachineState& state = states_.front();
-    match_.at(state);
-    path_.at(state.position);
+    if (shaping_.any()) {
+      shaped_.at(state);
+    } else {
+      match_.at(state);
+      path_.at(state.position);
+    }
     states_.pop_front();
   }
 }
@@ -104,10 +113,12 @@ void PointCheck::command_acknowledged(sim::Clock now, std::size_t, std::string_v
   if (executed) carry_out(command);
   judge_states();
   add_missed(match_.take_missed(), judged_);
+  add_missed(shaped_.take_missed(), judged_);
 }
 
 void PointCheck::carry_out(const SentCommand& command) {
   const Request request = gcode_.read(command.text);
+  if (gcode_.shaping() != shaping_) set_shaping();
   if (const Move* move = std::get_if<Move>(&request)) {
     ask(*move, command);
     return;
@@ -117,7 +128,8 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    if (match_.all_reached()) ask(gcode_.make_babystep(), command);
+    if (shaping_.any() ? shaped_.all_reached() : match_.all_reached())
+      ask(gcode_.make_babystep(), command);
     return;
   }
   if (std::holds_alternative<NoMotion>(request) ||
@@ -127,12 +139,12 @@ void PointCheck::carry_out(const SentCommand& command) {
   // The others wait for the end of all motion, also where the next command has been sent already.
   const bool is_free =
       std::holds_alternative<Homing>(request) || std::holds_alternative<Probing>(request);
-  if (is_free) path_.ask_homing();
-  judge_states_until(std::numeric_limits<sim::Clock>::max());
-  if (!std::holds_alternative<QuickStop>(request)) {
-    match_.settle(!is_free);
-    path_.finish();
+  if (is_free) {
+    path_.ask_homing();
+    shaped_.end_freely();
   }
+  judge_states_until(std::numeric_limits<sim::Clock>::max());
+  if (!std::holds_alternative<QuickStop>(request)) settle(!is_free);
   if (const Homing* homing = std::get_if<Homing>(&request)) {
     finish_homing(*homing);
   } else if (const Probing* probing = std::get_if<Probing>(&request)) {
@@ -143,19 +155,23 @@ void PointCheck::carry_out(const SentCommand& command) {
     take_up(*play);
   } else if (std::holds_alternative<QuickStop>(request)) {
     match_.abandon();
+    shaped_.abandon();
     path_.forget();
     stop_here();
   }
 }
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
-  match_.ask(grid_.steps_at(above(move.mesh, move.to)), {command.file_line, command.text},
-             detour_of(move), other_target(move));
-  if (move.over) {
-    path_.ask({move.from, *move.over, {}, {}, move.mesh});
-    path_.ask({*move.over, move.to, {}, {}, move.mesh});
+  const Steps target = grid_.steps_at(above(move.mesh, move.to));
+  const RequestedLine line{command.file_line, command.text};
+  std::vector<Move> parts{move};
+  if (move.over)
+    parts = {{move.from, *move.over, {}, {}, move.mesh}, {*move.over, move.to, {}, {}, move.mesh}};
+  if (shaping_.any()) {
+    shaped_.ask(parts, line, target, other_target(move));
   } else {
-    path_.ask(move);
+    match_.ask(target, line, detour_of(move), other_target(move));
+    for (const Move& part : parts) path_.ask(part);
   }
   length_mm_ += length_of(move);
   for (std::size_t i = extruder; i < motor_count && command.extrusion_prevented; ++i) {
@@ -224,17 +240,30 @@ void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judge
 
 PointCheck::Judgement PointCheck::judgement() const {
   PointMatch match = match_;
-  for (const MachineState& state : states_) match.at(state);
-  match.at(state_);
-  const bool nothing_requested = match.nothing_open() && in_flight_.empty();
+  ShapedCheck shaped = shaped_;
+  const auto see = [&](const MachineState& state) {
+    if (shaping_.any()) {
+      shaped.at(state);
+    } else {
+      match.at(state);
+    }
+  };
+  std::ranges::for_each(states_, see);
+  see(state_);
+  const bool nothing_requested =
+      match.nothing_open() && shaped.nothing_open() && in_flight_.empty();
+  const bool at_target = shaping_.any() ? shaped.is_at_last_target(state_.position)
+                                        : match_.is_at_last_target(state_.position);
   match.abandon();
+  shaped.abandon();
   Judgement result = judged_;
   add_missed(match.take_missed(), result);
-  result.reached = match.reached();
-  result.unasked_steps = match.unasked_steps();
+  add_missed(shaped.take_missed(), result);
+  result.reached = match.reached() + shaped.reached();
   for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
-    result.moved_after_end[i] = nothing_requested && !match_.is_at_last_target(state_.position) &&
-                                state_.position[i] != match_.last_target()[i];
+    result.unasked_steps[i] = match.unasked_steps()[i] + shaped.unasked_steps()[i];
+    result.moved_after_end[i] =
+        nothing_requested && !at_target && state_.position[i] != last_target()[i];
   }
   return result;
 }

@@ -17,6 +17,7 @@
 #include "sim/report/motor_grid.hpp"
 #include "sim/report/path_check.hpp"
 #include "sim/report/point_match.hpp"
+#include "sim/report/shaped_check.hpp"
 #include "sim/report/step_grid.hpp"
 #include "sim/simulation/clock_rate.hpp"
 
@@ -59,6 +60,10 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   double max_deviation_steps() const { return path_.max_deviation_steps(); }
   std::uint64_t lines_apart() const { return path_.lines_apart(); }
   double max_height_error_mm() const { return path_.max_height_error_mm(); }
+  // Of the points reached, those where input shaping or linear advance was on, and how far the tool
+  // was off its lines then.
+  std::uint64_t shaped_points() const { return shaped_.reached(); }
+  double max_shaping_mm() const { return shaped_.max_deviation_mm(); }
   // Of the executed moves, in X, Y and Z, as the G-code requests them.
   double length_mm() const { return length_mm_; }
   bool homed() const { return homed_; }
@@ -85,7 +90,11 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   void judge_states();
   void judge_states_until(sim::Clock until);
   void add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const;
-  void set_grid() { path_.set_grid(grid_); }
+  void set_grid();
+  void set_shaping();
+  void settle(bool rests);
+  void restart(const Steps& meant);
+  const Steps& last_target() const;
 
   MotorGrid grid_;
   sim::ClockRate rate_;
@@ -97,6 +106,8 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   NewPlay taken_up_;
   PointMatch match_;
   PathCheck path_;
+  ShapingSetting shaping_;
+  ShapedCheck shaped_;  // in place of the other two while shaping is on
   Judgement judged_;
   double length_mm_ = 0;
   bool homed_ = false;

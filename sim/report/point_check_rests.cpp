@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "sim/report/point_check.hpp"
 
@@ -16,6 +17,38 @@ constexpr std::size_t extruder = 3;
 
 }  // namespace
 
+const Steps& PointCheck::last_target() const {
+  return shaping_.any() ? shaped_.last_target() : match_.last_target();
+}
+
+void PointCheck::set_grid() {
+  path_.set_grid(grid_);
+  shaped_.set_grid(grid_);
+}
+
+void PointCheck::settle(bool rests) {
+  if (shaping_.any()) {
+    shaped_.settle(rests);
+  } else {
+    match_.settle(rests);
+  }
+  path_.finish();
+}
+
+void PointCheck::restart(const Steps& meant) {
+  match_.restart(state_, meant);
+  shaped_.restart(state_, meant);
+}
+
+// The chip comes to rest before.
+void PointCheck::set_shaping() {
+  judge_states_until(std::numeric_limits<sim::Clock>::max());
+  settle(true);
+  restart(Steps(last_target()));
+  shaping_ = gcode_.shaping();
+  shaped_.set_shaping(shaping_);
+}
+
 void PointCheck::take_up(const NewPlay& play) {
   taken_up_ = play;
   path_.set_play_mm(std::hypot(millimeters(play.lengths[0]), millimeters(play.lengths[1])));
@@ -27,14 +60,14 @@ void PointCheck::take_up(const NewPlay& play) {
 // As a line that ends where the nozzle is to be then.
 void PointCheck::finish_probing(const Probing& probing, const SentCommand& command) {
   const Steps end = grid_.steps_at(probing.nozzle);
-  match_.restart(state_, end);
+  restart(end);
   match_.ask(end, {command.file_line, command.text});
   match_.settle(true);
   path_.finish();
 }
 
 void PointCheck::finish_homing(const Homing& homing) {
-  Steps meant = match_.last_target();
+  Steps meant = last_target();
   if (grid_.mechanism().is_cartesian()) {
     for (std::size_t i = 0; i < homing.axes.size(); ++i) {
       if (!homing.axes[i]) continue;
@@ -47,7 +80,7 @@ void PointCheck::finish_homing(const Homing& homing) {
   } else {
     meant = home_motors(homing);
   }
-  match_.restart(state_, meant);
+  restart(meant);
   homed_ = true;
   set_grid();
 }
@@ -84,7 +117,7 @@ void PointCheck::change_resolution(const NewResolution& resolution) {
 
 void PointCheck::stop_here() {
   gcode_.stop_at(grid_.place_of_steps(state_.position));
-  match_.restart(state_, state_.position);
+  restart(state_.position);
 }
 
 }  // namespace report

@@ -33,6 +33,17 @@ std::array<double, 4> resolutions(const machine::Printer& printer) {
   return steps_per_mm;
 }
 
+ShapingSetting shaping_of(const machine::ShapingDescription& description) {
+  ShapingSetting setting{.advance_us = std::llround(description.advance_s * 1e6)};
+  for (std::size_t i = 0; i < setting.shapers.size(); ++i) {
+    const machine::ShaperDescription& shaper = description.shapers[i];
+    setting.shapers[i] = {shaper_named(shaper.type).value_or(ShaperKind::none),
+                          std::llround(shaper.frequency_hz * 1e3),
+                          std::llround(shaper.damping * 1e4)};
+  }
+  return setting;
+}
+
 MachineFacts facts_of(const machine::Printer& printer) {
   const machine::RetractionDescription& retraction = printer.description().retraction;
   const auto length = [](double millimeters) {
@@ -46,6 +57,14 @@ MachineFacts facts_of(const machine::Printer& printer) {
   for (std::size_t i = 0; i < facts.travel.size(); ++i) {
     facts.travel[i] = length(printer.description().axes[i].travel_mm.value_or(0));
     facts.steps_per_mm[i] = printer.description().axes[i].steps_per_mm;
+  }
+  double square = 0;
+  for (std::size_t i = 0; i < facts.travel.size(); ++i) {
+    square += std::pow(printer.description().axes[i].max_speed_mm_s, 2);
+  }
+  facts.fastest_mm_s = std::sqrt(square);
+  if (const auto& shaping = printer.description().shaping) {
+    facts.shaping = shaping_of(*shaping);
   }
   if (const auto& backlash = printer.description().backlash) {
     PlayFacts& play = facts.play.emplace();
@@ -192,6 +211,8 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
   results.motors = printer_.motors();
   for (std::size_t i = 0; i < results.motors; ++i) results.axes[i] = axis_result(i);
   results.max_deviation_mm = points_.max_deviation_mm();
+  results.points_shaped = points_.shaped_points();
+  results.max_shaping_mm = points_.max_shaping_mm();
   results.length_mm = points_.length_mm();
   results.max_deviation_steps = points_.max_deviation_steps();
   add_findings(results);

@@ -62,6 +62,10 @@ struct Results {
   double max_deviation_steps{};  // the same in steps of the coarser of X and Y
   std::uint64_t points_reached{};
   std::uint64_t points_missed{};
+  // Of the points reached, while input shaping or linear advance was on: to the step only where the
+  // machine came to rest; and how far the tool was off the lines then.
+  std::uint64_t points_shaped{};
+  double max_shaping_mm{};
   std::uint64_t underruns{};
   std::uint64_t late_ticks{};  // only where software makes the steps
   std::uint64_t guard_stalls_cycles{};

@@ -83,6 +83,11 @@ void print_summary(const PrintOptions& options, const report::Results& results) 
   say("  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
       results.points_reached, results.points_reached + results.points_missed,
       results.max_deviation_mm);
+  if (results.points_shaped > 0) {
+    say("  {} of them with input shaping or linear advance on, to the step at each rest, at most "
+        "{:.4f} mm off the lines in between\n",
+        results.points_shaped, results.max_shaping_mm);
+  }
   std::uint64_t illegal = 0, lost = 0;
   for (const report::AxisResult& axis : results.axes) {
     illegal += axis.illegal_pulses;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares the lines of the file with the steps where input shaping or linear advance is on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/report/input_shaper.hpp"
+#include "sim/report/motor_grid.hpp"
+#include "sim/report/point_match.hpp"
+
+namespace report {
+
+// A shaped axis is where a weighted mean of its planned positions is, so it cuts corners. If the
+// planned velocity of an axis stays between v0 and v1 while the shaper's impulses lie within, it is
+// at most (v1 - v0) / 2 * (mean absolute deviation of the impulses) off: then, without what both
+// have in common, v is between -(v1 - v0) / 2 and (v1 - v0) / 2. The velocities are known from F.
+// Linear advance adds up to K times the velocity of E.
+//
+// So around each line there is a space in which the axes may be together. The printer must go
+// through these spaces in the order of the lines, without leaving them; where it comes to rest,
+// each axis must be at the end of the last line to the step. `Reach` is how much of a line it may
+// have done by now.
+class ShapedCheck {
+ public:
+  explicit ShapedCheck(double clock_hz, double fastest_mm_s)
+      : clock_hz_(clock_hz), fastest_mm_s_(fastest_mm_s) {}
+
+  // From rest.
+  void set_shaping(const ShapingSetting& setting);
+  void set_grid(const MotorGrid& grid) { grid_ = grid; }
+
+  // As those of PointMatch.
+  void ask(const std::vector<Move>& parts, RequestedLine line, const Steps& target,
+           const std::optional<Steps>& other);
+  void at(const MachineState& state);
+  void settle(bool rests);
+  void abandon();
+  void restart(const MachineState& here, const Steps& meant);
+  // The axes move on otherwise as soon as they have come to the end of the last line.
+  void end_freely() { free_ = true; }
+
+  bool all_reached() const { return ended_; }
+  bool nothing_open() const { return lines_.empty(); }
+  std::uint64_t reached() const { return reached_; }
+  const Steps& unasked_steps() const { return unasked_; }
+  std::vector<UnreachedPoint> take_missed();
+  const Steps& last_target() const { return last_target_; }
+  bool is_at_last_target(const Steps& position) const {
+    return position == last_target_ || position == last_other_;
+  }
+  // How far the tool was off the lines in X and Y, at most.
+  double max_deviation_mm() const { return max_deviation_mm_; }
+
+ private:
+  using Motors = std::array<double, motor_count>;  // steps, mechanical, or steps/s
+  struct Range {
+    double low{}, high{};
+    void include(double value);
+  };
+  struct Piece {
+    Motors from{}, to{};
+    std::array<std::array<double, 2>, 2> ends_mm{};  // in X and Y
+    double seconds{};  // that it takes at least
+    Motors velocity{};
+    double advanced{};  // velocity of E that linear advance takes
+    // Of all pieces whose motion may be in the shapers at the same time.
+    std::array<Range, motor_count> velocities{};
+    double most_advanced{};
+    std::optional<Range> reach;  // parts of its way
+    std::size_t line{};  // that ends with it
+    bool ends_line{};
+  };
+  struct Line {
+    RequestedLine text;
+    Steps target{};
+    bool missed{};
+  };
+
+  std::vector<double> parts_of(const Move& move, double length, double speed) const;
+  void add_pieces(const Move& move, Motors& ways);
+  void add(Piece piece);
+  // The parts of a piece on whose way all axes may be where they are.
+  std::optional<Range> feasible(const Piece& piece) const;
+  bool follow();
+  bool find_again();
+  void pass(std::size_t count);
+  void pass_line(std::size_t line);
+  void miss(std::size_t line);
+  void note_deviation();
+  void count_unasked();
+
+  double clock_hz_{};
+  double fastest_mm_s_{};
+  MotorGrid grid_;
+  double slot_s_{};
+  double window_s_{};  // how long what was planned has an effect
+  std::array<double, motor_count> deviation_s_{};
+  double advance_s_{};
+  std::deque<Piece> pieces_;
+  std::size_t first_{};  // that may still be under way; those before it are in the shapers
+  std::deque<Line> lines_;
+  std::size_t lines_done_{};  // lines_ begins with this one
+  MachineState now_, rest_, end_;
+  Motors asked_{};  // since the last rest
+  Steps last_target_{};
+  std::optional<Steps> last_other_;
+  bool lost_{}, free_{}, ended_ = true;
+  std::uint64_t reached_{};
+  Steps unasked_{};
+  std::vector<UnreachedPoint> missed_;
+  double max_deviation_mm_{};
+};
+
+}  // namespace report
