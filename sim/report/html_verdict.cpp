@@ -165,11 +165,12 @@ void add_verdict(Page& page, const Results& results) {
   if (good && results.outcome == Outcome::completed) {
     add(page,
         "<div class=\"verdict good\" id=\"verdict\">{}<div><b>Good print</b><p>{} of {} points of "
-        "the file reached to the step, nothing refused, at most {} off its "
-        "lines.</p></div></div>\n",
+        "the file reached{}, nothing refused, at most {} off its lines{}.</p></div></div>\n",
         tick, grouped(results.points_reached),
         grouped(results.points_reached + results.points_missed),
-        length_text(results.max_deviation_mm));
+        results.points_shaped == 0 ? " to the step" : "",
+        length_text(std::max(results.max_deviation_mm, results.max_shaping_mm)),
+        results.points_shaped == 0 ? "" : " with input shaping or linear advance");
     return;
   }
   if (good && results.outcome == Outcome::stopped) {
@@ -206,8 +207,13 @@ void add_facts(Page& page, const Results& results) {
              "warnings");
   }
   if (findings.lines_lost > 0) add_count(page, findings.lines_lost, "lines without an answer");
-  add_fact(page, grouped(results.points_reached), "points reached to the step");
+  add_fact(page, grouped(results.points_reached - results.points_shaped),
+           "points reached to the step");
   add_fact(page, length_text(results.max_deviation_mm), "farthest from the G-code's lines");
+  if (results.points_shaped > 0) {
+    add_fact(page, grouped(results.points_shaped), "points with input shaping or advance");
+    add_fact(page, length_text(results.max_shaping_mm), "corners rounded by at most");
+  }
   add_fact(page, length_text(results.length_mm), "way of the nozzle");
   add_fact(page, fmt::format("{:.3g} MHz", results.clock_hz * 1e-6), "clock of the chip");
   add_fact(page, fmt::format("{:.1f} %", results.processor_busy_percent), "processor busy");

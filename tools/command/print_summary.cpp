@@ -80,12 +80,16 @@ void print_summary(const PrintOptions& options, const report::Results& results) 
   say("  {} lines, {} resends, {} lost; {} refused that should move or heat, {} warning{}\n",
       results.lines_sent, results.resends, findings.lines_lost, findings.refused_count,
       findings.warning_count, findings.warning_count == 1 ? "" : "s");
-  say("  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
-      results.points_reached, results.points_reached + results.points_missed,
-      results.max_deviation_mm);
-  if (results.points_shaped > 0) {
-    say("  {} of them with input shaping or linear advance on, to the step at each rest, at most "
-        "{:.4f} mm off the lines in between\n",
+  const std::uint64_t points = results.points_reached + results.points_missed;
+  if (results.points_shaped == 0) {
+    say("  {} of {} points reached to the step on X, Y, Z and E, at most {:.4f} mm off the lines\n",
+        results.points_reached, points, results.max_deviation_mm);
+  } else {
+    say("  {} of {} points reached on X, Y, Z and E\n", results.points_reached, points);
+    say("    {} to the step, at most {:.4f} mm off the lines\n",
+        results.points_reached - results.points_shaped, results.max_deviation_mm);
+    say("    {} with input shaping or linear advance: to the step where the axes rest, corners "
+        "rounded by at most {:.4f} mm\n",
         results.points_shaped, results.max_shaping_mm);
   }
   std::uint64_t illegal = 0, lost = 0;
