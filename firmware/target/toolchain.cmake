@@ -9,7 +9,10 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 if(PROCESSOR_HAS_ZBB)
   set(bit_manipulation _zbb)
 endif()
-set(processor_flags "-march=rv32imc_zicsr${bit_manipulation} -mabi=ilp32 --specs=picolibc.specs")
+# With its path: ccache looks for a name alone in the working directory, and then caches nothing.
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=picolibc.specs
+  OUTPUT_VARIABLE picolibc_specs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(processor_flags "-march=rv32imc_zicsr${bit_manipulation} -mabi=ilp32 --specs=${picolibc_specs}")
 # By force, so that a build folder from before a change of these takes them over.
 set(CMAKE_CXX_FLAGS ${processor_flags} CACHE STRING "" FORCE)
 set(CMAKE_ASM_FLAGS ${processor_flags} CACHE STRING "" FORCE)
