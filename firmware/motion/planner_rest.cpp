@@ -56,11 +56,17 @@ units::PerAxis<units::Position> Planner::motor_position() const {
   return motors;
 }
 
+// An axis that is at its step already keeps the part of a step that its place is away from there.
 void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
+  const units::PerAxis<std::int64_t> before = position_steps_;
   position_steps_ = steps;
-  residual_ = {};
-  line_end_ = kinematics_.place_of(motor_position());
-  target_ = line_end_;
+  const kinematics::Place place = kinematics_.place_of(motor_position());
+  for (std::size_t i = 0; i < units::axis_count; ++i) {
+    const bool is_motor = kinematics_.identity() || i == units::index_of(units::Axis::e);
+    if (is_motor && steps[i] == before[i]) continue;
+    residual_[i] = {};
+    target_[i] = line_end_[i] = place[i];
+  }
 }
 
 }  // namespace motion

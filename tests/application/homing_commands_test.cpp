@@ -2,6 +2,7 @@
 // G28: where each axis is afterwards, and how far it is pushed where an end stop fails.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 
 #include "tests/application/dialogue.hpp"
@@ -32,6 +33,22 @@ TEST(homing_commands, homes_only_the_axes_that_are_named) {
   )");
   EXPECT_EQ(printer.chip.mechanical[z], z_before);
   EXPECT_LE(std::abs(printer.chip.mechanical[y]), 1);
+}
+
+// Their places are between steps: parts of a step add up over a print, homed in between or not.
+TEST(homing_commands, leaves_the_other_axes_where_they_are_to_the_part_of_a_step) {
+  const auto steps_with = [](const char* between) {
+    Printer printer;
+    printer.talk("-> M302 S0\n<- ok\n-> G28\n<- ok\n-> G91\n<- ok\n-> M83\n<- ok");
+    for (int i = 0; i < 10; ++i) {
+      printer.talk("-> G1 Y0.103 Z0.0101 E0.333 F600\n<- ok");
+      printer.talk(between);
+    }
+    printer.talk("-> M400\n<- ok");
+    const auto& steps = printer.chip.mechanical;
+    return std::array{steps[y], steps[z], steps[3]};
+  };
+  EXPECT_EQ(steps_with("-> G28 X\n<- ok"), steps_with("-> M400\n<- ok"));
 }
 
 // Between any two polls of a pass, depending on the start.

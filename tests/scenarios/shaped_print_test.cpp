@@ -42,7 +42,7 @@ Corner print_with(const std::string& settings) {
   const scenarios::Print print = scenarios::print_text(
       gcode_with(settings),
       {"--warm", "--machine", PROJECT_DIRECTORY "/firmware/machines/bed_slinger.toml"});
-  EXPECT_EQ(print.report["result"], "completed") << print.job.output;
+  EXPECT_EQ(print.report["verdict"], "good") << print.job.output;
   EXPECT_EQ(print.report["queue"]["underruns"], 0);
   EXPECT_FALSE(print.said("not fitted"));
   const double clock_hz = print.report["clock_hz"].get<double>();
