@@ -96,7 +96,7 @@ ShaperTimes times_of(const ShaperSetting& setting) {
   for (const Impulse& impulse : impulses) {
     deviation += impulse.weight / sum * std::abs(impulse.periods - mean);
   }
-  return {impulses.back().periods * period, deviation * period};
+  return {impulses.size(), impulses.back().periods * period, deviation * period};
 }
 
 }  // namespace report

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,6 +32,7 @@ struct ShapingSetting {
 
 // A shaper is a sum of delayed motions; these are times of its impulses.
 struct ShaperTimes {
+  std::size_t impulses = 1;
   double length_s{};  // from the first to the last
   double deviation_s{};  // mean absolute deviation from their mean
 };

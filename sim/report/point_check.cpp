@@ -128,8 +128,9 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    if (shaping_.any() ? shaped_.all_reached() : match_.all_reached())
+    if (shaping_.any() ? shaped_.all_reached() : match_.all_reached()) {
       ask(gcode_.make_babystep(), command);
+    }
     return;
   }
   if (std::holds_alternative<NoMotion>(request) ||
@@ -165,8 +166,9 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
   const Steps target = grid_.steps_at(above(move.mesh, move.to));
   const RequestedLine line{command.file_line, command.text};
   std::vector<Move> parts{move};
-  if (move.over)
+  if (move.over) {
     parts = {{move.from, *move.over, {}, {}, move.mesh}, {*move.over, move.to, {}, {}, move.mesh}};
+  }
   if (shaping_.any()) {
     shaped_.ask(parts, line, target, other_target(move));
   } else {

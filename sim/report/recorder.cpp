@@ -63,9 +63,7 @@ MachineFacts facts_of(const machine::Printer& printer) {
     square += std::pow(printer.description().axes[i].max_speed_mm_s, 2);
   }
   facts.fastest_mm_s = std::sqrt(square);
-  if (const auto& shaping = printer.description().shaping) {
-    facts.shaping = shaping_of(*shaping);
-  }
+  if (const auto& shaping = printer.description().shaping) facts.shaping = shaping_of(*shaping);
   if (const auto& backlash = printer.description().backlash) {
     PlayFacts& play = facts.play.emplace();
     std::ranges::transform(backlash->lengths_mm, play.lengths.begin(), length);

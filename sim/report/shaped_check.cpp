@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spaces around the lines, and which of them the steps have gone through.
+// Lines in pieces, and the spaces around them.
 #include "sim/report/shaped_check.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace report {
 namespace {
 
 constexpr std::size_t extruder = 3;
-// Of a line's Bresenham steps, of the shaper's sum and of its sampling.
-constexpr double rounding_steps = 3;
 // Over which linear advance takes the velocity of E.
 constexpr double advance_window_s = 0.020;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
 // Arcs, and lines on which motors do not go evenly, in pieces that are straight to less than a step.
 constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
+// A chip has fewer lines in its buffers. What is older is not made any more.
+constexpr std::size_t most_lines = 1024;
 
 double length_of(const Move& move) {
   std::array<double, 3> way{};
@@ -38,7 +38,10 @@ double length_of(const Move& move) {
   return filament;
 }
 
-bool prints(const Move& move) { return move.to[0] != move.from[0] || move.to[1] != move.from[1]; }
+// A full circle ends where it began.
+bool prints(const Move& move) {
+  return move.arc || move.to[0] != move.from[0] || move.to[1] != move.from[1];
+}
 
 }  // namespace
 
@@ -57,9 +60,14 @@ void ShapedCheck::set_shaping(const ShapingSetting& setting) {
   slot_s_ = std::ldexp(1 / clock_hz_, static_cast<int>(bits));
   double longest = 0;
   deviation_s_ = {};
+  extra_turns_ = {};
   for (std::size_t i = 0; i < setting.shapers.size(); ++i) {
     const ShaperTimes times = times_of(setting.shapers[i]);
     deviation_s_[i] = times.deviation_s;
+    // A way speeds up, goes on and slows down. The sum has these parts once for each impulse, and in
+    // each it may turn once; at a turn, rounding may make a step more.
+    constexpr double parts_of_way = 3;
+    if (times.impulses > 1) extra_turns_[i] = parts_of_way * static_cast<double>(times.impulses);
     longest = std::max(longest, times.length_s);
   }
   advance_s_ = static_cast<double>(setting.advance_us) * 1e-6;
@@ -91,14 +99,15 @@ std::vector<double> ShapedCheck::parts_of(const Move& move, double length, doubl
 
 void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const Steps& target,
                       const std::optional<Steps>& other) {
+  if (takes_no_motion(parts, line, target)) return;
   Motors ways{};
   for (std::size_t i = 0; i < motor_count; ++i) {
     ways[i] = static_cast<double>(std::llabs(target[i] - last_target_[i]));
   }
-  lines_.push_back({std::move(line), target});
+  if (lines_.size() == most_lines) drop_oldest_line();
+  lines_.push_back({{std::move(line)}, target});
   last_target_ = target;
   last_other_ = other;
-  ended_ = false;
   Motors pieces_ways{};
   for (const Move& part : parts) add_pieces(part, pieces_ways);
   pieces_.back().ends_line = true;
@@ -106,10 +115,39 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
     // Where it turns on its way, a step more on either side.
     if (pieces_ways[i] > ways[i] + 1) ways[i] = pieces_ways[i] + 2;
     asked_[i] += ways[i];
-    // Linear advance goes there and back.
-    if (i >= extruder) asked_[i] += 2 * advance_s_ * pieces_.back().advanced;
+    // Linear advance goes there and back, and where it turns, rounding may make a step more.
+    if (i >= extruder && pieces_.back().advanced > 0) {
+      asked_[i] += 2 * advance_s_ * pieces_.back().advanced + 2;
+    }
   }
-  at(now_);
+  ended_ = is_at_last_target(now_.position) && may_have_ended();
+  if (ended_) end_ = now_;
+}
+
+// It is reached together with the line before it.
+bool ShapedCheck::takes_no_motion(const std::vector<Move>& parts, RequestedLine& line,
+                                  const Steps& target) {
+  const auto moves = [](const Move& move) { return move.arc || move.to != move.from; };
+  if (target != last_target_ || std::ranges::any_of(parts, moves)) return false;
+  if (ended_ && is_at_last_target(now_.position)) {
+    ++reached_;
+    return true;
+  }
+  if (lines_.empty() || lines_.back().texts.size() == most_lines) return false;
+  lines_.back().texts.push_back(std::move(line));
+  if (lines_.back().missed) missed_.push_back({lines_.back().texts.back(), target, now_});
+  return true;
+}
+
+void ShapedCheck::drop_oldest_line() {
+  const std::size_t line = lines_done_;
+  miss(line);
+  std::size_t count = first_;
+  while (count < pieces_.size() && pieces_[count].line <= line) pieces_[count++].reach.reset();
+  pass(count);
+  pass_line(line);
+  lost_ = lost_ || first_ >= behind_reach_;
+  behind_reach_ = std::max(behind_reach_, first_);
 }
 
 void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
@@ -120,6 +158,7 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     return std::array{place[0], place[1]};
   };
   Piece piece;
+  piece.way = ways_++;
   piece.line = lines_done_ + lines_.size() - 1;
   piece.to = grid_.motors_on(move, 0);
   piece.ends_mm[1] = place_at(0);
@@ -143,196 +182,48 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
   }
 }
 
-// What is in the shapers together with earlier pieces, with no more than the window between them.
+// What is in the shapers together with earlier pieces, with less than the window between them.
 void ShapedCheck::add(Piece piece) {
   piece.velocities = {};
+  piece.turns = {};
   piece.most_advanced = piece.advanced;
   for (std::size_t i = 0; i < motor_count; ++i) piece.velocities[i].include(piece.velocity[i]);
+  piece.reach.reset();
+  if (pieces_.empty()) {
+    piece.reach = Range{0, 0};
+    behind_reach_ = 1;
+  }
+  pieces_.push_back(piece);
+  Piece& added = pieces_.back();
+  const double window = window_s_ * (1 - 1e-9);  // the end of a line is as long, but for rounding
   double between = 0;
-  for (std::size_t j = pieces_.size(); j > 0 && between <= window_s_; --j) {
+  for (std::size_t j = pieces_.size() - 1; j > 0 && between < window; --j) {
     Piece& other = pieces_[j - 1];
     for (std::size_t i = 0; i < motor_count; ++i) {
-      piece.velocities[i].include(other.velocity[i]);
-      other.velocities[i].include(piece.velocity[i]);
+      added.velocities[i].include(other.velocity[i]);
+      other.velocities[i].include(added.velocity[i]);
+      if (extra_turns_[i] > 0) note_turns(j - 1, i);
     }
-    piece.most_advanced = std::max(piece.most_advanced, other.advanced);
-    other.most_advanced = std::max(other.most_advanced, piece.advanced);
+    added.most_advanced = std::max(added.most_advanced, other.advanced);
+    other.most_advanced = std::max(other.most_advanced, added.advanced);
     between += other.seconds;
   }
-  piece.reach.reset();
-  if (pieces_.empty()) piece.reach = Range{0, 0};
-  pieces_.push_back(piece);
-}
-
-std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece) const {
-  Range parts{0, 1};
   for (std::size_t i = 0; i < motor_count; ++i) {
-    const Range& velocity = piece.velocities[i];
-    const double off =
-        rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
-    const double place = static_cast<double>(now_.position[i]);
-    const double advance = i >= extruder ? advance_s_ * piece.most_advanced : 0;
-    const double least = place - off - advance - piece.from[i];
-    const double most = place + off - piece.from[i];
-    const double way = piece.to[i] - piece.from[i];
-    if (std::abs(way) < 1e-9) {
-      if (least > 0 || most < 0) return std::nullopt;
-      continue;
-    }
-    parts.low = std::max(parts.low, (way > 0 ? least : most) / way);
-    parts.high = std::min(parts.high, (way > 0 ? most : least) / way);
-  }
-  if (parts.low > parts.high) return std::nullopt;
-  return parts;
-}
-
-// From what was reached on, as far as the axes may be where they are without a gap.
-bool ShapedCheck::follow() {
-  bool enters = false, any = false;
-  for (std::size_t i = first_; i < pieces_.size(); ++i) {
-    Piece& piece = pieces_[i];
-    if (!piece.reach && !enters) continue;
-    const std::optional<Range> parts = feasible(piece);
-    std::optional<Range> reach;
-    if (parts && piece.reach) {
-      const double low = std::max(piece.reach->low, parts->low);
-      if (low <= std::min(piece.reach->high, parts->high)) reach = Range{low, parts->high};
-    }
-    if (parts && enters && parts->low <= 0) reach = Range{0, parts->high};
-    piece.reach = reach;
-    enters = reach && reach->high >= 1;
-    any = any || reach;
-  }
-  return any;
-}
-
-// The next place on the lines at which the axes may be.
-bool ShapedCheck::find_again() {
-  for (std::size_t i = first_; i < pieces_.size(); ++i) {
-    const std::optional<Range> parts = feasible(pieces_[i]);
-    if (!parts) continue;
-    for (std::size_t j = first_; j < i; ++j) {
-      if (pieces_[j].ends_line) miss(pieces_[j].line);
-    }
-    pieces_[i].reach = parts;
-    return true;
-  }
-  return false;
-}
-
-void ShapedCheck::at(const MachineState& state) {
-  now_ = state;
-  if (first_ == pieces_.size() || (free_ && ended_)) return;
-  if (lost_) {
-    lost_ = !find_again();
-    if (lost_) return;
-  }
-  // As it was, should the track be lost: the line under way is the one that is missed.
-  const std::size_t under_way = pieces_[first_].line;
-  if (!follow()) {
-    miss(under_way);
-    lost_ = !find_again();
-    if (lost_) return;
-    follow();
-  }
-  std::size_t done = first_;
-  while (!pieces_[done].reach) ++done;
-  pass(done);
-  note_deviation();
-  ended_ =
-      pieces_.back().reach && pieces_.back().reach->high >= 1 && is_at_last_target(now_.position);
-  if (ended_) end_ = now_;
-}
-
-// Pieces that are still in the shapers are kept for those that come.
-void ShapedCheck::pass(std::size_t count) {
-  for (; first_ < count; ++first_) {
-    if (pieces_[first_].ends_line) pass_line(pieces_[first_].line);
-  }
-  double kept = 0;
-  for (const Piece& piece : pieces_) kept += piece.seconds;
-  for (std::size_t i = first_; i < pieces_.size(); ++i) kept -= pieces_[i].seconds;
-  while (first_ > 0 && kept - pieces_.front().seconds > window_s_) {
-    kept -= pieces_.front().seconds;
-    pieces_.pop_front();
-    --first_;
+    if (extra_turns_[i] > 0) note_turns(pieces_.size() - 1, i);
   }
 }
 
-void ShapedCheck::pass_line(std::size_t line) {
-  while (lines_done_ <= line) {
-    if (!lines_.front().missed) ++reached_;
-    lines_.pop_front();
-    ++lines_done_;
-  }
+// Once for each way.
+void ShapedCheck::note_turns(std::size_t piece, std::size_t motor) {
+  const Range& velocity = pieces_[piece].velocities[motor];
+  if (velocity.low >= 0 || velocity.high <= 0) return;
+  if (std::exchange(pieces_[piece].turns[motor], true)) return;
+  const auto has_turned = [&](std::size_t other) {
+    return pieces_[other].way == pieces_[piece].way && pieces_[other].turns[motor];
+  };
+  if (piece > 0 && has_turned(piece - 1)) return;
+  if (piece + 1 < pieces_.size() && has_turned(piece + 1)) return;
+  asked_[motor] += extra_turns_[motor];
 }
-
-void ShapedCheck::miss(std::size_t line) {
-  Line& missed = lines_[line - lines_done_];
-  if (std::exchange(missed.missed, true)) return;
-  missed_.push_back({missed.text, missed.target, now_});
-}
-
-void ShapedCheck::note_deviation() {
-  const auto place = grid_.place_mm(now_.position);
-  std::optional<double> nearest;
-  for (std::size_t i = first_; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
-    if (!piece.reach) continue;
-    const auto& [from, to] = piece.ends_mm;
-    const double x = to[0] - from[0], y = to[1] - from[1];
-    const double square = x * x + y * y;
-    const double part =
-        square > 0
-            ? std::clamp(((place[0] - from[0]) * x + (place[1] - from[1]) * y) / square, 0.0, 1.0)
-            : 0;
-    const double off = std::hypot(from[0] + part * x - place[0], from[1] + part * y - place[1]);
-    nearest = std::min(nearest.value_or(off), off);
-  }
-  max_deviation_mm_ = std::max(max_deviation_mm_, nearest.value_or(0));
-}
-
-void ShapedCheck::count_unasked() {
-  for (std::size_t i = 0; i < motor_count; ++i) {
-    const auto asked = static_cast<std::int64_t>(std::ceil(asked_[i]));
-    const std::int64_t made = end_.steps_made[i] - rest_.steps_made[i];
-    unasked_[i] += std::max<std::int64_t>(0, made - asked);
-  }
-}
-
-void ShapedCheck::settle(bool rests) {
-  if (rests) at(now_);
-  if (!lines_.empty()) {
-    for (std::size_t line = lines_done_; line < lines_done_ + lines_.size(); ++line) {
-      if (!ended_) miss(line);
-    }
-    if (ended_) count_unasked();
-    pass_line(lines_done_ + lines_.size() - 1);
-  }
-  restart(now_, last_target_);
-}
-
-void ShapedCheck::abandon() {
-  if (ended_ && !lines_.empty()) pass_line(lines_done_ + lines_.size() - 1);
-  lines_done_ += lines_.size();
-  lines_.clear();
-  pieces_.clear();
-  first_ = 0;
-}
-
-void ShapedCheck::restart(const MachineState& here, const Steps& meant) {
-  lines_done_ += lines_.size();
-  lines_.clear();
-  pieces_.clear();
-  first_ = 0;
-  now_ = rest_ = end_ = here;
-  asked_ = {};
-  last_target_ = meant;
-  last_other_.reset();
-  lost_ = free_ = false;
-  ended_ = true;
-}
-
-std::vector<UnreachedPoint> ShapedCheck::take_missed() { return std::exchange(missed_, {}); }
 
 }  // namespace report

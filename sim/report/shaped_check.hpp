@@ -23,9 +23,9 @@ namespace report {
 // Linear advance adds up to K times the velocity of E.
 //
 // So around each line there is a space in which the axes may be together. The printer must go
-// through these spaces in the order of the lines, without leaving them; where it comes to rest,
-// each axis must be at the end of the last line to the step. `Reach` is how much of a line it may
-// have done by now.
+// through these spaces in the order of the lines, without leaving them and no faster than F; where
+// it comes to rest, each axis must be at the end of the last line to the step. `Reach` is how much
+// of a line it may have done by now.
 class ShapedCheck {
  public:
   explicit ShapedCheck(double clock_hz, double fastest_mm_s)
@@ -67,17 +67,19 @@ class ShapedCheck {
     Motors from{}, to{};
     std::array<std::array<double, 2>, 2> ends_mm{};  // in X and Y
     double seconds{};  // that it takes at least
+    std::size_t way{};  // that it is part of
     Motors velocity{};
     double advanced{};  // velocity of E that linear advance takes
     // Of all pieces whose motion may be in the shapers at the same time.
     std::array<Range, motor_count> velocities{};
     double most_advanced{};
+    std::array<bool, motor_count> turns{};  // where the others move the other way
     std::optional<Range> reach;  // parts of its way
     std::size_t line{};  // that ends with it
     bool ends_line{};
   };
   struct Line {
-    RequestedLine text;
+    std::vector<RequestedLine> texts;  // and those behind it that do not move
     Steps target{};
     bool missed{};
   };
@@ -85,15 +87,22 @@ class ShapedCheck {
   std::vector<double> parts_of(const Move& move, double length, double speed) const;
   void add_pieces(const Move& move, Motors& ways);
   void add(Piece piece);
-  // The parts of a piece on whose way all axes may be where they are.
-  std::optional<Range> feasible(const Piece& piece) const;
-  bool follow();
-  bool find_again();
+  bool takes_no_motion(const std::vector<Move>& parts, RequestedLine& line, const Steps& target);
+  void note_turns(std::size_t piece, std::size_t motor);
+  void drop_oldest_line();
+  // The parts of a piece on whose way all axes may be at this position.
+  std::optional<Range> feasible(const Piece& piece, const Steps& position) const;
+  // What may have been reached after a time in which no axis moved.
+  void go_on(const Steps& position, double seconds);
+  bool keep_feasible();
+  bool may_have_ended() const;
+  bool find_again(std::size_t from, std::size_t count);
   void pass(std::size_t count);
   void pass_line(std::size_t line);
   void miss(std::size_t line);
   void note_deviation();
   void count_unasked();
+  void forget_lines();
 
   double clock_hz_{};
   double fastest_mm_s_{};
@@ -101,9 +110,14 @@ class ShapedCheck {
   double slot_s_{};
   double window_s_{};  // how long what was planned has an effect
   std::array<double, motor_count> deviation_s_{};
+  std::array<double, motor_count> extra_turns_{};  // steps, where a way is mixed with one back
   double advance_s_{};
   std::deque<Piece> pieces_;
   std::size_t first_{};  // that may still be under way; those before it are in the shapers
+  std::size_t behind_reach_{};  // those from here on have not been reached
+  double passed_s_{};  // that those before the first take
+  std::size_t ways_{};
+  std::size_t searched_{};  // of those open, since the track was lost
   std::deque<Line> lines_;
   std::size_t lines_done_{};  // lines_ begins with this one
   MachineState now_, rest_, end_;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// A print made exactly as firmware/motion/shaping.md describes is judged good, whatever its lines.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "shaped_faults.hpp"
+#include "shaped_program.hpp"
+
+namespace tests {
+
+namespace {
+
+// What the judge says; empty where all is good.
+std::string complaint_of(const ShapedPrinter& printer, const std::vector<Command>& commands) {
+  const auto judgement = printer.check().judgement();
+  const auto moves = static_cast<std::uint64_t>(std::ranges::count_if(commands, &Command::is_move));
+  std::string text;
+  if (judgement.missed > 0 && !judgement.list.empty()) {
+    text +=
+        fmt::format("missed {} first {} '{}' at {:.4f} s; ", judgement.missed,
+                    judgement.list[0].file_line, judgement.list[0].text, judgement.list[0].seconds);
+    for (const auto& axis : judgement.list[0].axes) {
+      text += fmt::format("{}/{} ", axis.reached_steps, axis.wanted_steps);
+    }
+  }
+  if (judgement.reached != moves) {
+    text += fmt::format("reached {} of {}; ", judgement.reached, moves);
+  }
+  for (const auto steps : judgement.unasked_steps) {
+    if (steps != 0) text += fmt::format("unasked {}; ", steps);
+  }
+  for (const bool moved : judgement.moved_after_end) {
+    if (moved) text += "moved after the end; ";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST(ShapedCheck, judges_random_programs_good) {
+  int bad = 0, listed = 0;
+  for (std::uint32_t seed = 0; seed < 600; ++seed) {
+    const double clock_hz = seed % 2 == 0 ? 4e6 : 50e6;
+    const RandomProgram program(seed, clock_hz);
+    ShapedPrinter printer(clock_hz, program.given(), program.limits(), program.buffered());
+    printer.run(program.commands());
+    const std::string complaint = complaint_of(printer, program.commands());
+    if (complaint.empty()) continue;
+    ++bad;
+    if (++listed <= 25) {
+      const auto& given = program.given();
+      fmt::print("seed {} x {} {} y {} {} K {} jerk {} : {}\n", seed, given.x.kind, given.x.hertz,
+                 given.y.kind, given.y.hertz, given.advance_s, program.limits().jerk_mm_s[0],
+                 complaint);
+    }
+  }
+  EXPECT_EQ(bad, 0);
+}
+
+TEST(ShapedFaults, are_found_where_shaping_does_not_explain_them) {
+  struct Count {
+    int made{}, beyond{}, found{}, found_beyond{};
+  };
+  std::array<Count, static_cast<std::size_t>(Fault::count)> counts{};
+  for (std::uint32_t seed = 0; seed < 550; ++seed) {
+    const auto kind = static_cast<Fault>(seed % counts.size());
+    const double clock_hz = seed / counts.size() % 2 == 0 ? 4e6 : 50e6;
+    const RandomProgram program(seed, clock_hz, true);
+    std::mt19937 random(seed);
+    const std::vector<Command> made = faulty(kind, program.commands(), program.limits(), random);
+    if (made.empty()) continue;
+    ShapedPrinter printer(clock_hz, program.given(), program.limits(), program.buffered());
+    const Axes tolerance = tolerance_of(program.commands(), program.given(), printer.slot_s());
+    ShapingChoice real = program.given();
+    if (kind == Fault::slow_shaper) {
+      for (ShaperChoice* shaper : {&real.x, &real.y}) *shaper = {"zvd", 4, 0.1};
+      printer.be_shaped_by(real);
+    }
+    if (kind == Fault::long_advance) {
+      real.advance_s = 1;
+      printer.be_shaped_by(real);
+    }
+    bool beyond = false;
+    if (kind == Fault::forth_and_back) {
+      const std::size_t axis = random() % 4;
+      const auto steps = static_cast<std::int64_t>(1 + random() % 200);
+      printer.twitch(
+          {axis, random() % 2 == 0 ? steps : -steps, 0, static_cast<double>(random() % 101) / 100});
+      beyond = static_cast<double>(steps) > 2 * tolerance[axis] + 2;
+    }
+    printer.run(made);
+    beyond = beyond || !passes(program.commands(), printer, tolerance);
+    const bool found = !complaint_of(printer, program.commands()).empty();
+    Count& count = counts[static_cast<std::size_t>(kind)];
+    ++count.made;
+    count.found += found;
+    count.beyond += beyond;
+    count.found_beyond += found && beyond;
+    if (beyond && !found) fmt::print("{} not found: seed {}\n", name_of(kind), seed);
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    fmt::print("{}: {} made, {} found; {} beyond the tolerance, {} of them found\n",
+               name_of(static_cast<Fault>(i)), counts[i].made, counts[i].found, counts[i].beyond,
+               counts[i].found_beyond);
+    EXPECT_EQ(counts[i].found_beyond, counts[i].beyond);
+    EXPECT_GT(counts[i].found_beyond, 0);
+  }
+}
+
+}  // namespace tests
