@@ -17,6 +17,8 @@ constexpr std::size_t extruder = 3;
 constexpr double rounding_steps = 3;
 // Over which linear advance takes the velocity of E.
 constexpr double advance_window_s = 0.020;
+// Lines, and chords of others, end at whole steps of E: in that time its way is off by so much.
+constexpr double advanced_rounding_steps = 1;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
 // Arcs, and lines on which motors do not go evenly, in pieces that are straight to less than a step.
@@ -38,7 +40,10 @@ double length_of(const Move& move) {
   return filament;
 }
 
-bool prints(const Move& move) { return move.to[0] != move.from[0] || move.to[1] != move.from[1]; }
+// Each arc has X or Y in its plane; a full circle ends where it begins.
+bool prints(const Move& move) {
+  return move.arc || move.to[0] != move.from[0] || move.to[1] != move.from[1];
+}
 
 }  // namespace
 
@@ -136,6 +141,9 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
       ways[i] += std::abs(way);
       if (i >= extruder && prints(move)) {
         piece.advanced = std::max(piece.advanced, piece.velocity[i]);
+        // Linear advance goes to and fro by what rounding changes at the end of each chord.
+        const double rounding = advanced_rounding_steps * std::min(1.0, 4 * std::abs(way));
+        asked_[i] += advance_s_ / advance_window_s * rounding;
       }
     }
     add(piece);
@@ -168,8 +176,8 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece) cons
   Range parts{0, 1};
   for (std::size_t i = 0; i < motor_count; ++i) {
     const Range& velocity = piece.velocities[i];
-    const double off =
-        rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
+    double off = rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
+    if (i >= extruder) off += advance_s_ / advance_window_s * advanced_rounding_steps;
     const double place = static_cast<double>(now_.position[i]);
     const double advance = i >= extruder ? advance_s_ * piece.most_advanced : 0;
     const double least = place - off - advance - piece.from[i];
