@@ -40,11 +40,6 @@ double length_of(const Move& move) {
   return filament;
 }
 
-// Each arc has X or Y in its plane; a full circle ends where it begins.
-bool prints(const Move& move) {
-  return move.arc || move.to[0] != move.from[0] || move.to[1] != move.from[1];
-}
-
 }  // namespace
 
 void ShapedCheck::Range::include(double value) {
@@ -135,11 +130,13 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     piece.ends_mm = {piece.ends_mm[1], place_at(part)};
     piece.seconds = length * (part - before) / speed;
     piece.advanced = 0;
+    // By the motors: those of a delta also turn where it only goes up.
+    const bool prints = piece.to[0] != piece.from[0] || piece.to[1] != piece.from[1];
     for (std::size_t i = 0; i < motor_count; ++i) {
       const double way = piece.to[i] - piece.from[i];
       piece.velocity[i] = piece.seconds > 0 ? way / piece.seconds : 0;
       ways[i] += std::abs(way);
-      if (i >= extruder && prints(move)) {
+      if (i >= extruder && prints) {
         piece.advanced = std::max(piece.advanced, piece.velocity[i]);
         // Linear advance goes to and fro by what rounding changes at the end of each chord.
         const double rounding = advanced_rounding_steps * std::min(1.0, 4 * std::abs(way));
