@@ -223,11 +223,12 @@ Request GcodePath::home(const GcodeWords& words) {
   return homing;
 }
 
-// What the file calls the place stays as it is.
+// The filament first, then Z. What the file calls the place stays as it is.
 Request GcodePath::retract() {
   if (retracted_[tool_]) return NoMotion{};
   Move move{machine_, machine_, {}};
   move.to[extruder_motor()] -= retraction_.length;
+  if (retraction_.lift != 0) move.over = move.to;
   move.to[height] += retraction_.lift;
   machine_ = move.to;
   retracted_[tool_] = retraction_;
@@ -236,14 +237,18 @@ Request GcodePath::retract() {
   return move;
 }
 
-// After a stop or homing the chip does not lower Z. Unless the file or homing has said since what
-// the place is called, it is higher by the lift.
+// Z first. After a stop or homing the chip does not lower Z. Unless the file or homing has said
+// since what the place is called, it is higher by the lift.
 Request GcodePath::recover() {
   std::optional<Retraction>& retracted = retracted_[tool_];
   if (!retracted) return NoMotion{};
   Move move{machine_, machine_, {}};
   move.to[extruder_motor()] += retracted->length + retraction_.extra;
   if (!has_jumped_[tool_]) {
+    if (retracted->lift != 0) {
+      move.over = move.from;
+      (*move.over)[height] -= retracted->lift;
+    }
     move.to[height] -= retracted->lift;
   } else if (machine_[height] + offset(height) - logical_[height] == above_file_[tool_]) {
     logical_[height] += retracted->lift;

@@ -33,7 +33,7 @@ struct Move {
   Point from{};
   Point to{};
   std::optional<ArcShape> arc;
-  std::optional<Point> over{};  // two straight lines with this place between them: G27
+  std::optional<Point> over{};  // two straight lines with this place between them
   std::shared_ptr<const BedMesh> mesh{};  // that it follows
   double speed_mm_s{};  // as F asks, at most; 0: another
 };

@@ -38,11 +38,6 @@ double length_of(const Move& move) {
   return filament;
 }
 
-// A full circle ends where it began.
-bool prints(const Move& move) {
-  return move.arc || move.to[0] != move.from[0] || move.to[1] != move.from[1];
-}
-
 }  // namespace
 
 void ShapedCheck::Range::include(double value) {
@@ -71,6 +66,8 @@ void ShapedCheck::set_shaping(const ShapingSetting& setting) {
     longest = std::max(longest, times.length_s);
   }
   advance_s_ = static_cast<double>(setting.advance_us) * 1e-6;
+  // Lines, and chords of others, end at whole steps of E: within the window its way is off by one.
+  advance_rounding_steps_ = advance_s_ / advance_window_s;
   if (advance_s_ > 0) longest += advance_window_s;
   if (longest > most_slots * slot_s_) slot_s_ *= 2;
   window_s_ = longest + slots_about_sample * slot_s_;
@@ -169,12 +166,16 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     piece.ends_mm = {piece.ends_mm[1], place_at(part)};
     piece.seconds = length * (part - before) / speed;
     piece.advanced = 0;
+    // By the motors: those of a delta also turn where it only goes up.
+    const bool prints = piece.to[0] != piece.from[0] || piece.to[1] != piece.from[1];
     for (std::size_t i = 0; i < motor_count; ++i) {
       const double way = piece.to[i] - piece.from[i];
       piece.velocity[i] = piece.seconds > 0 ? way / piece.seconds : 0;
       ways[i] += std::abs(way);
-      if (i >= extruder && prints(move)) {
+      if (i >= extruder && prints) {
         piece.advanced = std::max(piece.advanced, piece.velocity[i]);
+        // Linear advance goes to and fro by what rounding changes at the end of each chord.
+        asked_[i] += advance_rounding_steps_ * std::min(1.0, 4 * std::abs(way));
       }
     }
     add(piece);

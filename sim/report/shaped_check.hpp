@@ -111,7 +111,7 @@ class ShapedCheck {
   double window_s_{};  // how long what was planned has an effect
   std::array<double, motor_count> deviation_s_{};
   std::array<double, motor_count> extra_turns_{};  // steps, where a way is mixed with one back
-  double advance_s_{};
+  double advance_s_{}, advance_rounding_steps_{};
   std::deque<Piece> pieces_;
   std::size_t first_{};  // that may still be under way; those before it are in the shapers
   std::size_t behind_reach_{};  // those from here on have not been reached

@@ -74,6 +74,20 @@ TEST(GcodePath, does_not_lower_z_after_a_stop_or_homing) {
   EXPECT_EQ(end_of(path, "G1 Z2"), (std::array<double, 4>{0, 0, 2, 10}));
 }
 
+// The chip makes two lines of each, so that Z never goes along with the filament.
+TEST(GcodePath, lifts_behind_the_retraction_and_lowers_before_the_filament_comes_back) {
+  GcodePath path({.retraction = {.length = 2 * mm, .lift = mm, .extra = {}}, .travel = {}});
+  const auto over = [&](const char* command) {
+    const auto move = std::get<report::Move>(path.read(command));
+    return std::array{move.over.value()[2], move.over.value()[3]};
+  };
+  EXPECT_EQ(over("G10"), (std::array{0 * mm, -2 * mm}));
+  path.read("G1 X5");
+  EXPECT_EQ(over("G11"), (std::array{0 * mm, -2 * mm}));
+  path.read("M207 Z0");
+  EXPECT_FALSE(std::get<report::Move>(path.read("G10")).over);
+}
+
 TEST(GcodePath, begins_with_the_retraction_of_the_machine) {
   GcodePath path({.retraction = {.length = 2 * mm, .lift = mm, .extra = {}}, .travel = {}});
   EXPECT_EQ(end_of(path, "G10"), (std::array<double, 4>{0, 0, 1, -2}));
