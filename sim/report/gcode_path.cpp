@@ -122,7 +122,7 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     set_change(words);
   } else if (words.is('M', 218)) {
     set_offset(words);
-  } else if (words.is('M', 220)) {
+  } else if (is_any(words, 'M', 205, 220)) {
     read_speed(words);
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
@@ -172,7 +172,10 @@ Request GcodePath::move(const GcodeWords& words, bool machines) {
     }
   }
   read_speed(words);
-  move.speed_mm_s = feed_mm_s_ * static_cast<double>(speed_percent_) / 100;
+  if (feed_mm_s_ > 0) {
+    const double asked = feed_mm_s_ * static_cast<double>(speed_percent_) / 100;
+    move.speed_mm_s = std::max({asked, least_mm_s_[0], least_mm_s_[1]});
+  }
   const bool straight = is_any(words, 'G', 0, 1);
   if (straight && (move.to[0] != move.from[0] || move.to[1] != move.from[1])) {
     move.to[height] += babystep_;

@@ -114,7 +114,7 @@ struct MachineFacts {
 };
 
 // Understands G0 to G3, G10 G11, G17 to G21, G27 to G30, G53 to G61, G90 to G92, M82 M83 M92
-// M200 M206 to M208 M217 M218 M220 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M572 M593 M603
+// M200 M205 to M208 M217 M218 M220 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M572 M593 M603
 // M701 M702 M851 M900, T and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
@@ -197,6 +197,7 @@ class GcodePath {
   std::array<bool, 2> has_jumped_{};
   std::array<std::int64_t, 2> flow_percent_{100, 100};
   double feed_mm_s_{};  // of F; 0: none yet
+  std::array<double, 2> least_mm_s_{};  // of M205 S and T
   std::int64_t speed_percent_ = 100, kept_speed_percent_ = 100;
   ShapingSetting shaping_;
   ToolFacts change_;

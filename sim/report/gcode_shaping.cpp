@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds, input shaping and linear advance: F, M220, M593, M900 and M572.
+// Speeds, input shaping and linear advance: F, M205, M220, M593, M900 and M572.
 #include <algorithm>
 
 #include "sim/report/gcode_path.hpp"
@@ -24,13 +24,20 @@ std::int64_t rounded(std::int64_t value, std::int64_t per_unit) {
 
 }  // namespace
 
-// F of a line, or M220: S, B keeps what holds, R brings it back.
+// F of a line; M205 S and T: the slowest speeds; M220 S, of which B keeps what holds, and R brings
+// it back.
 void GcodePath::read_speed(const GcodeWords& words) {
   if (words.is('M', 220)) {
     const std::int64_t before = speed_percent_;
     if (words.has('R')) speed_percent_ = kept_speed_percent_;
     if (const auto percent = words.value('S')) speed_percent_ = *percent / billionths;
     if (words.has('B')) kept_speed_percent_ = before;
+  } else if (words.is('M', 205)) {
+    for (std::size_t i = 0; i < least_mm_s_.size(); ++i) {
+      if (const auto least = length(words, i == 0 ? 'S' : 'T')) {
+        least_mm_s_[i] = millimeters(*least);
+      }
+    }
   } else if (const auto feed = length(words, 'F')) {
     constexpr double seconds_per_minute = 60;
     feed_mm_s_ = millimeters(*feed) / seconds_per_minute;

@@ -117,6 +117,10 @@ void PointCheck::command_acknowledged(sim::Clock now, std::size_t, std::string_v
 }
 
 void PointCheck::carry_out(const SentCommand& command) {
+  // What M290 moves at rest it has moved by now.
+  if (std::exchange(babystep_open_, false) && state_.position[height] != last_target()[height]) {
+    ask(gcode_.make_babystep(), command);
+  }
   const Request request = gcode_.read(command.text);
   if (gcode_.shaping() != shaping_) set_shaping();
   if (const Move* move = std::get_if<Move>(&request)) {
@@ -128,9 +132,9 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    if (shaping_.any() ? shaped_.all_reached() : match_.all_reached()) {
-      ask(gcode_.make_babystep(), command);
-    }
+    // When the last motion has left the shaper no edge tells.
+    babystep_open_ = shaping_.any() && shaped_.all_reached();
+    if (!shaping_.any() && match_.all_reached()) ask(gcode_.make_babystep(), command);
     return;
   }
   if (std::holds_alternative<NoMotion>(request) ||
