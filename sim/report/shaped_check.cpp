@@ -13,8 +13,6 @@ namespace report {
 namespace {
 
 constexpr std::size_t extruder = 3;
-// Over which linear advance takes the velocity of E.
-constexpr double advance_window_s = 0.020;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
 // Arcs, and lines on which motors do not go evenly, in pieces that are straight to less than a step.
@@ -108,12 +106,14 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
   lines_.push_back({{std::move(line)}, target});
   last_target_ = target;
   last_other_ = other;
-  Motors pieces_ways{};
-  for (const Move& part : parts) add_pieces(part, pieces_ways);
+  std::array<Course, motor_count> courses{};
+  for (const Move& part : parts) add_pieces(part, courses);
   pieces_.back().ends_line = true;
   for (std::size_t i = 0; i < motor_count; ++i) {
-    // Where it turns on its way, a step more on either side.
-    if (pieces_ways[i] > ways[i] + 1) ways[i] = pieces_ways[i] + 2;
+    // Where it turns, rounding may make a step more on each part of its way.
+    if (const int turns = courses[i].turns; turns > 0) {
+      ways[i] = std::max(ways[i], courses[i].way) + turns + 1;
+    }
     asked_[i] += ways[i];
     // Linear advance goes there and back, and where it turns, rounding may make a step more.
     if (i >= extruder && pieces_.back().advanced > 0) {
@@ -150,7 +150,7 @@ void ShapedCheck::drop_oldest_line() {
   behind_reach_ = std::max(behind_reach_, first_);
 }
 
-void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
+void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& courses) {
   const double length = length_of(move);
   const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s_;
   const auto place_at = [&](double part) {
@@ -172,7 +172,10 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     for (std::size_t i = 0; i < motor_count; ++i) {
       const double way = piece.to[i] - piece.from[i];
       piece.velocity[i] = piece.seconds > 0 ? way / piece.seconds : 0;
-      ways[i] += std::abs(way);
+      Course& course = courses[i];
+      course.way += std::abs(way);
+      if (course.last * way < 0) ++course.turns;
+      if (way != 0) course.last = way;
       if (i >= extruder && prints(move)) {
         piece.advanced = std::max(piece.advanced, piece.velocity[i]);
       }
@@ -180,6 +183,9 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     add(piece);
     before = part;
   }
+  // An arc may turn in its first and its last piece, too.
+  if (!move.arc) return;
+  for (const std::size_t axis : {move.arc->first, move.arc->second}) courses[axis].turns += 2;
 }
 
 // What is in the shapers together with earlier pieces, with less than the window between them.

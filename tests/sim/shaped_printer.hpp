@@ -97,6 +97,7 @@ class ShapedPrinter {
   std::size_t buffered_;
   std::optional<Twitch> twitch_;
   std::size_t runs_ = 0;
+  double slot_s_{};  // of the present motion
   std::uint64_t clock_ = 0;  // now
   std::size_t file_line_ = 0;
   report::Steps position_ = start;
