@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t extruder = 3;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
-// Arcs, and lines on which motors do not go evenly, in pieces that are straight to less than a step.
+// Arcs, and lines on which motors do not go evenly, are in pieces straight to less than a step.
 constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
 // A chip has fewer lines in its buffers. What is older is not made any more.
 constexpr std::size_t most_lines = 1024;
@@ -62,8 +62,8 @@ void ShapedCheck::set_shaping(const ShapingSetting& setting) {
   for (std::size_t i = 0; i < setting.shapers.size(); ++i) {
     const ShaperTimes times = times_of(setting.shapers[i]);
     deviation_s_[i] = times.deviation_s;
-    // A way speeds up, goes on and slows down. The sum has these parts once for each impulse, and in
-    // each it may turn once; at a turn, rounding may make a step more.
+    // A way speeds up, goes on and slows down. The sum has these parts once for each impulse; in
+    // each it may turn once, and at a turn rounding may make a step more.
     constexpr double parts_of_way = 3;
     if (times.impulses > 1) extra_turns_[i] = parts_of_way * static_cast<double>(times.impulses);
     longest = std::max(longest, times.length_s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A printer with input shaping and linear advance, by direct convolution, whose steps the judge sees.
+// A printer with input shaping and linear advance by direct convolution; the judge sees its steps.
 #pragma once
 
 #include <cstdint>
