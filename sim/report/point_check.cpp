@@ -132,7 +132,7 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    // When the last motion has left the shaper no edge tells.
+    // No edge shows when the last motion has left the shaper.
     babystep_open_ = shaping_.any() && shaped_.all_reached();
     if (!shaping_.any() && match_.all_reached()) ask(gcode_.make_babystep(), command);
     return;

@@ -110,7 +110,6 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   ShapedCheck shaped_;  // in place of the other two while shaping is on
   Judgement judged_;
   bool babystep_open_ = false;
-  bool babystep_open_ = false;  // of M290, where it may be made at once
   double length_mm_ = 0;
   bool homed_ = false;
 };

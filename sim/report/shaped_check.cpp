@@ -13,11 +13,9 @@ namespace report {
 namespace {
 
 constexpr std::size_t extruder = 3;
-// Over which linear advance takes the velocity of E.
-constexpr double advance_window_s = 0.020;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
-// Arcs, and lines on which motors do not go evenly, in pieces that are straight to less than a step.
+// Arcs, and lines on which motors do not go evenly, are in pieces straight to less than a step.
 constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
 // A chip has fewer lines in its buffers. What is older is not made any more.
 constexpr std::size_t most_lines = 1024;
@@ -59,15 +57,13 @@ void ShapedCheck::set_shaping(const ShapingSetting& setting) {
   for (std::size_t i = 0; i < setting.shapers.size(); ++i) {
     const ShaperTimes times = times_of(setting.shapers[i]);
     deviation_s_[i] = times.deviation_s;
-    // A way speeds up, goes on and slows down. The sum has these parts once for each impulse, and in
-    // each it may turn once; at a turn, rounding may make a step more.
+    // A way speeds up, goes on and slows down. The sum has these parts once for each impulse; in
+    // each it may turn once, and at a turn rounding may make a step more.
     constexpr double parts_of_way = 3;
     if (times.impulses > 1) extra_turns_[i] = parts_of_way * static_cast<double>(times.impulses);
     longest = std::max(longest, times.length_s);
   }
   advance_s_ = static_cast<double>(setting.advance_us) * 1e-6;
-  // Lines, and chords of others, end at whole steps of E: within the window its way is off by one.
-  advance_rounding_steps_ = advance_s_ / advance_window_s;
   if (advance_s_ > 0) longest += advance_window_s;
   if (longest > most_slots * slot_s_) slot_s_ *= 2;
   window_s_ = longest + slots_about_sample * slot_s_;
@@ -105,12 +101,14 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
   lines_.push_back({{std::move(line)}, target});
   last_target_ = target;
   last_other_ = other;
-  Motors pieces_ways{};
-  for (const Move& part : parts) add_pieces(part, pieces_ways);
+  std::array<Course, motor_count> courses{};
+  for (const Move& part : parts) add_pieces(part, courses);
   pieces_.back().ends_line = true;
   for (std::size_t i = 0; i < motor_count; ++i) {
-    // Where it turns on its way, a step more on either side.
-    if (pieces_ways[i] > ways[i] + 1) ways[i] = pieces_ways[i] + 2;
+    // Where it turns, rounding may make a step more on each part of its way.
+    if (const int turns = courses[i].turns; turns > 0) {
+      ways[i] = std::max(ways[i], courses[i].way) + turns + 1;
+    }
     asked_[i] += ways[i];
     // Linear advance goes there and back, and where it turns, rounding may make a step more.
     if (i >= extruder && pieces_.back().advanced > 0) {
@@ -147,7 +145,7 @@ void ShapedCheck::drop_oldest_line() {
   behind_reach_ = std::max(behind_reach_, first_);
 }
 
-void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
+void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& courses) {
   const double length = length_of(move);
   const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s_;
   const auto place_at = [&](double part) {
@@ -171,16 +169,22 @@ void ShapedCheck::add_pieces(const Move& move, Motors& ways) {
     for (std::size_t i = 0; i < motor_count; ++i) {
       const double way = piece.to[i] - piece.from[i];
       piece.velocity[i] = piece.seconds > 0 ? way / piece.seconds : 0;
-      ways[i] += std::abs(way);
+      Course& course = courses[i];
+      course.way += std::abs(way);
+      if (course.last * way < 0) ++course.turns;
+      if (way != 0) course.last = way;
       if (i >= extruder && prints) {
         piece.advanced = std::max(piece.advanced, piece.velocity[i]);
-        // Linear advance goes to and fro by what rounding changes at the end of each chord.
-        asked_[i] += advance_rounding_steps_ * std::min(1.0, 4 * std::abs(way));
+        // Lines and chords end at whole steps of E, by which its speed goes up and down.
+        asked_[i] += advance_s_ / advance_window_s * std::min(1.0, 4 * std::abs(way));
       }
     }
     add(piece);
     before = part;
   }
+  // An arc may turn in its first and its last piece, too.
+  if (!move.arc) return;
+  for (const std::size_t axis : {move.arc->first, move.arc->second}) courses[axis].turns += 2;
 }
 
 // What is in the shapers together with earlier pieces, with less than the window between them.

@@ -59,6 +59,8 @@ class ShapedCheck {
 
  private:
   using Motors = std::array<double, motor_count>;  // steps, mechanical, or steps/s
+  // Over which linear advance takes the velocity of E.
+  static constexpr double advance_window_s = 0.020;
   struct Range {
     double low{}, high{};
     void include(double value);
@@ -78,6 +80,12 @@ class ShapedCheck {
     std::size_t line{};  // that ends with it
     bool ends_line{};
   };
+  // Of a motor along a line.
+  struct Course {
+    double way{};
+    int turns{};
+    double last{};
+  };
   struct Line {
     std::vector<RequestedLine> texts;  // and those behind it that do not move
     Steps target{};
@@ -85,7 +93,7 @@ class ShapedCheck {
   };
 
   std::vector<double> parts_of(const Move& move, double length, double speed) const;
-  void add_pieces(const Move& move, Motors& ways);
+  void add_pieces(const Move& move, std::array<Course, motor_count>& courses);
   void add(Piece piece);
   bool takes_no_motion(const std::vector<Move>& parts, RequestedLine& line, const Steps& target);
   void note_turns(std::size_t piece, std::size_t motor);
@@ -111,7 +119,7 @@ class ShapedCheck {
   double window_s_{};  // how long what was planned has an effect
   std::array<double, motor_count> deviation_s_{};
   std::array<double, motor_count> extra_turns_{};  // steps, where a way is mixed with one back
-  double advance_s_{}, advance_rounding_steps_{};
+  double advance_s_{};
   std::deque<Piece> pieces_;
   std::size_t first_{};  // that may still be under way; those before it are in the shapers
   std::size_t behind_reach_{};  // those from here on have not been reached

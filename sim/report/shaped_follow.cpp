@@ -24,10 +24,14 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece,
   Range parts{0, 1};
   for (std::size_t i = 0; i < motor_count; ++i) {
     const Range& velocity = piece.velocities[i];
-    double off = rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
+    const double off =
+        rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
     const double place = static_cast<double>(position[i]);
-    if (i >= extruder) off += advance_rounding_steps_;
-    const double advance = i >= extruder ? advance_s_ * piece.most_advanced : 0;
+    double advance = 0;
+    if (i >= extruder && piece.most_advanced > 0) {
+      // Lines end at whole steps of E, so over this window it may go a step more.
+      advance = advance_s_ * (piece.most_advanced + 1 / advance_window_s);
+    }
     const double least = place - off - advance - piece.from[i];
     const double most = place + off - piece.from[i];
     const double way = piece.to[i] - piece.from[i];

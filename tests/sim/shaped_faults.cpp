@@ -2,6 +2,8 @@
 // Faults in ways, and the order of the lines' ends.
 #include "shaped_faults.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -186,6 +188,31 @@ bool passes(const std::vector<Command>& commands, const ShapedPrinter& printer,
     if (next < rest.command || place != end) return false;
   }
   return true;
+}
+
+// What the judge says; empty where all is good.
+std::string complaint_of(const ShapedPrinter& printer, const std::vector<Command>& commands) {
+  const auto judgement = printer.check().judgement();
+  const auto moves = static_cast<std::uint64_t>(std::ranges::count_if(commands, &Command::is_move));
+  std::string text;
+  if (judgement.missed > 0 && !judgement.list.empty()) {
+    text +=
+        fmt::format("missed {} first {} '{}' at {:.4f} s; ", judgement.missed,
+                    judgement.list[0].file_line, judgement.list[0].text, judgement.list[0].seconds);
+    for (const auto& axis : judgement.list[0].axes) {
+      text += fmt::format("{}/{} ", axis.reached_steps, axis.wanted_steps);
+    }
+  }
+  if (judgement.reached != moves) {
+    text += fmt::format("reached {} of {}; ", judgement.reached, moves);
+  }
+  for (const auto steps : judgement.unasked_steps) {
+    if (steps != 0) text += fmt::format("unasked {}; ", steps);
+  }
+  for (const bool moved : judgement.moved_after_end) {
+    if (moved) text += "moved after the end; ";
+  }
+  return text;
 }
 
 }  // namespace tests

@@ -38,4 +38,7 @@ Axes tolerance_of(const std::vector<Command>& commands, const ShapingChoice& sha
 bool passes(const std::vector<Command>& commands, const ShapedPrinter& printer,
             const Axes& tolerance);
 
+// What the judge says; empty where all is good.
+std::string complaint_of(const ShapedPrinter& printer, const std::vector<Command>& commands);
+
 }  // namespace tests

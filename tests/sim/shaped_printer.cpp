@@ -95,15 +95,16 @@ double ShapedPrinter::slot_s() const {
 
 void ShapedPrinter::add_steps(std::vector<Edge>& edges, std::size_t axis, double begin,
                               std::int64_t steps) const {
+  const double slot = slot_s_;
   const double count = static_cast<double>(std::abs(steps));
   for (std::int64_t i = 0; i < std::abs(steps); ++i) {
-    const double time = begin + (static_cast<double>(i) + 0.5) / count * slot_s();
+    const double time = begin + (static_cast<double>(i) + 0.5) / count * slot;
     edges.push_back({static_cast<std::uint64_t>(time * clock_hz_), axis, steps > 0 ? 1 : -1});
   }
 }
 
 std::vector<ShapedPrinter::Edge> ShapedPrinter::shaped_edges(const Plan& plan) const {
-  const double slot = slot_s();
+  const double slot = slot_s_;
   const std::array<std::vector<TimedImpulse>, 2> shapers{impulses_of(real().x),
                                                          impulses_of(real().y)};
   const double half_window = real().advance_s > 0 ? advance_window_s / 2 : 0;
@@ -115,13 +116,14 @@ std::vector<ShapedPrinter::Edge> ShapedPrinter::shaped_edges(const Plan& plan) c
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const std::vector<TimedImpulse> none{{1, 0}};
     const auto& impulses = axis < 2 ? shapers[axis] : none;
+    const double mean = mean_of(impulses);
     std::vector<Plan::Cursor> cursors(impulses.size() + 2, Plan::Cursor(plan));
     std::int64_t made = std::llround(plan.ways().front().from[axis]);
     for (double time = 0; time < end + slot; time += slot) {
       const double now = time + slot - late;
       double place = 0;
       for (std::size_t i = 0; i < impulses.size(); ++i) {
-        const double then = now + mean_of(impulses) - impulses[i].seconds;
+        const double then = now + mean - impulses[i].seconds;
         place += impulses[i].weight * cursors[i].at(then, axis);
       }
       if (axis == 3 && half_window > 0) {
@@ -223,6 +225,7 @@ void ShapedPrinter::run_to_rest(const std::vector<Command>& commands, std::size_
   }
   std::size_t sent = first;
   for (; sent < last && sent < first + buffered_; ++sent) send(commands[sent].text);
+  slot_s_ = slot_s();
   std::vector<Edge> edges;
   std::vector<std::uint64_t> starts;
   const std::uint64_t begin = clock_ + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A printer with input shaping and linear advance, by direct convolution, whose steps the judge sees.
+// A printer with input shaping and linear advance by direct convolution; the judge sees its steps.
 #pragma once
 
 #include <cstdint>
@@ -97,6 +97,7 @@ class ShapedPrinter {
   std::size_t buffered_;
   std::optional<Twitch> twitch_;
   std::size_t runs_ = 0;
+  double slot_s_{};  // of the present motion
   std::uint64_t clock_ = 0;  // now
   std::size_t file_line_ = 0;
   report::Steps position_ = start;
