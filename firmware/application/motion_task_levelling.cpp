@@ -118,7 +118,10 @@ void MotionTask::lead_probing() {
   const auto move = probing.update({.stopped = stopped_by_end_stop_,
                                     .triggered = probe_triggered(),
                                     .place = planner_.position()});
-  if (!move) return;
+  if (!move) {
+    ++position_jumps_;  // the host's coordinates have not seen its last moves
+    return;
+  }
   stopped_by_end_stop_ = false;
   const std::uint8_t mask = move->stops ? probe_input() : std::uint8_t{};
   const auto accepted =

@@ -126,6 +126,19 @@ TEST_F(LevellingCommands, set_and_report_the_offset_of_the_probe) {
             fmt::format("Bed X: 80.00 Y: 60.00 Z: {:.2f}\n", uneven(75, 60) + 0.1));
 }
 
+// The nozzle ends at the height of its travels, and a line goes where it says from there.
+TEST_F(LevellingCommands, know_where_the_nozzle_is_after_g30) {
+  printer.talk("-> G28\n<- ok");
+  answer("G30 X80 Y60");
+  const auto height = [&] {
+    return static_cast<double>(printer.chip.mechanical[z]) / printer.chip.steps_per_mm[z];
+  };
+  EXPECT_GT(height(), 1);
+  EXPECT_THAT(answer("M114"), HasSubstr(fmt::format("Z:{:.2f} ", height())));
+  printer.talk("-> G1 Z1.5\n<- ok\n-> M400\n<- ok");
+  EXPECT_NEAR(height(), 1.5, 0.5 / printer.chip.steps_per_mm[z]);
+}
+
 TEST_F(LevellingCommands, are_listed_and_restored_with_the_settings) {
   printer.talk("-> M421 Z0.1\n<- ok\n-> M851 Z-2\n<- ok");
   EXPECT_THAT(answer("M420 S1 Z5"), HasSubstr("ON"));
