@@ -36,6 +36,10 @@ struct Move {
   std::optional<Point> over{};  // two straight lines with this place between them
   std::shared_ptr<const BedMesh> mesh{};  // that it follows
   double speed_mm_s{};  // as F asks, at most; 0: another
+
+  // Of the nozzle in X, Y and Z at a part of the way, 0 to 1.
+  std::array<double, 3> place_mm(double part) const;
+  double length_mm() const;
 };
 struct Homing {
   std::array<bool, 3> axes{};

@@ -73,23 +73,8 @@ double MotorGrid::step_mm(const std::array<double, 3>& place) const {
   return mechanism_->gain_at(place) / std::min(steps_per_mm(0), steps_per_mm(1));
 }
 
-std::array<double, 3> MotorGrid::place_on(const Move& move, double part) {
-  std::array<double, 3> place{};
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const double from = millimeters(move.from[i]), to = millimeters(move.to[i]);
-    place[i] = from + part * (to - from);
-  }
-  if (move.arc) {
-    const auto on_arc = move.arc->at(part);
-    place[move.arc->first] = on_arc[0];
-    place[move.arc->second] = on_arc[1];
-  }
-  if (move.mesh) place[2] += move.mesh->correction(place[0], place[1], place[2]);
-  return place;
-}
-
 std::array<double, motor_count> MotorGrid::motors_on(const Move& move, double part) const {
-  const auto motors = mechanism_->motors_of(place_on(move, part));
+  const auto motors = mechanism_->motors_of(move.place_mm(part));
   std::array<double, motor_count> steps{};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const double from = millimeters(move.from[i]), to = millimeters(move.to[i]);
@@ -104,8 +89,7 @@ MotorGrid::Steps MotorGrid::detour_of(const Move& move) const {
   std::array<int, 3> direction{};
   const int samples = samples_of(move);
   const auto steps_of = [&](int sample) {
-    const auto motors =
-        mechanism_->motors_of(place_on(move, static_cast<double>(sample) / samples));
+    const auto motors = mechanism_->motors_of(move.place_mm(static_cast<double>(sample) / samples));
     std::array<std::int64_t, 3> steps{};
     for (std::size_t i = 0; i < steps.size(); ++i) {
       steps[i] = std::llround(motors[i] * steps_per_mm(i));

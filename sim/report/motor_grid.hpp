@@ -38,8 +38,7 @@ class MotorGrid {
   // Nearest, halves away from zero.
   Steps steps_at(const Point& place) const;
   std::array<double, 3> place_mm(const Steps& steps) const;
-  // Of the tool at a part of a move's way, 0 to 1, and of the motors, in steps between whole ones.
-  static std::array<double, 3> place_on(const Move& move, double part);
+  // At a part of a move's way, 0 to 1, in steps between whole ones.
   std::array<double, motor_count> motors_on(const Move& move, double part) const;
   // The same exactly where each axis has its motor.
   Point place_of_steps(const Steps& steps) const;

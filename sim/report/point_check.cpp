@@ -17,16 +17,6 @@ constexpr std::size_t extruder = 3;
 // Of a mesh's correction in the firmware, to 5 nm of a height and 1 nm of what is left of it.
 constexpr Femtometers mesh_rounding = 10 * femtometers_per_mm / 1'000'000;
 
-double length_of(const Move& move) {
-  std::array<double, 3> way{};
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] = millimeters(move.to[i] - move.from[i]);
-  if (move.arc) {
-    way[move.arc->first] = move.arc->length_mm();
-    way[move.arc->second] = 0;
-  }
-  return std::hypot(way[0], way[1], way[2]);
-}
-
 }  // namespace
 
 PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& start,
@@ -179,7 +169,7 @@ void PointCheck::ask(const Move& move, const SentCommand& command) {
     match_.ask(target, line, detour_of(move), other_target(move));
     for (const Move& part : parts) path_.ask(part);
   }
-  length_mm_ += length_of(move);
+  length_mm_ += move.length_mm();
   for (std::size_t i = extruder; i < motor_count && command.extrusion_prevented; ++i) {
     gcode_.stand_at(i, move.from[i]);
   }

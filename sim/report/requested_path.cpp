@@ -16,17 +16,7 @@ int chords_of(const ArcShape& arc) {
 }
 
 std::array<float, 3> place_at(const Move& move, double part) {
-  std::array<double, 3> place{};
-  for (std::size_t i = 0; i < place.size(); ++i) {
-    const double from = millimeters(move.from[i]), to = millimeters(move.to[i]);
-    place[i] = from + part * (to - from);
-  }
-  if (move.arc) {
-    const auto on_arc = move.arc->at(part);
-    place[move.arc->first] = on_arc[0];
-    place[move.arc->second] = on_arc[1];
-  }
-  if (move.mesh) place[2] += move.mesh->correction(place[0], place[1], place[2]);
+  const auto place = move.place_mm(part);
   std::array<float, 3> drawn{};
   std::ranges::transform(place, drawn.begin(), [](double mm) { return static_cast<float>(mm); });
   return drawn;

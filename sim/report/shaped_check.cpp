@@ -20,14 +20,9 @@ constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
 // A chip has fewer lines in its buffers. What is older is not made any more.
 constexpr std::size_t most_lines = 1024;
 
+// Of the filament where nothing else moves.
 double length_of(const Move& move) {
-  std::array<double, 3> way{};
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] = millimeters(move.to[i] - move.from[i]);
-  if (move.arc) {
-    way[move.arc->first] = move.arc->length_mm();
-    way[move.arc->second] = 0;
-  }
-  const double length = std::hypot(way[0], way[1], way[2]);
+  const double length = move.length_mm();
   if (length > 0) return length;
   double filament = 0;
   for (std::size_t i = extruder; i < motor_count; ++i) {
@@ -149,7 +144,7 @@ void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& 
   const double length = length_of(move);
   const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s_;
   const auto place_at = [&](double part) {
-    const auto place = MotorGrid::place_on(move, part);
+    const auto place = move.place_mm(part);
     return std::array{place[0], place[1]};
   };
   Piece piece;
