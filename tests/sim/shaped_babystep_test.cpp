@@ -20,6 +20,11 @@ class ShapedBabystep : public tests::PointCheckTest {
   // A tenth of a millimetre, or another distance.
   void lift(std::int64_t way = 256) { go_to(position[0], position[1], position[2] + way, 0); }
   void finish() { send("M400"); }
+  void expect_good() {
+    finish();
+    EXPECT_EQ(missed(), 0);
+    EXPECT_EQ(unasked(), report::Steps{});
+  }
 };
 
 // The host has sent the next line by then.
@@ -29,18 +34,14 @@ TEST_F(ShapedBabystep, may_be_made_at_once) {
   lift();
   end();
   go_to(20, 0);
-  finish();
-  EXPECT_EQ(missed(), 0);
-  EXPECT_EQ(unasked(), report::Steps{});
+  expect_good();
 }
 
 TEST_F(ShapedBabystep, may_go_along_with_the_next_line) {
   send("M290 Z0.1");
   send("G1 X20");
   go_to(steps(0, 20), 0, 256, 0);
-  finish();
-  EXPECT_EQ(missed(), 0);
-  EXPECT_EQ(unasked(), report::Steps{});
+  expect_good();
 }
 
 TEST_F(ShapedBabystep, is_missed_where_z_stays_or_goes_elsewhere) {
