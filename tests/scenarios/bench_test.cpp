@@ -198,7 +198,7 @@ TEST(bench, model_reports_how_fast_it_runs_and_what_leaps_and_resting_blocks_bri
             5 * works[4]["clocks_per_second_processor_by_netlist"].get<double>());
 }
 
-// The shares are measured, on some works with few samples, so no limits are set for them; what must be in them is.
+// Shares are measured, some with few samples. What must be in them is known, but not how much.
 TEST(bench, model_says_where_the_time_goes) {
   const auto folder = scenarios::scratch_folder();
   const auto file = folder / "profile.json";
