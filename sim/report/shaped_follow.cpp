@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t extruder = 3;
 // Of a line's Bresenham steps, of the shaper's sum and of its sampling.
 constexpr double rounding_steps = 3;
+// Shaped motion is a mean of planned motion, which is no faster than F. A tenth more is good all the
+// same: this keeps lines in order, and how exactly a chip rounds F is not judged by it.
 constexpr double fastest_of_asked = 1.1;
 constexpr std::size_t searched_at_once = 32;
 
@@ -46,7 +48,7 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece,
   return parts;
 }
 
-// Nothing is faster than F, but for the whole um/s in which a chip keeps it.
+// How far it may have come in this time, no faster than that.
 void ShapedCheck::go_on(const Steps& position, double seconds) {
   seconds *= fastest_of_asked;
   double left = -1;  // after the piece before
