@@ -40,6 +40,8 @@ struct Move {
   // Of the nozzle in X, Y and Z at a part of the way, 0 to 1.
   std::array<double, 3> place_mm(double part) const;
   double length_mm() const;
+  // Itself, or the two lines over a place between.
+  std::vector<Move> ways() const;
 };
 struct Homing {
   std::array<bool, 3> axes{};

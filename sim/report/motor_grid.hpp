@@ -49,6 +49,9 @@ class MotorGrid {
   Steps detour_of(const Move& move) const;
 
  private:
+  Steps detour_of_arc(const Move& move) const;
+  Steps sampled_detour_of(const Move& move) const;
+
   std::shared_ptr<const machine::Mechanism> mechanism_ = machine::cartesian_mechanism();
   std::array<Resolution, motor_count> resolution_{};
   Steps origin_{};

@@ -85,9 +85,9 @@ std::vector<double> ShapedCheck::parts_of(const Move& move, double length, doubl
   return parts;
 }
 
-void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const Steps& target,
+void ShapedCheck::ask(const Move& move, RequestedLine line, const Steps& target,
                       const std::optional<Steps>& other) {
-  if (takes_no_motion(parts, line, target)) return;
+  if (takes_no_motion(move, line, target)) return;
   Motors ways{};
   for (std::size_t i = 0; i < motor_count; ++i) {
     ways[i] = static_cast<double>(std::llabs(target[i] - last_target_[i]));
@@ -97,7 +97,7 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
   last_target_ = target;
   last_other_ = other;
   std::array<Course, motor_count> courses{};
-  for (const Move& part : parts) add_pieces(part, courses);
+  for (const Move& way : move.ways()) add_pieces(way, courses);
   pieces_.back().ends_line = true;
   for (std::size_t i = 0; i < motor_count; ++i) {
     // Where it turns, rounding may make a step more on each part of its way.
@@ -115,10 +115,9 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
 }
 
 // It is reached together with the line before it.
-bool ShapedCheck::takes_no_motion(const std::vector<Move>& parts, RequestedLine& line,
-                                  const Steps& target) {
-  const auto moves = [](const Move& move) { return move.arc || move.to != move.from; };
-  if (target != last_target_ || std::ranges::any_of(parts, moves)) return false;
+bool ShapedCheck::takes_no_motion(const Move& move, RequestedLine& line, const Steps& target) {
+  const bool moves = move.arc || move.to != move.from || (move.over && move.over != move.from);
+  if (target != last_target_ || moves) return false;
   if (ended_ && is_at_last_target(now_.position)) {
     ++reached_;
     return true;

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t extruder = 3;
 // Of a line's Bresenham steps, of the shaper's sum and of its sampling.
 constexpr double rounding_steps = 3;
-// Shaped motion is a mean of planned motion, which is no faster than F. A tenth more is good all the
-// same: this keeps lines in order, and how exactly a chip rounds F is not judged by it.
+// Shaped motion is a mean of planned motion, which is no faster than F. A tenth more is good all
+// the same: this keeps lines in order, and how exactly a chip rounds F is not judged by it.
 constexpr double fastest_of_asked = 1.1;
 constexpr std::size_t searched_at_once = 32;
 
