@@ -36,6 +36,7 @@ struct Move {
   std::optional<Point> over{};  // two straight lines with this place between them
   std::shared_ptr<const BedMesh> mesh{};  // that it follows
   double speed_mm_s{};  // as F asks, at most; 0: another
+  Femtometers loose_z{};  // by which Z may be off its way: it may have gone there before
 
   // Of the nozzle in X, Y and Z at a part of the way, 0 to 1.
   std::array<double, 3> place_mm(double part) const;
@@ -143,6 +144,7 @@ class GcodePath {
   void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
   // After M410 the file calls it as its coordinates say.
   void stop_at(const Point& nozzle);
+  Femtometers babystep() const { return babystep_; }
   // What of M290 is still to be made, in a move of its own.
   Move make_babystep();
 

@@ -48,7 +48,7 @@ class PlainCheck final : public StepJudge {
     path_.at(here.position);
   }
 
-  bool all_reached() const override { return match_.all_reached(); }
+  std::optional<bool> rested_at(sim::Clock) const override { return match_.all_reached(); }
   bool nothing_open() const override { return match_.nothing_open(); }
   const Steps& last_target() const override { return match_.last_target(); }
   bool is_at_last_target(const Steps& position) const override {

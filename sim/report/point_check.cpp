@@ -67,6 +67,7 @@ void PointCheck::judge_states() {
 
 void PointCheck::judge_states_until(sim::Clock until) {
   while (!states_.empty() && states_.front().clock <= until) {
+    if (shows_babystep(states_.front())) ask_babystep();
     judges_.now().at(states_.front());
     states_.pop_front();
   }
@@ -96,14 +97,15 @@ void PointCheck::command_acknowledged(sim::Clock now, std::size_t, std::string_v
 }
 
 void PointCheck::carry_out(const SentCommand& command) {
-  // What M290 moves at rest it has moved by now.
-  if (std::exchange(babystep_open_, false) &&
-      state_.position[height] != judges_.now().last_target()[height]) {
-    ask(gcode_.make_babystep(), command);
-  }
-  const Request request = gcode_.read(command.text);
+  settle_babystep(command);
+  const Femtometers babystep = gcode_.babystep();
+  Request request = gcode_.read(command.text);
   if (gcode_.shaping() != judges_.shaping()) set_shaping();
-  if (const Move* move = std::get_if<Move>(&request)) {
+  if (Move* move = std::get_if<Move>(&request)) {
+    if (babystep_ && gcode_.babystep() == 0) {
+      move->loose_z = babystep < 0 ? -babystep : babystep;
+      babystep_.reset();
+    }
     ask(*move, command);
     return;
   }
@@ -112,9 +114,9 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    // No edge shows when the last motion has left the shaper.
-    babystep_open_ = judges_.shaping().any() && judges_.now().all_reached();
-    if (!babystep_open_ && judges_.now().all_reached()) ask(gcode_.make_babystep(), command);
+    const std::optional<bool> rested = judges_.now().rested_at(command.sent);
+    if (rested.value_or(true)) babystep_ = command;
+    if (rested == true) ask_babystep();
     return;
   }
   if (std::holds_alternative<NoMotion>(request) ||
@@ -138,6 +140,30 @@ void PointCheck::carry_out(const SentCommand& command) {
   } else if (std::holds_alternative<QuickStop>(request)) {
     judges_.now().abandon();
     stop_here();
+  }
+  babystep_.reset();
+}
+
+// Before the next line it is the only motion that can come.
+bool PointCheck::shows_babystep(const MachineState& state) {
+  return babystep_ && state.position[height] != judges_.now().last_target()[height] &&
+         !judges_.now().is_at_last_target(state.position);
+}
+
+void PointCheck::ask_babystep() {
+  const SentCommand command = std::move(*babystep_);
+  babystep_.reset();
+  ask(gcode_.make_babystep(), command);
+}
+
+// What was to be made at once is under way by the answer to the next line, unless a shaper is late.
+void PointCheck::settle_babystep(const SentCommand& next) {
+  if (!babystep_) return;
+  const Request request = GcodePath(gcode_).read(next.text);
+  if (std::holds_alternative<Homing>(request) || std::holds_alternative<Probing>(request)) {
+    babystep_.reset();
+  } else if (shows_babystep(state_)) {
+    ask_babystep();
   }
 }
 
@@ -186,9 +212,12 @@ void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judge
 PointCheck::Judgement PointCheck::judgement() const {
   StepJudges judges = judges_;
   StepJudge& judge = judges.now();
-  for (const MachineState& state : states_) judge.at(state);
-  judge.at(state_);
-  const bool nothing_requested = judges.nothing_open() && in_flight_.empty();
+  const auto see = [&](const MachineState& state) {
+    if (!babystep_) judge.at(state);
+  };
+  std::ranges::for_each(states_, see);
+  see(state_);
+  const bool nothing_requested = judges.nothing_open() && in_flight_.empty() && !babystep_;
   const bool at_target = judge.is_at_last_target(state_.position);
   judge.abandon();
   Judgement result = judged_;

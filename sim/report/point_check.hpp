@@ -85,6 +85,9 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   void close_state(sim::Clock now);
   void judge_states();
   void judge_states_until(sim::Clock until);
+  bool shows_babystep(const MachineState& state);
+  void ask_babystep();
+  void settle_babystep(const SentCommand& next);
   void add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const;
   void set_shaping();
 
@@ -98,7 +101,7 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   NewPlay taken_up_;
   StepJudges judges_;
   Judgement judged_;
-  bool babystep_open_ = false;
+  std::optional<SentCommand> babystep_;  // M290 that is made at once or with the next line
   double length_mm_ = 0;
   bool homed_ = false;
 };

@@ -24,6 +24,7 @@ void PointCheck::set_shaping() {
   const Steps meant = judges_.now().last_target();
   add_missed(judges_.now().take_missed(), judged_);
   judges_.set_shaping(gcode_.shaping());
+  babystep_.reset();
   judges_.now().restart(state_, meant);
 }
 

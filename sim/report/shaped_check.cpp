@@ -12,7 +12,7 @@ namespace report {
 
 namespace {
 
-constexpr std::size_t extruder = 3;
+constexpr std::size_t height = 2, extruder = 3;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
 // Arcs, and lines on which motors do not go evenly, are in pieces straight to less than a step.
@@ -104,6 +104,7 @@ void ShapedCheck::ask(const Move& move, RequestedLine line, const Steps& target,
     if (const int turns = courses[i].turns; turns > 0) {
       ways[i] = std::max(ways[i], courses[i].way) + turns + 1;
     }
+    ways[i] += 2 * pieces_.back().loose[i];  // there first, and back from there
     asked_[i] += ways[i];
     // Linear advance goes there and back, and where it turns, rounding may make a step more.
     if (i >= extruder && pieces_.back().advanced > 0) {
@@ -149,6 +150,11 @@ void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& 
   Piece piece;
   piece.way = ways_++;
   piece.line = lines_done_ + lines_.size() - 1;
+  // Where motors are not axes, each of the three goes along with Z.
+  const bool own_z = grid_.mechanism().has_own_z();
+  for (std::size_t i = own_z ? height : 0; i <= height; ++i) {
+    piece.loose[i] = millimeters(move.loose_z) * grid_.steps_per_mm(i);
+  }
   piece.to = grid_.motors_on(move, 0);
   piece.ends_mm[1] = place_at(0);
   double before = 0;

@@ -42,7 +42,8 @@ class ShapedCheck final : public StepJudge {
   void abandon() override;
   void restart(const MachineState& here, const Steps& meant) override;
 
-  bool all_reached() const override { return ended_; }
+  // No edge shows when the last motion has left the shaper.
+  std::optional<bool> rested_at(sim::Clock time) const override;
   bool nothing_open() const override { return lines_.empty(); }
   const Steps& last_target() const override { return last_target_; }
   bool is_at_last_target(const Steps& position) const override {
@@ -69,6 +70,7 @@ class ShapedCheck final : public StepJudge {
     std::size_t way{};  // that it is part of
     Motors velocity{};
     double advanced{};  // velocity of E that linear advance takes
+    Motors loose{};  // by which it may be off its way besides
     // Of all pieces whose motion may be in the shapers at the same time.
     std::array<Range, motor_count> velocities{};
     double most_advanced{};

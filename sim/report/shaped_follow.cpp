@@ -26,8 +26,8 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece,
   Range parts{0, 1};
   for (std::size_t i = 0; i < motor_count; ++i) {
     const Range& velocity = piece.velocities[i];
-    const double off =
-        rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
+    const double off = rounding_steps + piece.loose[i] +
+                       (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
     const double place = static_cast<double>(position[i]);
     double advance = 0;
     if (i >= extruder && piece.most_advanced > 0) {
@@ -219,6 +219,16 @@ void ShapedCheck::settle(bool rests) {
     count_unasked();
   }
   restart(now_, last_target_);
+}
+
+std::optional<bool> ShapedCheck::rested_at(sim::Clock time) const {
+  // Longer than a chip needs for the last part of a step.
+  constexpr double certain_s = 0.25;
+  if (!ended_) return false;
+  if (lines_.empty()) return true;
+  const double seconds = static_cast<double>(time - now_.clock) / clock_hz_;
+  if (time > now_.clock && seconds > window_s_ + certain_s) return true;
+  return std::nullopt;
 }
 
 void ShapedCheck::abandon() {

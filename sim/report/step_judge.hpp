@@ -57,8 +57,8 @@ class StepJudge {
   // The machine has been moved here by something other than lines.
   virtual void restart(const MachineState& here, const Steps& meant) = 0;
 
-  // No line requested is under way.
-  virtual bool all_reached() const = 0;
+  // Whether no line was under way then, a time after the last state; empty where no edge shows it.
+  virtual std::optional<bool> rested_at(sim::Clock time) const = 0;
   // Every line requested is decided on, and the last one known to be made.
   virtual bool nothing_open() const = 0;
   virtual const Steps& last_target() const = 0;
