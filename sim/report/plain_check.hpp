@@ -2,7 +2,10 @@
 // Compares the lines of the file with the steps where motors make lines as they are planned.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,7 +30,8 @@ class PlainCheck final : public StepJudge {
 
   void ask(const Move& move, RequestedLine line, const Steps& target,
            const std::optional<Steps>& other) override {
-    match_.ask(target, std::move(line), grid_.detour_of(move), other);
+    const Steps detour = grid_.detour_of(move);
+    match_.ask(target, std::move(line), detour, least_of(move, target, detour), other);
     for (const Move& way : move.ways()) path_.ask(way);
   }
   void at(const MachineState& state) override {
@@ -60,6 +64,19 @@ class PlainCheck final : public StepJudge {
   const PathCheck& path() const { return path_; }
 
  private:
+  // An arc that ends about where it begins has begun and gone round only after about so many steps;
+  // others do not come by their end before.
+  Steps least_of(const Move& move, const Steps& target, const Steps& detour) const {
+    constexpr std::int64_t near_steps = 2, rounding_steps = 8;
+    Steps least{};
+    for (std::size_t i = 0; i < least.size() && move.arc; ++i) {
+      if (detour[i] == 0) continue;
+      if (std::llabs(target[i] - match_.last_target()[i]) > near_steps) return {};
+      least[i] = std::max<std::int64_t>(0, (detour[i] - rounding_steps) / 2);
+    }
+    return least;
+  }
+
   MotorGrid grid_;
   PointMatch match_;
   PathCheck path_;

@@ -23,9 +23,10 @@ class PointMatch {
   explicit PointMatch(const MachineState& start);
 
   // The file requests this place, from now on. `detour`: how many more steps than those between the
-  // places lead there, at most: of an arc, on which axes turn back. `other`: as good as the target.
+  // places lead there, at most: of an arc, on which axes turn back. `least`: so many must be made
+  // before it is reached: of a circle, which begins there. `other`: as good as the target.
   void ask(const Steps& target, RequestedLine line, const Steps& detour = {},
-           const std::optional<Steps>& other = std::nullopt);
+           const Steps& least = {}, const std::optional<Steps>& other = std::nullopt);
 
   // As those of StepJudge.
   void at(const MachineState& state);
@@ -48,7 +49,7 @@ class PointMatch {
 
     Steps target{};
     std::optional<Steps> other{};
-    Steps detour{};
+    Steps detour{}, least{};
     std::vector<RequestedLine> lines;  // that end here, one after the other
     std::size_t reached{};  // lines of the best chain that ends here, within the window; 0: none
     std::ptrdiff_t before = -1;  // the item before it in that chain
@@ -58,6 +59,9 @@ class PointMatch {
   };
 
   void note_nearest(Item& item, const MachineState& state) const;
+  bool made_least(const Item& item, std::ptrdiff_t before, const MachineState& state) const;
+  void count_unasked(const MachineState& until, const Steps& most_left);
+  Steps most_left_after(const Item& item);
   void update_chains(const MachineState& state);
   void finish(std::size_t count, const std::vector<bool>& in_chain);
   void finish_reached_prefix();
@@ -73,6 +77,8 @@ class PointMatch {
   Steps settled_target_;  // of the last line that is decided on
   MachineState anchor_;  // when the last reached point was reached
   Steps requested_since_anchor_{};
+  Steps turned_at_{};  // where the last line with a detour ends
+  Steps left_{};  // of its detour
   MachineState now_;
   std::uint64_t reached_ = 0;
   Steps unasked_{};
