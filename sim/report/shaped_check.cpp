@@ -20,15 +20,26 @@ constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
 // A chip has fewer lines in its buffers. What is older is not made any more.
 constexpr std::size_t most_lines = 1024;
 
-// Of the filament where nothing else moves.
-double length_of(const Move& move) {
-  const double length = move.length_mm();
-  if (length > 0) return length;
+double filament_of(const Move& move) {
   double filament = 0;
   for (std::size_t i = extruder; i < motor_count; ++i) {
     filament += std::abs(millimeters(move.to[i] - move.from[i]));
   }
   return filament;
+}
+
+// Of the filament where nothing else moves.
+double length_of(const Move& move) {
+  const double length = move.length_mm();
+  return length > 0 ? length : filament_of(move);
+}
+
+// At most.
+double speed_of(const Move& move, double fastest_mm_s) {
+  const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s;
+  const double filament = filament_of(move);
+  if (filament == 0 || move.extruder_mm_s == 0) return speed;
+  return std::min(speed, move.extruder_mm_s * length_of(move) / filament);
 }
 
 }  // namespace
@@ -142,7 +153,7 @@ void ShapedCheck::drop_oldest_line() {
 
 void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& courses) {
   const double length = length_of(move);
-  const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s_;
+  const double speed = speed_of(move, fastest_mm_s_);
   const auto place_at = [&](double part) {
     const auto place = move.place_mm(part);
     return std::array{place[0], place[1]};
