@@ -25,9 +25,13 @@ Request GcodePath::read(std::string_view command) {
   const GcodeWords words(command);
   if (facts_.shaping) read_shaping(words, command);
   Request request = read_line(words);
-  if (Move* move = std::get_if<Move>(&request)) move->mesh = levelling_.followed();
+  const auto complete = [&](Move& move) {
+    move.mesh = levelling_.followed();
+    hold_back(move);
+  };
+  if (Move* move = std::get_if<Move>(&request)) complete(*move);
   if (ToolMoves* all = std::get_if<ToolMoves>(&request)) {
-    for (Move& move : all->moves) move.mesh = levelling_.followed();
+    std::ranges::for_each(all->moves, complete);
   }
   return request;
 }
@@ -100,15 +104,19 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     }
     request = resolution;
   } else if (words.is('M', 207)) {
+    read_speed(words);
     retraction_.length = length(words, 'S').value_or(retraction_.length);
     retraction_.lift = length(words, 'Z').value_or(retraction_.lift);
   } else if (words.is('M', 208)) {
+    read_speed(words);
     retraction_.extra = length(words, 'S').value_or(retraction_.extra);
   } else if (is_any(words, 'M', 501, 502)) {
     if (facts_.probe) {
       relevel(false, [&](Levelling& levelling) { levelling = Levelling(*facts_.probe); });
     }
     retraction_ = facts_.retraction;
+    extruder_mm_s_ = facts_.extruder_mm_s;
+    retract_mm_s_ = recover_mm_s_ = 0;
     const ToolFacts before = change_;
     change_ = facts_.second_tool.value_or(ToolFacts());
     for (std::size_t i = 0; i < height + 1; ++i) {
@@ -122,7 +130,7 @@ void GcodePath::read_m(const GcodeWords& words, Request& request) {
     set_change(words);
   } else if (words.is('M', 218)) {
     set_offset(words);
-  } else if (is_any(words, 'M', 205, 220)) {
+  } else if (is_any(words, 'M', 203, 205, 220)) {
     read_speed(words);
   } else if (words.is('M', 221)) {
     // Whole percents, cut as Marlin cuts them.
@@ -230,6 +238,7 @@ Request GcodePath::home(const GcodeWords& words) {
 Request GcodePath::retract() {
   if (retracted_[tool_]) return NoMotion{};
   Move move{machine_, machine_, {}};
+  move.extruder_mm_s = retract_mm_s_;
   move.to[extruder_motor()] -= retraction_.length;
   if (retraction_.lift != 0) move.over = move.to;
   move.to[height] += retraction_.lift;
@@ -246,6 +255,7 @@ Request GcodePath::recover() {
   std::optional<Retraction>& retracted = retracted_[tool_];
   if (!retracted) return NoMotion{};
   Move move{machine_, machine_, {}};
+  move.extruder_mm_s = recover_mm_s_;
   move.to[extruder_motor()] += retracted->length + retraction_.extra;
   if (!has_jumped_[tool_]) {
     if (retracted->lift != 0) {

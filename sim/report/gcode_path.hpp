@@ -36,10 +36,14 @@ struct Move {
   std::optional<Point> over{};  // two straight lines with this place between them
   std::shared_ptr<const BedMesh> mesh{};  // that it follows
   double speed_mm_s{};  // as F asks, at most; 0: another
+  double extruder_mm_s{};  // of E, at most; 0: not known
+  Femtometers loose_z{};  // by which Z may be off its way: it may have gone there before
 
   // Of the nozzle in X, Y and Z at a part of the way, 0 to 1.
   std::array<double, 3> place_mm(double part) const;
   double length_mm() const;
+  // Itself, or the two lines over a place between.
+  std::vector<Move> ways() const;
 };
 struct Homing {
   std::array<bool, 3> axes{};
@@ -115,11 +119,12 @@ struct MachineFacts {
   std::array<double, 3> steps_per_mm{};  // at which a probe is looked at
   std::optional<ShapingSetting> shaping{};
   double fastest_mm_s = 500;  // without F
+  double extruder_mm_s{};  // until M203; 0: not known
 };
 
 // Understands G0 to G3, G10 G11, G17 to G21, G27 to G30, G53 to G61, G90 to G92, M82 M83 M92
-// M200 M205 to M208 M217 M218 M220 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M572 M593 M603
-// M701 M702 M851 M900, T and M104 M109 M140 M149 M190; all else asks no motion.
+// M200 M203 M205 to M208 M217 M218 M220 M221 M290 M400 M410 M420 M421 M425 M428 M501 M502 M572 M593
+// M603 M701 M702 M851 M900, T and M104 M109 M140 M149 M190; all else asks no motion.
 class GcodePath {
  public:
   explicit GcodePath(const MachineFacts& machine = {})
@@ -129,6 +134,7 @@ class GcodePath {
         change_(machine.second_tool.value_or(ToolFacts())) {
     if (facts_.probe) levelling_ = Levelling(*facts_.probe);
     shaping_ = facts_.shaping.value_or(ShapingSetting());
+    extruder_mm_s_ = facts_.extruder_mm_s;
   }
 
   Request read(std::string_view command);
@@ -141,6 +147,7 @@ class GcodePath {
   void stand_at(std::size_t axis, Femtometers place) { machine_[axis] = place; }
   // After M410 the file calls it as its coordinates say.
   void stop_at(const Point& nozzle);
+  Femtometers babystep() const { return babystep_; }
   // What of M290 is still to be made, in a move of its own.
   Move make_babystep();
 
@@ -152,6 +159,7 @@ class GcodePath {
   void read_m(const GcodeWords& words, Request& request);
   bool read_levelling(const GcodeWords& words, Request& request);
   void read_speed(const GcodeWords& words);
+  void hold_back(Move& move) const;
   void read_shaping(const GcodeWords& words, std::string_view command);
   void relevel(bool follow, const std::function<void(Levelling&)>& change);
   Point uncorrected(Point nozzle) const;
@@ -202,6 +210,8 @@ class GcodePath {
   std::array<std::int64_t, 2> flow_percent_{100, 100};
   double feed_mm_s_{};  // of F; 0: none yet
   std::array<double, 2> least_mm_s_{};  // of M205 S and T
+  double extruder_mm_s_{};  // of M203 E
+  double retract_mm_s_{}, recover_mm_s_{};  // of M207 and M208; 0: the machine's, not known
   std::int64_t speed_percent_ = 100, kept_speed_percent_ = 100;
   ShapingSetting shaping_;
   ToolFacts change_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speeds, input shaping and linear advance: F, M205, M220, M593, M900 and M572.
+// Speeds, input shaping and linear advance: F, M203, M205, M207, M208, M220, M593, M900 and M572.
 #include <algorithm>
 
 #include "sim/report/gcode_path.hpp"
@@ -24,8 +24,8 @@ std::int64_t rounded(std::int64_t value, std::int64_t per_unit) {
 
 }  // namespace
 
-// F of a line; M205 S and T: the slowest speeds; M220 S, of which B keeps what holds, and R brings
-// it back.
+// F of a line, M207 and M208; M203 E; M205 S and T: the slowest speeds; M220 S, of which B keeps
+// what holds, and R brings it back.
 void GcodePath::read_speed(const GcodeWords& words) {
   if (words.is('M', 220)) {
     const std::int64_t before = speed_percent_;
@@ -38,10 +38,21 @@ void GcodePath::read_speed(const GcodeWords& words) {
         least_mm_s_[i] = millimeters(*least);
       }
     }
+  } else if (words.is('M', 203)) {
+    if (const auto most = length(words, 'E')) extruder_mm_s_ = millimeters(*most);
   } else if (const auto feed = length(words, 'F')) {
     constexpr double seconds_per_minute = 60;
-    feed_mm_s_ = millimeters(*feed) / seconds_per_minute;
+    double& speed = words.is('M', 207)   ? retract_mm_s_
+                    : words.is('M', 208) ? recover_mm_s_
+                                         : feed_mm_s_;
+    speed = millimeters(*feed) / seconds_per_minute;
   }
+}
+
+// E, and what goes along with it.
+void GcodePath::hold_back(Move& move) const {
+  double& most = move.extruder_mm_s;
+  if (extruder_mm_s_ > 0) most = most > 0 ? std::min(most, extruder_mm_s_) : extruder_mm_s_;
 }
 
 // F0 is off, and F alone a ZV shaper; S is D.

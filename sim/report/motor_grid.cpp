@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 namespace report {
 
 namespace {
 
+constexpr std::size_t height = 2;
 constexpr double samples_per_mm = 2;
 constexpr int least_samples = 32, least_samples_of_arc = 1024;
 
@@ -85,6 +88,34 @@ std::array<double, motor_count> MotorGrid::motors_on(const Move& move, double pa
 }
 
 MotorGrid::Steps MotorGrid::detour_of(const Move& move) const {
+  if (!mechanism_->is_cartesian()) return sampled_detour_of(move);
+  Steps detour = move.arc ? detour_of_arc(move) : Steps{};
+  // Besides, a Z next to the nearest step.
+  if (move.mesh) detour[height] = sampled_detour_of(move)[height] + 2;
+  return detour;
+}
+
+// By where its axes turn back.
+MotorGrid::Steps MotorGrid::detour_of_arc(const Move& move) const {
+  Steps detour{};
+  for (const std::size_t side : {0UZ, 1UZ}) {
+    const std::size_t axis = side == 0 ? move.arc->first : move.arc->second;
+    const auto step_at = [&](double part) {
+      return std::llround(move.arc->at(part)[side] * steps_per_mm(axis));
+    };
+    std::int64_t before = step_at(0);
+    detour[axis] = -std::llabs(step_at(1) - before);
+    std::vector<double> parts = move.arc->turning_points();
+    parts.push_back(1);
+    for (const double part : parts) {
+      detour[axis] += std::llabs(step_at(part) - before);
+      before = step_at(part);
+    }
+  }
+  return detour;
+}
+
+MotorGrid::Steps MotorGrid::sampled_detour_of(const Move& move) const {
   Steps detour{};
   std::array<int, 3> direction{};
   const int samples = samples_of(move);

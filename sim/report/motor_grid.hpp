@@ -38,10 +38,10 @@ class MotorGrid {
   // Nearest, halves away from zero.
   Steps steps_at(const Point& place) const;
   std::array<double, 3> place_mm(const Steps& steps) const;
+  // The same, exactly where each axis has its motor.
+  Point place_of_steps(const Steps& steps) const;
   // At a part of a move's way, 0 to 1, in steps between whole ones.
   std::array<double, motor_count> motors_on(const Move& move, double part) const;
-  // The same exactly where each axis has its motor.
-  Point place_of_steps(const Steps& steps) const;
   // How far the tool goes with a step of a motor, at most.
   double step_mm(const std::array<double, 3>& place) const;
   // How many more steps than those between its ends a move makes, at most, because motors turn
@@ -49,6 +49,9 @@ class MotorGrid {
   Steps detour_of(const Move& move) const;
 
  private:
+  Steps detour_of_arc(const Move& move) const;
+  Steps sampled_detour_of(const Move& move) const;
+
   std::shared_ptr<const machine::Mechanism> mechanism_ = machine::cartesian_mechanism();
   std::array<Resolution, motor_count> resolution_{};
   Steps origin_{};

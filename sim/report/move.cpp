@@ -31,4 +31,12 @@ double Move::length_mm() const {
   return std::hypot(way[0], way[1], way[2]);
 }
 
+std::vector<Move> Move::ways() const {
+  if (!over) return {*this};
+  Move first = *this, second = *this;
+  first.to = second.from = *over;
+  first.over = second.over = std::nullopt;
+  return {first, second};
+}
+
 }  // namespace report

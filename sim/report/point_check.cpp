@@ -3,7 +3,6 @@
 #include "sim/report/point_check.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -24,8 +23,7 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
                        std::shared_ptr<const machine::Mechanism> mechanism)
     : rate_(rate),
       gcode_(machine),
-      match_({.position = start}),
-      shaped_(static_cast<double>(rate.hertz()), machine.fastest_mm_s) {
+      judges_({.position = start}, static_cast<double>(rate.hertz()), machine.fastest_mm_s) {
   std::array<Resolution, motor_count> resolution{};
   for (std::size_t i = 0; i < resolution.size(); ++i) {
     resolution[i] = resolution_of(steps_per_mm[std::min(i, extruder)]);
@@ -39,9 +37,7 @@ PointCheck::PointCheck(const std::array<double, 4>& steps_per_mm, const Steps& s
       take_up(std::get<NewPlay>(play));
     }
   }
-  path_.at(start);
-  set_grid();
-  shaped_.restart({.position = start}, start);
+  judges_.set_grid(grid_);
   set_shaping();
 }
 
@@ -71,13 +67,8 @@ void PointCheck::judge_states() {
 
 void PointCheck::judge_states_until(sim::Clock until) {
   while (!states_.empty() && states_.front().clock <= until) {
-    const MachineState& state = states_.front();
-    if (shaping_.any()) {
-      shaped_.at(state);
-    } else {
-      match_.at(state);
-      path_.at(state.position);
-    }
+    if (shows_babystep(states_.front())) ask_babystep();
+    judges_.now().at(states_.front());
     states_.pop_front();
   }
 }
@@ -102,18 +93,19 @@ void PointCheck::command_acknowledged(sim::Clock now, std::size_t, std::string_v
   in_flight_.pop_front();
   if (executed) carry_out(command);
   judge_states();
-  add_missed(match_.take_missed(), judged_);
-  add_missed(shaped_.take_missed(), judged_);
+  add_missed(judges_.now().take_missed(), judged_);
 }
 
 void PointCheck::carry_out(const SentCommand& command) {
-  // What M290 moves at rest it has moved by now.
-  if (std::exchange(babystep_open_, false) && state_.position[height] != last_target()[height]) {
-    ask(gcode_.make_babystep(), command);
-  }
-  const Request request = gcode_.read(command.text);
-  if (gcode_.shaping() != shaping_) set_shaping();
-  if (const Move* move = std::get_if<Move>(&request)) {
+  settle_babystep(command);
+  const Femtometers babystep = gcode_.babystep();
+  Request request = gcode_.read(command.text);
+  if (gcode_.shaping() != judges_.shaping()) set_shaping();
+  if (Move* move = std::get_if<Move>(&request)) {
+    if (babystep_ && gcode_.babystep() == 0) {
+      move->loose_z = babystep < 0 ? -babystep : babystep;
+      babystep_.reset();
+    }
     ask(*move, command);
     return;
   }
@@ -122,9 +114,9 @@ void PointCheck::carry_out(const SentCommand& command) {
     return;
   }
   if (std::holds_alternative<Babystep>(request)) {
-    // No edge shows when the last motion has left the shaper.
-    babystep_open_ = shaping_.any() && shaped_.all_reached();
-    if (!shaping_.any() && match_.all_reached()) ask(gcode_.make_babystep(), command);
+    const std::optional<bool> rested = judges_.now().rested_at(command.sent);
+    if (rested.value_or(true)) babystep_ = command;
+    if (rested == true) ask_babystep();
     return;
   }
   if (std::holds_alternative<NoMotion>(request) ||
@@ -134,12 +126,9 @@ void PointCheck::carry_out(const SentCommand& command) {
   // The others wait for the end of all motion, also where the next command has been sent already.
   const bool is_free =
       std::holds_alternative<Homing>(request) || std::holds_alternative<Probing>(request);
-  if (is_free) {
-    path_.ask_homing();
-    shaped_.end_freely();
-  }
+  if (is_free) judges_.now().end_freely();
   judge_states_until(std::numeric_limits<sim::Clock>::max());
-  if (!std::holds_alternative<QuickStop>(request)) settle(!is_free);
+  if (!std::holds_alternative<QuickStop>(request)) judges_.now().settle(!is_free);
   if (const Homing* homing = std::get_if<Homing>(&request)) {
     finish_homing(*homing);
   } else if (const Probing* probing = std::get_if<Probing>(&request)) {
@@ -149,56 +138,42 @@ void PointCheck::carry_out(const SentCommand& command) {
   } else if (const NewPlay* play = std::get_if<NewPlay>(&request)) {
     take_up(*play);
   } else if (std::holds_alternative<QuickStop>(request)) {
-    match_.abandon();
-    shaped_.abandon();
-    path_.forget();
+    judges_.now().abandon();
     stop_here();
+  }
+  babystep_.reset();
+}
+
+// Before the next line it is the only motion that can come.
+bool PointCheck::shows_babystep(const MachineState& state) {
+  return babystep_ && state.position[height] != judges_.now().last_target()[height] &&
+         !judges_.now().is_at_last_target(state.position);
+}
+
+void PointCheck::ask_babystep() {
+  const SentCommand command = std::move(*babystep_);
+  babystep_.reset();
+  ask(gcode_.make_babystep(), command);
+}
+
+// What was to be made at once is under way by the answer to the next line, unless a shaper is late.
+void PointCheck::settle_babystep(const SentCommand& next) {
+  if (!babystep_) return;
+  const Request request = GcodePath(gcode_).read(next.text);
+  if (std::holds_alternative<Homing>(request) || std::holds_alternative<Probing>(request)) {
+    babystep_.reset();
+  } else if (shows_babystep(state_)) {
+    ask_babystep();
   }
 }
 
 void PointCheck::ask(const Move& move, const SentCommand& command) {
   const Steps target = grid_.steps_at(above(move.mesh, move.to));
-  const RequestedLine line{command.file_line, command.text};
-  std::vector<Move> parts{move};
-  if (move.over) {
-    parts = {{move.from, *move.over, {}, {}, move.mesh}, {*move.over, move.to, {}, {}, move.mesh}};
-  }
-  if (shaping_.any()) {
-    shaped_.ask(parts, line, target, other_target(move));
-  } else {
-    match_.ask(target, line, detour_of(move), other_target(move));
-    for (const Move& part : parts) path_.ask(part);
-  }
+  judges_.now().ask(move, {command.file_line, command.text}, target, other_target(move));
   length_mm_ += move.length_mm();
   for (std::size_t i = extruder; i < motor_count && command.extrusion_prevented; ++i) {
     gcode_.stand_at(i, move.from[i]);
   }
-}
-
-// The steps there and back again, beyond those from start to end.
-Steps PointCheck::detour_of(const Move& move) const {
-  if (!grid_.mechanism().is_cartesian()) return grid_.detour_of(move);
-  Steps detour{};
-  // Besides, a Z next to the nearest step.
-  if (move.mesh) detour[height] = grid_.detour_of(move)[height] + 2;
-  if (!move.arc) return detour;
-  for (const std::size_t side : {0UZ, 1UZ}) {
-    const std::size_t axis = side == 0 ? move.arc->first : move.arc->second;
-    const auto step_at = [&](double part) {
-      return std::llround(move.arc->at(part)[side] * static_cast<double>(grid_.resolution()[axis]) /
-                          static_cast<double>(billionths));
-    };
-    if (move.mesh && axis == height) continue;
-    std::int64_t before = step_at(0);
-    detour[axis] = -std::llabs(step_at(1) - before);
-    std::vector<double> parts = move.arc->turning_points();
-    parts.push_back(1);
-    for (const double part : parts) {
-      detour[axis] += std::llabs(step_at(part) - before);
-      before = step_at(part);
-    }
-  }
-  return detour;
 }
 
 std::optional<Steps> PointCheck::other_target(const Move& move) const {
@@ -235,31 +210,23 @@ void PointCheck::add_missed(std::vector<UnreachedPoint> points, Judgement& judge
 }
 
 PointCheck::Judgement PointCheck::judgement() const {
-  PointMatch match = match_;
-  ShapedCheck shaped = shaped_;
+  StepJudges judges = judges_;
+  StepJudge& judge = judges.now();
   const auto see = [&](const MachineState& state) {
-    if (shaping_.any()) {
-      shaped.at(state);
-    } else {
-      match.at(state);
-    }
+    if (!babystep_) judge.at(state);
   };
   std::ranges::for_each(states_, see);
   see(state_);
-  const bool nothing_requested =
-      match.nothing_open() && shaped.nothing_open() && in_flight_.empty();
-  const bool at_target = shaping_.any() ? shaped.is_at_last_target(state_.position)
-                                        : match_.is_at_last_target(state_.position);
-  match.abandon();
-  shaped.abandon();
+  const bool nothing_requested = judges.nothing_open() && in_flight_.empty() && !babystep_;
+  const bool at_target = judge.is_at_last_target(state_.position);
+  judge.abandon();
   Judgement result = judged_;
-  add_missed(match.take_missed(), result);
-  add_missed(shaped.take_missed(), result);
-  result.reached = match.reached() + shaped.reached();
+  add_missed(judge.take_missed(), result);
+  result.reached = judges.reached();
+  result.unasked_steps = judges.unasked_steps();
   for (std::size_t i = 0; i < result.moved_after_end.size(); ++i) {
-    result.unasked_steps[i] = match.unasked_steps()[i] + shaped.unasked_steps()[i];
     result.moved_after_end[i] =
-        nothing_requested && !at_target && state_.position[i] != last_target()[i];
+        nothing_requested && !at_target && state_.position[i] != judge.last_target()[i];
   }
   return result;
 }

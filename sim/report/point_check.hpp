@@ -15,10 +15,7 @@
 #include "sim/report/findings.hpp"
 #include "sim/report/gcode_path.hpp"
 #include "sim/report/motor_grid.hpp"
-#include "sim/report/path_check.hpp"
-#include "sim/report/point_match.hpp"
-#include "sim/report/shaped_check.hpp"
-#include "sim/report/step_grid.hpp"
+#include "sim/report/step_judges.hpp"
 #include "sim/simulation/clock_rate.hpp"
 
 namespace report {
@@ -56,14 +53,14 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   };
   // Of everything so far; lines that are still under way are neither reached nor missed.
   Judgement judgement() const;
-  double max_deviation_mm() const { return path_.max_deviation_mm(); }
-  double max_deviation_steps() const { return path_.max_deviation_steps(); }
-  std::uint64_t lines_apart() const { return path_.lines_apart(); }
-  double max_height_error_mm() const { return path_.max_height_error_mm(); }
+  double max_deviation_mm() const { return judges_.path().max_deviation_mm(); }
+  double max_deviation_steps() const { return judges_.path().max_deviation_steps(); }
+  std::uint64_t lines_apart() const { return judges_.path().lines_apart(); }
+  double max_height_error_mm() const { return judges_.path().max_height_error_mm(); }
   // Of the points reached, those where input shaping or linear advance was on, and how far the tool
   // was off its lines then.
-  std::uint64_t shaped_points() const { return shaped_.reached(); }
-  double max_shaping_mm() const { return shaped_.max_deviation_mm(); }
+  std::uint64_t shaped_points() const { return judges_.shaped().reached(); }
+  double max_shaping_mm() const { return judges_.shaped().max_deviation_mm(); }
   // Of the executed moves, in X, Y and Z, as the G-code requests them.
   double length_mm() const { return length_mm_; }
   bool homed() const { return homed_; }
@@ -78,7 +75,6 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
 
   void carry_out(const SentCommand& command);
   void ask(const Move& move, const SentCommand& command);
-  Steps detour_of(const Move& move) const;
   std::optional<Steps> other_target(const Move& move) const;
   void take_up(const NewPlay& play);
   void finish_probing(const Probing& probing, const SentCommand& command);
@@ -89,12 +85,11 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   void close_state(sim::Clock now);
   void judge_states();
   void judge_states_until(sim::Clock until);
+  bool shows_babystep(const MachineState& state);
+  void ask_babystep();
+  void settle_babystep(const SentCommand& next);
   void add_missed(std::vector<UnreachedPoint> points, Judgement& judgement) const;
-  void set_grid();
   void set_shaping();
-  void settle(bool rests);
-  void restart(const Steps& meant);
-  const Steps& last_target() const;
 
   MotorGrid grid_;
   sim::ClockRate rate_;
@@ -104,12 +99,9 @@ class PointCheck : public devices::StepListener, public devices::HostListener {
   std::deque<MachineState> states_;  // that are not judged yet
   DrivePlay play_;
   NewPlay taken_up_;
-  PointMatch match_;
-  PathCheck path_;
-  ShapingSetting shaping_;
-  ShapedCheck shaped_;  // in place of the other two while shaping is on
+  StepJudges judges_;
   Judgement judged_;
-  bool babystep_open_ = false;
+  std::optional<SentCommand> babystep_;  // M290 that is made at once or with the next line
   double length_mm_ = 0;
   bool homed_ = false;
 };

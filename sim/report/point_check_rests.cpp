@@ -17,41 +17,20 @@ constexpr std::size_t extruder = 3;
 
 }  // namespace
 
-const Steps& PointCheck::last_target() const {
-  return shaping_.any() ? shaped_.last_target() : match_.last_target();
-}
-
-void PointCheck::set_grid() {
-  path_.set_grid(grid_);
-  shaped_.set_grid(grid_);
-}
-
-void PointCheck::settle(bool rests) {
-  if (shaping_.any()) {
-    shaped_.settle(rests);
-  } else {
-    match_.settle(rests);
-  }
-  path_.finish();
-}
-
-void PointCheck::restart(const Steps& meant) {
-  match_.restart(state_, meant);
-  shaped_.restart(state_, meant);
-}
-
 // The chip comes to rest before.
 void PointCheck::set_shaping() {
   judge_states_until(std::numeric_limits<sim::Clock>::max());
-  settle(true);
-  restart(Steps(last_target()));
-  shaping_ = gcode_.shaping();
-  shaped_.set_shaping(shaping_);
+  judges_.now().settle(true);
+  const Steps meant = judges_.now().last_target();
+  add_missed(judges_.now().take_missed(), judged_);
+  judges_.set_shaping(gcode_.shaping());
+  babystep_.reset();
+  judges_.now().restart(state_, meant);
 }
 
 void PointCheck::take_up(const NewPlay& play) {
   taken_up_ = play;
-  path_.set_play_mm(std::hypot(millimeters(play.lengths[0]), millimeters(play.lengths[1])));
+  judges_.set_play_mm(std::hypot(millimeters(play.lengths[0]), millimeters(play.lengths[1])));
   for (std::size_t i = 0; i < play.lengths.size(); ++i) {
     play_.set_play(i, nearest_step(play.lengths[i], grid_.resolution()[i]));
   }
@@ -60,14 +39,14 @@ void PointCheck::take_up(const NewPlay& play) {
 // As a line that ends where the nozzle is to be then.
 void PointCheck::finish_probing(const Probing& probing, const SentCommand& command) {
   const Steps end = grid_.steps_at(probing.nozzle);
-  restart(end);
-  match_.ask(end, {command.file_line, command.text});
-  match_.settle(true);
-  path_.finish();
+  judges_.now().restart(state_, end);
+  const Move stay{.from = probing.nozzle, .to = probing.nozzle, .arc = {}};
+  judges_.now().ask(stay, {command.file_line, command.text}, end, std::nullopt);
+  judges_.now().settle(true);
 }
 
 void PointCheck::finish_homing(const Homing& homing) {
-  Steps meant = last_target();
+  Steps meant = judges_.now().last_target();
   if (grid_.mechanism().is_cartesian()) {
     for (std::size_t i = 0; i < homing.axes.size(); ++i) {
       if (!homing.axes[i]) continue;
@@ -80,9 +59,9 @@ void PointCheck::finish_homing(const Homing& homing) {
   } else {
     meant = home_motors(homing);
   }
-  restart(meant);
+  judges_.now().restart(state_, meant);
   homed_ = true;
-  set_grid();
+  judges_.set_grid(grid_);
 }
 
 // The axes that were not homed are where they were. Where both motors of a switch make a step at a
@@ -112,12 +91,12 @@ void PointCheck::change_resolution(const NewResolution& resolution) {
     }
   }
   take_up(taken_up_);
-  set_grid();
+  judges_.set_grid(grid_);
 }
 
 void PointCheck::stop_here() {
   gcode_.stop_at(grid_.place_of_steps(state_.position));
-  restart(state_.position);
+  judges_.now().restart(state_, state_.position);
 }
 
 }  // namespace report

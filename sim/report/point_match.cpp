@@ -12,6 +12,8 @@ namespace {
 
 // No firmware is so many lines, each with a step at least, ahead of its motors.
 constexpr std::size_t most_items = 512;
+// An arc's end is at its own step also this near before it, by how it is rounded there.
+constexpr std::int64_t turn_back_steps = 2;
 
 }  // namespace
 
@@ -19,11 +21,11 @@ PointMatch::PointMatch(const MachineState& start)
     : last_target_(start.position), settled_target_(start.position), anchor_(start), now_(start) {}
 
 void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detour,
-                     const std::optional<Steps>& other) {
+                     const Steps& least, const std::optional<Steps>& other) {
   last_line_ = line;
   last_line_open_ = true;
   const bool same_place = !items_.empty() && items_.back().target == target;
-  if (same_place && items_.back().reached == 0) {
+  if (same_place && items_.back().reached == 0 && least == Steps{}) {
     items_.back().lines.push_back(std::move(line));
     for (std::size_t i = 0; i < detour.size(); ++i) items_.back().detour[i] += detour[i];
   } else {
@@ -32,6 +34,7 @@ void PointMatch::ask(const Steps& target, RequestedLine line, const Steps& detou
     item.target = target;
     item.other = other;
     item.detour = detour;
+    item.least = least;
     item.lines.push_back(std::move(line));
     item.nearest = now_;
     item.distance = -1;
@@ -69,12 +72,22 @@ void PointMatch::note_nearest(Item& item, const MachineState& state) const {
   }
 }
 
+bool PointMatch::made_least(const Item& item, std::ptrdiff_t before,
+                            const MachineState& state) const {
+  const MachineState& from = before < 0 ? anchor_ : items_[static_cast<std::size_t>(before)].when;
+  for (std::size_t i = 0; i < item.least.size(); ++i) {
+    if (state.steps_made[i] - from.steps_made[i] < item.least[i]) return false;
+  }
+  return true;
+}
+
 void PointMatch::update_chains(const MachineState& state) {
   std::size_t best = 0;
   std::ptrdiff_t best_end = -1;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
-    if (item.is_at(state.position) && best + item.lines.size() > item.reached) {
+    if (item.is_at(state.position) && best + item.lines.size() > item.reached &&
+        made_least(item, best_end, state)) {
       item.reached = best + item.lines.size();
       item.before = best_end;
       item.when = state;
@@ -137,14 +150,7 @@ void PointMatch::finish(std::size_t count, const std::vector<bool>& in_chain) {
     settled_target_ = item.target;
     if (in_chain[i]) {
       reached_ += item.lines.size();
-      for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
-        const std::int64_t made = item.when.steps_made[axis] - anchor_.steps_made[axis];
-        const std::int64_t missing = requested_since_anchor_[axis] - made;
-        unasked_[axis] += std::max<std::int64_t>(0, -missing);
-        // The place of a full circle is reached before it has begun.
-        requested_since_anchor_[axis] = std::clamp<std::int64_t>(missing, 0, item.detour[axis]);
-      }
-      anchor_ = item.when;
+      count_unasked(item.when, most_left_after(item));
     } else {
       for (RequestedLine& line : item.lines) {
         missed_.push_back({std::move(line), item.target, item.nearest});
@@ -152,6 +158,32 @@ void PointMatch::finish(std::size_t count, const std::vector<bool>& in_chain) {
     }
     items_.pop_front();
   }
+}
+
+// And what is left to be made then.
+void PointMatch::count_unasked(const MachineState& until, const Steps& most_left) {
+  for (std::size_t axis = 0; axis < most_left.size(); ++axis) {
+    const std::int64_t made = until.steps_made[axis] - anchor_.steps_made[axis];
+    const std::int64_t missing = requested_since_anchor_[axis] - made;
+    unasked_[axis] += std::max<std::int64_t>(0, -missing);
+    left_[axis] = std::clamp<std::int64_t>(missing, 0, most_left[axis]);
+  }
+  requested_since_anchor_ = left_;
+  anchor_ = until;
+}
+
+// A place may be reached before the last steps of a detour: that of a line with one, and those of
+// lines after it that are next to it.
+Steps PointMatch::most_left_after(const Item& item) {
+  const bool turns = item.detour != Steps{};
+  bool near = true;
+  for (std::size_t axis = 0; axis < item.target.size(); ++axis) {
+    near = near && std::llabs(item.target[axis] - turned_at_[axis]) <= turn_back_steps;
+  }
+  Steps most = item.detour;
+  for (std::size_t axis = 0; axis < most.size(); ++axis) most[axis] += near ? left_[axis] : 0;
+  if (turns) turned_at_ = item.target;
+  return most;
 }
 
 // The window is full: the older half is decided on as the best chain has it.
@@ -177,6 +209,8 @@ void PointMatch::settle(bool rests) {
   if (rests && last_line_open_ && !listed && !is_at_last_target(now_.position)) {
     --reached_;  // it was there, but on the way to another place
     missed_.push_back({last_line_, last_target_, now_});
+  } else if (rests) {
+    count_unasked(now_, {});
   }
   last_line_open_ = false;
 }
@@ -185,6 +219,7 @@ void PointMatch::abandon() {
   const std::vector<bool> in_chain = best_chain();
   const auto last = std::ranges::find(in_chain.rbegin(), in_chain.rend(), true);
   finish(static_cast<std::size_t>(in_chain.rend() - last), in_chain);
+  if (items_.empty() && is_at_last_target(now_.position)) count_unasked(now_, left_);
   items_.clear();
 }
 
@@ -194,7 +229,7 @@ void PointMatch::restart(const MachineState& here, const Steps& meant) {
   now_ = anchor_ = here;
   last_target_ = settled_target_ = meant;
   last_other_.reset();
-  requested_since_anchor_ = {};
+  requested_since_anchor_ = left_ = {};
 }
 
 std::vector<UnreachedPoint> PointMatch::take_missed() { return std::exchange(missed_, {}); }

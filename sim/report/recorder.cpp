@@ -63,6 +63,7 @@ MachineFacts facts_of(const machine::Printer& printer) {
     square += std::pow(printer.description().axes[i].max_speed_mm_s, 2);
   }
   facts.fastest_mm_s = std::sqrt(square);
+  facts.extruder_mm_s = printer.description().axes[3].max_speed_mm_s;
   if (const auto& shaping = printer.description().shaping) facts.shaping = shaping_of(*shaping);
   if (const auto& backlash = printer.description().backlash) {
     PlayFacts& play = facts.play.emplace();

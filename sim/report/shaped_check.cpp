@@ -12,7 +12,7 @@ namespace report {
 
 namespace {
 
-constexpr std::size_t extruder = 3;
+constexpr std::size_t height = 2, extruder = 3;
 // Positions are sampled once a slot, and one between samples is made of those about it.
 constexpr double slots_about_sample = 3;
 // Arcs, and lines on which motors do not go evenly, are in pieces straight to less than a step.
@@ -20,15 +20,26 @@ constexpr double longest_piece_mm = 0.5, arc_deviation_mm = 0.001;
 // A chip has fewer lines in its buffers. What is older is not made any more.
 constexpr std::size_t most_lines = 1024;
 
-// Of the filament where nothing else moves.
-double length_of(const Move& move) {
-  const double length = move.length_mm();
-  if (length > 0) return length;
+double filament_of(const Move& move) {
   double filament = 0;
   for (std::size_t i = extruder; i < motor_count; ++i) {
     filament += std::abs(millimeters(move.to[i] - move.from[i]));
   }
   return filament;
+}
+
+// Of the filament where nothing else moves.
+double length_of(const Move& move) {
+  const double length = move.length_mm();
+  return length > 0 ? length : filament_of(move);
+}
+
+// At most.
+double speed_of(const Move& move, double fastest_mm_s) {
+  const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s;
+  const double filament = filament_of(move);
+  if (filament == 0 || move.extruder_mm_s == 0) return speed;
+  return std::min(speed, move.extruder_mm_s * length_of(move) / filament);
 }
 
 }  // namespace
@@ -85,9 +96,9 @@ std::vector<double> ShapedCheck::parts_of(const Move& move, double length, doubl
   return parts;
 }
 
-void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const Steps& target,
+void ShapedCheck::ask(const Move& move, RequestedLine line, const Steps& target,
                       const std::optional<Steps>& other) {
-  if (takes_no_motion(parts, line, target)) return;
+  if (takes_no_motion(move, line, target)) return;
   Motors ways{};
   for (std::size_t i = 0; i < motor_count; ++i) {
     ways[i] = static_cast<double>(std::llabs(target[i] - last_target_[i]));
@@ -97,13 +108,14 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
   last_target_ = target;
   last_other_ = other;
   std::array<Course, motor_count> courses{};
-  for (const Move& part : parts) add_pieces(part, courses);
+  for (const Move& way : move.ways()) add_pieces(way, courses);
   pieces_.back().ends_line = true;
   for (std::size_t i = 0; i < motor_count; ++i) {
     // Where it turns, rounding may make a step more on each part of its way.
     if (const int turns = courses[i].turns; turns > 0) {
       ways[i] = std::max(ways[i], courses[i].way) + turns + 1;
     }
+    ways[i] += 2 * pieces_.back().loose[i];  // there first, and back from there
     asked_[i] += ways[i];
     // Linear advance goes there and back, and where it turns, rounding may make a step more.
     if (i >= extruder && pieces_.back().advanced > 0) {
@@ -115,10 +127,9 @@ void ShapedCheck::ask(const std::vector<Move>& parts, RequestedLine line, const 
 }
 
 // It is reached together with the line before it.
-bool ShapedCheck::takes_no_motion(const std::vector<Move>& parts, RequestedLine& line,
-                                  const Steps& target) {
-  const auto moves = [](const Move& move) { return move.arc || move.to != move.from; };
-  if (target != last_target_ || std::ranges::any_of(parts, moves)) return false;
+bool ShapedCheck::takes_no_motion(const Move& move, RequestedLine& line, const Steps& target) {
+  const bool moves = move.arc || move.to != move.from || (move.over && move.over != move.from);
+  if (target != last_target_ || moves) return false;
   if (ended_ && is_at_last_target(now_.position)) {
     ++reached_;
     return true;
@@ -142,7 +153,7 @@ void ShapedCheck::drop_oldest_line() {
 
 void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& courses) {
   const double length = length_of(move);
-  const double speed = move.speed_mm_s > 0 ? move.speed_mm_s : fastest_mm_s_;
+  const double speed = speed_of(move, fastest_mm_s_);
   const auto place_at = [&](double part) {
     const auto place = move.place_mm(part);
     return std::array{place[0], place[1]};
@@ -150,6 +161,11 @@ void ShapedCheck::add_pieces(const Move& move, std::array<Course, motor_count>& 
   Piece piece;
   piece.way = ways_++;
   piece.line = lines_done_ + lines_.size() - 1;
+  // Where motors are not axes, each of the three goes along with Z.
+  const bool own_z = grid_.mechanism().has_own_z();
+  for (std::size_t i = own_z ? height : 0; i <= height; ++i) {
+    piece.loose[i] = millimeters(move.loose_z) * grid_.steps_per_mm(i);
+  }
   piece.to = grid_.motors_on(move, 0);
   piece.ends_mm[1] = place_at(0);
   double before = 0;

@@ -7,12 +7,11 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim/report/input_shaper.hpp"
 #include "sim/report/motor_grid.hpp"
-#include "sim/report/point_match.hpp"
+#include "sim/report/step_judge.hpp"
 
 namespace report {
 
@@ -26,34 +25,33 @@ namespace report {
 // through these spaces in the order of the lines, without leaving them and no faster than F; where
 // it comes to rest, each axis must be at the end of the last line to the step. `Reach` is how much
 // of a line it may have done by now.
-class ShapedCheck {
+class ShapedCheck final : public StepJudge {
  public:
   explicit ShapedCheck(double clock_hz, double fastest_mm_s)
       : clock_hz_(clock_hz), fastest_mm_s_(fastest_mm_s) {}
 
   // From rest.
   void set_shaping(const ShapingSetting& setting);
-  void set_grid(const MotorGrid& grid) { grid_ = grid; }
+  void set_grid(const MotorGrid& grid) override { grid_ = grid; }
 
-  // As those of PointMatch.
-  void ask(const std::vector<Move>& parts, RequestedLine line, const Steps& target,
-           const std::optional<Steps>& other);
-  void at(const MachineState& state);
-  void settle(bool rests);
-  void abandon();
-  void restart(const MachineState& here, const Steps& meant);
-  // The axes move on otherwise as soon as they have come to the end of the last line.
-  void end_freely() { free_ = true; }
+  void ask(const Move& move, RequestedLine line, const Steps& target,
+           const std::optional<Steps>& other) override;
+  void at(const MachineState& state) override;
+  void end_freely() override { free_ = true; }
+  void settle(bool rests) override;
+  void abandon() override;
+  void restart(const MachineState& here, const Steps& meant) override;
 
-  bool all_reached() const { return ended_; }
-  bool nothing_open() const { return lines_.empty(); }
-  std::uint64_t reached() const { return reached_; }
-  const Steps& unasked_steps() const { return unasked_; }
-  std::vector<UnreachedPoint> take_missed();
-  const Steps& last_target() const { return last_target_; }
-  bool is_at_last_target(const Steps& position) const {
+  // No edge shows when the last motion has left the shaper.
+  std::optional<bool> rested_at(sim::Clock time) const override;
+  bool nothing_open() const override { return lines_.empty(); }
+  const Steps& last_target() const override { return last_target_; }
+  bool is_at_last_target(const Steps& position) const override {
     return position == last_target_ || position == last_other_;
   }
+  std::uint64_t reached() const override { return reached_; }
+  const Steps& unasked_steps() const override { return unasked_; }
+  std::vector<UnreachedPoint> take_missed() override;
   // How far the tool was off the lines in X and Y, at most.
   double max_deviation_mm() const { return max_deviation_mm_; }
 
@@ -72,6 +70,7 @@ class ShapedCheck {
     std::size_t way{};  // that it is part of
     Motors velocity{};
     double advanced{};  // velocity of E that linear advance takes
+    Motors loose{};  // by which it may be off its way besides
     // Of all pieces whose motion may be in the shapers at the same time.
     std::array<Range, motor_count> velocities{};
     double most_advanced{};
@@ -95,7 +94,7 @@ class ShapedCheck {
   std::vector<double> parts_of(const Move& move, double length, double speed) const;
   void add_pieces(const Move& move, std::array<Course, motor_count>& courses);
   void add(Piece piece);
-  bool takes_no_motion(const std::vector<Move>& parts, RequestedLine& line, const Steps& target);
+  bool takes_no_motion(const Move& move, RequestedLine& line, const Steps& target);
   void note_turns(std::size_t piece, std::size_t motor);
   void drop_oldest_line();
   // The parts of a piece on whose way all axes may be at this position.

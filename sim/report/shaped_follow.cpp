@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t extruder = 3;
 // Of a line's Bresenham steps, of the shaper's sum and of its sampling.
 constexpr double rounding_steps = 3;
+// Shaped motion is a mean of planned motion, which is no faster than F. A tenth more is good all
+// the same: this keeps lines in order, and how exactly a chip rounds F is not judged by it.
 constexpr double fastest_of_asked = 1.1;
 constexpr std::size_t searched_at_once = 32;
 
@@ -24,8 +26,8 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece,
   Range parts{0, 1};
   for (std::size_t i = 0; i < motor_count; ++i) {
     const Range& velocity = piece.velocities[i];
-    const double off =
-        rounding_steps + (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
+    const double off = rounding_steps + piece.loose[i] +
+                       (velocity.high - velocity.low) / 2 * (deviation_s_[i] + slot_s_);
     const double place = static_cast<double>(position[i]);
     double advance = 0;
     if (i >= extruder && piece.most_advanced > 0) {
@@ -46,7 +48,7 @@ std::optional<ShapedCheck::Range> ShapedCheck::feasible(const Piece& piece,
   return parts;
 }
 
-// Nothing is faster than F, but for the whole um/s in which a chip keeps it.
+// How far it may have come in this time, no faster than that.
 void ShapedCheck::go_on(const Steps& position, double seconds) {
   seconds *= fastest_of_asked;
   double left = -1;  // after the piece before
@@ -217,6 +219,16 @@ void ShapedCheck::settle(bool rests) {
     count_unasked();
   }
   restart(now_, last_target_);
+}
+
+std::optional<bool> ShapedCheck::rested_at(sim::Clock time) const {
+  // Longer than a chip needs for the last part of a step.
+  constexpr double certain_s = 0.25;
+  if (!ended_) return false;
+  if (lines_.empty()) return true;
+  const double seconds = static_cast<double>(time - now_.clock) / clock_hz_;
+  if (time > now_.clock && seconds > window_s_ + certain_s) return true;
+  return std::nullopt;
 }
 
 void ShapedCheck::abandon() {

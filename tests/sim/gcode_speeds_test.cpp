@@ -44,6 +44,26 @@ TEST(GcodeSpeeds, are_at_least_those_of_m205) {
   EXPECT_EQ(speed_of(path, "G1 X5 F600"), 10);
 }
 
+TEST(GcodeSpeeds, hold_back_e_as_m203_m207_and_m208_say) {
+  const auto of_e = [](GcodePath& path, const char* command) {
+    return std::get<report::Move>(path.read(command)).extruder_mm_s;
+  };
+  report::MachineFacts facts;
+  facts.extruder_mm_s = 50;
+  GcodePath path(facts);
+  EXPECT_EQ(of_e(path, "G1 E1 F6000"), 50);
+  EXPECT_EQ(of_e(path, "G10"), 50);
+  path.read("M203 X1 E20");
+  path.read("M207 F600");
+  path.read("M208 F2400");
+  EXPECT_EQ(of_e(path, "G11"), 20);
+  EXPECT_EQ(of_e(path, "G10"), 10);
+  EXPECT_EQ(of_e(path, "G1 X1 E3"), 20);
+  EXPECT_EQ(speed_of(path, "G1 X2"), 100);
+  path.read("M502");
+  EXPECT_EQ(of_e(path, "G11"), 50);
+}
+
 class Shaping : public testing::Test {
  protected:
   static report::MachineFacts facts() {

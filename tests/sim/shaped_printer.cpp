@@ -12,9 +12,10 @@ namespace {
 
 constexpr double advance_window_s = 0.020;
 
-report::MachineFacts facts_of(const ShapingChoice& shaping) {
+report::MachineFacts facts_of(const ShapingChoice& shaping, const PlanLimits& limits) {
   report::MachineFacts facts;
   facts.shaping = setting_of(shaping);
+  facts.extruder_mm_s = limits.most_mm_s[3];
   return facts;
 }
 
@@ -81,7 +82,7 @@ ShapedPrinter::ShapedPrinter(double clock_hz, const ShapingChoice& shaping,
       limits_(limits),
       buffered_(buffered_lines),
       check_(limits.steps_per_mm, start, sim::ClockRate(static_cast<std::uint32_t>(clock_hz)),
-             facts_of(shaping)) {}
+             facts_of(shaping, limits)) {}
 
 // 1 to 2 ms, at least 2^14 clocks; twice that where a shaper is longer than 60 of them.
 double ShapedPrinter::slot_s() const {

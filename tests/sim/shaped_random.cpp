@@ -146,8 +146,7 @@ void RandomProgram::add_circle() {
   const double radius = std::array{0.1, 0.5, 3., 12.}[static_cast<std::size_t>(pick(4))];
   const double towards = between(0, 2 * std::numbers::pi);
   const double angle = pick(2) == 0 ? 6.29 : between(0.1, 6.2);
-  // Without shaping, PointMatch knows the end of a circle from its start only by the filament.
-  const bool prints = pick(3) != 0 || !now_.any();
+  const bool prints = pick(3) != 0;
   writer_.arc(radius * std::cos(towards), radius * std::sin(towards), pick(2) == 0 ? angle : -angle,
               pick(4) == 0 ? 0.2 : 0, prints ? filament_per_mm * radius * angle : 0);
 }
