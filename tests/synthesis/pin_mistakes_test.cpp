@@ -214,15 +214,18 @@ TEST_F(Mistake, a_pin_that_the_table_does_not_have_is_found) {
 
 // Pairs that are alike for all other checks.
 TEST_F(Mistake, two_ports_in_each_others_place_are_found) {
-  for (const auto& [board, one, other] :
-       std::vector<std::array<const char*, 3>>{
-        {"de2_115", "uart_rxd", "uart_txd"}, {"de2_115", "led[0]", "led[7]"},
-        {"de2_115", "tck", "tms"}, {"de2_115", "clock_50mhz", "clock_25mhz"},
-        {"de2_70", "uart_rxd", "uart_txd"}, {"de2_70", "tdi", "tms"},
-        {"de2_70_reprap_2012", "fan_gate", "heater_supply"},
-        {"de2_70_reprap_2012", "emergency_stop", "sensor_sense[1]"},
-        {"de2_70_reprap_2012", "sensor_resistor[4]", "sensor_resistor[5]"},
-        {"ulx3s", "ftdi_txd", "ftdi_rxd"}, {"ulx3s", "led[0]", "led[7]"}}) {
+  for (const auto& [board, one, other] : std::vector<std::array<const char*, 3>>{
+           {"de2_115", "uart_rxd", "uart_txd"},
+           {"de2_115", "led[0]", "led[7]"},
+           {"de2_115", "tck", "tms"},
+           {"de2_115", "clock_50mhz", "clock_25mhz"},
+           {"de2_70", "uart_rxd", "uart_txd"},
+           {"de2_70", "tdi", "tms"},
+           {"de2_70_reprap_2012", "fan_gate", "heater_supply"},
+           {"de2_70_reprap_2012", "emergency_stop", "sensor_sense[1]"},
+           {"de2_70_reprap_2012", "sensor_resistor[4]", "sensor_resistor[5]"},
+           {"ulx3s", "ftdi_txd", "ftdi_rxd"},
+           {"ulx3s", "led[0]", "led[7]"}}) {
     ASSERT_THAT(misplaced_in(folder_, board), IsEmpty());
     swap_ports(board, one, other);
     const auto found = misplaced_in(folder_, board);
@@ -236,8 +239,7 @@ TEST_F(Mistake, a_signal_on_another_ball_than_on_the_board_is_found) {
   const char* pins = "boards/de2_115/pins.csv";
   replace(pins, "LEDG[0],E21", "LEDG[0],E22");
   replace(pins, "LEDG[1],E22", "LEDG[1],E21");
-  EXPECT_THAT(misplaced_in(folder_, "de2_115"),
-              Contains("led[0] is at E22, on the board at E21"));
+  EXPECT_THAT(misplaced_in(folder_, "de2_115"), Contains("led[0] is at E22, on the board at E21"));
   replace("boards/ulx3s/connections.csv", "tck,gn[5]", "tck,btn[1]");
   EXPECT_THAT(misplaced_in(folder_, "ulx3s"),
               Contains("tck lies where nothing says what is there"));

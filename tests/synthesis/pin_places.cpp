@@ -41,8 +41,11 @@ Balls on_the_de2_70() {
 }
 
 Balls on_the_ulx3s() {
-  Balls balls{{"clk_25mhz", "G2"}, {"ftdi_txd", "M1"},   {"ftdi_rxd", "L4"},
-              {"ftdi_ndtr", "N1"}, {"wifi_gpio0", "L2"}};
+  Balls balls{{"clk_25mhz", "G2"},
+              {"ftdi_txd", "M1"},
+              {"ftdi_rxd", "L4"},
+              {"ftdi_ndtr", "N1"},
+              {"wifi_gpio0", "L2"}};
   add(balls, "led", {"B2", "C2", "C1", "D2", "D1", "E2", "E1", "H3"});
   return balls;
 }
@@ -111,7 +114,9 @@ class Comparison {
     if (!constraints_.refusal.empty()) return {constraints_.refusal};
     for (const Row& row : read_table(folder_ / "pins.csv")) {
       const std::string& ball = row.at("pin");
-      if (!has_ball(board_, ball)) say(row.at("signal"), "is on " + ball + ", no ball of the device");
+      if (!has_ball(board_, ball)) {
+        say(row.at("signal"), "is on " + ball + ", no ball of the device");
+      }
     }
     for (const auto& [port, pin] : constraints_.pins) check(port, pin.site);
     if (!board_.device.empty()) {
