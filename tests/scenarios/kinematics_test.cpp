@@ -96,7 +96,8 @@ TEST(kinematics, says_how_much_memory_its_firmware_needs) {
   const scenarios::JobResult small = answering_delta_with("");
   EXPECT_NE(small.status, 0);
   static const std::regex words(
-      R"(delta.toml: the firmware for this machine needs (\d+) KiB of memory, and its chip has 104: set memory_kib = (\d+))");
+      "delta.toml: the firmware for this machine needs (\\d+) KiB of memory, and its chip has 104: "
+      "set memory_kib = (\\d+)");
   std::smatch match;
   ASSERT_TRUE(std::regex_search(small.output, match, words)) << small.output;
   EXPECT_EQ(match[1], match[2]);

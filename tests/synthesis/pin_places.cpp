@@ -51,7 +51,7 @@ Balls on_the_ulx3s() {
 }
 
 // What the printer of 2012 did not have, by position of J4, as the board's page has it.
-const std::map<std::string, int> positions_beside_2012{
+const std::map<std::string, int> positions_since_2012{
     {"emergency_stop", 36},     {"heater_supply", 38},      {"sensor_resistor[1]", 16},
     {"sensor_resistor[2]", 18}, {"sensor_sense[1]", 20},    {"sensor_resistor[3]", 22},
     {"sensor_resistor[4]", 24}, {"sensor_resistor[5]", 26}, {"fan_gate", 14}};
@@ -103,11 +103,11 @@ class Comparison {
       if (board_.header.empty()) break;
       const std::string& ball = row.at(std::string(board_.header));
       header_.insert(ball);
-      for (const auto& [port, position] : positions_beside_2012) {
-        if (row.at("header_pin") == std::to_string(position)) beside_2012_[port] = ball;
+      for (const auto& [port, position] : positions_since_2012) {
+        if (row.at("header_pin") == std::to_string(position)) since_2012_[port] = ball;
       }
     }
-    if (!name.ends_with("_2012")) beside_2012_.clear();
+    if (!name.ends_with("_2012")) since_2012_.clear();
   }
 
   std::vector<std::string> run() {
@@ -133,7 +133,7 @@ class Comparison {
   void say(const std::string& what, const std::string& how) { said_.push_back(what + " " + how); }
 
   void check(const std::string& port, const std::string& ball) {
-    for (const Balls* balls : std::array<const Balls*, 2>{&board_.balls, &beside_2012_}) {
+    for (const Balls* balls : std::array<const Balls*, 2>{&board_.balls, &since_2012_}) {
       const auto place = balls->find(port);
       if (place == balls->end()) continue;
       if (place->second != ball) say(port, "is at " + ball + ", on the board at " + place->second);
@@ -151,7 +151,7 @@ class Comparison {
   Constraints constraints_;
   std::vector<Row> pins_ = read_table(folder_ / "pins.csv");
   std::set<std::string> header_;
-  Balls beside_2012_;
+  Balls since_2012_;
   std::vector<std::string> said_;
 };
 

@@ -76,7 +76,7 @@ std::string obstacle_of_cyclone(const Options& options, const std::filesystem::p
 }  // namespace
 
 std::string obstacle_to(const Options& options, const std::filesystem::path& project) {
-  // The processor alone has memory of a size of its own, and a synthesis that is there has had room.
+  // The processor alone has memory of a size of its own; a synthesis that is there has had room.
   if (options.board == "core" || options.firmware_only) return {};
   return has_cyclone(project, options.board) ? obstacle_of_cyclone(options, project)
                                              : obstacle_of_ecp5(options);
