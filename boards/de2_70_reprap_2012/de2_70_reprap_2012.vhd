@@ -6,6 +6,8 @@ use ieee.std_logic_1164.all;
 
 entity de2_70_reprap_2012 is
   generic (
+    -- Of the board's oscillator; co-simulation has a slower one.
+    reference_clock_hz : positive := 50_000_000;
     -- Of the chip's memory: of at most three binary digits 1.
     memory_size_bytes : positive := 106496;
     -- With the debug port. Its clock has not been tried.
@@ -55,8 +57,8 @@ begin
   board : entity work.cyclone_board
     generic map (
       device_family => "Cyclone II", enable_level => '1', has_second_z => true,
-      memory_size_bytes => memory_size_bytes, has_debug => has_debug,
-      has_zbb => has_zbb)
+      reference_clock_hz => reference_clock_hz, memory_size_bytes => memory_size_bytes,
+      has_debug => has_debug, has_zbb => has_zbb)
     port map (
       reference_clk => clock_50mhz,
       watch_clk => clock_28mhz,

@@ -19,7 +19,6 @@ namespace sim {
 namespace {
 
 constexpr unsigned fault_lamp = 0;
-constexpr unsigned all_axes = (1U << axis_count) - 1;
 // From power-up to the end of the reset, at most: the loop locks, and 16 clocks.
 constexpr int most_reset_clocks = 64;
 
@@ -80,7 +79,7 @@ void BoardModel::clock() {
 
 void BoardModel::set_inputs() {
   board::set_receive(*model_, inputs_.receive);
-  model_->end_stop = inputs_.end_stops;
+  board::set_end_stops(*model_, inputs_.end_stops);
   model_->sensor_sense = inputs_.sense;
   model_->emergency_stop = inputs_.emergency_stop;
   model_->tck = inputs_.jtag.tck;
@@ -90,10 +89,11 @@ void BoardModel::set_inputs() {
 
 OutputPins BoardModel::sampled_outputs() const {
   const Vboard& model = *model_;
+  const board::Motors motors = board::motors_of(model);
   constexpr unsigned channel_pins = 3, channel_mask = 7;
-  std::uint64_t word = std::uint64_t{model.step} << OutputPins::step_bit |
-                       std::uint64_t{model.direction} << OutputPins::direction_bit |
-                       std::uint64_t{~model.motor_enable_n & all_axes} << OutputPins::enable_bit |
+  std::uint64_t word = motors.step << OutputPins::step_bit |
+                       motors.direction << OutputPins::direction_bit |
+                       motors.enabled << OutputPins::enable_bit |
                        std::uint64_t{board::transmit(model)} << OutputPins::transmit_bit |
                        std::uint64_t{model.fan_gate} << OutputPins::fan_bit |
                        std::uint64_t{model.heater_gate} << OutputPins::heater_bit |

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is called how in the model of a board with a Cyclone. BOARD is its name, BOARD_WATCH_CLOCK
-// that of its second oscillator.
+// What is called how in the model of a board with a Cyclone and the pins of the interface board.
 #pragma once
 
-#include "Vboard.h"
-#include "Vboard___024root.h"
-
-#define JOINED_NAMES(board, rest) board##__DOT__##rest
-#define NAMES_OF(board, rest) JOINED_NAMES(board, rest)
-#define IN_BOARD(name) NAMES_OF(BOARD, name)
-#define IN_CORE(name) IN_BOARD(board__DOT__chip__DOT__core__DOT__##name)
+#include "sim/boards/cyclone_model.hpp"
 
 namespace sim::board {
 
-// Clocks of the chip for a change of the second oscillator's level: half of the frequency, as on a
-// DE2-115; a DE2-70 has somewhat more.
-inline constexpr unsigned watch_clocks = 1;
-
-inline void set_clock(Vboard& model, bool level) { model.clock_50mhz = level; }
-inline void change_watch_clock(Vboard& model) {
-  model.BOARD_WATCH_CLOCK = model.BOARD_WATCH_CLOCK == 0;
+inline Motors motors_of(const Vboard& model) { return motors_enabled_low(model); }
+inline void set_end_stops(Vboard& model, unsigned levels) {
+  model.end_stop = static_cast<CData>(levels);
 }
-inline void set_receive(Vboard& model, bool level) { model.uart_rxd = level; }
-inline bool transmit(const Vboard& model) { return model.uart_txd; }
-inline bool is_released(const Vboard& model) { return model.rootp->IN_BOARD(board__DOT__released); }
 
 }  // namespace sim::board

@@ -2,6 +2,7 @@
 // What is called how in the model of a ULX3S.
 #pragma once
 
+#include "sim/boards/motors.hpp"
 #include "Vboard.h"
 #include "Vboard___024root.h"
 
@@ -22,6 +23,10 @@ inline void set_receive(Vboard& model, bool level) {
   model.ftdi_ndtr = 0;  // a host has the port open
 }
 inline bool transmit(const Vboard& model) { return model.ftdi_rxd; }
+inline Motors motors_of(const Vboard& model) { return motors_enabled_low(model); }
+inline void set_end_stops(Vboard& model, unsigned levels) {
+  model.end_stop = static_cast<CData>(levels);
+}
 inline bool is_released(const Vboard& model) {
   constexpr unsigned last = 15;
   return (model.rootp->IN_BOARD(reset_done) >> last & 1) != 0;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Machines whose motors are not their axes print to the step, on the whole chip.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "directories.hpp"
 #include "tests/scenarios/job.hpp"
+#include "tools/files/file_text.hpp"
 #include "tools/process/process.hpp"
 
 namespace {
@@ -74,6 +77,37 @@ TEST(kinematics, needs_the_model_of_the_processor_where_the_machine_has_more_mem
       {"--machine", PROJECT_DIRECTORY "/firmware/machines/core_xy.toml", "--processor", "netlist"});
   EXPECT_NE(print.job.status, 0);
   EXPECT_THAT(print.job.output, testing::HasSubstr("memory_kib"));
+}
+
+// A delta whose chip has the default's memory, or as much as is given.
+scenarios::JobResult answering_delta_with(const std::string& memory) {
+  const std::string line = "memory_kib = 128";
+  std::string machine = files::text_of(PROJECT_DIRECTORY "/firmware/machines/delta.toml");
+  const std::size_t place = machine.find(line);
+  EXPECT_NE(place, std::string::npos);
+  machine.replace(place, line.size(), memory);
+  const auto file = scenarios::scratch_folder() / "delta.toml";
+  scenarios::write_file(file, machine);
+  return scenarios::print_text("M115\n", {"--machine", file.string()}).job;
+}
+
+// What it says is enough, and less is not.
+TEST(kinematics, says_how_much_memory_its_firmware_needs) {
+  const scenarios::JobResult small = answering_delta_with("");
+  EXPECT_NE(small.status, 0);
+  static const std::regex words(
+      "delta.toml: the firmware for this machine needs (\\d+) KiB of memory, and its chip has 104: "
+      "set memory_kib = (\\d+)");
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(small.output, match, words)) << small.output;
+  EXPECT_EQ(match[1], match[2]);
+  const int kib = std::stoi(match[1]);
+  const auto enough = answering_delta_with(fmt::format("memory_kib = {}", kib));
+  EXPECT_EQ(enough.status, 0) << enough.output;
+  if (kib == 108) return;
+  const auto less = answering_delta_with(fmt::format("memory_kib = {}", kib - 4));
+  EXPECT_NE(less.status, 0);
+  EXPECT_THAT(less.output, testing::HasSubstr(fmt::format("set memory_kib = {}", kib)));
 }
 
 }  // namespace

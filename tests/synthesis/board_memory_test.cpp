@@ -59,11 +59,48 @@ TEST_F(SynthesisJob, refuses_firmware_for_a_chip_with_another_memory) {
 }
 
 TEST_F(SynthesisJob, refuses_a_memory_of_more_banks_than_a_cyclone_has) {
-  std::filesystem::create_directories(folder_ / "boards/de2_115");
-  std::ofstream(folder_ / "boards/de2_115/device.csv");
+  take_boards_with_a_cyclone();
   options_.board = "de2_115";
   options_.memory_bytes = 120 * 1024;
-  EXPECT_THAT(complaint_of([this] { run(); }), testing::HasSubstr("more than 3 banks"));
+  const std::string complaint = complaint_of([this] { run(); });
+  EXPECT_THAT(complaint, testing::HasSubstr("more than 3 banks"));
+  EXPECT_THAT(complaint, testing::EndsWith("choose memory_kib = 128"));
+}
+
+// Before Yosys has counted for minutes.
+TEST_F(SynthesisJob, refuses_a_memory_that_a_cyclone_has_no_room_for_at_once) {
+  take_boards_with_a_cyclone();
+  options_.memory_bytes = 128 * 1024;
+  for (const char* pins : {"", "reprap_2012"}) {
+    options_.board = "de2_70";
+    options_.pins = pins;
+    EXPECT_THAT(complaint_of([this] { run(); }),
+                testing::EndsWith("choose de2_115 or ulx3s, or a smaller memory_kib"));
+  }
+  EXPECT_EQ(text_of("calls"), "");
+  options_.pins.clear();
+  options_.board = "de2_115";
+  EXPECT_EQ(complaint_of([this] { run(); }), "");
+}
+
+TEST_F(SynthesisJob, of_all_boards_leaves_out_what_is_not_possible_before_it_starts) {
+  take_boards_with_a_cyclone();
+  options_.board = "";
+  options_.all = true;
+  options_.seed = 2;
+  options_.debug = true;
+  options_.machine = "delta.toml";
+  options_.memory_bytes = 128 * 1024;
+  options_.core_firmware = "of_the_build.elf";
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(run());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::StartsWith("de2_70 is left out: 128 KiB of memory"));
+  const std::string calls = text_of("calls");
+  EXPECT_THAT(calls, testing::HasSubstr(" core of_the_build.elf "));
+  EXPECT_THAT(calls, testing::Not(testing::HasSubstr(" core firmware.elf ")));
+  EXPECT_THAT(calls, testing::HasSubstr(" de2_115 firmware.elf "));
+  EXPECT_EQ(nlohmann::json::parse(text_of("out/boards.json")).size(), 3u);
 }
 
 }  // namespace

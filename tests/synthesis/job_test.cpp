@@ -87,16 +87,6 @@ TEST_F(SynthesisJob, measures_the_core_on_an_ice40_and_nothing_else_there) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
-constexpr const char* device_table = R"(property,value
-family,Cyclone II
-device,EP2C70F896C6
-quartus,13.0sp1
-logic_elements,68416
-block_rams,250
-block_ram_bits,4096
-multipliers,150
-)";
-
 TEST_F(SynthesisJob, makes_the_project_for_quartus_of_a_board_with_a_cyclone) {
   std::filesystem::create_directories(folder_ / "boards/de2_70");
   std::ofstream(folder_ / "boards/de2_70/device.csv") << device_table;
@@ -138,12 +128,6 @@ echo '{"design": {"num_cells_by_type": {
   write_script("synthesize_cyclone.sh", "#!/bin/sh\necho '{}' > \"$3/cells.json\"\n");
   EXPECT_THROW(run(), std::runtime_error);
 }
-
-// The script of a Cyclone's cells.
-constexpr const char* cyclone_script = R"(#!/bin/sh
-echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas": 20000,
-  "cyclone_block_ram": 3, "cyclone_multiplier": 5}}}' > "$3/cells.json"
-)";
 
 TEST_F(SynthesisJob, takes_all_boards_into_folders_and_makes_one_table) {
   for (const char* board : {"de2_115", "de2_70"}) {

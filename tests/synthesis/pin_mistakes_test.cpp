@@ -2,11 +2,14 @@
 // Each kind of mistake in the tables of signals and pins, or in their generator, is found.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "directories.hpp"
 #include "tests/synthesis/pin_needs.hpp"
+#include "tests/synthesis/pin_places.hpp"
 #include "tools/files/file_text.hpp"
 
 namespace synthesis {
@@ -27,6 +30,7 @@ class Mistake : public testing::Test {
       fs::create_directories(folder_ / part);
       fs::copy(fs::path(PROJECT_DIRECTORY) / part, folder_ / part, fs::copy_options::recursive);
     }
+    fs::copy(fs::path(PROJECT_DIRECTORY) / "boards/header40.csv", folder_ / "boards");
     ASSERT_THAT(shortcomings(), IsEmpty());
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -41,6 +45,21 @@ class Mistake : public testing::Test {
   }
   std::vector<std::string> shortcomings(const char* board = "ulx3s") const {
     return shortcomings_of(folder_, board);
+  }
+
+  // Exchanges the signals of two ports in a table of connections.
+  void swap_ports(const std::string& board, const std::string& one,
+                  const std::string& other) const {
+    const fs::path file = folder_ / "boards" / board / "connections.csv";
+    std::ofstream swapped(folder_ / "swapped");
+    std::istringstream lines(files::text_of(file));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t comma = line.find(',');
+      const std::string port = line.substr(0, comma);
+      swapped << (port == one ? other : port == other ? one : port) << line.substr(comma) << '\n';
+    }
+    swapped.close();
+    fs::rename(folder_ / "swapped", file);
   }
 
   static constexpr const char* signals = "constraints/signals.csv";
@@ -191,6 +210,57 @@ TEST_F(Mistake, in_the_pins_of_2012_is_found) {
 TEST_F(Mistake, a_pin_that_the_table_does_not_have_is_found) {
   replace("boards/de2_115/connections.csv", "tck,EX_IO[0]", "tck,EX_IO[7]");
   EXPECT_THAT(shortcomings("de2_115"), Contains(HasSubstr("no pin for EX_IO[7]")));
+}
+
+// Pairs that are alike for all other checks.
+TEST_F(Mistake, two_ports_in_each_others_place_are_found) {
+  for (const auto& [board, one, other] : std::vector<std::array<const char*, 3>>{
+           {"de2_115", "uart_rxd", "uart_txd"},
+           {"de2_115", "led[0]", "led[7]"},
+           {"de2_115", "tck", "tms"},
+           {"de2_115", "clock_50mhz", "clock_25mhz"},
+           {"de2_70", "uart_rxd", "uart_txd"},
+           {"de2_70", "tdi", "tms"},
+           {"de2_70_reprap_2012", "fan_gate", "heater_supply"},
+           {"de2_70_reprap_2012", "emergency_stop", "sensor_sense[1]"},
+           {"de2_70_reprap_2012", "sensor_resistor[4]", "sensor_resistor[5]"},
+           {"ulx3s", "ftdi_txd", "ftdi_rxd"},
+           {"ulx3s", "led[0]", "led[7]"}}) {
+    ASSERT_THAT(misplaced_in(folder_, board), IsEmpty());
+    swap_ports(board, one, other);
+    const auto found = misplaced_in(folder_, board);
+    EXPECT_THAT(found, Contains(HasSubstr(std::string(one) + " is at "))) << board;
+    EXPECT_THAT(found, Contains(HasSubstr(std::string(other) + " is at "))) << board;
+    swap_ports(board, one, other);
+  }
+}
+
+TEST_F(Mistake, a_signal_on_another_ball_than_on_the_board_is_found) {
+  const char* pins = "boards/de2_115/pins.csv";
+  replace(pins, "LEDG[0],E21", "LEDG[0],E22");
+  replace(pins, "LEDG[1],E22", "LEDG[1],E21");
+  EXPECT_THAT(misplaced_in(folder_, "de2_115"), Contains("led[0] is at E22, on the board at E21"));
+  replace("boards/ulx3s/connections.csv", "tck,gn[5]", "tck,btn[1]");
+  EXPECT_THAT(misplaced_in(folder_, "ulx3s"),
+              Contains("tck lies where nothing says what is there"));
+}
+
+TEST_F(Mistake, a_ball_that_the_device_does_not_have_is_found) {
+  const char* pins = "boards/de2_115/pins.csv";
+  std::string now = "EX_IO[3],H14";
+  for (const std::string ball : {"ZZ9", "E29", "I5", "AJ1", "A0", "AO3", "E21x"}) {
+    const std::string bad = "EX_IO[3]," + ball;
+    replace(pins, now + ",", bad + ",");
+    now = bad;
+    EXPECT_THAT(misplaced_in(folder_, "de2_115"),
+                Contains("EX_IO[3] is on " + ball + ", no ball of the device"));
+  }
+}
+
+TEST_F(Mistake, another_device_than_the_boards_is_found) {
+  replace("boards/de2_115/device.csv", "EP4CE115F29C7", "EP4CE115F29C8");
+  EXPECT_THAT(misplaced_in(folder_, "de2_115"),
+              Contains("the board has another device: EP4CE115F29C7"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "directories.hpp"
 #include "tests/synthesis/board_pins.hpp"
 #include "tests/synthesis/pin_needs.hpp"
+#include "tests/synthesis/pin_places.hpp"
 
 namespace synthesis {
 namespace {
@@ -24,13 +25,14 @@ using testing::IsEmpty;
 
 const fs::path project = PROJECT_DIRECTORY;
 
-TEST(Pins, of_every_board_are_as_their_signals_need) {
+TEST(Pins, of_every_board_are_as_their_signals_need_and_where_the_board_has_them) {
   int boards = 0;
   for (const auto& folder : fs::directory_iterator(project / "boards")) {
     const std::string board = folder.path().filename().string();
     // The core alone is placed without pins; the others with a top entity go onto a board.
     if (board == "core" || !fs::exists(folder.path() / (board + ".vhd"))) continue;
     EXPECT_THAT(shortcomings_of(project, board), IsEmpty()) << board;
+    EXPECT_THAT(misplaced_in(project, board), IsEmpty()) << board;
     ++boards;
   }
   EXPECT_GE(boards, 4);

@@ -52,6 +52,32 @@ cat > "$6/report.json" <<END
 END
 )";
 
+// Of a DE2-70 and of a DE2-115.
+inline constexpr const char* device_table = R"(property,value
+family,Cyclone II
+device,EP2C70F896C6
+quartus,13.0sp1
+logic_elements,68416
+block_rams,250
+block_ram_bits,4096
+multipliers,150
+)";
+inline constexpr const char* large_device_table = R"(property,value
+family,Cyclone IV E
+device,EP4CE115F29C7
+quartus,13.0sp1 to 20.1
+logic_elements,114480
+block_rams,432
+block_ram_bits,8192
+multipliers,266
+)";
+
+// What Yosys counts of a Cyclone's cells.
+inline constexpr const char* cyclone_script = R"(#!/bin/sh
+echo '{"design": {"num_cells_by_type": {"cycloneive_lcell_comb": 30000, "dffeas": 20000,
+  "cyclone_block_ram": 3, "cyclone_multiplier": 5}}}' > "$3/cells.json"
+)";
+
 class SynthesisJob : public testing::Test {
  protected:
   void SetUp() override {
@@ -65,6 +91,17 @@ class SynthesisJob : public testing::Test {
     options_.directory = folder_ / "out";
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void take_boards_with_a_cyclone() const {
+    for (const char* board : {"de2_115", "de2_70", "de2_70_reprap_2012"}) {
+      std::filesystem::create_directories(folder_ / "boards" / board);
+      std::ofstream(folder_ / "boards" / board / "device.csv")
+          << (board == std::string("de2_115") ? large_device_table : device_table);
+    }
+    write_script("write_quartus_project.sh",
+                 "#!/bin/sh\nmkdir -p \"$4\"\necho \"$*\" >> \"$1/calls\"\n");
+    write_script("synthesize_cyclone.sh", cyclone_script);
+  }
 
   void write_script(const char* name, const char* text) const {
     const std::filesystem::path file = folder_ / "tools/hardware" / name;

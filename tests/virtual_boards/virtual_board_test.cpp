@@ -88,7 +88,8 @@ TEST_P(VirtualBoard, prints_the_washer_as_the_bare_chip_does) {
   expect_the_same_print(project / "examples/washer.gcode", GetParam(), true);
 }
 
-INSTANTIATE_TEST_SUITE_P(boards, VirtualBoard, testing::Values("de2_115", "de2_70", "ulx3s"),
+INSTANTIATE_TEST_SUITE_P(boards, VirtualBoard,
+                         testing::Values("de2_115", "de2_70", "de2_70_reprap_2012", "ulx3s"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

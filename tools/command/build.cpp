@@ -53,16 +53,44 @@ std::string last_lines(const std::filesystem::path& file, std::size_t count) {
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-// What the linker leaves for the stack is proved to suffice for the machines of this project.
-void require_stack(const std::filesystem::path& image, const std::filesystem::path& description) {
+// What the linker leaves for the stack is proved to suffice for the machines of this project: how
+// much more another one needs, or how much is left over (below 0). Throws std::runtime_error where
+// its stack is not known.
+std::int64_t missing_bytes(const std::filesystem::path& image,
+                           const std::filesystem::path& description) {
   const timing::Program program = timing::read_program(image);
   const auto needed = timing::Stack(program, CHIP_HAS_ZBB).of_image();
-  const std::uint32_t left =
-      program.addresses.at("_stack_top") - program.addresses.at("_stack_bottom");
-  if (needed && *needed <= left) return;
+  if (!needed) {
+    throw std::runtime_error(
+        fmt::format("{}: the firmware for this machine needs an unknown number of bytes of stack",
+                    description.string()));
+  }
+  const std::int64_t left = std::int64_t{program.addresses.at("_stack_top")} -
+                            std::int64_t{program.addresses.at("_stack_bottom")};
+  // The linker wants so much of any image.
+  const std::int64_t least = program.addresses.at("least_stack_bytes");
+  return std::max<std::int64_t>(*needed, least) - left;
+}
+
+// As tools/machine_generator has it.
+constexpr std::int64_t most_memory_kib = 256, memory_step_kib = 4;
+
+[[noreturn]] void refuse_memory(const std::filesystem::path& description, std::int64_t needed_bytes,
+                                std::uint32_t there_bytes) {
+  const std::int64_t step = memory_step_kib * 1024;
+  const std::int64_t kib = (needed_bytes + step - 1) / step * memory_step_kib;
   throw std::runtime_error(fmt::format(
-      "{}: the firmware for this machine needs {} bytes of stack, and {} are left",
-      description.string(), needed ? std::to_string(*needed) : "an unknown number of", left));
+      "{}: the firmware for this machine needs {} KiB of memory, and its chip has {}: {}",
+      description.string(), kib, there_bytes / 1024,
+      kib > most_memory_kib ? fmt::format("more than {} are not possible", most_memory_kib)
+                            : fmt::format("set memory_kib = {} in the description", kib)));
+}
+
+// Whether the last build ended because the linker had too little memory.
+bool lacked_memory() {
+  const std::string log = files::text_of(build_folder() / "build.log");
+  return log.find("the image is too large") != std::string::npos ||
+         log.find("will not fit in region") != std::string::npos;
 }
 
 // The firmware for another machine than that of the build: none is built for a third one as
@@ -93,16 +121,31 @@ class OtherMachine {
                     two_tools ? "_two_tools" : "",
                     machine.description.fast && stepping == "hardware" ? "_fast" : "");
     memory_bytes_ = std::max<std::uint32_t>(machine.memory_bytes.value_or(0), CHIP_MEMORY_BYTES);
-    const std::string memory = fmt::format("--defsym=chip_memory_bytes={}\n", memory_bytes_);
-    const std::filesystem::path generated = build_folder() / "generated" / "other_machine";
-    const std::filesystem::path header_file = generated / "machine" / "machine.hpp";
-    const std::filesystem::path memory_file = generated / "memory_options";
-    // The same text is not written again, so that nothing is built for it.
-    if (files::text_of(header_file) != header) files::write_file(header_file, header);
-    if (files::text_of(memory_file) != memory) files::write_file(memory_file, memory);
-    build({"firmware_" + image_name});
+    write_if_changed("machine/machine.hpp", header);
+    link_for(memory_bytes_);
     file_ = build_folder() / "firmware" / (image_name + ".elf");
-    require_stack(file_, description);
+    const std::string target = "firmware_" + image_name;
+    try {
+      build({target});
+    } catch (const std::runtime_error&) {
+      if (stepping == "software" || !lacked_memory()) throw;
+      // How much it needs is known once it is linked.
+      constexpr std::uint32_t most_bytes = most_memory_kib * 1024;
+      if (memory_bytes_ == most_bytes) refuse_memory(description, most_bytes + 1, most_bytes);
+      link_for(most_bytes);
+      build({target});
+      refuse_memory(description, most_bytes + missing_bytes(file_, description), memory_bytes_);
+    }
+    const std::int64_t missing = missing_bytes(file_, description);
+    if (missing <= 0) return;
+    // Of software stepping the memory is what the comparison has.
+    if (stepping == "software") {
+      throw std::runtime_error(
+          fmt::format("{}: the firmware for this machine needs {} bytes of "
+                      "memory more than there are",
+                      description.string(), missing));
+    }
+    refuse_memory(description, memory_bytes_ + missing, memory_bytes_);
   }
 
   const std::filesystem::path& file() const { return file_; }
@@ -111,6 +154,16 @@ class OtherMachine {
   sim::ElfImage image() const { return sim::read_elf(file_); }
 
  private:
+  // The same text is not written again, so that nothing is built for it.
+  static void write_if_changed(const char* name, const std::string& text) {
+    const std::filesystem::path file = build_folder() / "generated" / "other_machine" / name;
+    if (files::text_of(file) != text) files::write_file(file, text);
+  }
+  static void link_for(std::uint32_t memory_bytes) {
+    write_if_changed("memory_options",
+                     fmt::format("--defsym=chip_memory_bytes={}\n", memory_bytes));
+  }
+
   FolderLock lock_{"other_machine_lock"};
   std::filesystem::path file_;
   std::uint32_t memory_bytes_{};

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "tools/command/bench_job.hpp"
 #include "tools/command/build.hpp"
@@ -67,6 +69,34 @@ bool this_is_program(const char* path, std::string_view name) {
   return std::string_view(path).ends_with(name);
 }
 
+// Of this call: another one may build another machine's meanwhile.
+class FirmwareOfCall {
+ public:
+  FirmwareOfCall() = default;
+  FirmwareOfCall(const FirmwareOfCall&) = delete;
+  FirmwareOfCall& operator=(const FirmwareOfCall&) = delete;
+  ~FirmwareOfCall() {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+  }
+
+  const std::filesystem::path file =
+      build_folder() / "boards" / fmt::format("firmware_{}.elf", getpid());
+};
+
+int synthesize(synthesis::Options options) {
+  const auto of_build = build_folder() / "firmware" / "firmware.elf";
+  const FirmwareOfCall of_machine;
+  if (!options.machine.empty()) {
+    options.memory_bytes = write_board_firmware(options.machine, of_machine.file);
+    options.core_firmware = of_build;
+  }
+  if (options.machine.empty() || options.all) build({"firmware"});
+  const auto& firmware = options.machine.empty() ? of_build : of_machine.file;
+  return synthesis::synthesize(options, project_folder(), firmware, end_if_interrupted) ? success
+                                                                                        : failure;
+}
+
 int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   const bool traces = !jobs.print.trace.empty() || !jobs.run.trace.empty();
   if (traces && !this_is_program(arguments[0], "stepfabric_traced")) {
@@ -111,17 +141,7 @@ int do_job(const CLI::App& app, const Jobs& jobs, int count, char** arguments) {
   if (app.got_subcommand("prove")) {
     return proof::prove(jobs.prove, project_folder(), build_folder()) ? success : failure;
   }
-  synthesis::Options synth = jobs.synth;
-  auto firmware = build_folder() / "firmware" / "firmware.elf";
-  if (synth.machine.empty()) {
-    build({"firmware"});
-  } else {
-    // Of this call: another one may build another machine's meanwhile.
-    firmware = build_folder() / "boards" / fmt::format("firmware_{}.elf", getpid());
-    synth.memory_bytes = write_board_firmware(synth.machine, firmware);
-  }
-  return synthesis::synthesize(synth, project_folder(), firmware, end_if_interrupted) ? success
-                                                                                      : failure;
+  return synthesize(jobs.synth);
 }
 
 // A file opened while one of these is closed would get its descriptor, and messages to the stream

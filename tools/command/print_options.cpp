@@ -89,7 +89,7 @@ void add_options(CLI::App& app, PrintOptions& options) {
   job.add_option("--board", options.board,
                  "a board's top entity in the place of the bare chip, at 4 MHz; every clock is "
                  "evaluated: slow")
-      ->check(CLI::IsMember({"de2_115", "de2_70", "ulx3s"}))
+      ->check(CLI::IsMember({"de2_115", "de2_70", "de2_70_reprap_2012", "ulx3s"}))
       ->excludes(job.get_option("--trace"))
       ->type_name("BOARD");
   job.add_option("--stepping", options.printer.stepping,

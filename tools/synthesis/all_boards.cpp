@@ -12,6 +12,7 @@
 
 #include "tools/files/write_text.hpp"
 #include "tools/synthesis/job.hpp"
+#include "tools/synthesis/obstacles.hpp"
 
 namespace synthesis {
 namespace {
@@ -77,13 +78,27 @@ bool synthesize_all(const Options& options, const std::filesystem::path& project
   bool good = true;
   std::vector<BoardFigures> figures;
   json rows = json::array();
+  std::vector<Options> possible;
   for (const char* board : boards) {
     Options one = options;
     one.all = false;
     one.board = board;
-    if (one.board == "core") one.machine.clear();
     one.directory = options.directory / board;
-    good &= synthesize(one, project, firmware, look);
+    // Without a printer around it.
+    if (one.board == "core") {
+      one.machine.clear();
+      one.debug = false;
+    }
+    if (const std::string obstacle = obstacle_to(one, project); !obstacle.empty()) {
+      fmt::print(stderr, "{} is left out: {}\n", board, obstacle);
+      good = false;
+      continue;
+    }
+    possible.push_back(one);
+  }
+  for (const Options& one : possible) {
+    const bool has_own = one.board == "core" && !options.core_firmware.empty();
+    good &= synthesize(one, project, has_own ? options.core_firmware : firmware, look);
     figures.push_back(read_board_figures(one.directory / "synthesis.json"));
     rows.push_back(as_json(figures.back()));
     std::fflush(stdout);

@@ -16,6 +16,7 @@
 #include "tools/process/process.hpp"
 #include "tools/synthesis/all_boards.hpp"
 #include "tools/synthesis/device.hpp"
+#include "tools/synthesis/obstacles.hpp"
 #include "tools/synthesis/quartus.hpp"
 #include "tools/synthesis/report.hpp"
 
@@ -97,22 +98,6 @@ class Scripts {
   const std::filesystem::path& directory_;
   const std::function<void()>& look_;
 };
-
-// The memory lies in block RAM, and so do the chip's queues. nextpnr would end much later, and
-// without a remedy.
-void require_block_rams(const Options& options, const Device& device) {
-  const std::uint32_t needed = options.memory_bytes / ecp5_block_bytes;
-  if (needed < device.block_rams) return;
-  std::string others;
-  for (const Device& other : devices) {
-    if (other.family != device.family || other.block_rams <= needed) continue;
-    others += fmt::format("{}{}", others.empty() ? "" : " or ", other.name);
-  }
-  throw std::runtime_error(
-      fmt::format("{} KiB of memory are {} block RAMs, and a {} has {}: choose {}",
-                  options.memory_bytes / 1024, needed, device.name, device.block_rams,
-                  others.empty() ? "a smaller memory_kib" : "--device " + others));
-}
 
 // A firmware that is put into the layout or project of another chip would not start.
 void require_same_memory(const Options& options, const std::filesystem::path& directory) {
@@ -204,6 +189,9 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
     throw std::runtime_error(fmt::format("{} has an ECP5; an {} is only possible for core",
                                          options.board, name_of(device.family)));
   }
+  if (const std::string obstacle = obstacle_to(options, project); !obstacle.empty()) {
+    throw std::runtime_error(obstacle);
+  }
   std::filesystem::create_directories(options.directory);
   const std::filesystem::path directory = std::filesystem::canonical(options.directory);
   std::optional<files::PathLock> lock;
@@ -219,7 +207,6 @@ bool synthesize(const Options& options, const std::filesystem::path& project,
                (directory / (options.board + ".bit")).string());
     return true;
   }
-  if (!alone) require_block_rams(options, device);
   for (const char* of_before : {"layout.config", "synthesis.json"}) {
     std::filesystem::remove(directory / of_before);
   }

@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
@@ -24,18 +22,6 @@ using nlohmann::json;
 
 // Bits of the block in which Yosys counts the chip's queues.
 constexpr int yosys_block_bits = 8192;
-// Of boards/cyclone/memory.v.
-constexpr int most_banks = 3;
-
-std::map<std::string, std::string> properties_of(const std::filesystem::path& table) {
-  std::ifstream stream(table);
-  std::map<std::string, std::string> properties;
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t comma = line.find(',');
-    if (comma != std::string::npos) properties[line.substr(0, comma)] = line.substr(comma + 1);
-  }
-  return properties;
-}
 
 int count_of(const json& cells, const char* kind) {
   const auto found = cells.find(kind);
@@ -50,6 +36,16 @@ bool has_cyclone(const std::filesystem::path& project, const std::string& board)
   return std::filesystem::exists(project / "boards" / board / "device.csv");
 }
 
+std::map<std::string, std::string> board_properties(const std::filesystem::path& board_folder) {
+  std::ifstream stream(board_folder / "device.csv");
+  std::map<std::string, std::string> properties;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t comma = line.find(',');
+    if (comma != std::string::npos) properties[line.substr(0, comma)] = line.substr(comma + 1);
+  }
+  return properties;
+}
+
 CycloneReport read_cyclone_report(const std::filesystem::path& cells,
                                   const std::filesystem::path& board_folder,
                                   std::uint32_t memory_bytes) {
@@ -57,7 +53,7 @@ CycloneReport read_cyclone_report(const std::filesystem::path& cells,
   report.memory_bytes = memory_bytes;
   report.board = board_folder.filename().string();
   try {
-    const auto properties = properties_of(board_folder / "device.csv");
+    const auto properties = board_properties(board_folder);
     report.family = properties.at("family");
     report.device = properties.at("device");
     report.quartus = properties.at("quartus");
@@ -134,12 +130,6 @@ bool make_quartus_project(const Options& options, const std::filesystem::path& p
     fmt::print("{0} has the firmware: quartus_cdb --update_mif {1} && quartus_asm {1} there\n",
                folder.string(), options.board);
     return true;
-  }
-  if (std::popcount(options.memory_bytes) > most_banks) {
-    throw std::runtime_error(fmt::format(
-        "{} KiB of memory would be more than {} banks, whose sizes are powers of two: choose "
-        "another memory_kib",
-        options.memory_bytes / 1024, most_banks));
   }
   std::filesystem::remove(directory / "synthesis.json");
   std::vector<std::string> words{(tools / "write_quartus_project.sh").string(),

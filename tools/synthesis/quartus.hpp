@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace synthesis {
@@ -13,6 +14,9 @@ namespace synthesis {
 struct Options;
 
 bool has_cyclone(const std::filesystem::path& project, const std::string& board);
+
+// Of its device.csv.
+std::map<std::string, std::string> board_properties(const std::filesystem::path& board_folder);
 
 // What the device has and what the chip takes of it, in cells of a Cyclone IV E.
 struct CycloneReport {
