@@ -33,7 +33,8 @@ entity time_base is
     -- Time passes for the base, by `leap` base clocks: stretches the motion without changing its path.
     advance : in std_ulogic;
     leap : in leap_t;
-    -- The longest leap of the next clock that keeps the rate within 1/2.
+    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short as the next
+    -- segment may need it.
     longest_leap : out leap_t;
     -- Motion may begin from rest.
     run : in std_ulogic;
@@ -85,6 +86,7 @@ architecture rtl of time_base is
   signal ends_motion : std_ulogic := '0';
   signal ticks_left : ticks_t := (others => '0');
   -- Known from the clock after a tick on: the next tick is the segment's last.
+  signal one_left : std_ulogic;
   signal last : std_ulogic := '0';
   signal count_changed : std_ulogic := '0';
 
@@ -178,10 +180,13 @@ begin
   acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
     next_acceleration(63) = acceleration(63) else '0';
 
+  one_left <= '1' when ticks_left = 1 else '0';
   leap_of_head <= longest(head.rate(63 downto 58));
   leap_of_rate <= longest(rate(63 downto 58));
   leap_of_floor <= longest('0' & rate_floor(30 downto 26));
-  longest_leap <= shorter(leap_of_head, leap_of_floor) when take = '1' else
+  -- Before the last tick both rates count: the carry settles too late to choose.
+  longest_leap <= shorter(leap_of_head, leap_of_floor) when active = '0' else
+    shorter(shorter(leap_of_rate, leap_of_head), leap_of_floor) when one_left = '1' and head_valid = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
   -- The carry settles last in the clock: everything else is computed before it.
@@ -225,7 +230,7 @@ begin
 
     count_changed <= tick or take;
     if count_changed then
-      last <= '1' when ticks_left = 1 else '0';
+      last <= one_left;
     end if;
 
     if tick then
