@@ -25,8 +25,6 @@ entity axis_stepper is
     -- The falling edge of step is a step as well.
     both_edges : in std_ulogic := '0';
 
-    -- Neither tick nor line counts in this clock.
-    stop : in std_ulogic;
     -- A line begins with the next clock, with these steps (0 .. line_ticks).
     begin_line : in std_ulogic;
     steps : in ticks_t;
@@ -114,7 +112,7 @@ begin
     else
       sum := ('0' & error_term) + line_steps;
     end if;
-    if (begin_line or tick) and not stop then
+    if begin_line or tick then
       step_wanted <= '0';
       if sum >= line_ticks then
         sum := sum - line_ticks;
@@ -122,7 +120,7 @@ begin
       end if;
       error_term <= sum(30 downto 0);
     end if;
-    if begin_line and not stop then
+    if begin_line then
       line_steps <= steps;
       if steps /= 0 then
         wanted_direction <= backward;
@@ -152,7 +150,7 @@ begin
       setting_up <= '1';
     end if;
 
-    if tick and step_wanted and not stop then
+    if tick and step_wanted then
       step <= not step;
       if step then
         pulse_left <= less_one(guard.low);
@@ -187,14 +185,14 @@ begin
   end process;
 
   -- psl default clock is rising_edge(clk);
-  -- psl every_step_is_legal : assert always ((tick and step_wanted and not stop) -> legal) abort reset;
+  -- psl every_step_is_legal : assert always ((tick and step_wanted) -> legal) abort reset;
   -- psl an_idle_axis_makes_no_step : assert always
-  --   ((tick and step_wanted and not stop) -> line_steps /= 0) abort reset;
+  --   ((tick and step_wanted) -> line_steps /= 0) abort reset;
   -- psl direction_stands_still_forward : assert always
   --   ((step = '0' and direction = '0') -> next (step = '0' or direction = '0')) abort reset;
   -- psl direction_stands_still_backward : assert always
   --   ((step = '0' and direction = '1') -> next (step = '0' or direction = '1')) abort reset;
   -- psl a_step_comes_of_a_tick : assert always
-  --   ((step = '0' and (tick = '0' or stop = '1')) -> next (step = '0')) abort reset;
+  --   ((step = '0' and tick = '0') -> next (step = '0')) abort reset;
 
 end architecture;

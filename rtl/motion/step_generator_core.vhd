@@ -116,7 +116,7 @@ architecture rtl of step_generator_core is
   -- The base is active, makes a tick, takes the head, and stalls or not, in this clock.
   signal early_active, early_tick, early_take, due : std_ulogic;
   signal early_stop_on : stop_condition_t;
-  -- In the clock before; then a stop may still prevent it.
+  -- In the clock before.
   signal executing, tick, take, begin_line, was_due : std_ulogic := '0';
 
   signal start_before : std_ulogic := '0';
@@ -136,7 +136,7 @@ architecture rtl of step_generator_core is
   signal watchdog_expired : std_ulogic;
   signal stop : std_ulogic;
   signal stop_begins : std_ulogic;
-  signal hit : std_ulogic;
+  signal hit, was_hit : std_ulogic := '0';
   signal closed : std_ulogic;
   -- Of the clock before, to keep the slope off the critical path.
   signal no_ramp : std_ulogic := '0';
@@ -181,7 +181,7 @@ begin
       clk => clk, bus_clk => bus_clk, reset => reset, write => write, append => append,
       flush => forget,
       level => level, max_level => max_level, full => full, head_valid => head_valid,
-      head => head, head_steps => head_steps, take => take and head_valid and not stop);
+      head => head, head_steps => head_steps, take => take and head_valid);
 
   pace : entity work.feed_override
     port map (
@@ -214,6 +214,7 @@ begin
     begin_line <= early_take and not head.continues_line;
     was_due <= due;
     executing <= early_active and not stop;
+    was_hit <= hit;
     active_stop_on <= early_stop_on;
     if reset then
       tick <= '0';
@@ -221,6 +222,7 @@ begin
       begin_line <= '0';
       was_due <= '0';
       executing <= '0';
+      was_hit <= '0';
     end if;
   end process;
 
@@ -244,7 +246,7 @@ begin
     if snapshot then
       snapshot_time <= now;
     end if;
-    if begin_line and not stop then
+    if begin_line then
       executed_ticks <= line_ticks;
     end if;
     -- The head is there from the clock of the base's take on, at the latest.
@@ -272,7 +274,7 @@ begin
     stepper : entity work.axis_stepper
       port map (
         clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis),
-        stop => stop, begin_line => begin_line,
+        begin_line => begin_line,
         steps => head_steps(axis), backward => head.backward(axis), first_error => first_error,
         line_ticks => line_ticks, ready => ready(axis), was_due => was_due,
         tick => tick, step => step(axis), direction => direction(axis),
@@ -282,7 +284,7 @@ begin
 
     at_stop : entity work.position_latch
       port map (
-        clk => clk, capture => hit, position => positions(axis),
+        clk => clk, capture => was_hit, position => positions(axis),
         captured_position => stop_positions(axis));
 
     at_snapshot : entity work.position_latch
@@ -291,8 +293,9 @@ begin
         captured_position => snapshot_positions(axis));
 
     -- psl default clock is rising_edge(clk);
+    -- The tick of the clock before the stop is made.
     -- psl no_step_after_a_stop : assert always
-    --   ((stop = '1' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
+    --   ((stop = '1' and tick = '0' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
   end generate;
 
   watch : entity work.motion_watchdog

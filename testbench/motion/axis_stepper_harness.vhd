@@ -27,14 +27,14 @@ begin
   follow_base : process
   begin
     wait until rising_edge(clk);
-    outputs.tick <= inputs.due and outputs.ready and not (outputs.tick or inputs.stop or inputs.reset);
+    outputs.tick <= inputs.due and outputs.ready and not (outputs.tick or inputs.reset);
     was_due <= inputs.due and not (outputs.tick or inputs.reset);
   end process;
 
   axis : entity work.axis_stepper
     port map (
       clk => clk, reset => inputs.reset, guard => inputs.guard, both_edges => inputs.both_edges,
-      stop => inputs.stop, begin_line => inputs.begin_line, steps => inputs.steps,
+      begin_line => inputs.begin_line, steps => inputs.steps,
       backward => inputs.backward, first_error => inputs.first_error, line_ticks => inputs.line_ticks,
       ready => outputs.ready, was_due => was_due, tick => outputs.tick, step => outputs.step, direction => outputs.direction, busy => outputs.busy, working => outputs.working,
       position => outputs.position, set_position => inputs.set_position,

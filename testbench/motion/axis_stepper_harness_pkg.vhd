@@ -13,7 +13,6 @@ package axis_stepper_harness_pkg is
     reset : std_ulogic;
     guard : guard_t;
     both_edges : std_ulogic;
-    stop : std_ulogic;
     begin_line : std_ulogic;
     steps : ticks_t;
     backward : std_ulogic;

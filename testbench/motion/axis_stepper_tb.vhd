@@ -151,22 +151,6 @@ begin
     wait_for_clocks(clk, 1);
     assert outputs.position = -1000 severity failure;
 
-    -- A stop in the clock of a tick lets no step pass, one in the clock of a line no direction.
-    set_guard(clk, inputs, 1, 1, 1, 1);
-    start_line(clk, inputs, 4, 4, '1');
-    make_tick(clk, inputs, outputs);
-    inputs.due <= '1';
-    wait until rising_edge(clk) and outputs.ready = '1';
-    inputs.due <= '0';
-    inputs.stop <= '1';
-    wait_for_clocks(clk, 1);
-    assert outputs.tick = '1' severity failure;
-    start_line(clk, inputs, 4, 4, '0');
-    inputs.stop <= '0';
-    wait_for_clocks(clk, 3);
-    assert outputs.position = -1001 and outputs.direction = '1' and outputs.step = '0'
-      report "an axis moves in a stop" severity failure;
-
     -- A reset ends a pulse, its pause, every guard time and a turn at once, and counts from 0.
     for case_of_reset in 1 to 4 loop
       set_guard(clk, inputs, 20, 20, 20, 20);

@@ -143,6 +143,7 @@ void StepGeneratorReference::clock() {
   const bool from_rest = !active && run_ && (start || !waits);
   const bool taking = head_ready() && !stop && ((last && !waits) || from_rest);
   const Positions positions_now = positions();
+  if (std::exchange(was_hit_, false)) stop_moment_.positions = positions_now;
 
   std::uint64_t rate = active ? rate_ : 0;
   if (head_ready() && (!active || one_left)) rate = std::max(rate, queue_.front().segment.rate);
@@ -153,8 +154,8 @@ void StepGeneratorReference::clock() {
   // Queue, axes and stops follow what it decided in the clock before.
   const Decision decided = std::exchange(decided_, {});
   turn_axes();
-  if (decided.tick && !stop) step_axes();
-  if (decided.taken && !stop) begin_segment(*decided.taken);
+  if (decided.tick) step_axes();
+  if (decided.taken) begin_segment(*decided.taken);
   executing_ = active && !stop;
   if (base_) executed_ = *base_;
   if (tick) ++ticks_done_;
@@ -176,7 +177,9 @@ void StepGeneratorReference::clock() {
   brakers_ &= ~(inputs_ ^ inputs_before_);
   if ((at_once || along_ramp) && !braking_ && !stopped_) {
     brakers_ = hits;
-    stop_moment_ = {positions_now, now_};
+    // The axes have still to make the tick of the clock before.
+    stop_moment_.clock = now_;
+    was_hit_ = true;
     stop_cause_ = hits | immediate | (asked.brake ? brake_bit : 0);
     braking_ = !at_once;
   } else if (at_once && !stopped_) {

@@ -151,7 +151,7 @@ class StepGeneratorReference {
   std::uint64_t unheard_ = 0, watchdog_limit_ = 0;
   bool watchdog_expired_ = false;
 
-  bool stopped_ = false;
+  bool stopped_ = false, was_hit_ = false;
   std::uint32_t stop_cause_ = 0, errors_ = 0;
   Moment stop_moment_, snapshot_;
   Counters counters_;
