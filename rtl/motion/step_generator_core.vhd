@@ -110,6 +110,7 @@ architecture rtl of step_generator_core is
   signal head : segment_t;
   signal head_steps : ticks_array_t(axes - 1 downto 0);
   signal three_quarters : ticks_t := (others => '0');
+  signal first_errors : ticks_array_t(axes - 1 downto 0);
   signal executed_ticks : ticks_t := (others => '0');
   signal line_ticks : ticks_t;
 
@@ -263,19 +264,17 @@ begin
   alarm <= due or early_take or hit or stop_begins or watching or (start xor start_before);
 
   each_axis : for axis in 0 to axes - 1 generate
-    signal first_error : ticks_t;
-  begin
-    -- Any start below the line's ticks makes exactly its steps. A quarter of the ticks more or less, and they come a quarter
-    -- of a step early or late.
-    first_error <= three_quarters when head.ahead(axis) = '1' else
-                   shift_right(head.line_ticks, 2) when head.behind(axis) = '1' else
-                   shift_right(head.line_ticks, 1);
+    -- Any start below the line's ticks makes exactly its steps. A quarter of the ticks more or less, and they
+    -- come a quarter of a step early or late.
+    first_errors(axis) <= three_quarters when head.ahead(axis) = '1' else
+                          shift_right(head.line_ticks, 2) when head.behind(axis) = '1' else
+                          shift_right(head.line_ticks, 1);
 
     stepper : entity work.axis_stepper
       port map (
         clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis),
         begin_line => begin_line,
-        steps => head_steps(axis), backward => head.backward(axis), first_error => first_error,
+        steps => head_steps(axis), backward => head.backward(axis), first_error => first_errors(axis),
         line_ticks => line_ticks, ready => ready(axis), was_due => was_due,
         tick => tick, step => step(axis), direction => direction(axis),
         busy => open, working => axis_working(axis),

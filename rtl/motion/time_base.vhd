@@ -33,8 +33,8 @@ entity time_base is
     -- Time passes for the base, by `leap` base clocks: stretches the motion without changing its path.
     advance : in std_ulogic;
     leap : in leap_t;
-    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short as the next
-    -- segment may need it.
+    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short as
+    -- the next segment may need it.
     longest_leap : out leap_t;
     -- Motion may begin from rest.
     run : in std_ulogic;
@@ -151,18 +151,31 @@ architecture rtl of time_base is
     return value;
   end function;
 
-  -- The change is below 2^46 of the 2^64 that make a rate of 1, so that a sum below 0 shows as one above
-  -- 3/4, and one above the highest rate as one below 3/4.
+  -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64 that
+  -- make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two without a
+  -- carry: the comparison does not wait for the sum.
+  function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
+    floor : unsigned(30 downto 0)) return std_ulogic is
+    constant less_floor : unsigned(63 downto 0) := not ('0' & floor & x"00000000");
+    constant carries : unsigned(63 downto 0) :=
+      (value and change) or (value and less_floor) or (change and less_floor);
+    variable difference : unsigned(63 downto 0);
+  begin
+    difference := (value xor change xor less_floor) + (carries(62 downto 0) & '1');
+    return difference(63) and difference(62);
+  end function;
+
+  -- A sum above the highest rate is one below 3/4.
   function integrated(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return unsigned is
-    variable sum : unsigned(63 downto 0);
+    constant sum : unsigned(63 downto 0) := value + change;
   begin
-    sum := value + change;
-    case sum(63 downto 62) is
-      when "10" => return highest_rate;
-      when "11" => return '0' & floor & x"00000000";
-      when others => return floored(sum, floor);
-    end case;
+    if falls_below(value, change, floor) then
+      return '0' & floor & x"00000000";
+    elsif sum(63 downto 62) = "10" then
+      return highest_rate;
+    end if;
+    return sum;
   end function;
 
 begin
