@@ -35,7 +35,7 @@ end entity;
 architecture proof of driver_pins_proof is
 
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
-  signal ready, last_ready : std_ulogic_vector(axes - 1 downto 0) := (others => '1');
+  signal ready, last_ready : std_ulogic_vector(axes - 1 downto 0);
   signal step, direction : std_ulogic_vector(axes - 1 downto 0);
   signal positions : position_array_t(axes - 1 downto 0);
 
@@ -64,7 +64,6 @@ begin
     last_guards <= guards;
     last_both_edges <= both_edges;
     last_line_ticks <= line_ticks;
-    last_ready <= ready;
     last_tick <= tick;
     last_begin <= begin_line;
     if begin_line or reset then
@@ -87,6 +86,17 @@ begin
   positions_are_set_at_rest : assume always ((or set_position) -> not tick);
 
   each_axis : for axis in 0 to axes - 1 generate
+    -- In this form Yosys sees that it is the same in the axis.
+    signal was_ready : std_ulogic := '1';
+  begin
+    remember_readiness : process
+    begin
+      wait until rising_edge(clk);
+      was_ready <= ready(axis);
+    end process;
+
+    last_ready(axis) <= was_ready;
+
     a_line_has_no_more_steps : assume always
       (begin_line -> (steps(axis) <= line_ticks and first_errors(axis) < line_ticks));
 
