@@ -38,8 +38,8 @@ entity axis_stepper is
     ready : out std_ulogic;
     -- A tick was due in the clock before. If `ready` was low, it has to wait.
     was_due : in std_ulogic;
-    -- The tick is made, as `ready` was high in the clock before; at least two clocks after the one before, and after
-    -- begin_line.
+    -- The tick is made, as `ready` was high in the clock before; at least two clocks after the tick before
+    -- and after begin_line.
     tick : in std_ulogic;
 
     step : out std_ulogic := '0';
@@ -91,7 +91,8 @@ begin
 
   legal <= '1' when (step = '0' or both_edges = '1') and pulse_left = 0 and
     direction = wanted_direction and (setting_up = '0' or direction_left = 0) else '0';
-  -- At most one clock is left of the pulse and of the pause after it, at most one of the direction's hold and set-up.
+  -- At most one clock is left of the pulse and of the pause after it, and at most one of the direction's hold
+  -- and set-up times.
   pulse_allows <= '1' when pulse_left <= 1 and
     (step = '0' or both_edges = '1' or (pulse_left = 0 and guard.low <= 1)) else '0';
   direction_allows <= '1' when

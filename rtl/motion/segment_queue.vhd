@@ -32,7 +32,8 @@ entity segment_queue is
     max_level : out natural range 0 to depth;
     full : out std_ulogic;
 
-    -- The oldest segment, ready from two clocks after its commit on and from the clock after the `take` before it.
+    -- The oldest segment: ready two clocks after its commit, at the earliest in the clock after the `take`
+    -- before it.
     head_valid : out std_ulogic := '0';
     head : out segment_t;
     head_steps : out ticks_array_t(axes - 1 downto 0);

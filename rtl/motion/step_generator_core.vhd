@@ -96,12 +96,10 @@ end entity;
 architecture rtl of step_generator_core is
 
   signal now : time_t := (others => '0');
-  signal forget : std_ulogic;
-  signal writer_forgets : std_ulogic;
+  signal forget, writer_forgets : std_ulogic;
   -- Modulo 2 only.
   signal forgettings, forgettings_seen : std_ulogic := '0';
-  signal append : std_ulogic;
-  signal full : std_ulogic;
+  signal append, full : std_ulogic;
   -- In the clock before. Only a commit fills the queue, and no write follows in the next clock; so
   -- the writer may use this value, and is gated with bus_clk.
   signal was_full : std_ulogic := '0';
@@ -109,10 +107,9 @@ architecture rtl of step_generator_core is
   signal head_valid : std_ulogic;
   signal head : segment_t;
   signal head_steps : ticks_array_t(axes - 1 downto 0);
-  signal three_quarters : ticks_t := (others => '0');
-  signal first_errors : ticks_array_t(axes - 1 downto 0);
-  signal executed_ticks : ticks_t := (others => '0');
+  signal three_quarters, executed_ticks : ticks_t := (others => '0');
   signal line_ticks : ticks_t;
+  signal first_errors : ticks_array_t(axes - 1 downto 0);
 
   -- The base is active, makes a tick, takes the head, and stalls or not, in this clock.
   signal early_active, early_tick, early_take, due : std_ulogic;
@@ -121,24 +118,15 @@ architecture rtl of step_generator_core is
   signal executing, tick, take, begin_line, was_due : std_ulogic := '0';
 
   signal start_before : std_ulogic := '0';
-  signal start_now : std_ulogic;
-  signal advance : std_ulogic;
+  signal start_now, advance, stalled, accelerating, decelerating, standing : std_ulogic;
   signal leap, longest_leap : leap_t;
-  signal stalled : std_ulogic;
-  signal accelerating, decelerating : std_ulogic;
-  signal standing : std_ulogic;
 
-  signal ready : std_ulogic_vector(axes - 1 downto 0);
-  signal axis_working : std_ulogic_vector(axes - 1 downto 0);
+  signal ready, axis_working, allowed_position : std_ulogic_vector(axes - 1 downto 0);
   signal scaling, watching : std_ulogic;
-  signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
 
   signal active_stop_on : stop_condition_t := stop_condition_none;
-  signal watchdog_expired : std_ulogic;
-  signal stop : std_ulogic;
-  signal stop_begins : std_ulogic;
-  signal hit, was_hit : std_ulogic := '0';
-  signal closed : std_ulogic;
+  signal watchdog_expired, stop, stop_begins, hit, closed : std_ulogic;
+  signal was_hit : std_ulogic := '0';
   -- Of the clock before, to keep the slope off the critical path.
   signal no_ramp : std_ulogic := '0';
 
@@ -198,12 +186,10 @@ begin
   base : entity work.time_base
     port map (
       clk => clk, always_clk => always_clk, reset => reset, advance => advance, leap => leap,
-      longest_leap => longest_leap,
-      run => run, start => start_now, stop => stop, rate_floor => rate_floor,
-      head_valid => head_valid, head => head, take => early_take, due => due,
-      axes_ready => and ready, tick => early_tick, stalled => stalled, accelerating => accelerating,
-      decelerating => decelerating, active => early_active,
-      stop_on => early_stop_on, waiting => waiting, segments => segments,
+      longest_leap => longest_leap, run => run, start => start_now, stop => stop, rate_floor => rate_floor,
+      head_valid => head_valid, head => head, take => early_take, due => due, axes_ready => and ready,
+      tick => early_tick, stalled => stalled, accelerating => accelerating, decelerating => decelerating,
+      active => early_active, stop_on => early_stop_on, waiting => waiting, segments => segments,
       underruns => underruns, stalls => stalls);
 
   -- The base's carry settles late in the clock: queue, axes and stops follow it a clock later.

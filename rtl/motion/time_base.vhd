@@ -33,8 +33,8 @@ entity time_base is
     -- Time passes for the base, by `leap` base clocks: stretches the motion without changing its path.
     advance : in std_ulogic;
     leap : in leap_t;
-    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short as
-    -- the next segment may need it.
+    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short
+    -- as the next segment may need it.
     longest_leap : out leap_t;
     -- Motion may begin from rest.
     run : in std_ulogic;
@@ -151,9 +151,9 @@ architecture rtl of time_base is
     return value;
   end function;
 
-  -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64 that
-  -- make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two without a
-  -- carry: the comparison does not wait for the sum.
+  -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64
+  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two
+  -- without a carry: the comparison does not wait for the sum.
   function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return std_ulogic is
     constant less_floor : unsigned(63 downto 0) := not ('0' & floor & x"00000000");

@@ -36,7 +36,8 @@ begin
       clk => clk, reset => inputs.reset, guard => inputs.guard, both_edges => inputs.both_edges,
       begin_line => inputs.begin_line, steps => inputs.steps,
       backward => inputs.backward, first_error => inputs.first_error, line_ticks => inputs.line_ticks,
-      ready => outputs.ready, was_due => was_due, tick => outputs.tick, step => outputs.step, direction => outputs.direction, busy => outputs.busy, working => outputs.working,
+      ready => outputs.ready, was_due => was_due, tick => outputs.tick, step => outputs.step,
+      direction => outputs.direction, busy => outputs.busy, working => outputs.working,
       position => outputs.position, set_position => inputs.set_position,
       new_position => inputs.new_position, stalls => outputs.stalls);
 

@@ -26,7 +26,8 @@ package axis_stepper_harness_pkg is
 
   constant axis_stepper_in_reset : axis_stepper_inputs_t := (
     reset => '1', guard => guard_after_reset, steps => (others => '0'),
-    first_error => (others => '0'), line_ticks => (others => '0'), new_position => (others => '0'), others => '0');
+    first_error => (others => '0'), line_ticks => (others => '0'),
+    new_position => (others => '0'), others => '0');
 
   type axis_stepper_outputs_t is record
     ready : std_ulogic;

@@ -66,7 +66,8 @@ class StepGeneratorRampTest : public tests::StepGeneratorFixture {
     return Ramp::between(from, to, clocks_, uniform(-1, 1));
   }
 
-  // Calls `judge(tick, clocks since the motion began)` at each tick of the first axis. The pins show it a clock later.
+  // Calls `judge(tick, clocks since the motion began)` at each tick of the first axis, which the
+  // pins show a clock later.
   template <typename Judge>
   void watch_ticks(Judge judge) {
     chip_.after_clock = [this, judge, step = 0u, moving = false,
