@@ -115,7 +115,9 @@ architecture rtl of step_generator_core is
   signal early_active, early_tick, early_take, due : std_ulogic;
   signal early_stop_on : stop_condition_t;
   -- In the clock before.
-  signal executing, tick, take, begin_line, was_due : std_ulogic := '0';
+  signal executing, late_tick, take, begin_line, was_due : std_ulogic := '0';
+  -- Unless an emergency has come between.
+  signal tick : std_ulogic;
 
   signal start_before : std_ulogic := '0';
   signal start_now, advance, stalled, accelerating, decelerating, standing : std_ulogic;
@@ -125,6 +127,7 @@ architecture rtl of step_generator_core is
   signal scaling, watching : std_ulogic;
 
   signal active_stop_on : stop_condition_t := stop_condition_none;
+  signal stop_on : stop_condition_t;
   signal watchdog_expired, stop, stop_begins, hit, closed : std_ulogic;
   signal was_hit : std_ulogic := '0';
   -- Of the clock before, to keep the slope off the critical path.
@@ -196,7 +199,7 @@ begin
   follow_base : process
   begin
     wait until rising_edge(clk);
-    tick <= early_tick;
+    late_tick <= early_tick;
     take <= early_take;
     begin_line <= early_take and not head.continues_line;
     was_due <= due;
@@ -204,7 +207,7 @@ begin
     was_hit <= hit;
     active_stop_on <= early_stop_on;
     if reset then
-      tick <= '0';
+      late_tick <= '0';
       take <= '0';
       begin_line <= '0';
       was_due <= '0';
@@ -212,6 +215,10 @@ begin
       was_hit <= '0';
     end if;
   end process;
+
+  tick <= late_tick and not emergency_stop;
+  -- Before the axes execute anything, the condition of the base's segment counts already.
+  stop_on <= active_stop_on when executing = '1' else early_stop_on;
 
   keep_time : process
   begin
@@ -290,7 +297,7 @@ begin
 
   stops : entity work.stop_latch
     port map (
-      clk => clk, reset => reset, active => executing, stop_on => active_stop_on,
+      clk => clk, reset => reset, active => moving, stop_on => stop_on,
       end_stops => end_stops, emergency_stop => emergency_stop,
       watchdog_expired => watchdog_expired, software_stop => software_stop,
       software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,

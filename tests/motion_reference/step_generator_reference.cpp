@@ -108,12 +108,13 @@ StepGeneratorReference::Commands StepGeneratorReference::commands() const {
 }
 
 std::uint32_t StepGeneratorReference::end_stops_hit() const {
-  if (!executing_) return 0;
-  std::uint32_t ends = executed_.stop_on_release ? ~inputs_ : inputs_;
-  if (executed_.stop_on_change) ends &= inputs_ ^ inputs_before_;
+  if (!moving()) return 0;
+  const Segment& segment = executing_ ? executed_ : *base_;
+  std::uint32_t ends = segment.stop_on_release ? ~inputs_ : inputs_;
+  if (segment.stop_on_change) ends &= inputs_ ^ inputs_before_;
   // What brakes already may stay as it is.
   if (braking_) ends &= ~(brakers_ & ~(inputs_ ^ inputs_before_));
-  return ends & executed_.stop_mask & end_stop_bits;
+  return ends & segment.stop_mask & end_stop_bits;
 }
 
 void StepGeneratorReference::clock() {
@@ -122,9 +123,9 @@ void StepGeneratorReference::clock() {
   const bool end_stop = hits != 0;
   const std::uint32_t immediate = (inputs_ & emergency_bit) | (asked.stop ? software_bit : 0) |
                                   (watchdog_expired_ ? watchdog_bit : 0);
-  const bool braked = braking_ && (!executing_ || pace_.standing());
+  const bool braked = braking_ && (!moving() || pace_.standing());
   const bool along_ramp = end_stop || asked.brake;
-  const bool at_once = immediate != 0 || (end_stop && (braking_ || !executed_.stop_brakes)) ||
+  const bool at_once = immediate != 0 || (end_stop && (braking_ || !(executing_ ? executed_ : *base_).stop_brakes)) ||
                        braked || (no_ramp_ && (along_ramp || braking_));
   const bool stop = stopped_ || at_once;
   refuses_segments_ = stop || along_ramp || braking_;
@@ -154,7 +155,7 @@ void StepGeneratorReference::clock() {
   // Queue, axes and stops follow what it decided in the clock before.
   const Decision decided = std::exchange(decided_, {});
   turn_axes();
-  if (decided.tick) step_axes();
+  if (decided.tick && (inputs_ & emergency_bit) == 0) step_axes();
   if (decided.taken) begin_segment(*decided.taken);
   executing_ = active && !stop;
   if (base_) executed_ = *base_;
