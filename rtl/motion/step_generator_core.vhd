@@ -199,21 +199,13 @@ begin
   follow_base : process
   begin
     wait until rising_edge(clk);
-    late_tick <= early_tick;
-    take <= early_take;
-    begin_line <= early_take and not head.continues_line;
-    was_due <= due;
-    executing <= early_active and not stop;
-    was_hit <= hit;
+    late_tick <= early_tick and not reset;
+    take <= early_take and not reset;
+    begin_line <= early_take and not head.continues_line and not reset;
+    was_due <= due and not reset;
+    executing <= early_active and not stop and not reset;
+    was_hit <= hit and not reset;
     active_stop_on <= early_stop_on;
-    if reset then
-      late_tick <= '0';
-      take <= '0';
-      begin_line <= '0';
-      was_due <= '0';
-      executing <= '0';
-      was_hit <= '0';
-    end if;
   end process;
 
   tick <= late_tick and not emergency_stop;
