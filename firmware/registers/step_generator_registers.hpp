@@ -818,7 +818,7 @@ struct StopCause {
   }
 };
 
-// Positions of all axes in the clock in which the last stop was requested.
+// Positions of all axes when the last stop was requested, after the tick of the clock before.
 struct StopPosition {
   static constexpr std::size_t count = 8;
   static constexpr std::uint32_t address_of(std::size_t index) {

@@ -29,16 +29,17 @@ entity axis_stepper is
     begin_line : in std_ulogic;
     steps : in ticks_t;
     backward : in std_ulogic;
-    -- They come a quarter of a step early or late, not both.
-    ahead : in std_ulogic;
-    behind : in std_ulogic;
-    -- Of the line being executed; new from the clock after begin_line on.
+    -- The error term before its first tick (0 .. line_ticks - 1).
+    first_error : in ticks_t;
+    -- Of the line that begins, otherwise of the line being executed.
     line_ticks : in ticks_t;
 
-    -- A tick is due. If it brings a step of this axis that is not yet legal, `ready` is low.
-    due : in std_ulogic;
+    -- If the next tick brings a step of this axis that will not be legal in the next clock, `ready` is low.
     ready : out std_ulogic;
-    -- The tick is made; at least two clocks after the one before, and after begin_line.
+    -- A tick was due in the clock before. If `ready` was low, it has to wait.
+    was_due : in std_ulogic;
+    -- The tick is made, as `ready` was high in the clock before; at least two clocks after the tick before
+    -- and after begin_line.
     tick : in std_ulogic;
 
     step : out std_ulogic := '0';
@@ -54,7 +55,7 @@ entity axis_stepper is
     set_position : in std_ulogic;
     new_position : in position_t;
 
-    -- Clocks in which this axis was due but not ready.
+    -- Clocks in which a tick was due but this axis not ready.
     stalls : out count_t := (others => '0')
   );
 end entity;
@@ -63,33 +64,20 @@ architecture rtl of axis_stepper is
 
   signal line_steps : ticks_t := (others => '0');
   signal wanted_direction : std_ulogic := '0';
-  signal begins_ahead : std_ulogic := '0';
-  signal begins_behind : std_ulogic := '0';
-  signal line_begins : std_ulogic := '0';
-  signal ticked : std_ulogic := '0';
   -- Error term after the next tick, and whether that tick brings a step.
   signal error_term : ticks_t := (others => '0');
   signal step_wanted : std_ulogic := '0';
+  signal was_ready : std_ulogic := '1';
 
   -- Clocks left of the pulse (step = 1) or of the pause after it (step = 0).
   signal pulse_left : guard_clocks_t := (others => '0');
   -- Clocks left of the direction's set-up (setting_up = 1) or hold time.
   signal direction_left : guard_clocks_t := (others => '0');
   signal setting_up : std_ulogic := '0';
+  -- Pulse and direction allow a step in the next clock.
+  signal pulse_allows, direction_allows : std_ulogic;
+  -- Whether a step is legal in this clock, for the properties.
   signal legal : std_ulogic;
-
-  -- Where the error term of a line starts. Any start below line_ticks makes exactly the line's steps.
-  function first_error(ticks : ticks_t; early, late : std_ulogic) return unsigned is
-    constant half : unsigned(31 downto 0) := "00" & ticks(30 downto 1);
-    constant quarter : unsigned(31 downto 0) := "000" & ticks(30 downto 2);
-  begin
-    if early then
-      return half + quarter;
-    elsif late then
-      return quarter;
-    end if;
-    return half;
-  end function;
 
   function less_one(clocks : guard_clocks_t) return guard_clocks_t is
   begin
@@ -103,32 +91,29 @@ begin
 
   legal <= '1' when (step = '0' or both_edges = '1') and pulse_left = 0 and
     direction = wanted_direction and (setting_up = '0' or direction_left = 0) else '0';
-  ready <= legal or not step_wanted;
+  -- At most one clock is left of the pulse and of the pause after it, and at most one of the direction's hold
+  -- and set-up times.
+  pulse_allows <= '1' when pulse_left <= 1 and
+    (step = '0' or both_edges = '1' or (pulse_left = 0 and guard.low <= 1)) else '0';
+  direction_allows <= '1' when
+    (direction = wanted_direction and (setting_up = '0' or direction_left <= 1)) or
+    (direction /= wanted_direction and direction_left = 0 and guard.direction_setup <= 1) else '0';
+  ready <= (pulse_allows and direction_allows) or not step_wanted;
   busy <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 else '0';
   working <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 or direction_left /= 0 or
     direction /= wanted_direction else '0';
 
-  -- Computes the next tick in the clock after a tick.
+  -- Computes the next tick in the clock of a tick.
   share_ticks : process
     variable sum : unsigned(31 downto 0);
   begin
     wait until rising_edge(clk);
-    line_begins <= begin_line;
-    ticked <= tick;
     if begin_line then
-      line_steps <= steps;
-      begins_ahead <= ahead;
-      begins_behind <= behind;
-      if steps /= 0 then
-        wanted_direction <= backward;
-      end if;
+      sum := ('0' & first_error) + steps;
+    else
+      sum := ('0' & error_term) + line_steps;
     end if;
-    if line_begins or ticked then
-      if line_begins then
-        sum := first_error(line_ticks, begins_ahead, begins_behind) + line_steps;
-      else
-        sum := ('0' & error_term) + line_steps;
-      end if;
+    if begin_line or tick then
       step_wanted <= '0';
       if sum >= line_ticks then
         sum := sum - line_ticks;
@@ -136,9 +121,13 @@ begin
       end if;
       error_term <= sum(30 downto 0);
     end if;
+    if begin_line then
+      line_steps <= steps;
+      if steps /= 0 then
+        wanted_direction <= backward;
+      end if;
+    end if;
     if reset then
-      line_begins <= '0';
-      ticked <= '0';
       wanted_direction <= '0';
     end if;
   end process;
@@ -181,7 +170,8 @@ begin
     if set_position then
       position <= new_position;
     end if;
-    if due and not ready then
+    was_ready <= ready;
+    if was_due and not was_ready then
       stalls <= stalls + 1;
     end if;
 
@@ -196,7 +186,6 @@ begin
   end process;
 
   -- psl default clock is rising_edge(clk);
-  -- psl no_line_begins_ahead_and_behind : assert always (not (begin_line and ahead and behind)) abort reset;
   -- psl every_step_is_legal : assert always ((tick and step_wanted) -> legal) abort reset;
   -- psl an_idle_axis_makes_no_step : assert always
   --   ((tick and step_wanted) -> line_steps /= 0) abort reset;

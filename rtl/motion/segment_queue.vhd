@@ -32,7 +32,8 @@ entity segment_queue is
     max_level : out natural range 0 to depth;
     full : out std_ulogic;
 
-    -- The oldest segment, ready from two clocks after its commit or after the `take` before it.
+    -- The oldest segment: ready two clocks after its commit, at the earliest in the clock after the `take`
+    -- before it.
     head_valid : out std_ulogic := '0';
     head : out segment_t;
     head_steps : out ticks_array_t(axes - 1 downto 0);
@@ -48,7 +49,8 @@ architecture rtl of segment_queue is
   signal flags : step_generator_segment_flags_t;
 
   subtype slot_t is natural range 0 to depth - 1;
-  signal first : slot_t := 0;
+  -- The next segment that becomes the head, and the one being written.
+  signal unread : slot_t := 0;
   signal last : slot_t := 0;
   signal count : natural range 0 to depth := 0;
   signal highest_count : natural range 0 to depth := 0;
@@ -67,7 +69,7 @@ begin
   level <= count;
   max_level <= highest_count;
   full <= '1' when count = depth else '0';
-  fetch <= '1' when count /= 0 and head_valid = '0' else '0';
+  fetch <= '1' when (count > 1 and take = '1') or (count /= 0 and head_valid = '0') else '0';
 
   lanes : for lane in words'range generate
     signal memory : word_array_t(depth - 1 downto 0) := (others => (others => '0'));
@@ -84,7 +86,7 @@ begin
     begin
       wait until rising_edge(clk);
       if fetch then
-        words(lane) <= memory(first);
+        words(lane) <= memory(unread);
       end if;
     end process;
   end generate;
@@ -121,10 +123,11 @@ begin
       next_count := next_count + 1;
     end if;
     if take then
-      first <= slot_after(first);
       next_count := next_count - 1;
       head_valid <= '0';
-    elsif fetch then
+    end if;
+    if fetch then
+      unread <= slot_after(unread);
       head_valid <= '1';
     end if;
     count <= next_count;
@@ -134,7 +137,7 @@ begin
     end if;
 
     if reset or flush then
-      first <= 0;
+      unread <= 0;
       last <= 0;
       count <= 0;
       head_valid <= '0';

@@ -96,12 +96,10 @@ end entity;
 architecture rtl of step_generator_core is
 
   signal now : time_t := (others => '0');
-  signal forget : std_ulogic;
-  signal writer_forgets : std_ulogic;
+  signal forget, writer_forgets : std_ulogic;
   -- Modulo 2 only.
   signal forgettings, forgettings_seen : std_ulogic := '0';
-  signal append : std_ulogic;
-  signal full : std_ulogic;
+  signal append, full : std_ulogic;
   -- In the clock before. Only a commit fills the queue, and no write follows in the next clock; so
   -- the writer may use this value, and is gated with bus_clk.
   signal was_full : std_ulogic := '0';
@@ -109,31 +107,29 @@ architecture rtl of step_generator_core is
   signal head_valid : std_ulogic;
   signal head : segment_t;
   signal head_steps : ticks_array_t(axes - 1 downto 0);
-  signal take : std_ulogic;
-  signal begin_line : std_ulogic;
-  signal line_ticks : ticks_t := (others => '0');
+  signal three_quarters, executed_ticks : ticks_t := (others => '0');
+  signal line_ticks : ticks_t;
+  signal first_errors : ticks_array_t(axes - 1 downto 0);
+
+  -- The base is active, makes a tick, takes the head, and stalls or not, in this clock.
+  signal early_active, early_tick, early_take, due : std_ulogic;
+  signal early_stop_on : stop_condition_t;
+  -- In the clock before.
+  signal executing, late_tick, take, begin_line, was_due : std_ulogic := '0';
+  -- Unless an emergency has come between.
+  signal tick : std_ulogic;
 
   signal start_before : std_ulogic := '0';
-  signal start_now : std_ulogic;
-  signal advance : std_ulogic;
+  signal start_now, advance, stalled, accelerating, decelerating, standing : std_ulogic;
   signal leap, longest_leap : leap_t;
-  signal stalled : std_ulogic;
-  signal accelerating, decelerating : std_ulogic;
-  signal standing : std_ulogic;
 
-  signal due : std_ulogic;
-  signal tick : std_ulogic;
-  signal ready : std_ulogic_vector(axes - 1 downto 0);
-  signal axis_working : std_ulogic_vector(axes - 1 downto 0);
+  signal ready, axis_working, allowed_position : std_ulogic_vector(axes - 1 downto 0);
   signal scaling, watching : std_ulogic;
-  signal allowed_position : std_ulogic_vector(axes - 1 downto 0);
 
-  signal active_stop_on : stop_condition_t;
-  signal watchdog_expired : std_ulogic;
-  signal stop : std_ulogic;
-  signal stop_begins : std_ulogic;
-  signal hit : std_ulogic;
-  signal closed : std_ulogic;
+  signal active_stop_on : stop_condition_t := stop_condition_none;
+  signal stop_on : stop_condition_t;
+  signal watchdog_expired, stop, stop_begins, hit, closed : std_ulogic;
+  signal was_hit : std_ulogic := '0';
   -- Of the clock before, to keep the slope off the critical path.
   signal no_ramp : std_ulogic := '0';
 
@@ -177,30 +173,44 @@ begin
       clk => clk, bus_clk => bus_clk, reset => reset, write => write, append => append,
       flush => forget,
       level => level, max_level => max_level, full => full, head_valid => head_valid,
-      head => head, head_steps => head_steps, take => take);
+      head => head, head_steps => head_steps, take => take and head_valid);
 
   pace : entity work.feed_override
     port map (
-      clk => clk, reset => reset, moving => moving, target => override, slope => override_slope,
+      clk => clk, reset => reset, moving => early_active, target => override, slope => override_slope,
       accelerating => accelerating, decelerating => decelerating, braking => braking,
       brake_slope => brake_slope, stalled => stalled, longest_leap => longest_leap,
       advance => advance, leap => leap, scale => scale, standing => standing, working => scaling);
 
+  moving <= early_active or executing;
   held <= moving and standing;
   start_now <= software_start or (start and not start_before);
 
   base : entity work.time_base
     port map (
       clk => clk, always_clk => always_clk, reset => reset, advance => advance, leap => leap,
-      longest_leap => longest_leap,
-      run => run, start => start_now, stop => stop, rate_floor => rate_floor,
-      head_valid => head_valid, head => head, take => take, due => due,
-      axes_ready => and ready, tick => tick, stalled => stalled, accelerating => accelerating,
-      decelerating => decelerating, active => moving,
-      stop_on => active_stop_on, waiting => waiting, segments => segments,
+      longest_leap => longest_leap, run => run, start => start_now, stop => stop, rate_floor => rate_floor,
+      head_valid => head_valid, head => head, take => early_take, due => due, axes_ready => and ready,
+      tick => early_tick, stalled => stalled, accelerating => accelerating, decelerating => decelerating,
+      active => early_active, stop_on => early_stop_on, waiting => waiting, segments => segments,
       underruns => underruns, stalls => stalls);
 
-  begin_line <= take and not head.continues_line;
+  -- The base's carry settles late in the clock: queue, axes and stops follow it a clock later.
+  follow_base : process
+  begin
+    wait until rising_edge(clk);
+    late_tick <= early_tick and not reset;
+    take <= early_take and not reset;
+    begin_line <= early_take and not head.continues_line and not reset;
+    was_due <= due and not reset;
+    executing <= early_active and not stop and not reset;
+    was_hit <= hit and not reset;
+    active_stop_on <= early_stop_on;
+  end process;
+
+  tick <= late_tick and not emergency_stop;
+  -- Before the axes execute anything, the condition of the base's segment counts already.
+  stop_on <= active_stop_on when executing = '1' else early_stop_on;
 
   keep_time : process
   begin
@@ -223,24 +233,34 @@ begin
       snapshot_time <= now;
     end if;
     if begin_line then
-      line_ticks <= head.line_ticks;
+      executed_ticks <= line_ticks;
     end if;
+    -- The head is there from the clock of the base's take on, at the latest.
+    three_quarters <= shift_right(head.line_ticks, 1) + shift_right(head.line_ticks, 2);
   end process;
+
+  line_ticks <= head.line_ticks when begin_line = '1' else executed_ticks;
 
   idle <= '1' when moving = '0' and level = 0 and (or axis_working) = '0' else '0';
   allowed_position <= set_position when idle = '1' else (others => '0');
   position_refused <= (or set_position) and not idle;
 
   working <= scaling or (or axis_working);
-  alarm <= due or take or hit or stop_begins or watching or (start xor start_before);
+  alarm <= due or early_take or hit or stop_begins or watching or (start xor start_before);
 
   each_axis : for axis in 0 to axes - 1 generate
+    -- Any start below the line's ticks makes exactly its steps. A quarter of the ticks more or less, and they
+    -- come a quarter of a step early or late.
+    first_errors(axis) <= three_quarters when head.ahead(axis) = '1' else
+                          shift_right(head.line_ticks, 2) when head.behind(axis) = '1' else
+                          shift_right(head.line_ticks, 1);
+
     stepper : entity work.axis_stepper
       port map (
         clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis),
         begin_line => begin_line,
-        steps => head_steps(axis), backward => head.backward(axis), ahead => head.ahead(axis),
-        behind => head.behind(axis), line_ticks => line_ticks, due => due, ready => ready(axis),
+        steps => head_steps(axis), backward => head.backward(axis), first_error => first_errors(axis),
+        line_ticks => line_ticks, ready => ready(axis), was_due => was_due,
         tick => tick, step => step(axis), direction => direction(axis),
         busy => open, working => axis_working(axis),
         position => positions(axis), set_position => allowed_position(axis),
@@ -248,7 +268,7 @@ begin
 
     at_stop : entity work.position_latch
       port map (
-        clk => clk, capture => hit, position => positions(axis),
+        clk => clk, capture => was_hit, position => positions(axis),
         captured_position => stop_positions(axis));
 
     at_snapshot : entity work.position_latch
@@ -257,8 +277,9 @@ begin
         captured_position => snapshot_positions(axis));
 
     -- psl default clock is rising_edge(clk);
+    -- The tick of the clock before the stop is made.
     -- psl no_step_after_a_stop : assert always
-    --   ((stop = '1' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
+    --   ((stop = '1' and tick = '0' and step(axis) = '0') -> next (step(axis) = '0')) abort reset;
   end generate;
 
   watch : entity work.motion_watchdog
@@ -268,7 +289,7 @@ begin
 
   stops : entity work.stop_latch
     port map (
-      clk => clk, reset => reset, active => moving, stop_on => active_stop_on,
+      clk => clk, reset => reset, active => moving, stop_on => stop_on,
       end_stops => end_stops, emergency_stop => emergency_stop,
       watchdog_expired => watchdog_expired, software_stop => software_stop,
       software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,

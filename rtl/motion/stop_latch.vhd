@@ -37,7 +37,7 @@ entity stop_latch is
     hit : out std_ulogic;
     -- Motion comes to rest along the ramp, and then stops.
     braking : out std_ulogic := '0';
-    -- No step from this clock on.
+    -- The base makes no tick from this clock on.
     stop : out std_ulogic;
     -- The first clock of it.
     stop_begins : out std_ulogic;

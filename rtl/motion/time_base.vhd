@@ -33,7 +33,8 @@ entity time_base is
     -- Time passes for the base, by `leap` base clocks: stretches the motion without changing its path.
     advance : in std_ulogic;
     leap : in leap_t;
-    -- The longest leap of the next clock that keeps the rate within 1/2.
+    -- A leap of the next clock that keeps the rate within 1/2: the longest, but with one tick left as short
+    -- as the next segment may need it.
     longest_leap : out leap_t;
     -- Motion may begin from rest.
     run : in std_ulogic;
@@ -85,6 +86,7 @@ architecture rtl of time_base is
   signal ends_motion : std_ulogic := '0';
   signal ticks_left : ticks_t := (others => '0');
   -- Known from the clock after a tick on: the next tick is the segment's last.
+  signal one_left : std_ulogic;
   signal last : std_ulogic := '0';
   signal count_changed : std_ulogic := '0';
 
@@ -149,18 +151,31 @@ architecture rtl of time_base is
     return value;
   end function;
 
-  -- The change is below 2^46 of the 2^64 that make a rate of 1, so that a sum below 0 shows as one above
-  -- 3/4, and one above the highest rate as one below 3/4.
+  -- Whether value + change is below the floor. The value is not, and the change is below 2^46 of the 2^64
+  -- that make a rate of 1, so that a difference below 0 shows as one above 3/4. Three numbers become two
+  -- without a carry: the comparison does not wait for the sum.
+  function falls_below(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
+    floor : unsigned(30 downto 0)) return std_ulogic is
+    constant less_floor : unsigned(63 downto 0) := not ('0' & floor & x"00000000");
+    constant carries : unsigned(63 downto 0) :=
+      (value and change) or (value and less_floor) or (change and less_floor);
+    variable difference : unsigned(63 downto 0);
+  begin
+    difference := (value xor change xor less_floor) + (carries(62 downto 0) & '1');
+    return difference(63) and difference(62);
+  end function;
+
+  -- A sum above the highest rate is one below 3/4.
   function integrated(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
     floor : unsigned(30 downto 0)) return unsigned is
-    variable sum : unsigned(63 downto 0);
+    constant sum : unsigned(63 downto 0) := value + change;
   begin
-    sum := value + change;
-    case sum(63 downto 62) is
-      when "10" => return highest_rate;
-      when "11" => return '0' & floor & x"00000000";
-      when others => return floored(sum, floor);
-    end case;
+    if falls_below(value, change, floor) then
+      return '0' & floor & x"00000000";
+    elsif sum(63 downto 62) = "10" then
+      return highest_rate;
+    end if;
+    return sum;
   end function;
 
 begin
@@ -178,10 +193,13 @@ begin
   acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
     next_acceleration(63) = acceleration(63) else '0';
 
+  one_left <= '1' when ticks_left = 1 else '0';
   leap_of_head <= longest(head.rate(63 downto 58));
   leap_of_rate <= longest(rate(63 downto 58));
   leap_of_floor <= longest('0' & rate_floor(30 downto 26));
-  longest_leap <= shorter(leap_of_head, leap_of_floor) when take = '1' else
+  -- Before the last tick both rates count: the carry settles too late to choose.
+  longest_leap <= shorter(leap_of_head, leap_of_floor) when active = '0' else
+    shorter(shorter(leap_of_rate, leap_of_head), leap_of_floor) when one_left = '1' and head_valid = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
   -- The carry settles last in the clock: everything else is computed before it.
@@ -225,7 +243,7 @@ begin
 
     count_changed <= tick or take;
     if count_changed then
-      last <= '1' when ticks_left = 1 else '0';
+      last <= one_left;
     end if;
 
     if tick then

@@ -372,7 +372,7 @@ package step_generator_registers_pkg is
   function to_word(value : step_generator_stop_cause_t) return std_ulogic_vector;
   function to_step_generator_stop_cause(word : std_ulogic_vector(31 downto 0)) return step_generator_stop_cause_t;
 
-  -- Positions of all axes in the clock in which the last stop was requested.
+  -- Positions of all axes when the last stop was requested, after the tick of the clock before.
   constant step_generator_stop_position_address : unsigned(31 downto 0) := x"F0003104";  -- of the first
   subtype step_generator_stop_position_steps_bits is natural range 31 downto 0;
   type step_generator_stop_position_t is record

@@ -16,17 +16,27 @@ entity axis_stepper_harness is
 end entity;
 
 architecture simulation of axis_stepper_harness is
+
+  signal was_due : std_ulogic := '0';
+
 begin
 
   clk <= not clk after 10 ns;
-  outputs.tick <= inputs.due and outputs.ready;
+
+  -- As the core does: the axis follows a clock later, and no tick is due in the clock after one.
+  follow_base : process
+  begin
+    wait until rising_edge(clk);
+    outputs.tick <= inputs.due and outputs.ready and not (outputs.tick or inputs.reset);
+    was_due <= inputs.due and not (outputs.tick or inputs.reset);
+  end process;
 
   axis : entity work.axis_stepper
     port map (
       clk => clk, reset => inputs.reset, guard => inputs.guard, both_edges => inputs.both_edges,
-      begin_line => inputs.begin_line, steps => inputs.steps, backward => inputs.backward,
-      ahead => inputs.ahead, behind => inputs.behind, line_ticks => inputs.line_ticks,
-      due => inputs.due, ready => outputs.ready, tick => outputs.tick, step => outputs.step,
+      begin_line => inputs.begin_line, steps => inputs.steps,
+      backward => inputs.backward, first_error => inputs.first_error, line_ticks => inputs.line_ticks,
+      ready => outputs.ready, was_due => was_due, tick => outputs.tick, step => outputs.step,
       direction => outputs.direction, busy => outputs.busy, working => outputs.working,
       position => outputs.position, set_position => inputs.set_position,
       new_position => inputs.new_position, stalls => outputs.stalls);

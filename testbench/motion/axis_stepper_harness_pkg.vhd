@@ -16,9 +16,9 @@ package axis_stepper_harness_pkg is
     begin_line : std_ulogic;
     steps : ticks_t;
     backward : std_ulogic;
-    ahead : std_ulogic;
-    behind : std_ulogic;
+    first_error : ticks_t;
     line_ticks : ticks_t;
+    -- A tick is due: it is made in the next clock, if the axis is ready.
     due : std_ulogic;
     set_position : std_ulogic;
     new_position : position_t;
@@ -26,7 +26,8 @@ package axis_stepper_harness_pkg is
 
   constant axis_stepper_in_reset : axis_stepper_inputs_t := (
     reset => '1', guard => guard_after_reset, steps => (others => '0'),
-    line_ticks => (others => '0'), new_position => (others => '0'), others => '0');
+    first_error => (others => '0'), line_ticks => (others => '0'),
+    new_position => (others => '0'), others => '0');
 
   type axis_stepper_outputs_t is record
     ready : std_ulogic;
@@ -42,11 +43,15 @@ package axis_stepper_harness_pkg is
 
   procedure wait_for_clocks (signal clk : in std_ulogic; count : in natural);
 
+  -- The error term before the first tick is `start`, or half the ticks.
   procedure start_line (
     signal clk : in std_ulogic; signal inputs : inout axis_stepper_inputs_t;
-    count, of_ticks : in natural; negative : in std_ulogic; early, late : in std_ulogic := '0');
+    count, of_ticks, start : in natural; negative : in std_ulogic);
+  procedure start_line (
+    signal clk : in std_ulogic; signal inputs : inout axis_stepper_inputs_t;
+    count, of_ticks : in natural; negative : in std_ulogic);
 
-  -- A tick as soon as the axis is ready, and the clock after it.
+  -- A tick as soon as the axis is ready, up to the end of the clock in which it is made.
   procedure make_tick (
     signal clk : in std_ulogic; signal inputs : inout axis_stepper_inputs_t;
     signal outputs : in axis_stepper_outputs_t);
@@ -68,19 +73,25 @@ package body axis_stepper_harness_pkg is
 
   procedure start_line (
     signal clk : in std_ulogic; signal inputs : inout axis_stepper_inputs_t;
-    count, of_ticks : in natural; negative : in std_ulogic; early, late : in std_ulogic := '0') is
+    count, of_ticks, start : in natural; negative : in std_ulogic) is
   begin
     inputs.steps <= to_unsigned(count, 31);
     inputs.backward <= negative;
-    inputs.ahead <= early;
-    inputs.behind <= late;
+    inputs.first_error <= to_unsigned(start, 31);
+    inputs.line_ticks <= to_unsigned(of_ticks, 31);
     inputs.begin_line <= '1';
     wait until rising_edge(clk);
-    inputs.line_ticks <= to_unsigned(of_ticks, 31);
     inputs.begin_line <= '0';
-    inputs.ahead <= late;
-    inputs.behind <= early;
-    wait until rising_edge(clk);
+    inputs.steps <= (others => '1');
+    inputs.backward <= not negative;
+    inputs.first_error <= (others => '1');
+  end procedure;
+
+  procedure start_line (
+    signal clk : in std_ulogic; signal inputs : inout axis_stepper_inputs_t;
+    count, of_ticks : in natural; negative : in std_ulogic) is
+  begin
+    start_line(clk, inputs, count, of_ticks, of_ticks / 2, negative);
   end procedure;
 
   procedure make_tick (

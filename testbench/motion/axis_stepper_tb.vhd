@@ -42,7 +42,7 @@ begin
         make_tick(clk, inputs, outputs);
       end loop;
     end loop;
-    wait_for_clocks(clk, 1);
+    wait_for_clocks(clk, 2);
     assert outputs.pulses = 20 report "20 ticks made " & to_string(outputs.pulses) & " pulses"
       severity failure;
     assert outputs.stalls = 0 report "the shortest guard delayed the base" severity failure;
@@ -54,7 +54,7 @@ begin
     for i in 1 to 3 loop
       make_tick(clk, inputs, outputs);
     end loop;
-    wait_for_clocks(clk, 1);
+    wait_for_clocks(clk, 2);
     assert outputs.position = -3 severity failure;
     assert outputs.stalls = 0 severity failure;
 
@@ -79,6 +79,7 @@ begin
     for i in 1 to 3 loop
       make_tick(clk, inputs, outputs);
     end loop;
+    wait_for_clocks(clk, 2);
     assert outputs.stalls = stalls_before and outputs.pulses = pulses_before + 1
       report "a tick without a step was delayed" severity failure;
     wait_for_clocks(clk, 60);
@@ -94,6 +95,7 @@ begin
           for toggles in 0 to falling_counts loop
             start_line(clk, inputs, 1, 1, outputs.direction);
             make_tick(clk, inputs, outputs);
+            wait_for_clocks(clk, 1);
             while outputs.busy = '1' loop
               made := made + 1;
               wait_for_clocks(clk, 1);
@@ -122,6 +124,7 @@ begin
     pulses_before := outputs.pulses;
     for i in 1 to 7 loop
       make_tick(clk, inputs, outputs);
+      wait for 1 ns;
       assert (outputs.step = '1') = (i mod 2 = 1) severity failure;
     end loop;
     wait_for_clocks(clk, 50);
@@ -132,8 +135,10 @@ begin
     stalls_before := outputs.stalls;
     make_tick(clk, inputs, outputs);
     make_tick(clk, inputs, outputs);
+    wait for 1 ns;
     assert outputs.stalls = stalls_before + 9 - 2 report "low too short" severity failure;
     make_tick(clk, inputs, outputs);
+    wait for 1 ns;
     assert outputs.stalls = stalls_before + 9 - 2 + 4 - 2 report "high too short" severity failure;
     wait_for_clocks(clk, 1);
 
@@ -173,6 +178,7 @@ begin
         report "counts after reset " & to_string(case_of_reset) severity failure;
       start_line(clk, inputs, 1, 1, '0');
       make_tick(clk, inputs, outputs);
+      wait for 1 ns;
       assert outputs.stalls = 0 and outputs.position = 1
         report "a guard time outlasts reset " & to_string(case_of_reset) severity failure;
       wait_for_clocks(clk, 50);

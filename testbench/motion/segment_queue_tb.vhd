@@ -73,7 +73,6 @@ begin
       if chance < 0.3 or (taken / 50) mod 2 = 0 then
         take <= '1';
         taken <= taken + 1;
-        assert clocks_since_take >= 2 severity failure;
         clocks_since_take := 0;
         assert head.backward = word(taken, flags_lane)(7 downto 0) severity failure;
         assert head.stop_on.mask = word(taken, flags_lane)(23 downto 16) severity failure;
@@ -98,8 +97,8 @@ begin
           assert head_steps(axis) = unsigned(word(taken, steps_lane + axis)) severity failure;
         end loop;
       end if;
-    elsif clocks_since_take = 2 and last_level /= 0 then
-      assert false report "the next segment is not ready after two clocks" severity failure;
+    elsif clocks_since_take = 1 and last_level > 1 then
+      assert false report "the next segment is not ready after a clock" severity failure;
     end if;
     last_level := level;
   end process;

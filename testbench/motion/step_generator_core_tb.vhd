@@ -160,10 +160,11 @@ begin
     drive.end_stops <= x"04";
     wait_clocks(clk, 2);
     assert seen.braking = '1' and seen.stopped = '0' severity failure;
+    wait_clocks(clk, 1);
     assert seen.stop_positions = seen.positions severity failure;
     -- 2048 clocks at half of 2^-8 ticks per clock on average: 4 ticks.
     pulses_at_stop := seen.pulses;
-    wait_clocks(clk, 2052);
+    wait_clocks(clk, 2051);
     assert seen.stopped = '1' and seen.moving = '0' and seen.level = 0 and seen.idle = '1' severity failure;
     assert seen.pulses(0) - pulses_at_stop(0) = 4
       report to_string(seen.pulses(0) - pulses_at_stop(0)) & " steps along the ramp" severity failure;

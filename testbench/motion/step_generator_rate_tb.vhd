@@ -120,8 +120,8 @@ begin
         end if;
         last_step := step;
       end loop;
-      -- The first comes after two clocks, each other one two clocks later.
-      assert clocks = 2 * depth report to_string(clocks) & " clocks" severity failure;
+      -- The first is due after two clocks, each other one two clocks later; the pins follow a clock later.
+      assert clocks = 2 * depth + 1 report to_string(clocks) & " clocks" severity failure;
       for i in 1 to 4 loop
         wait until rising_edge(clk);
       end loop;

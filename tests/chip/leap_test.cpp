@@ -54,7 +54,8 @@ class Sleeper {
     clocks_.clock(true);
     for (int i = 0; i < 100; ++i) clocks_.clock(false);
     // Motion without a line has one without steps.
-    model_.rootp->printer_core__DOT__motion__DOT__generator__DOT__core__DOT__line_ticks_q = 1000;
+    auto& root = *model_.rootp;
+    root.printer_core__DOT__motion__DOT__generator__DOT__core__DOT__executed_ticks_q = 1000;
   }
 
   Sleeper(const Sleeper&) = delete;

@@ -66,7 +66,8 @@ class StepGeneratorRampTest : public tests::StepGeneratorFixture {
     return Ramp::between(from, to, clocks_, uniform(-1, 1));
   }
 
-  // Calls `judge(tick, clocks since the motion began)` at each tick of the first axis.
+  // Calls `judge(tick, clocks since the motion began)` at each tick of the first axis, which the
+  // pins show a clock later.
   template <typename Judge>
   void watch_ticks(Judge judge) {
     chip_.after_clock = [this, judge, step = 0u, moving = false,
@@ -75,7 +76,7 @@ class StepGeneratorRampTest : public tests::StepGeneratorFixture {
       moving = chip_->moving;
       const bool rises = (chip_->step & 1u) != 0 && (step & 1u) == 0;
       step = chip_->step;
-      if (rises) judge(++ticks_, static_cast<long double>(chip_.now() - began));
+      if (rises) judge(++ticks_, static_cast<long double>(chip_.now() - pin_delay - began));
     };
   }
 
@@ -93,6 +94,7 @@ class StepGeneratorRampTest : public tests::StepGeneratorFixture {
   }
 
  private:
+  static constexpr std::uint64_t pin_delay = 1;
   std::mt19937 random_{7};
   double clocks_{};
   std::uint64_t ticks_{};

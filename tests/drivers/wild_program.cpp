@@ -3,6 +3,7 @@
 #include "tests/drivers/wild_program.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tests {
 
@@ -34,7 +35,10 @@ void WildProgram::change_inputs() {
 void WildProgram::clock(std::uint32_t count) {
   for (; count > 0; --count) {
     change_inputs();
-    const char* forbidden = judge();
+    // The pins follow by a clock, but not in an emergency.
+    const char* const judged = judge();
+    const char* const before = std::exchange(forbidden_, judged);
+    const char* const forbidden = model_->emergency_stop != 0 ? judged : before;
     const Inputs inputs{model_->end_stops, model_->emergency_stop, model_->start};
     const bool counts = inputs != inputs_ || model_->reset != 0;
     inputs_ = inputs;
@@ -57,6 +61,7 @@ void WildProgram::clock(std::uint32_t count) {
 
 // Why no step may come with the next edge, from the inputs that stop motion or permit it again.
 const char* WildProgram::judge() {
+  if (std::exchange(stop_begins_, false)) stop_positions_ = pins_.positions();
   const char* reason = stopped_ ? "a step between stop and acknowledgement" : nullptr;
   const bool emergency = model_->emergency_stop != 0;
   if (slope_age_ < 8) ++slope_age_;
@@ -104,7 +109,7 @@ void WildProgram::judge_end_stops(const char*& reason) {
 void WildProgram::stop() {
   if (!stopped_ && !braking_) {
     ++stops_;
-    stop_positions_ = pins_.positions();
+    stop_begins_ = true;
     stop_clock_ = now_;
     stop_is_known_ = !brake_may_last_;
   }

@@ -93,7 +93,9 @@ class WildProgram {
   std::size_t placed_axis_ = 0;
   bool idle_when_written_ = false, refused_by_bus_ = false;
 
-  bool stopped_ = false, braking_ = false;
+  // Why no step may follow the clock before.
+  const char* forbidden_ = nullptr;
+  bool stopped_ = false, braking_ = false, stop_begins_ = false;
   std::uint8_t began_brake_ = 0;
   std::uint64_t braked_clocks_ = 0;
   std::uint32_t brake_slope_ = 1718;

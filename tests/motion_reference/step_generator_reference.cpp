@@ -60,7 +60,7 @@ bool StepGeneratorReference::idle() const {
            (!axis.stepped || now_ + 1 >= *axis.stepped + axis.guard.hold) &&
            (!axis.turned || now_ + 1 >= *axis.turned + axis.guard.setup);
   };
-  return !active_ && queue_.empty() && std::ranges::all_of(axis_, finished);
+  return !moving() && queue_.empty() && std::ranges::all_of(axis_, finished);
 }
 
 bool StepGeneratorReference::steps_at_next_tick(const Axis& axis) const {
@@ -75,10 +75,21 @@ std::uint64_t StepGeneratorReference::free_again(const Axis& axis) const {
   return *axis.stepped + guard.high + guard.low;
 }
 
-bool StepGeneratorReference::may_step_in_next_clock(const Axis& axis) const {
+bool StepGeneratorReference::turns_in_next_clock(const Axis& axis) const {
   const std::uint64_t next = now_ + 1;
-  return axis.backward == axis.wanted_backward && next >= free_again(axis) &&
-         (!axis.turned || next >= *axis.turned + axis.guard.setup);
+  const bool held = !axis.stepped || next >= *axis.stepped + axis.guard.hold;
+  const bool settled = !axis.turned || next >= *axis.turned + axis.guard.setup;
+  return axis.backward != axis.wanted_backward && held && settled;
+}
+
+// The pins follow the base by a clock.
+bool StepGeneratorReference::may_follow_a_tick(const Axis& axis) const {
+  const std::uint64_t shown = now_ + 2;
+  if (shown < free_again(axis)) return false;
+  if (axis.backward == axis.wanted_backward) {
+    return !axis.turned || shown >= *axis.turned + axis.guard.setup;
+  }
+  return turns_in_next_clock(axis) && shown >= now_ + 1 + axis.guard.setup;
 }
 
 bool StepGeneratorReference::head_ready() const {
@@ -86,7 +97,7 @@ bool StepGeneratorReference::head_ready() const {
 }
 
 bool StepGeneratorReference::waiting() const {
-  return !active_ && head_ready() && queue_.front().segment.waits_for_start;
+  return !base_ && head_ready() && queue_.front().segment.waits_for_start;
 }
 
 StepGeneratorReference::Commands StepGeneratorReference::commands() const {
@@ -97,12 +108,13 @@ StepGeneratorReference::Commands StepGeneratorReference::commands() const {
 }
 
 std::uint32_t StepGeneratorReference::end_stops_hit() const {
-  if (!active_) return 0;
-  std::uint32_t ends = active_->stop_on_release ? ~inputs_ : inputs_;
-  if (active_->stop_on_change) ends &= inputs_ ^ inputs_before_;
+  if (!moving()) return 0;
+  const Segment& segment = executing_ ? executed_ : *base_;
+  std::uint32_t ends = segment.stop_on_release ? ~inputs_ : inputs_;
+  if (segment.stop_on_change) ends &= inputs_ ^ inputs_before_;
   // What brakes already may stay as it is.
   if (braking_) ends &= ~(brakers_ & ~(inputs_ ^ inputs_before_));
-  return ends & active_->stop_mask & end_stop_bits;
+  return ends & segment.stop_mask & end_stop_bits;
 }
 
 void StepGeneratorReference::clock() {
@@ -111,44 +123,54 @@ void StepGeneratorReference::clock() {
   const bool end_stop = hits != 0;
   const std::uint32_t immediate = (inputs_ & emergency_bit) | (asked.stop ? software_bit : 0) |
                                   (watchdog_expired_ ? watchdog_bit : 0);
-  const bool braked = braking_ && (!active_ || pace_.standing());
+  const bool braked = braking_ && (!moving() || pace_.standing());
   const bool along_ramp = end_stop || asked.brake;
-  const bool at_once = immediate != 0 || (end_stop && (braking_ || !active_->stop_brakes)) ||
+  const bool at_once = immediate != 0 || (end_stop && (braking_ || !(executing_ ? executed_ : *base_).stop_brakes)) ||
                        braked || (no_ramp_ && (along_ramp || braking_));
   const bool stop = stopped_ || at_once;
   refuses_segments_ = stop || along_ramp || braking_;
   no_ramp_ = pace_.brake_slope == 0;
 
-  // Decided on the state of this clock, then done.
+  // The base decides on the state of this clock.
   const bool full = queue_.size() == queue_depth;
-  const bool moving = active_.has_value();
+  const bool active = base_.has_value();
   const std::uint64_t leap = pace_.leap();
-  const bool due = moving && !stop && phase_ + leap * rate_ < phase_;
+  const bool due = active && !stop && phase_ + leap * rate_ < phase_;
   const bool tick = due && ticks();
-  const bool last = tick && ticks_done_ + 1 == active_->ticks;
+  const bool one_left = active && ticks_done_ + 1 == base_->ticks;
+  const bool last = tick && one_left;
   const bool waits = !queue_.empty() && queue_.front().segment.waits_for_start;
   const bool start = asked.start || (inputs_ & ~inputs_before_ & start_bit) != 0;
-  const bool from_rest = !moving && run_ && (start || !waits);
+  const bool from_rest = !active && run_ && (start || !waits);
   const bool taking = head_ready() && !stop && ((last && !waits) || from_rest);
   const Positions positions_now = positions();
+  if (std::exchange(was_hit_, false)) stop_moment_.positions = positions_now;
 
-  const std::uint64_t rate = taking ? queue_.front().segment.rate : rate_;
-  pace_.clock(moving, braking_, due && !tick, static_cast<std::int64_t>(acceleration_before_),
+  std::uint64_t rate = active ? rate_ : 0;
+  if (head_ready() && (!active || one_left)) rate = std::max(rate, queue_.front().segment.rate);
+  pace_.clock(active, braking_, due && !tick, static_cast<std::int64_t>(acceleration_before_),
               std::max(rate, rate_floor_));
   acceleration_before_ = acceleration_;
-  watch(moving, asked.feed_watchdog);
+  watch(moving(), asked.feed_watchdog);
+  // Queue, axes and stops follow what it decided in the clock before.
+  const Decision decided = std::exchange(decided_, {});
   turn_axes();
-  if (tick) make_tick();
-  if (moving && !stop && (!due || tick)) integrate(leap);
+  if (decided.tick && (inputs_ & emergency_bit) == 0) step_axes();
+  if (decided.taken) begin_segment(*decided.taken);
+  executing_ = active && !stop;
+  if (base_) executed_ = *base_;
+  if (tick) ++ticks_done_;
+  if (active && !stop && (!due || tick)) integrate(leap);
   if (asked.positions_known) positions_lost_ = false;
   if (current_) obey(*current_);
   cut_motors_off(stopped_);
   if (last) {
-    if (!head_ready() && !active_->ends_motion) ++counters_.underruns;
-    active_.reset();
+    if (!head_ready() && !base_->ends_motion) ++counters_.underruns;
+    base_.reset();
     if (!taking) phase_ = 0;
   }
   if (taking) take();
+  decided_.tick = tick;
   counters_.max_level = std::max(counters_.max_level, queue_.size());
   if (asked.flush) forget_queue();
 
@@ -156,7 +178,9 @@ void StepGeneratorReference::clock() {
   brakers_ &= ~(inputs_ ^ inputs_before_);
   if ((at_once || along_ramp) && !braking_ && !stopped_) {
     brakers_ = hits;
-    stop_moment_ = {positions_now, now_};
+    // The axes have still to make the tick of the clock before.
+    stop_moment_.clock = now_;
+    was_hit_ = true;
     stop_cause_ = hits | immediate | (asked.brake ? brake_bit : 0);
     braking_ = !at_once;
   } else if (at_once && !stopped_) {
@@ -178,7 +202,7 @@ void StepGeneratorReference::clock() {
 bool StepGeneratorReference::ticks() {
   bool all_ready = true;
   for (std::size_t i = 0; i < axes; ++i) {
-    if (steps_at_next_tick(axis_[i]) && !may_step_in_next_clock(axis_[i])) {
+    if (steps_at_next_tick(axis_[i]) && !may_follow_a_tick(axis_[i])) {
       all_ready = false;
       ++counters_.axis_stalls[i];
     }
@@ -188,18 +212,14 @@ bool StepGeneratorReference::ticks() {
 }
 
 void StepGeneratorReference::turn_axes() {
-  const std::uint64_t next = now_ + 1;
   for (Axis& axis : axis_) {
-    const bool held = !axis.stepped || next >= *axis.stepped + axis.guard.hold;
-    const bool settled = !axis.turned || next >= *axis.turned + axis.guard.setup;
-    if (axis.backward != axis.wanted_backward && held && settled) {
-      axis.backward = axis.wanted_backward;
-      axis.turned = next;
-    }
+    if (!turns_in_next_clock(axis)) continue;
+    axis.backward = axis.wanted_backward;
+    axis.turned = now_ + 1;
   }
 }
 
-void StepGeneratorReference::make_tick() {
+void StepGeneratorReference::step_axes() {
   for (Axis& axis : axis_) {
     if (!steps_at_next_tick(axis)) continue;
     axis.stepped = now_ + 1;
@@ -208,7 +228,6 @@ void StepGeneratorReference::make_tick() {
     axis.position = static_cast<std::int32_t>(axis.backward ? position - 1 : position + 1);
   }
   ++line_ticks_done_;
-  ++ticks_done_;
 }
 
 void StepGeneratorReference::integrate(std::uint64_t leap) {
@@ -218,7 +237,7 @@ void StepGeneratorReference::integrate(std::uint64_t leap) {
   const Wide rate = Wide(rate_) + change;
   rate_ = static_cast<std::uint64_t>(std::clamp(rate, Wide(rate_floor_), Wide(half)));
   // Neither the change nor the acceleration leaves its 64 bits.
-  const Wide jerk = active_->jerk;
+  const Wide jerk = base_->jerk;
   std::uint64_t times = leap;
   while (times > 1 && jerk * Wide(times) != static_cast<std::int64_t>(jerk * Wide(times))) {
     times /= 2;
@@ -231,54 +250,28 @@ void StepGeneratorReference::integrate(std::uint64_t leap) {
 }
 
 void StepGeneratorReference::take() {
-  active_ = queue_.front().segment;
-  queue_.pop_front();
+  base_ = queue_.front().segment;
+  decided_.taken = base_;
   next_ready_ = now_ + fetch_clocks;
   ++counters_.segments;
   ticks_done_ = 0;
-  rate_ = std::max(active_->rate, rate_floor_);
-  acceleration_ = static_cast<std::uint64_t>(active_->acceleration);
-  if (active_->continues_line) return;
-  line_ticks_ = active_->line_ticks;
+  rate_ = std::max(base_->rate, rate_floor_);
+  acceleration_ = static_cast<std::uint64_t>(base_->acceleration);
+}
+
+void StepGeneratorReference::begin_segment(const Segment& segment) {
+  // Unless it was flushed since.
+  if (!queue_.empty()) queue_.pop_front();
+  if (segment.continues_line) return;
+  line_ticks_ = segment.line_ticks;
   line_ticks_done_ = 0;
   for (std::size_t i = 0; i < axes; ++i) {
-    axis_[i].steps = active_->steps[i];
+    axis_[i].steps = segment.steps[i];
     axis_[i].first_error = line_ticks_ / 2;
-    if ((active_->ahead >> i & 1u) != 0) axis_[i].first_error += line_ticks_ / 4;
-    if ((active_->behind >> i & 1u) != 0) axis_[i].first_error = line_ticks_ / 4;
-    if (axis_[i].steps != 0) axis_[i].wanted_backward = (active_->backward >> i & 1u) != 0;
+    if ((segment.ahead >> i & 1u) != 0) axis_[i].first_error += line_ticks_ / 4;
+    if ((segment.behind >> i & 1u) != 0) axis_[i].first_error = line_ticks_ / 4;
+    if (axis_[i].steps != 0) axis_[i].wanted_backward = (segment.backward >> i & 1u) != 0;
   }
-}
-
-void StepGeneratorReference::begin_stop() {
-  stopped_ = true;
-  braking_ = false;
-  active_.reset();
-  phase_ = 0;
-  forget_queue();
-}
-
-void StepGeneratorReference::cut_motors_off(bool stopped) {
-  if (!stopped) motors_cut_ = false;
-  if ((inputs_ & emergency_bit) == 0) return;
-  motors_ = 0;
-  motors_cut_ = positions_lost_ = true;
-}
-
-void StepGeneratorReference::watch(bool moving, bool fed) {
-  watchdog_expired_ = false;
-  if (fed || !moving) {
-    unheard_ = 0;
-  } else if (watchdog_limit_ != 0) {
-    ++unheard_;
-    watchdog_expired_ = unheard_ >= watchdog_limit_;
-  }
-}
-
-void StepGeneratorReference::forget_queue() {
-  queue_.clear();
-  draft_.forget();
-  line_left_ = 0;
 }
 
 }  // namespace motion_reference

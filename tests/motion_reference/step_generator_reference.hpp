@@ -42,7 +42,7 @@ class StepGeneratorReference {
   Pins pins() const;
 
   std::size_t level() const { return queue_.size(); }
-  bool moving() const { return active_.has_value(); }
+  bool moving() const { return base_.has_value() || executing_; }
   bool idle() const;
   bool stopped() const { return stopped_; }
   bool waiting() const;
@@ -78,9 +78,15 @@ class StepGeneratorReference {
     Segment segment;
     std::uint64_t ready;  // first clock in which it can be taken
   };
+  // Of the base in the clock before, for queue and axes.
+  struct Decision {
+    bool tick{};
+    std::optional<Segment> taken;
+  };
 
   bool steps_at_next_tick(const Axis& axis) const;
-  bool may_step_in_next_clock(const Axis& axis) const;
+  bool turns_in_next_clock(const Axis& axis) const;
+  bool may_follow_a_tick(const Axis& axis) const;
   bool head_ready() const;
   Commands commands() const;
   std::uint32_t end_stops_hit() const;
@@ -89,9 +95,10 @@ class StepGeneratorReference {
   // Whether the base comes to a tick, and whether all axes can follow; counts stalls.
   bool ticks();
   void turn_axes();
-  void make_tick();
+  void step_axes();
   void integrate(std::uint64_t leap);
   void take();
+  void begin_segment(const Segment& segment);
   void obey(const Write& write);
   void commit();
   void set_position(std::size_t axis, std::uint32_t value);
@@ -127,7 +134,11 @@ class StepGeneratorReference {
   bool queue_was_full_ = false;  // in the clock before, by which writes are judged
   std::uint64_t next_ready_ = 0;
 
-  std::optional<Segment> active_;
+  std::optional<Segment> base_;
+  Decision decided_;
+  // As the axes and stops see it.
+  bool executing_ = false;
+  Segment executed_{};
   std::uint64_t line_ticks_ = 1, line_ticks_done_ = 0, ticks_done_ = 0;
   std::uint64_t phase_ = 0, rate_ = 0, acceleration_ = 0, acceleration_before_ = 0;
 
@@ -140,7 +151,7 @@ class StepGeneratorReference {
   std::uint64_t unheard_ = 0, watchdog_limit_ = 0;
   bool watchdog_expired_ = false;
 
-  bool stopped_ = false;
+  bool stopped_ = false, was_hit_ = false;
   std::uint32_t stop_cause_ = 0, errors_ = 0;
   Moment stop_moment_, snapshot_;
   Counters counters_;

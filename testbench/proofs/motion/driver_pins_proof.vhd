@@ -23,9 +23,10 @@ entity driver_pins_proof is
     both_edges : in std_ulogic_vector(axes - 1 downto 0);
     begin_line : in std_ulogic;
     steps : in ticks_array_t(axes - 1 downto 0);
-    backward, ahead, behind : in std_ulogic_vector(axes - 1 downto 0);
+    backward : in std_ulogic_vector(axes - 1 downto 0);
+    first_errors : in ticks_array_t(axes - 1 downto 0);
     line_ticks : in ticks_t;
-    due, tick : in std_ulogic;
+    was_due, tick : in std_ulogic;
     set_position : in std_ulogic_vector(axes - 1 downto 0);
     new_position : in position_t
   );
@@ -34,7 +35,7 @@ end entity;
 architecture proof of driver_pins_proof is
 
   signal generated_step, generated_direction : std_ulogic_vector(axes - 1 downto 0);
-  signal ready : std_ulogic_vector(axes - 1 downto 0);
+  signal ready, last_ready : std_ulogic_vector(axes - 1 downto 0);
   signal step, direction : std_ulogic_vector(axes - 1 downto 0);
   signal positions : position_array_t(axes - 1 downto 0);
 
@@ -75,35 +76,36 @@ begin
   end process;
 
   -- What the axes rely on is proved of the step generator's core; its settings stay here.
-  a_tick_waits_for_all_axes : assume always (tick -> (due and (and ready)));
+  a_tick_waits_for_all_axes : assume always (tick -> (was_due and (and last_ready)));
   two_ticks_are_two_clocks_apart : assume always (not (tick and last_tick));
   a_line_is_known_before_its_tick : assume always (tick -> (line_known and not last_begin));
-  no_line_begins_while_an_axis_waits : assume always (not (begin_line and due and not (and ready)));
-  the_line_stays : assume always (started and not last_begin -> line_ticks = last_line_ticks);
-  a_line_has_ticks : assume always (last_begin -> line_ticks /= 0);
+  no_line_begins_while_an_axis_waits : assume always (not (begin_line and was_due and not (and last_ready)));
+  the_line_stays : assume always (started and not begin_line -> line_ticks = last_line_ticks);
+  a_line_has_ticks : assume always (begin_line -> line_ticks /= 0);
   settings_stay : assume always (started -> (guards = last_guards and both_edges = last_both_edges));
   positions_are_set_at_rest : assume always ((or set_position) -> not tick);
-  no_axis_is_ahead_and_behind : assume always ((ahead and behind) = (axes - 1 downto 0 => '0'));
 
   each_axis : for axis in 0 to axes - 1 generate
-    signal last_steps : ticks_t := (others => '0');
+    -- In this form Yosys sees that it is the same in the axis.
+    signal was_ready : std_ulogic := '1';
   begin
-    follow_line : process
+    remember_readiness : process
     begin
       wait until rising_edge(clk);
-      if begin_line then
-        last_steps <= steps(axis);
-      end if;
+      was_ready <= ready(axis);
     end process;
 
-    a_line_has_no_more_steps : assume always (last_begin -> last_steps <= line_ticks);
+    last_ready(axis) <= was_ready;
+
+    a_line_has_no_more_steps : assume always
+      (begin_line -> (steps(axis) <= line_ticks and first_errors(axis) < line_ticks));
 
     stepper : entity work.axis_stepper
       port map (
         clk => clk, reset => reset, guard => guards(axis), both_edges => both_edges(axis),
         begin_line => begin_line, steps => steps(axis), backward => backward(axis),
-        ahead => ahead(axis), behind => behind(axis), line_ticks => line_ticks, due => due,
-        ready => ready(axis), tick => tick, step => generated_step(axis),
+        first_error => first_errors(axis), line_ticks => line_ticks, ready => ready(axis),
+        was_due => was_due, tick => tick, step => generated_step(axis),
         direction => generated_direction(axis), busy => open, working => open,
         position => positions(axis), set_position => set_position(axis),
         new_position => new_position, stalls => open);
