@@ -44,8 +44,8 @@ void add_options(CLI::App& app, TimingOptions& options) {
 A function without a bound is listed with the place, the reason and a remedy.
 
 Exit status: 0 every function named has a bound, or none was named; 1 one has none, a task took
-longer than its bound, or there is a baud rate without a clock at which all deadlines hold; 2 bad
-usage or no such function.)");
+longer than its bound or its budget, or there is a baud rate without a clock at which all deadlines
+hold; 2 bad usage or no such function.)");
 }
 
 namespace {
@@ -55,7 +55,7 @@ int tasks_of(const timing::Program& program, const timing::Costs& costs,
   const auto rows = task_times(program, costs, options.tasks, options.seconds);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows, tasks_clock_hz));
   const bool holds = std::ranges::none_of(rows, [](const timing::TaskRow& row) {
-    return row.bound && row.measured.longest > *row.bound;
+    return row.measured.longest > std::min(row.bound.value_or(row.budget), row.budget);
   });
   return holds ? success : failure;
 }

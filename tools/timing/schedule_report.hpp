@@ -11,8 +11,8 @@
 
 namespace timing {
 
-// Clocks for which the table is made, and the serial line's rates for which there is an image
-// (tools/machine_generator/CMakeLists.txt).
+// Clocks for which the table is made, and rates of the serial line for which there is an image:
+// tools/machine_generator/CMakeLists.txt has them.
 inline constexpr std::uint32_t table_clocks_hz[] = {4'000'000, 8'000'000, 25'000'000, 50'000'000};
 std::vector<std::uint32_t> offered_baud_rates();
 

@@ -101,13 +101,14 @@ Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskR
 }
 
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {
-  std::string text = fmt::format("{:<40} {:>14} {:>14} {:>10} {:>8} {:>8}\n", "task",
-                                 "bound, clocks", "longest, clocks", "ms", "ratio", "times");
+  std::string text =
+      fmt::format("{:<40} {:>14} {:>14} {:>10} {:>8} {:>8} {:>8}\n", "task", "bound, clocks",
+                  "longest, clocks", "ms", "ratio", "times", "budget");
   for (const TaskRow& row : rows) {
     const std::string bound = row.bound ? fmt::format("{}", *row.bound) : "none";
     const double ms = 1000.0 * static_cast<double>(row.measured.longest) / clock_hz;
-    text += fmt::format("{:<40} {:>14} {:>14} {:>10.3f} {:>8} {:>8}\n", row.name, bound,
-                        row.measured.longest, ms, ratio_of(row), row.measured.calls);
+    text += fmt::format("{:<40} {:>14} {:>14} {:>10.3f} {:>8} {:>8} {:>8}\n", row.name, bound,
+                        row.measured.longest, ms, ratio_of(row), row.measured.calls, row.budget);
   }
   return text;
 }
@@ -117,7 +118,8 @@ std::string to_json(const std::vector<TaskRow>& rows) {
   for (const TaskRow& row : rows) {
     nlohmann::json task{{"name", row.name},
                         {"measured_clocks", row.measured.longest},
-                        {"times", row.measured.calls}};
+                        {"times", row.measured.calls},
+                        {"budget_clocks", row.budget}};
     if (row.bound) task["bound_clocks"] = *row.bound;
     list.push_back(task);
   }
