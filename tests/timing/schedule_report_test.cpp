@@ -75,6 +75,15 @@ std::uint64_t number_in(const std::string& file, const std::string& expression) 
   return std::stoull(match[1]);
 }
 
+// Its numbers are figures, but its names and deadlines are text.
+TEST(ScheduleReport, the_table_of_the_first_page_has_each_task) {
+  std::ostringstream text;
+  text << std::ifstream(PROJECT_DIRECTORY "/tools/figures/tables/readme_tasks.md").rdbuf();
+  for (const application::TaskRow& task : application::task_table) {
+    EXPECT_THAT(text.str(), HasSubstr("| " + std::string(task.name) + " | ")) << task.name;
+  }
+}
+
 TEST(ScheduleFacts, are_those_of_the_chip) {
   const Facts facts;
   EXPECT_EQ(facts.early_part,
