@@ -21,12 +21,9 @@ constexpr units::Milliseconds count_period{100};
 constexpr units::Milliseconds cooling_period{1000};
 constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
-// How long the loop sleeps if nothing wakes it. Segments are handed over with 40 ms in hand.
-constexpr std::uint32_t ticks_at_work = 2;
-constexpr std::uint32_t ticks_at_rest = 8;
-// The end of a line ends it too, and so many bytes without one: half of what a pass takes from the
-// FIFO (registers::uart::receive_depth).
-constexpr std::size_t wake_level = 64;
+// A tick of the clock is a millisecond.
+constexpr std::uint32_t ticks_at_work = task_timing::sleep_at_work.count();
+constexpr std::uint32_t ticks_at_rest = task_timing::sleep_at_rest.count();
 
 using units::Task;
 
@@ -126,7 +123,7 @@ bool Application::update() {
 // The events that end the sleep after this pass.
 void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
-  hardware_.uart.interrupt_on({.receive_level = wake_level, .line_end = true});
+  hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(at_rest ? ticks_at_rest : ticks_at_work));
 }
 

@@ -14,6 +14,7 @@
 #include "application/machine_description.hpp"
 #include "application/motion_task.hpp"
 #include "application/statistics.hpp"
+#include "application/task_timing.hpp"
 #include "application/tick_clock.hpp"
 #include "host_link/host_link.hpp"
 
@@ -45,8 +46,7 @@ class Application {
 
  private:
   void set_alarms();
-  // Bytes that a pass takes at most.
-  static constexpr std::size_t most_bytes = 128;
+  static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
   void exchange_bytes(Now now, std::size_t most = most_bytes);
   void receive(Now now, std::size_t most);
   bool refill();

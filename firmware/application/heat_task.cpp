@@ -7,6 +7,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "application/task_timing.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -20,7 +21,6 @@ constexpr std::int64_t discharge_time_constants = 11;
 constexpr std::int64_t charge_margin = 2;
 constexpr units::Microseconds pause{1'000};
 constexpr units::Microseconds gate_slot{2'000};
-constexpr units::Milliseconds watchdog_timeout{1'000};
 constexpr units::Milliseconds sensor_timeout{1'000};
 // The hardware cuts off beyond the software's own limits, so that the fault has its
 // proper name first.
@@ -134,7 +134,7 @@ void HeatTask::start() {
                     .pause = pause,
                     .short_limit = short_limit});
   control_.set_slot(gate_slot);
-  control_.set_timeouts(watchdog_timeout, sensor_timeout);
+  control_.set_timeouts(task_timing::heater_watchdog, sensor_timeout);
 }
 
 void HeatTask::update(Now now) {

@@ -48,7 +48,7 @@ class HostCommands {
  private:
   host_link::HostLink& link_;
   units::Milliseconds answer_due_{};  // of the user; 0: whenever
-  units::Milliseconds busy_interval_{2000};
+  units::Milliseconds busy_interval_{host_link::HostLink::longest_silence};
   units::Milliseconds host_silence_;
   units::Milliseconds inactivity_{};
   // M73, of the print; minutes.

@@ -18,16 +18,10 @@ static_assert(rate_floor_millihertz * motion::longest_tick.count() <= 1'000'000'
 // Shorter pulses on an end stop's line are noise.
 constexpr std::uint32_t end_stop_filter_ns = 2000;
 
-// No line is planned shorter. To hand one over takes about half of it, its registers included, and
-// the queue, which holds 10 lines of three phases, lasts longer than any pass of the loop.
-constexpr std::int64_t least_line_clocks = 16'000, fast_least_line_clocks = 9'600;
-constexpr std::int64_t lines_of_a_pass = 10;
-// So it does with ramps of two segments: a line with one has four, a line with two has five.
-static_assert(motion::SCurve::least_clocks * 3 >= 4 * least_line_clocks);
-static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * least_line_clocks);
-
-// A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
-constexpr std::uint32_t watchdog_ms = 200;
+// The queue lasts as long (task_timing::lines_of_a_pass) with ramps of two segments: a line with
+// one has four, a line with two has five.
+static_assert(motion::SCurve::least_clocks * 3 >= 4 * task_timing::least_line_clocks);
+static_assert(motion::SCurve::least_clocks * 2 * 3 >= 5 * task_timing::least_line_clocks);
 
 // A motor that stops dead swings about its place: if it reversed at once, it might lose steps.
 constexpr units::Milliseconds ringing_time{50};
@@ -65,10 +59,10 @@ motion::StepTiming timing_of(const MachineDescription& machine, units::Hertz clo
   const auto time_of = [clock](std::int64_t clocks) {
     return units::Microseconds(clocks * 1'000'000 / clock.count() + 1);
   };
-  const std::int64_t least_line = machine.fast ? fast_least_line_clocks : least_line_clocks;
+  const std::int64_t least_line = task_timing::least_line(machine.fast);
   motion::StepTiming timing{.clock = clock,
                             .least_line_time = time_of(least_line),
-                            .longest_pass = time_of(lines_of_a_pass * least_line)};
+                            .longest_pass = time_of(task_timing::lines_of_a_pass * least_line)};
   const auto guards = guards_of(machine, clock);
   for (std::size_t i = 0; i < units::axis_count; ++i) {
     timing.max_step_rate[i] = units::Hertz(clock.count() / (guards[i].high + guards[i].low));
@@ -136,6 +130,7 @@ bool MotionTask::start() {
        .filter_cycles = static_cast<std::uint16_t>(std::max<std::uint64_t>(filter, 1))});
   step_generator_.stop();  // update() learns where a program before this one has left the axes
   step_generator_.enable_stop_interrupt(true);
+  constexpr auto watchdog_ms = static_cast<std::uint32_t>(task_timing::motion_watchdog.count());
   step_generator_.set_watchdog(clock_.count() / 1000 * watchdog_ms);
   pace_.set_limits(machine_.limits);
   if (levels()) restore_levelling();

@@ -10,6 +10,7 @@
 
 #include "application/machine_description.hpp"
 #include "application/pace.hpp"
+#include "application/task_timing.hpp"
 #include "application/tick_clock.hpp"
 #include "drivers/end_stops.hpp"
 #include "drivers/step_generator.hpp"
@@ -36,7 +37,7 @@ class MotionTask {
   // generator has room for, if that is due.
   bool refill();
   // Calls of refill() in one pass; others wait for the next, so that a pass has a bound.
-  static constexpr unsigned most_refills = 32;
+  static constexpr unsigned most_refills = task_timing::lines_handed_over;
   unsigned refills_in_a_pass() const {
     constexpr unsigned shaped_refills = 12;
     return shapes() && shaping_->active() ? shaped_refills : most_refills;

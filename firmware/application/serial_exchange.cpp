@@ -11,9 +11,6 @@
 namespace application {
 namespace {
 
-// So much is handed over in any case: it lasts longer in motion than it takes to receive a line, to
-// answer it and to hand over the next, so that what has begun from rest does not run dry.
-constexpr unsigned lines_without_look = 2;
 constexpr std::size_t bytes_of_a_line = 32;
 
 }  // namespace
@@ -58,7 +55,7 @@ bool Application::refill() {
   for (unsigned lines = 1; more && !halted_ && lines <= most; ++lines) {
     handed_over.next();
     more = motion_.refill();
-    if ((more && lines < lines_without_look) || !hardware_.uart.line_waits()) continue;
+    if ((more && lines < task_timing::lines_without_look) || !hardware_.uart.line_waits()) continue;
     come = true;
     const Now now = clock_.update(hardware_.timer.now());
     {

@@ -92,6 +92,13 @@ class HostLink {
   // seconds longer.
   void work_goes_on();
 
+  // While a line waits the host hears something this often at least, until M113 sets another one:
+  // a busy message, if nothing else. It comes so much before its time, since a pass of the loop and
+  // the line take some.
+  static constexpr units::Milliseconds longest_silence{2000};
+  static constexpr units::Milliseconds busy_lead{50};
+  static constexpr std::size_t longest_busy_message = 28;  // with its end
+
   // M113. Zero turns the busy messages off.
   void set_busy_interval(units::Milliseconds interval) { busy_interval_ = interval; }
   // Accepted lines that are not yet answered, the one in hand included.
@@ -152,7 +159,7 @@ class HostLink {
   units::Milliseconds last_of_job_{};
   units::Milliseconds last_exchange_{};  // a byte in, or an ok or Resend out
   units::Milliseconds last_busy_{};
-  units::Milliseconds busy_interval_{2000};
+  units::Milliseconds busy_interval_{longest_silence};
 
   std::array<std::uint8_t, notice_count> notices_owed_{};
   std::uint8_t oks_owed_{};

@@ -20,8 +20,9 @@ constexpr std::size_t link_reserve = 96;
 
 constexpr std::uint8_t most_owed = 255;
 
-// Busy messages come so much before their time, since a pass of the loop and the line take some.
-constexpr units::Milliseconds busy_lead{50};
+constexpr std::string_view busy_begin = "echo:busy: ";
+constexpr std::string_view longest_reason = "paused for input";
+static_assert(busy_begin.size() + longest_reason.size() + 1 == HostLink::longest_busy_message);
 
 void count_up(std::uint8_t& owed, unsigned more) {
   owed = static_cast<std::uint8_t>(owed + more < most_owed ? owed + more : most_owed);
@@ -35,7 +36,7 @@ std::string_view busy_reason(Activity activity) {
     case Activity::paused_for_user:
       return "paused for user";
     case Activity::paused_for_input:
-      return "paused for input";
+      return longest_reason;
   }
   return "processing";
 }
@@ -193,7 +194,7 @@ void HostLink::keep_alive(Activity activity) {
     return;
   }
   if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_ - busy_lead) return;
-  if (transmit_.put_line({"echo:busy: ", busy_reason(activity)})) last_busy_ = now_;
+  if (transmit_.put_line({busy_begin, busy_reason(activity)})) last_busy_ = now_;
 }
 
 }  // namespace host_link

@@ -39,6 +39,16 @@ ExternalProject_Add(firmware_image
     machine_header_at_3000000)
 add_custom_target(firmware DEPENDS firmware_image)
 
+# Refuses a machine at whose clock (clock_mhz) the main loop misses a deadline. Off while tasks are without a bound, or have one
+# so high that the default machine would be refused.
+option(STEPFABRIC_CHECK_SCHEDULE "The firmware's build refuses a machine whose deadlines cannot be met" OFF)
+if(STEPFABRIC_CHECK_SCHEDULE)
+  set(zbb_flag $<$<STREQUAL:${chip_has_zbb},true>:--zbb>)
+  add_dependencies(firmware check_schedule)
+  add_custom_command(TARGET firmware POST_BUILD COMMAND check_schedule ${CMAKE_BINARY_DIR}/firmware/firmware.elf
+    ${STEPFABRIC_MACHINE} ${zbb_flag} COMMAND_EXPAND_LISTS VERBATIM)
+endif()
+
 # Of the same objects, built only where they are requested; one at a time, since all are builds in the same
 # folder.
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS firmware_folder=1)

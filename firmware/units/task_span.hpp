@@ -6,7 +6,9 @@
 
 namespace units {
 
+// In the order of a pass.
 enum class Task : std::uint32_t { motion, serial_line, commands, refill, heat, faults, reports };
+inline constexpr std::uint32_t task_count = 7;
 
 // From here to the end of the object. No instruction, only entries in a section that is not loaded.
 template <Task task>

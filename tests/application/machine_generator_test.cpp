@@ -95,6 +95,20 @@ TEST(machine_generator, names_whole_numbers_out_of_range) {
   }
 }
 
+TEST(machine_generator, refuses_a_clock_that_is_too_slow_for_the_serial_line) {
+  const std::string from = "kinematics = \"cartesian\"\n\n[serial]\nbaud = 250_000";
+  const auto complaint_at = [&](const std::string& mhz, const std::string& baud) {
+    return complaint(
+        from, "kinematics = \"cartesian\"\nclock_mhz = " + mhz + "\n\n[serial]\nbaud = " + baud);
+  };
+  EXPECT_THAT(complaint_at("4", "3_000_000"),
+              HasSubstr("clock_mhz: is too slow for a serial line of 3000000 baud, which needs 4 "
+                        "clocks for each bit: 12 at least, or a slower line"));
+  EXPECT_THAT(complaint_at("4", "1_000_000"), testing::IsEmpty());
+  EXPECT_THAT(complaint_at("12.5", "3_000_000"), testing::IsEmpty());
+  EXPECT_THAT(complaint_at("0.5", "9_600"), HasSubstr("clock_mhz: is 0.5, but must be 1 to 200"));
+}
+
 // It becomes a text of the firmware, which sends it to hosts in one line.
 TEST(machine_generator, names_a_name_that_is_no_line_of_ascii) {
   for (const char* name :

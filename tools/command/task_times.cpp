@@ -45,7 +45,9 @@ std::vector<timing::TaskRow> task_times(const timing::Program& program, const ti
     end_if_interrupted();
   }
   if (calls.strays() != 0) throw std::runtime_error("a function returned to no call of it");
-  return timing::task_rows(program, analysis, calls);
+  auto rows = timing::task_rows(program, analysis);
+  timing::add_measured(rows, calls);
+  return rows;
 }
 
 }  // namespace command

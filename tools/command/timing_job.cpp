@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
+#include "machine/machine.hpp"
 #include "sim/processor/timing_table.hpp"
 #include "tools/command/build.hpp"
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/task_times.hpp"
 #include "tools/timing/report.hpp"
+#include "tools/timing/schedule_report.hpp"
 
 namespace command {
 
@@ -29,6 +31,10 @@ void add_options(CLI::App& app, TimingOptions& options) {
           ->type_name("FILE.gcode")
           ->check(CLI::ExistingFile)
           ->excludes(functions);
+  job.add_flag("--schedule", options.schedule,
+               "list which deadlines hold at which clock and baud rate, and the lowest clock")
+      ->excludes(functions)
+      ->excludes(tasks);
   job.add_option("--until", options.seconds, "of the print, in simulated seconds")
       ->check(CLI::Range(0.1, 100'000.0))
       ->capture_default_str()
@@ -37,8 +43,9 @@ void add_options(CLI::App& app, TimingOptions& options) {
       R"(Clocks from the first instruction to the return, with all that is called, without sleep.
 A function without a bound is listed with the place, the reason and a remedy.
 
-Exit status: 0 every function named has a bound, or none was named; 1 one has none, or a task took
-longer than its bound; 2 bad usage or no such function.)");
+Exit status: 0 every function named has a bound, or none was named; 1 one has none, a task took
+longer than its bound or its budget, or there is a baud rate without a clock at which all deadlines
+hold; 2 bad usage or no such function.)");
 }
 
 namespace {
@@ -48,9 +55,18 @@ int tasks_of(const timing::Program& program, const timing::Costs& costs,
   const auto rows = task_times(program, costs, options.tasks, options.seconds);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows, tasks_clock_hz));
   const bool holds = std::ranges::none_of(rows, [](const timing::TaskRow& row) {
-    return row.bound && row.measured.longest > *row.bound;
+    return row.measured.longest > std::min(row.bound.value_or(row.budget), row.budget);
   });
   return holds ? success : failure;
+}
+
+int schedule_of(const timing::Program& program, const timing::Costs& costs, bool json) {
+  const auto& machine = machine::machine;
+  timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
+  const auto schedule = timing::schedule_of(
+      program, analysis, application::schedule_facts(machine.fast, machine.tools()));
+  say("{}", json ? timing::to_json(schedule) : timing::to_text(schedule));
+  return timing::is_schedulable(schedule) ? success : failure;
 }
 
 }  // namespace
@@ -60,6 +76,7 @@ int timing_of(const TimingOptions& options) {
   timing::Program program = timing::read_program(build_folder() / "firmware" / "firmware.elf");
   program.memory_bytes = CHIP_MEMORY_BYTES;
   const timing::Costs costs{processor::TimingTable()};
+  if (options.schedule) return schedule_of(program, costs, options.json);
   if (!options.tasks.empty()) return tasks_of(program, costs, options);
   const auto rows = timing::bounds(program, costs, CHIP_HAS_ZBB, options.functions);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows));

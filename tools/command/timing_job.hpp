@@ -16,6 +16,7 @@ struct TimingOptions {
   std::vector<std::string> functions;  // empty: all
   bool json = false;
   std::filesystem::path tasks;  // the print in which they are measured; empty: none
+  bool schedule = false;
   double seconds = 20;  // of that print
 };
 

@@ -2,9 +2,12 @@
 // Reads every entry with its type and range, in the firmware's units.
 #include "machine_generator/description.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/uart.hpp"
 #include "machine_generator/heater_description.hpp"
 #include "machine_generator/kinematics_description.hpp"
 #include "machine_generator/levelling_description.hpp"
@@ -21,6 +24,7 @@ constexpr std::int64_t farthest_offset_nanometers = 1'000'000'000;
 constexpr std::int64_t max_driver_ns = 100'000;
 constexpr std::int64_t end_stop_inputs = 8;
 constexpr std::int64_t least_memory_kib = 64, most_memory_kib = 256;
+constexpr std::int64_t least_clock_mhz = 1, most_clock_mhz = 200;
 constexpr std::int64_t max_silence_seconds = 24 * 3600;
 constexpr const char* s_curve_key = "s_curve_acceleration";
 
@@ -200,6 +204,19 @@ void read_shaping(Reader table, motion::ShapingSettings& settings) {
   table.finish();
 }
 
+// Whether the firmware meets its deadlines with it only its image shows (tools/timing).
+std::uint32_t read_clock(Reader& root, std::uint32_t baud) {
+  constexpr std::int64_t hz_per_mhz = 1'000'000;
+  const auto hz = static_cast<std::uint32_t>(root.scaled(
+      "clock_mhz", hz_per_mhz, least_clock_mhz * hz_per_mhz, most_clock_mhz * hz_per_mhz));
+  if (!drivers::Uart::increment(baud, units::Hertz(hz))) {
+    root.fail("clock_mhz", fmt::format("is too slow for a serial line of {} baud, which needs 4 "
+                                       "clocks for each bit: {} at least, or a slower line",
+                                       baud, 4.0 * baud / hz_per_mhz));
+  }
+  return hz;
+}
+
 }  // namespace
 
 Machine read_machine(const toml::table& table, const std::filesystem::path& file) {
@@ -217,6 +234,7 @@ Machine read_machine(const toml::table& table, const std::filesystem::path& file
     machine.description.fast = machine.memory_bytes >= application::fast_memory_bytes;
   }
   read_serial(root.table("serial"), machine.description);
+  if (root.has("clock_mhz")) machine.clock_hz = read_clock(root, machine.description.baud);
   read_axes(root.table("axes"), root.table("drivers"), machine.description);
   read_kinematics(root, machine.description);
   read_motion(root.table("motion"), machine.description.limits);

@@ -17,6 +17,7 @@ namespace machine_generator {
 struct Machine {
   std::string name;
   std::optional<std::uint32_t> memory_bytes{};  // that its chip must have; none: the default's
+  std::optional<std::uint32_t> clock_hz{};  // of its chip; none: not said
   std::optional<motion::LevellingSettings> levelling{};
   Parts parts{};
   application::MachineDescription description{};  // but for its name and for what it points to

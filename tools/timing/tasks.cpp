@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of tasks, as Application::update() calls them.
+// The tasks of the table (firmware/application/task_table.hpp) in an image.
 #include "tools/timing/tasks.hpp"
 
 #include <fmt/format.h>
@@ -13,14 +13,12 @@ namespace timing {
 
 namespace {
 
-// In the order of units::Task.
-constexpr const char* names[] = {
-    "motion: stops, homing",  "serial line: lines in, their answers",
-    "commands: one of them",  "refill: segments to the step generator",
-    "heat: sensors, heaters", "faults",
-    "reports at intervals",
-};
+using units::Task;
+
 constexpr std::uint32_t pass = 1'000;
+constexpr std::uint32_t task_count = units::task_count;
+
+const application::TaskRow& row_of(std::uint32_t task) { return application::task_table[task]; }
 
 struct Places {
   std::set<Address> begins, ends;
@@ -33,7 +31,7 @@ Places places_of(const Program& program, std::uint32_t task) {
     (marker.is_end != 0 ? places.ends : places.begins).insert(marker.address);
   }
   if (places.begins.empty() || places.ends.empty()) {
-    throw std::runtime_error(fmt::format("the image does not mark the task {}", names[task]));
+    throw std::runtime_error(fmt::format("the image does not mark the task {}", row_of(task).name));
   }
   return places;
 }
@@ -55,34 +53,62 @@ std::string ratio_of(const TaskRow& row) {
 void watch_tasks(const Program& program, Analysis& analysis, Calls& calls) {
   const Address start = analysis.round_start(main_of(program));
   calls.watch(pass, {start}, {start});
-  for (std::uint32_t task = 0; task < std::size(names); ++task) {
+  for (std::uint32_t task = 0; task < task_count; ++task) {
     const Places places = places_of(program, task);
     calls.watch(task, places.begins, places.ends);
   }
 }
 
-std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis, const Calls& calls) {
+std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis) {
+  Clocks all = 0;
+  for (const application::TaskRow& row : application::task_table) all += row.budget;
   std::vector<TaskRow> rows{{.name = "the pass over all tasks",
                              .bound = analysis.round(main_of(program)),
-                             .measured = calls.span(pass)}};
-  for (std::uint32_t task = 0; task < std::size(names); ++task) {
+                             .budget = all,
+                             .measured = {}}};
+  for (std::uint32_t task = 0; task < task_count; ++task) {
     const Places places = places_of(program, task);
     const Address function = program.function_at(*places.begins.begin());
-    rows.push_back({.name = names[task],
+    rows.push_back({.name = std::string(row_of(task).name),
                     .bound = analysis.span(function, places.begins, places.ends),
-                    .measured = calls.span(task)});
+                    .budget = row_of(task).budget,
+                    .measured = {}});
   }
   return rows;
 }
 
+void add_measured(std::vector<TaskRow>& rows, const Calls& calls) {
+  rows.at(0).measured = calls.span(pass);
+  for (std::uint32_t task = 0; task < task_count; ++task) {
+    rows.at(1 + task).measured = calls.span(task);
+  }
+}
+
+Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows) {
+  const Address main = main_of(program);
+  const Address start = analysis.round_start(main);
+  Load load{.pass = rows.at(0).bound, .begins = {}, .ends = {}, .line = {}};
+  const auto handing_over = program.find("MotionTask::refill");  // where it is not inlined
+  if (handing_over.size() == 1) load.line = analysis.bound(handing_over[0]);
+  for (std::uint32_t task = 0; task < task_count; ++task) {
+    const Places places = places_of(program, task);
+    // Where the compiler has not inlined the loop's body there is no way within one function.
+    if (program.function_at(*places.begins.begin()) != main) continue;
+    load.begins[task] = analysis.span(main, {start}, places.begins);
+    load.ends[task] = analysis.span(main, {start}, places.ends);
+  }
+  return load;
+}
+
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {
-  std::string text = fmt::format("{:<40} {:>14} {:>14} {:>10} {:>8} {:>8}\n", "task",
-                                 "bound, clocks", "longest, clocks", "ms", "ratio", "times");
+  std::string text =
+      fmt::format("{:<40} {:>14} {:>14} {:>10} {:>8} {:>8} {:>8}\n", "task", "bound, clocks",
+                  "longest, clocks", "ms", "ratio", "times", "budget");
   for (const TaskRow& row : rows) {
     const std::string bound = row.bound ? fmt::format("{}", *row.bound) : "none";
     const double ms = 1000.0 * static_cast<double>(row.measured.longest) / clock_hz;
-    text += fmt::format("{:<40} {:>14} {:>14} {:>10.3f} {:>8} {:>8}\n", row.name, bound,
-                        row.measured.longest, ms, ratio_of(row), row.measured.calls);
+    text += fmt::format("{:<40} {:>14} {:>14} {:>10.3f} {:>8} {:>8} {:>8}\n", row.name, bound,
+                        row.measured.longest, ms, ratio_of(row), row.measured.calls, row.budget);
   }
   return text;
 }
@@ -92,7 +118,8 @@ std::string to_json(const std::vector<TaskRow>& rows) {
   for (const TaskRow& row : rows) {
     nlohmann::json task{{"name", row.name},
                         {"measured_clocks", row.measured.longest},
-                        {"times", row.measured.calls}};
+                        {"times", row.measured.calls},
+                        {"budget_clocks", row.budget}};
     if (row.bound) task["bound_clocks"] = *row.bound;
     list.push_back(task);
   }

@@ -7,20 +7,26 @@
 #include <vector>
 
 #include "tools/timing/calls.hpp"
+#include "tools/timing/schedule.hpp"
 
 namespace timing {
 
 struct TaskRow {
   std::string name;
   std::optional<Clocks> bound;
+  Clocks budget{};
   Calls::Measured measured;
 };
 
 // Has the pass and its tasks measured. Throws std::runtime_error where the image lacks marks.
 void watch_tasks(const Program& program, Analysis& analysis, Calls& calls);
 
-// The pass first, then its tasks in their order (firmware/units/task_span.hpp).
-std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis, const Calls& calls);
+// The pass first, then its tasks in their order; nothing is measured yet.
+std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis);
+void add_measured(std::vector<TaskRow>& rows, const Calls& calls);
+
+// What schedule.hpp needs of the image.
+Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows);
 
 // At so many clocks per second.
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz);

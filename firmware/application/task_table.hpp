@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tasks of the main loop and what they must not miss. From this table come the page tasks.md,
+// the analysis of the schedule (tools/timing) and the check of the times that are measured.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "application/task_timing.hpp"
+#include "host_link/host_link.hpp"
+#include "motion/planner.hpp"
+#include "registers/heater_control_registers.hpp"
+#include "registers/uart_registers.hpp"
+#include "thermal/heater_loop.hpp"
+#include "units/task_span.hpp"
+
+namespace application {
+
+// By the first of these that is over; what is 0 does not count.
+struct Deadline {
+  units::Milliseconds time{};
+  std::int64_t clocks{};
+  std::uint32_t bytes{};  // on the serial line
+};
+
+struct TaskRow {
+  units::Task task;
+  std::string_view name;
+  units::Milliseconds period;  // 0: each pass
+  Deadline deadline;
+  std::uint32_t budget;  // clocks
+  std::uint8_t priority;  // 1 comes first in a pass
+  std::string_view reason;  // of the deadline
+};
+
+// M112 has stopped motion and heat after this time, however much waits before it. What must be
+// faster has the emergency stop input, which is hardware and needs no program.
+inline constexpr units::Milliseconds stop_within{500};
+
+inline constexpr std::array<TaskRow, units::task_count> task_table{{
+    {.task = units::Task::motion,
+     .name = "motion: stops, homing",
+     .period = {},
+     .deadline = {.time = task_timing::motion_watchdog},
+     .budget = 12'000,
+     .priority = 1,
+     .reason = "motion's watchdog stops all axes"},
+    {.task = units::Task::serial_line,
+     .name = "serial line: lines in, their answers",
+     .period = {},
+     .deadline = {.time = host_link::HostLink::longest_silence,
+                  .bytes = registers::uart::receive_depth},
+     .budget = 40'000,
+     .priority = 2,
+     .reason = "the FIFO of received bytes is full; a host hears nothing; M112 waits"},
+    {.task = units::Task::commands,
+     .name = "commands: one of them",
+     .period = {},
+     .deadline = {.time = host_link::HostLink::longest_silence},
+     .budget = 40'000,
+     .priority = 3,
+     .reason = "a host hears nothing"},
+    {.task = units::Task::refill,
+     .name = "refill: segments to the step generator",
+     .period = {},
+     .deadline = {.time = units::Milliseconds(motion::Planner::horizon.count() / 1000),
+                  .clocks = task_timing::lines_of_a_pass * task_timing::least_line_clocks},
+     .budget = 60'000,
+     .priority = 4,
+     .reason = "motion that has been handed over ends"},
+    {.task = units::Task::heat,
+     .name = "heat: sensors, heaters",
+     .period = thermal::HeaterLoop::period,
+     .deadline = {.time = task_timing::heater_watchdog},
+     .budget = 20'000,
+     .priority = 5,
+     .reason = "the heaters' watchdog opens their supply, also where it is fed too early"},
+    {.task = units::Task::faults,
+     .name = "faults",
+     .period = {},
+     .deadline = {.time = stop_within},
+     .budget = 6'000,
+     .priority = 6,
+     .reason = "motion and heat go on after a fault that software alone detects"},
+    {.task = units::Task::reports,
+     .name = "reports at intervals",
+     .period = units::Milliseconds(100),
+     .deadline = {},
+     .budget = 12'000,
+     .priority = 7,
+     .reason = ""},
+}};
+
+// The table is in the order of the pass, which is that of its priorities.
+static_assert([] {
+  for (std::size_t i = 0; i < task_table.size(); ++i) {
+    if (static_cast<std::size_t>(task_table[i].task) != i) return false;
+    if (task_table[i].priority != i + 1) return false;
+  }
+  return true;
+}());
+
+// What the deadlines follow from: each number from where the task or the hardware has it.
+struct ScheduleFacts {
+  // Serial line.
+  std::uint64_t receive_depth = registers::uart::receive_depth;
+  std::uint64_t bytes_of_a_look = task_timing::bytes_of_a_look;
+  std::uint64_t wake_level = task_timing::wake_level;
+  std::uint64_t frame_bits = 10;  // start bit, 8 data bits, stop bit
+  std::uint64_t fast_sender_percent =
+      103;  // the receiver follows no faster one (uart_receiver.vhd)
+  std::uint64_t bytes_of_a_line = host_link::max_line_length + 2;  // both line ends
+  // A host sends no more before it has an answer: the lines of the queue, and one that needs no
+  // turn, such as M112.
+  std::uint64_t unanswered_bytes = (host_link::LineQueue::capacity + 1) * bytes_of_a_line;
+  std::uint64_t busy_message_bytes = host_link::HostLink::longest_busy_message;
+  std::uint64_t busy_lead_ms = host_link::HostLink::busy_lead.count();
+  std::uint64_t stop_within_ms = stop_within.count();
+  // The loop's sleep.
+  std::uint64_t sleep_ms = task_timing::sleep_at_rest.count();
+  // Motion.
+  std::uint64_t horizon_ms = motion::Planner::horizon.count() / 1000;
+  std::uint64_t least_line_clocks = task_timing::least_line_clocks;
+  std::uint64_t lines_of_a_pass = task_timing::lines_of_a_pass;
+  std::uint64_t lines_without_look = task_timing::lines_without_look;
+  std::uint64_t motion_watchdog_ms = task_timing::motion_watchdog.count();
+  // Heat.
+  std::uint64_t heat_period_ms = thermal::HeaterLoop::period.count();
+  std::uint64_t last_heater_ms = thermal::HeaterLoop::period.count() / 2;  // after the first one
+  std::uint64_t heater_watchdog_ms = task_timing::heater_watchdog.count();
+  std::uint64_t early_part = 16;  // of the watchdog's time is too early (feed_watchdog.vhd)
+  std::uint64_t heater_tick_clocks = registers::heater_control::tick_cycles;
+};
+
+constexpr ScheduleFacts schedule_facts(bool is_fast, std::size_t tools) {
+  ScheduleFacts facts;
+  facts.least_line_clocks = static_cast<std::uint64_t>(task_timing::least_line(is_fast));
+  facts.last_heater_ms = facts.heat_period_ms * tools / (tools + 1);
+  return facts;
+}
+
+// A host that waits for its answers cannot fill the FIFO.
+static_assert(ScheduleFacts().unanswered_bytes <= ScheduleFacts().receive_depth);
+
+}  // namespace application

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Percentages of what is allowed, one table for each baud rate.
+#include "tools/timing/schedule_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace timing {
+
+namespace {
+
+constexpr std::uint32_t rates[] = {OFFERED_BAUD_RATES};
+
+std::string cell(const Response& response) {
+  if (!response.is_bounded) return "no bound";
+  auto part = static_cast<double>(*response.worst);
+  auto whole = static_cast<double>(response.allowed);
+  if (response.is_least) std::swap(part, whole);
+  const std::string percent = whole == 0 ? "-" : fmt::format("{:.0f} %", 100 * part / whole);
+  return response.holds ? percent : "no: " + percent;
+}
+
+std::string table(const Schedule& schedule, std::uint32_t baud) {
+  std::string text = fmt::format("{:<46}", fmt::format("{} baud, of what is allowed", baud));
+  for (const std::uint32_t hz : table_clocks_hz) {
+    text += fmt::format("{:>13}", fmt::format("{} MHz", hz / 1'000'000));
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < requirement_count; ++i) {
+    const auto requirement = static_cast<Requirement>(i);
+    text += fmt::format("{:<46}", row_of(requirement).name);
+    for (const std::uint32_t hz : table_clocks_hz) {
+      const auto response = respond(requirement, schedule.facts, schedule.load, {hz, baud});
+      text += fmt::format("{:>13}", cell(response));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string range_text(const ClockRange& range) {
+  if (range.is_empty()) {
+    return fmt::format("no clock: {} needs {} Hz at least, {} {} Hz at most",
+                       row_of(*range.slower_fails).name, range.lowest_hz,
+                       row_of(*range.faster_fails).name, range.highest_hz);
+  }
+  std::string text = fmt::format("lowest clock {} Hz", range.lowest_hz);
+  if (range.slower_fails) text += fmt::format(" ({})", row_of(*range.slower_fails).name);
+  if (range.faster_fails) {
+    text += fmt::format(", highest {} Hz ({})", range.highest_hz, row_of(*range.faster_fails).name);
+  }
+  return text;
+}
+
+nlohmann::json to_json(const Response& response, Rate rate) {
+  nlohmann::json entry{{"requirement", row_of(response.requirement).name},
+                       {"clock_hz", rate.clock_hz},
+                       {"baud", rate.baud},
+                       {"holds", response.holds},
+                       {"bounded", response.is_bounded}};
+  if (!response.is_bounded) return entry;
+  entry["worst"] = *response.worst;
+  entry["allowed"] = response.allowed;
+  entry["unit"] = row_of(response.requirement).unit;
+  return entry;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> offered_baud_rates() { return {std::begin(rates), std::end(rates)}; }
+
+Schedule schedule_of(const Program& program, Analysis& analysis, const Facts& facts) {
+  Schedule schedule{.facts = facts, .load = {}, .rows = task_rows(program, analysis)};
+  schedule.load = load_of(program, analysis, schedule.rows);
+  return schedule;
+}
+
+std::vector<std::string> missing_bounds(const std::vector<TaskRow>& rows) {
+  std::vector<std::string> missing;
+  for (const TaskRow& row : rows) {
+    if (!row.bound) missing.push_back(fmt::format("\"{}\" has no bound", row.name));
+  }
+  return missing;
+}
+
+Load bounded_part(const std::vector<TaskRow>& rows) {
+  Load load;
+  Clocks sum = 0;
+  for (std::size_t task = 0; task < units::task_count; ++task) {
+    load.begins[task] = sum;
+    sum += rows.at(1 + task).bound.value_or(0);
+    load.ends[task] = sum;
+  }
+  load.pass = sum;
+  load.line = 0;
+  return load;
+}
+
+std::vector<std::string> refusals(const Schedule& schedule, Rate rate) {
+  const bool is_whole = schedule.load.pass.has_value();
+  const Load load = is_whole ? schedule.load : bounded_part(schedule.rows);
+  std::vector<std::string> reasons;
+  for (const Response& response : respond(schedule.facts, load, rate)) {
+    if (!response.holds) reasons.push_back(response.text());
+  }
+  return reasons;
+}
+
+bool is_schedulable(const Schedule& schedule) {
+  return missing_bounds(schedule.rows).empty() &&
+         std::ranges::none_of(rates, [&](std::uint32_t baud) {
+           return clocks_that_hold(schedule.facts, schedule.load, baud).is_empty();
+         });
+}
+
+std::string to_text(const Schedule& schedule) {
+  std::string text;
+  for (const std::string& reason : missing_bounds(schedule.rows)) {
+    text += "not schedulable: " + reason + "\n";
+  }
+  if (!schedule.load.pass) {
+    text += "what follows is that of the tasks with a bound alone: a yes is no proof\n";
+  }
+  Schedule shown = schedule;
+  if (!schedule.load.pass) shown.load = bounded_part(schedule.rows);
+  for (const std::uint32_t baud : rates) {
+    text += "\n" + table(shown, baud);
+    text += range_text(clocks_that_hold(shown.facts, shown.load, baud)) + "\n";
+  }
+  return text;
+}
+
+std::string to_json(const Schedule& schedule) {
+  auto responses = nlohmann::json::array(), clocks = nlohmann::json::array();
+  for (const std::uint32_t baud : rates) {
+    for (const std::uint32_t hz : table_clocks_hz) {
+      for (const Response& each : respond(schedule.facts, schedule.load, {hz, baud})) {
+        responses.push_back(to_json(each, {hz, baud}));
+      }
+    }
+    if (!schedule.load.pass) continue;
+    const ClockRange range = clocks_that_hold(schedule.facts, schedule.load, baud);
+    clocks.push_back({{"baud", baud},
+                      {"schedulable", !range.is_empty()},
+                      {"lowest_hz", range.lowest_hz},
+                      {"highest_hz", range.highest_hz},
+                      {"reason", range_text(range)}});
+  }
+  nlohmann::json all = nlohmann::json::parse(to_json(schedule.rows));
+  all["missing_bounds"] = missing_bounds(schedule.rows);
+  all["responses"] = responses;
+  all["clocks"] = clocks;
+  return all.dump(2) + "\n";
+}
+
+}  // namespace timing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The schedule as a text and as JSON: which requirements hold at which clock and baud rate, and the
+// lowest clock at which all do.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/timing/tasks.hpp"
+
+namespace timing {
+
+// Clocks for which the table is made, and rates of the serial line for which there is an image:
+// tools/machine_generator/CMakeLists.txt has them.
+inline constexpr std::uint32_t table_clocks_hz[] = {4'000'000, 8'000'000, 25'000'000, 50'000'000};
+std::vector<std::uint32_t> offered_baud_rates();
+
+struct Schedule {
+  Facts facts;
+  Load load;
+  std::vector<TaskRow> rows;
+};
+
+// Of the image. Throws std::runtime_error where it lacks marks.
+Schedule schedule_of(const Program& program, Analysis& analysis, const Facts& facts);
+
+// "the task reports at intervals has no bound", for each that has none, and for the pass.
+std::vector<std::string> missing_bounds(const std::vector<TaskRow>& rows);
+
+// A pass of nothing but the tasks that have a bound: what it misses, the whole one misses too.
+Load bounded_part(const std::vector<TaskRow>& rows);
+
+// Why the loop is not schedulable at one rate, a line for each reason. Where the pass has no bound,
+// only what the tasks with a bound miss by themselves.
+std::vector<std::string> refusals(const Schedule& schedule, Rate rate);
+
+// Everything has a bound, and at each offered baud rate there is a clock at which all holds.
+bool is_schedulable(const Schedule& schedule);
+
+std::string to_text(const Schedule& schedule);
+std::string to_json(const Schedule& schedule);
+
+}  // namespace timing
