@@ -3,6 +3,7 @@
 
 library ieee;
 use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
 
 entity ulx3s is
   generic (
@@ -24,6 +25,7 @@ entity ulx3s is
     ftdi_ndtr : in std_ulogic;
     -- High, or the board's radio module takes over.
     wifi_gpio0 : out std_ulogic;
+    -- Fault, busy, five motors, a blink that shows the clock.
     led : out std_ulogic_vector(7 downto 0);
     -- Low through a closed switch, high by its pull: stops when the switch opens or its wire breaks.
     emergency_stop : in std_ulogic;
@@ -102,6 +104,7 @@ architecture rtl of ulx3s is
   signal drive_enable, drive_level : std_ulogic_vector(5 downto 0);
   signal watch_clk, supply_closed, supply_wanted, supply_veto : std_ulogic;
   signal fault, sleeping : std_ulogic;
+  signal blink : unsigned(24 downto 0) := (others => '0');
 
 begin
 
@@ -124,6 +127,7 @@ begin
   begin
     wait until rising_edge(clk);
     reset_done <= reset_done(14 downto 0) & locked;
+    blink <= blink + 1;
   end process;
   released <= reset_done(15);
 
@@ -184,7 +188,7 @@ begin
     sensor_resistor(pin) <= drive_level(pin) when drive_enable(pin) and released else 'Z';
   end generate;
 
-  led <= (0 => fault, 1 => not sleeping, 6 downto 2 => motor_enable, 7 => locked);
+  led <= (0 => fault, 1 => not sleeping, 6 downto 2 => motor_enable, 7 => blink(24));
   wifi_gpio0 <= '1';
 
 end architecture;

@@ -109,7 +109,7 @@ class StepGenerator {
   // Only when idle: false, and nothing done, otherwise.
   [[nodiscard]] bool set_position(units::Axis axis, std::int32_t steps);
 
-  // Stops at once: no step from now on, the queue is flushed. Lasts until acknowledge_stop().
+  // Stops at once: no tick from now on, the queue is flushed. Lasts until acknowledge_stop().
   void stop();
   // Comes to rest along the path by the brake's slope, then as stop(). An end stop of the present
   // segment ends it at once, except the one that started it, until that is released.

@@ -94,7 +94,7 @@ struct Command {
   static constexpr std::uint32_t positions_known_mask = 1u << positions_known_bit;
   // Forget the queue and a segment being written; the one being executed is finished.
   bool flush{};
-  // Software's emergency stop: no step after this clock, queue flushed.
+  // Software's emergency stop: no tick from this clock on, queue flushed.
   bool stop{};
   // Permit motion again after a stop; without effect while the emergency stop input is active, and together with stop or brake.
   bool acknowledge_stop{};
@@ -416,7 +416,7 @@ struct SegmentFlags {
   bool stop_on_change{};
   // The end stops of stop_mask count when released, not when triggered.
   bool stop_on_release{};
-  // The end stops of stop_mask brake by brake_slope; otherwise, and where it brakes already, no step is made from their clock on.
+  // The end stops of stop_mask brake by brake_slope; otherwise, and where it brakes already, no tick is made from their clock on.
   bool stop_brakes{};
   // Begin from rest, and only at a rising edge of the start input or at the command start.
   bool waits_for_start{};

@@ -69,39 +69,50 @@ architecture rtl of axis_stepper is
   signal step_wanted : std_ulogic := '0';
   signal was_ready : std_ulogic := '1';
 
-  -- Clocks left of the pulse (step = 1) or of the pause after it (step = 0).
-  signal pulse_left : guard_clocks_t := (others => '0');
-  -- Clocks left of the direction's set-up (setting_up = 1) or hold time.
-  signal direction_left : guard_clocks_t := (others => '0');
+  -- Of the pulse (step = 1) or of the pause after it (step = 0).
+  signal pulse_left, pulse_clocks : guard_clocks_t;
+  signal pulse_begins, pulse_over, pulse_ending : std_ulogic;
+  -- Of the direction's set-up (setting_up = 1) or hold time.
+  signal direction_left, direction_clocks : guard_clocks_t;
+  signal direction_begins, direction_over, direction_ending : std_ulogic;
   signal setting_up : std_ulogic := '0';
+  signal turns : std_ulogic;
+  -- A time of one clock. Settings of the clock before: they change at rest.
+  signal low_is_short, setup_is_short : std_ulogic := '0';
   -- Pulse and direction allow a step in the next clock.
   signal pulse_allows, direction_allows : std_ulogic;
+  signal makes_step : std_ulogic;
   -- Whether a step is legal in this clock, for the properties.
   signal legal : std_ulogic;
 
-  function less_one(clocks : guard_clocks_t) return guard_clocks_t is
-  begin
-    if clocks = 0 then
-      return clocks;
-    end if;
-    return clocks - 1;
-  end function;
-
 begin
 
-  legal <= '1' when (step = '0' or both_edges = '1') and pulse_left = 0 and
-    direction = wanted_direction and (setting_up = '0' or direction_left = 0) else '0';
+  turns <= direction xor wanted_direction;
+  legal <= (not step or both_edges) and pulse_over and not turns and (not setting_up or direction_over);
   -- At most one clock is left of the pulse and of the pause after it, and at most one of the direction's hold
   -- and set-up times.
-  pulse_allows <= '1' when pulse_left <= 1 and
-    (step = '0' or both_edges = '1' or (pulse_left = 0 and guard.low <= 1)) else '0';
-  direction_allows <= '1' when
-    (direction = wanted_direction and (setting_up = '0' or direction_left <= 1)) or
-    (direction /= wanted_direction and direction_left = 0 and guard.direction_setup <= 1) else '0';
+  pulse_allows <= pulse_ending and (not step or both_edges or (pulse_over and low_is_short));
+  direction_allows <= (not turns and (not setting_up or direction_ending)) or
+                      (turns and direction_over and setup_is_short);
   ready <= (pulse_allows and direction_allows) or not step_wanted;
-  busy <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 else '0';
-  working <= '1' when (step = '1' and both_edges = '0') or pulse_left /= 0 or direction_left /= 0 or
-    direction /= wanted_direction else '0';
+  busy <= (step and not both_edges) or not pulse_over;
+  working <= busy or not direction_over or turns;
+
+  makes_step <= tick and step_wanted;
+  pulse_begins <= makes_step or (pulse_over and step and not both_edges);
+  pulse_clocks <= guard.low when step = '1' else guard.high;
+  direction_begins <= makes_step or (direction_over and turns);
+  direction_clocks <= guard.direction_hold when makes_step = '1' else guard.direction_setup;
+
+  pulse_timer : entity work.guard_timer
+    port map (
+      clk => clk, reset => reset, start => pulse_begins, clocks => pulse_clocks,
+      left => pulse_left, over => pulse_over, ending => pulse_ending);
+
+  direction_timer : entity work.guard_timer
+    port map (
+      clk => clk, reset => reset, start => direction_begins, clocks => direction_clocks,
+      left => direction_left, over => direction_over, ending => direction_ending);
 
   -- Computes the next tick in the clock of a tick.
   share_ticks : process
@@ -136,30 +147,23 @@ begin
   begin
     wait until rising_edge(clk);
 
-    if pulse_left /= 0 then
-      pulse_left <= pulse_left - 1;
-    elsif step and not both_edges then
+    low_is_short <= guard.low ?<= 1;
+    setup_is_short <= guard.direction_setup ?<= 1;
+
+    if makes_step then
+      step <= not step;
+    elsif pulse_begins then
       step <= '0';
-      pulse_left <= less_one(guard.low);
     end if;
 
-    if direction_left /= 0 then
-      direction_left <= direction_left - 1;
-    elsif direction /= wanted_direction then
+    if makes_step then
+      setting_up <= '0';
+    elsif direction_begins then
       direction <= wanted_direction;
-      direction_left <= less_one(guard.direction_setup);
       setting_up <= '1';
     end if;
 
-    if tick and step_wanted then
-      step <= not step;
-      if step then
-        pulse_left <= less_one(guard.low);
-      else
-        pulse_left <= less_one(guard.high);
-      end if;
-      direction_left <= less_one(guard.direction_hold);
-      setting_up <= '0';
+    if makes_step then
       if direction then
         position <= position - 1;
       else
@@ -178,17 +182,14 @@ begin
     if reset then
       step <= '0';
       direction <= '0';
-      pulse_left <= (others => '0');
-      direction_left <= (others => '0');
       position <= (others => '0');
       stalls <= (others => '0');
     end if;
   end process;
 
   -- psl default clock is rising_edge(clk);
-  -- psl every_step_is_legal : assert always ((tick and step_wanted) -> legal) abort reset;
-  -- psl an_idle_axis_makes_no_step : assert always
-  --   ((tick and step_wanted) -> line_steps /= 0) abort reset;
+  -- psl every_step_is_legal : assert always (makes_step -> legal) abort reset;
+  -- psl an_idle_axis_makes_no_step : assert always (makes_step -> line_steps /= 0) abort reset;
   -- psl direction_stands_still_forward : assert always
   --   ((step = '0' and direction = '0') -> next (step = '0' or direction = '0')) abort reset;
   -- psl direction_stands_still_backward : assert always

@@ -290,10 +290,11 @@ begin
   stops : entity work.stop_latch
     port map (
       clk => clk, reset => reset, active => moving, stop_on => stop_on,
-      end_stops => end_stops, emergency_stop => emergency_stop,
-      watchdog_expired => watchdog_expired, software_stop => software_stop,
-      software_brake => software_brake, acknowledge => acknowledge_stop, standing => standing,
-      no_ramp => no_ramp, hit => hit, braking => braking, stop => stop, stop_begins => stop_begins,
-      stopped => stopped, closed => closed, cause => stop_cause, watching => watching);
+      end_stops => end_stops, emergency_stop => emergency_stop, watchdog_expired => watchdog_expired,
+      software_stop => software_stop, software_brake => software_brake, acknowledge => acknowledge_stop,
+      -- A base at rest has nothing left to brake.
+      standing => standing or not early_active, no_ramp => no_ramp, hit => hit, braking => braking,
+      stop => stop, stop_begins => stop_begins, stopped => stopped, closed => closed, cause => stop_cause,
+      watching => watching);
 
 end architecture;

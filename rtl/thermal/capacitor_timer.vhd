@@ -69,6 +69,8 @@ architecture rtl of capacitor_timer is
   signal limit : cycles_t;
   -- These clocks have passed. Known from the clock before, to keep two carry chains off what a phase ends.
   signal over : std_ulogic := '0';
+  -- Phases of no clocks, known from the clock before as well: a change of the settings restarts.
+  signal no_discharge, no_timeout, no_pause : std_ulogic := '0';
   signal precharge_cycles : unsigned(15 downto 0) := (others => '0');
   signal sum : unsigned(31 downto 0) := (others => '0');
   signal low_sum : unsigned(31 downto 0) := (others => '0');
@@ -94,37 +96,34 @@ architecture rtl of capacitor_timer is
     return thermistor;
   end function;
 
-  function limit_of(timed : phase_t; asked : converter_settings_t; precharge : unsigned(15 downto 0))
-    return cycles_t is
-  begin
-    case timed is
-      when emptying => return asked.discharge_cycles;
-      when precharging => return x"00" & (precharge - 1);
-      when charging => return asked.timeout_cycles;
-      when off | pausing | publishing => return asked.pause_cycles;
-    end case;
-  end function;
-
 begin
 
   elapsed <= seen_cycles - first_cycle;
 
-  limit <= limit_of(phase, settings, precharge_cycles);
+  choose_limit : process (all)
+  begin
+    case phase is
+      when emptying => limit <= settings.discharge_cycles;
+      when precharging => limit <= x"00" & (precharge_cycles - 1);
+      when charging => limit <= settings.timeout_cycles;
+      when off | pausing | publishing => limit <= settings.pause_cycles;
+    end case;
+  end process;
 
   convert : process
     variable next_sum : unsigned(31 downto 0);
 
-    procedure begin_phase(next_phase : phase_t) is
+    procedure begin_phase(next_phase : phase_t; without_clocks : std_ulogic) is
     begin
       phase <= next_phase;
       first_cycle <= seen_cycles + 1;
-      over <= '1' when limit_of(next_phase, settings, precharge_cycles) = 0 else '0';
+      over <= without_clocks;
       changes <= '1';
     end procedure;
 
     procedure empty_the_capacitor is
     begin
-      begin_phase(emptying);
+      begin_phase(emptying, no_discharge);
       drive_level <= (others => '0');
       drive_enable <= only(thermistor);
       if settings.references then
@@ -153,7 +152,7 @@ begin
     begin
       empty_the_capacitor;
       outcome <= result;
-      begin_phase(publishing);
+      begin_phase(publishing, no_pause);
     end procedure;
 
   begin
@@ -163,6 +162,9 @@ begin
     wake_cycles <= first_cycle + limit - 2;
     -- A phase of no clocks to wait for is over when it begins.
     over <= '1' when elapsed >= limit - 1 else '0';
+    no_discharge <= settings.discharge_cycles ?= 0;
+    no_timeout <= settings.timeout_cycles ?= 0;
+    no_pause <= settings.pause_cycles ?= 0;
 
     case phase is
       when off =>
@@ -184,17 +186,17 @@ begin
           if sense then
             finish(temperature_converter_status_state_stuck);
           elsif precharge_cycles /= 0 and settings.references = '1' then
-            begin_phase(precharging);
+            begin_phase(precharging, precharge_cycles ?= 1);
             charge_through(reference_high);
           else
-            begin_phase(charging);
+            begin_phase(charging, no_timeout);
             charge_through(resistor);
           end if;
         end if;
 
       when precharging =>
         if over then
-          begin_phase(charging);
+          begin_phase(charging, no_timeout);
           charge_through(resistor);
         end if;
 
@@ -238,7 +240,7 @@ begin
           reference_low_count <= low_sum;
           reference_high_count <= high_sum;
         end if;
-        begin_phase(pausing);
+        begin_phase(pausing, no_pause);
     end case;
 
     if reset = '1' or restart = '1' or enable = '0' then

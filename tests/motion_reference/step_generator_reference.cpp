@@ -123,9 +123,10 @@ void StepGeneratorReference::clock() {
   const bool end_stop = hits != 0;
   const std::uint32_t immediate = (inputs_ & emergency_bit) | (asked.stop ? software_bit : 0) |
                                   (watchdog_expired_ ? watchdog_bit : 0);
-  const bool braked = braking_ && (!moving() || pace_.standing());
+  const bool braked = braking_ && (!base_ || pace_.standing());
   const bool along_ramp = end_stop || asked.brake;
-  const bool at_once = immediate != 0 || (end_stop && (braking_ || !(executing_ ? executed_ : *base_).stop_brakes)) ||
+  const bool at_once = immediate != 0 ||
+                       (end_stop && (braking_ || !(executing_ ? executed_ : *base_).stop_brakes)) ||
                        braked || (no_ramp_ && (along_ramp || braking_));
   const bool stop = stopped_ || at_once;
   refuses_segments_ = stop || along_ramp || braking_;
