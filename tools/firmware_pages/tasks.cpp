@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the rows of the table of tasks as Markdown.
-#include "task_page/page.hpp"
+#include "firmware_pages/pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 
 #include "application/task_table.hpp"
 
-namespace task_page {
+namespace firmware_pages {
 namespace {
 
 using application::Deadline;
@@ -45,7 +45,7 @@ std::string row_of(const TaskRow& task) {
 
 }  // namespace
 
-std::string page() {
+std::string tasks() {
   std::string text =
       "# Tasks\n\n"
       "Generated from the [table of tasks](task_table.hpp): do not edit. They run in this order in "
@@ -68,4 +68,4 @@ std::string page() {
                     grouped(all));
 }
 
-}  // namespace task_page
+}  // namespace firmware_pages

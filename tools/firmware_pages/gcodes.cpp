@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the rows of the table of commands as Markdown.
-#include "gcode_page/page.hpp"
+#include "firmware_pages/pages.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 #include "application/capabilities.hpp"
 #include "application/gcode_table.hpp"
 
-namespace gcode_page {
+namespace firmware_pages {
 namespace {
 
 using application::Argument;
@@ -117,7 +117,7 @@ std::string capabilities() {
 
 }  // namespace
 
-std::string page() {
+std::string gcodes() {
   std::string text =
       "# G-code table\n\n"
       "Generated from `gcode_table.hpp`: do not edit. What the firmware executes; everything else "
@@ -145,4 +145,4 @@ std::string page() {
   return text;
 }
 
-}  // namespace gcode_page
+}  // namespace firmware_pages
