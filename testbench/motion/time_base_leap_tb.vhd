@@ -102,6 +102,25 @@ begin
       assert outputs.longest_leap = leap_below(sixty_fourths) severity failure;
     end loop;
 
+    -- A faster head that waits counts for the last tick, not before it; what is no valid head never counts.
+    inputs.rate_floor <= to_unsigned(1, 31);
+    for valid in 0 to 1 loop
+      ticks_before := counts.ticks;
+      offer(clk, inputs, outputs, 3, half / 64);
+      inputs.head.rate <= half;
+      inputs.head.ticks <= to_unsigned(1, 31);
+      inputs.head_valid <= '1' when valid = 1 else '0';
+      for ticks in 1 to 3 loop
+        wait_for_clocks(clk, 3);
+        assert (outputs.longest_leap = 0) = (valid = 1 and ticks = 3) and
+          (outputs.longest_leap = 2) = (valid = 0 or ticks < 3)
+          report "a head at 1/2, before tick " & to_string(ticks) severity failure;
+        wait until rising_edge(clk) and counts.ticks = ticks_before + ticks;
+      end loop;
+      inputs.head_valid <= '0';
+      wait_for_rest(clk, outputs);
+    end loop;
+
     -- A rate that would fall below 0 in one clock is held at the floor, too: the tick comes in time.
     inputs.rate_floor <= to_unsigned(6144, 31);
     inputs.leap <= "10";
