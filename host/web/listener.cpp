@@ -8,6 +8,8 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
+#include <semaphore>
 #include <stdexcept>
 #include <utility>
 
@@ -21,7 +23,7 @@ namespace {
 constexpr std::chrono::milliseconds look_interval{50};  // whether an adopted socket is to be left
 constexpr int most_queued = 512;  // by the system
 constexpr std::size_t most_left_unread = 1024 * 1024;
-constexpr std::size_t most_waiting_connections = 256;
+constexpr std::ptrdiff_t most_waiting_connections = 256;
 constexpr std::size_t longest_body = (std::size_t{1} << 30u) + 64 * 1024;
 
 // What has come and was not read would make close() reset the connection, and the client might lose
@@ -35,6 +37,27 @@ void drop_unread(int socket) {
   }
 }
 
+// Where all workers are busy and as many connections wait as may, the next one stays with the system
+// until one of them has been taken. httplib's own queue would close it: of a burst of connections,
+// also that of a person's request.
+class PatientPool final : public httplib::TaskQueue {
+ public:
+  explicit PatientPool(std::size_t workers) : pool_(workers) {}
+
+  bool enqueue(std::function<void()> serve) override {
+    room_.acquire();
+    return pool_.enqueue([this, serve = std::move(serve)] {
+      room_.release();
+      serve();
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  std::counting_semaphore<> room_{most_waiting_connections};
+  httplib::ThreadPool pool_;
+};
+
 }  // namespace
 
 bool wants_websocket(const httplib::Request& request) {
@@ -43,7 +66,7 @@ bool wants_websocket(const httplib::Request& request) {
 
 Listener::Listener(WaitLimits limits, std::size_t workers) : connections_(limits) {
   new_task_queue = [workers] {
-    return new httplib::ThreadPool(workers, most_waiting_connections);  // httplib deletes it
+    return new PatientPool(workers);  // httplib deletes it
   };
   set_payload_max_length(longest_body);
   set_tcp_nodelay(true);

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <thread>
 #include <vector>
 
+#include "host/web/listener.hpp"
 #include "tests/host/raw_client.hpp"
 #include "tests/host/web_fixture.hpp"
 
@@ -41,6 +44,29 @@ TEST_F(WebTest, counts_heads_that_can_be_read_in_two_ways) {
   const std::string faulty = "GET / HTTP/1.1\r\nHost: localhost\r\nHost: evil.example\r\n\r\n";
   for (int i = 0; i < 3; ++i) EXPECT_THAT(raw(port(), faulty), HasSubstr(" 400 ")) << i;
   EXPECT_THAT(raw(port(), faulty), HasSubstr(" 429 "));
+}
+
+// More than are queued for the workers.
+TEST(listener, answers_each_request_of_a_burst) {
+  web::Listener listener({}, 2);
+  listener.Get("/slow", [](const httplib::Request&, httplib::Response& response) {
+    std::this_thread::sleep_for(1ms);
+    response.set_content("here", "text/plain");
+  });
+  const int port = listener.bind({.host = "127.0.0.1", .port = 0}).port;
+  std::thread server([&] { listener.listen_after_bind(); });
+  listener.wait_until_ready();
+  std::vector<std::unique_ptr<host_test::RawClient>> burst;
+  for (int i = 0; i < 600; ++i) {
+    burst.push_back(std::make_unique<host_test::RawClient>(port));
+    burst.back()->say("GET /slow HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  }
+  EXPECT_EQ(
+      std::ranges::count_if(burst, [](const auto& one) { return one->all().ends_with("here"); }),
+      600);
+  listener.end();
+  listener.stop();
+  server.join();
 }
 
 // So many files may be open in this process, until the end of the scope. Others keep low numbers,
