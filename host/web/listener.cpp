@@ -37,9 +37,9 @@ void drop_unread(int socket) {
   }
 }
 
-// Where all workers are busy and as many connections wait as may, the next one stays with the system
-// until one of them has been taken. httplib's own queue would close it: of a burst of connections,
-// also that of a person's request.
+// Where all workers are busy and as many connections wait as may, the next one stays with the
+// system until one of them has been taken. httplib's own queue would close it: of a burst of
+// connections, also that of a person's request.
 class PatientPool final : public httplib::TaskQueue {
  public:
   explicit PatientPool(std::size_t workers) : pool_(workers) {}
