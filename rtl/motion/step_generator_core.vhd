@@ -126,8 +126,8 @@ architecture rtl of step_generator_core is
   signal ready, axis_working, allowed_position : std_ulogic_vector(axes - 1 downto 0);
   signal scaling, watching : std_ulogic;
 
-  signal active_stop_on : stop_condition_t := stop_condition_none;
-  signal stop_on : stop_condition_t;
+  -- Of the segment being executed: of the base's, before the axes execute anything.
+  signal stop_on : stop_condition_t := stop_condition_none;
   signal watchdog_expired, stop, stop_begins, hit, closed : std_ulogic;
   signal was_hit : std_ulogic := '0';
   -- Of the clock before, to keep the slope off the critical path.
@@ -205,12 +205,11 @@ begin
     was_due <= due and not reset;
     executing <= early_active and not stop and not reset;
     was_hit <= hit and not reset;
-    active_stop_on <= early_stop_on;
+    -- Without motion it does not count: so it is known here before the head is taken.
+    stop_on <= early_stop_on when early_active = '1' else head.stop_on;
   end process;
 
   tick <= late_tick and not emergency_stop;
-  -- Before the axes execute anything, the condition of the base's segment counts already.
-  stop_on <= active_stop_on when executing = '1' else early_stop_on;
 
   keep_time : process
   begin

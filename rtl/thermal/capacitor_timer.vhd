@@ -63,15 +63,18 @@ architecture rtl of capacitor_timer is
   -- The resistor of the present charges: low reference, high reference, thermistor.
   signal resistor : resistor_t := thermistor;
   signal charges_left : unsigned(7 downto 0) := (others => '0');
-  -- The present phase: its first clock, the clocks since, and after how many of them it ends.
-  signal first_cycle : cycles_t := (others => '0');
-  signal elapsed : cycles_t;
+  -- The present phase: the clock before its first, the clocks of it before this one and with this one, and
+  -- after how many it ends.
+  signal cycle_before : cycles_t := (others => '0');
+  signal elapsed, elapsed_with_this : cycles_t;
   signal limit : cycles_t;
   -- These clocks have passed. Known from the clock before, to keep two carry chains off what a phase ends.
   signal over : std_ulogic := '0';
   -- Phases of no clocks, known from the clock before as well: a change of the settings restarts.
   signal no_discharge, no_timeout, no_pause : std_ulogic := '0';
   signal precharge_cycles : unsigned(15 downto 0) := (others => '0');
+  -- The limit of a precharge, a clock later: each is behind a phase of emptying.
+  signal precharge_limit : unsigned(15 downto 0) := (others => '0');
   signal sum : unsigned(31 downto 0) := (others => '0');
   signal low_sum : unsigned(31 downto 0) := (others => '0');
   signal high_sum : unsigned(31 downto 0) := (others => '0');
@@ -98,13 +101,15 @@ architecture rtl of capacitor_timer is
 
 begin
 
-  elapsed <= seen_cycles - first_cycle;
+  -- Each by a carry chain of its own.
+  elapsed <= seen_cycles + not cycle_before;
+  elapsed_with_this <= seen_cycles - cycle_before;
 
   choose_limit : process (all)
   begin
     case phase is
       when emptying => limit <= settings.discharge_cycles;
-      when precharging => limit <= x"00" & (precharge_cycles - 1);
+      when precharging => limit <= x"00" & precharge_limit;
       when charging => limit <= settings.timeout_cycles;
       when off | pausing | publishing => limit <= settings.pause_cycles;
     end case;
@@ -116,7 +121,7 @@ begin
     procedure begin_phase(next_phase : phase_t; without_clocks : std_ulogic) is
     begin
       phase <= next_phase;
-      first_cycle <= seen_cycles + 1;
+      cycle_before <= seen_cycles;
       over <= without_clocks;
       changes <= '1';
     end procedure;
@@ -159,9 +164,10 @@ begin
     wait until rising_edge(clk);
     updated <= '0';
     changes <= '0';
-    wake_cycles <= first_cycle + limit - 2;
+    wake_cycles <= cycle_before + limit - 1;
     -- A phase of no clocks to wait for is over when it begins.
-    over <= '1' when elapsed >= limit - 1 else '0';
+    over <= '1' when elapsed_with_this >= limit else '0';
+    precharge_limit <= precharge_cycles - 1;
     no_discharge <= settings.discharge_cycles ?= 0;
     no_timeout <= settings.timeout_cycles ?= 0;
     no_pause <= settings.pause_cycles ?= 0;
@@ -219,7 +225,7 @@ begin
             finish(temperature_converter_status_state_ok);
           end if;
         elsif over then
-          sum <= sum + elapsed + 1;
+          sum <= sum + elapsed_with_this;
           if resistor = thermistor and settings.references = '1' then
             finish(temperature_converter_status_state_open);
           else

@@ -33,44 +33,41 @@ architecture rtl of converter_settings is
   signal changed : std_ulogic := '0';
   signal locked_before : std_ulogic := '0';
   signal longest_charge : cycles_t;
-  signal wanted : converter_settings_t;
+  signal timeout_is_too_long : std_ulogic;
+  signal timeout : cycles_t;
+  -- What is written is not what the setting is.
+  signal control_differs, discharge_differs, timeout_differs, pause_differs, short_limit_differs : std_ulogic;
+  signal differs : std_ulogic;
 
 begin
 
   -- An eighth of a second, at most 100 MHz: an open sensor is found in every conversion.
   longest_charge <= clock_frequency_hz(26 downto 3);
+  timeout_is_too_long <= from_software.timeout.cycles ?> longest_charge;
+  timeout <= longest_charge when timeout_is_too_long = '1' else from_software.timeout.cycles;
 
   restart <= changed or (limits_locked and not locked_before);
 
-  choose : process (all)
-  begin
-    wanted <= settings;
-    if from_software.control_written then
-      wanted.references <= from_software.control.references;
-      wanted.dither_cycles <= from_software.control.dither_cycles;
-      wanted.more_charges <= from_software.control.more_charges;
-    end if;
-    if from_software.discharge_written then
-      wanted.discharge_cycles <= from_software.discharge.cycles;
-    end if;
-    if from_software.timeout_written then
-      wanted.timeout_cycles <= from_software.timeout.cycles;
-      if from_software.timeout.cycles > longest_charge then
-        wanted.timeout_cycles <= longest_charge;
-      end if;
-    end if;
-    if from_software.pause_written then
-      wanted.pause_cycles <= from_software.pause.cycles;
-    end if;
-    if from_software.short_limit_written then
-      wanted.short_limit <= from_software.short_limit.cycles;
-    end if;
-  end process;
+  control_differs <= (from_software.control.references ?/= settings.references)
+    or (from_software.control.dither_cycles ?/= settings.dither_cycles)
+    or (from_software.control.more_charges ?/= settings.more_charges);
+  discharge_differs <= from_software.discharge.cycles ?/= settings.discharge_cycles;
+  -- Both possible time-outs are compared before it is known which one counts.
+  timeout_differs <= longest_charge ?/= settings.timeout_cycles when timeout_is_too_long = '1'
+    else from_software.timeout.cycles ?/= settings.timeout_cycles;
+  pause_differs <= from_software.pause.cycles ?/= settings.pause_cycles;
+  short_limit_differs <= from_software.short_limit.cycles ?/= settings.short_limit;
+
+  differs <= (from_software.control_written and control_differs)
+    or (from_software.discharge_written and discharge_differs)
+    or (from_software.timeout_written and timeout_differs)
+    or (from_software.pause_written and pause_differs)
+    or (from_software.short_limit_written and short_limit_differs);
 
   keep : process
   begin
     wait until rising_edge(clk);
-    changed <= '0';
+    changed <= differs and not limits_locked;
     locked_before <= limits_locked;
     if from_software.control_written then
       enable <= from_software.control.enable;
@@ -78,12 +75,26 @@ begin
     if from_software.settings_lock_written = '1' and from_software.settings_lock.refused = '1' then
       refused <= '0';
     end if;
-    if wanted /= settings then
-      if limits_locked then
-        refused <= '1';
-      else
-        settings <= wanted;
-        changed <= '1';
+    if differs and limits_locked then
+      refused <= '1';
+    end if;
+    if not limits_locked then
+      if from_software.control_written then
+        settings.references <= from_software.control.references;
+        settings.dither_cycles <= from_software.control.dither_cycles;
+        settings.more_charges <= from_software.control.more_charges;
+      end if;
+      if from_software.discharge_written then
+        settings.discharge_cycles <= from_software.discharge.cycles;
+      end if;
+      if from_software.timeout_written then
+        settings.timeout_cycles <= timeout;
+      end if;
+      if from_software.pause_written then
+        settings.pause_cycles <= from_software.pause.cycles;
+      end if;
+      if from_software.short_limit_written then
+        settings.short_limit <= from_software.short_limit.cycles;
       end if;
     end if;
     if reset then

@@ -26,7 +26,9 @@ end entity;
 
 architecture rtl of heater_timeouts is
 
-  signal default_timeout, maximum_timeout : tick_count_t;
+  signal default_timeout : tick_count_t;
+  -- A clock after the frequency, which is constant.
+  signal maximum_timeout : tick_count_t := (others => '0');
 
 begin
 
@@ -35,11 +37,11 @@ begin
 
   -- At most 100 MHz, so 5 s fit into a tick count.
   default_timeout <= resize(ticks_per_s * default_timeout_s, tick_count_bits);
-  maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
 
   set_timeouts : process
   begin
     wait until rising_edge(clk);
+    maximum_timeout <= resize(ticks_per_s * maximum_timeout_s, tick_count_bits);
     if from_software.watchdog_written then
       watchdog_timeout <= maximum_timeout when from_software.watchdog.ticks > maximum_timeout
         else from_software.watchdog.ticks;
