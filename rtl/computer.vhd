@@ -14,7 +14,9 @@ entity computer is
     -- A debugger can halt the processor and reach the memory and the bus over JTAG.
     has_debug : boolean;
     -- The processor implements extension Zbb.
-    has_zbb : boolean := false
+    has_zbb : boolean := false;
+    -- As of the memory.
+    memory_shows_clear : boolean := false
   );
   port (
     -- `clk` may be gated while `at_rest` is high, `always_clk` never.
@@ -128,7 +130,8 @@ begin
 
   ram : entity work.memory
     generic map (
-      size_bytes => memory_size_bytes
+      size_bytes => memory_size_bytes,
+      shows_clear => memory_shows_clear
     )
     port map (
       clk => clk,

@@ -21,6 +21,8 @@ entity printer_controller is
     has_debug : boolean := false;
     -- The processor has extension Zbb.
     has_zbb : boolean := false;
+    -- For devices whose block RAM can clear what it shows (ECP5): faster.
+    memory_shows_clear : boolean := false;
     -- Of `clk`, from which software takes all times.
     clock_frequency_hz : positive range 4_000_000 to 100_000_000 := 50_000_000
   );
@@ -70,7 +72,7 @@ begin
   core : entity work.printer_core
     generic map (
       memory_size_bytes => memory_size_bytes, axes => axes, queue_depth => queue_depth,
-      heaters => heaters, has_debug => has_debug, has_zbb => has_zbb)
+      heaters => heaters, has_debug => has_debug, has_zbb => has_zbb, memory_shows_clear => memory_shows_clear)
     port map (
       -- One clock for all parts, never gated.
       clocks.free_running => clk,

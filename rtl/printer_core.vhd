@@ -29,6 +29,7 @@ entity printer_core is
     heaters : positive range 1 to 4 := 2;
     has_debug : boolean := false;
     has_zbb : boolean := false;
+    memory_shows_clear : boolean := false;
     -- Without it, and without memory, `outer_request` drives the bus: in co-simulation, where a model of the
     -- processor takes its place.
     has_processor : boolean := true
@@ -155,7 +156,9 @@ begin
   with_processor : if has_processor generate
 
     computing : entity work.computer
-      generic map (memory_size_bytes => memory_size_bytes, has_debug => has_debug, has_zbb => has_zbb)
+      generic map (
+        memory_size_bytes => memory_size_bytes, has_debug => has_debug, has_zbb => has_zbb,
+        memory_shows_clear => memory_shows_clear)
       port map (
         clk => clocks.processor,
         always_clk => clocks.free_running,

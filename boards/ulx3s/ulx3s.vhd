@@ -138,7 +138,7 @@ begin
   chip : entity work.printer_controller
     generic map (
       memory_size_bytes => memory_size_bytes, axes => 5, heaters => 2, has_debug => has_debug,
-      has_zbb => has_zbb, clock_frequency_hz => clock_frequency_hz)
+      has_zbb => has_zbb, memory_shows_clear => true, clock_frequency_hz => clock_frequency_hz)
     port map (
       clk => clk,
       reset => not released,

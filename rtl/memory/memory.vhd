@@ -11,7 +11,10 @@ entity memory is
   generic (
     -- Each 1 among its binary digits is a bank, the largest first: 104 KiB are banks of 64, 32 and 8 KiB. So
     -- no bank adds logic to an address, and each tool makes it of whole blocks of RAM.
-    size_bytes : positive := 65536
+    size_bytes : positive := 65536;
+    -- The blocks of RAM can clear what they show, as those of an ECP5: a bank of which nothing is requested
+    -- shows 0, and no gate chooses one. Where they cannot, this would make them of registers.
+    shows_clear : boolean := false
   );
   port (
     clk : in std_ulogic;
@@ -70,7 +73,11 @@ architecture rtl of memory is
       return words(0);
     end if;
     for bank in banks_t loop
-      word := word or (words(bank) and chosen(bank));
+      if shows_clear then
+        word := word or words(bank);
+      else
+        word := word or (words(bank) and chosen(bank));
+      end if;
     end loop;
     return word;
   end function;
@@ -89,7 +96,7 @@ begin
     constant bits : natural := bank_bits(bank);
     subtype word_address_t is natural range 0 to 2 ** (bits - 2) - 1;
     signal upper_word, lower_word, data_word : word_address_t;
-    signal data_here : std_ulogic;
+    signal data_here, upper_here, lower_here : std_ulogic;
   begin
 
     upper_word <= to_integer(instruction_request.upper_address(bits - 1 downto 2));
@@ -101,15 +108,21 @@ begin
       type bytes_t is array (2 ** (bits - 2) - 1 downto 0) of std_ulogic_vector(7 downto 0);
       signal bytes : bytes_t;
       signal instruction_word : word_address_t;
+      signal clear_instruction, clear_data : std_ulogic;
     begin
 
       instruction_word <= lower_word when lane < 2 else upper_word;
+      clear_instruction <= '0' when not shows_clear else not lower_here when lane < 2 else not upper_here;
+      clear_data <= '0' when not shows_clear else not data_here;
 
       read_instruction : process
       begin
         wait until rising_edge(clk);
         if instruction_request.enable then
           bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= bytes(instruction_word);
+          if clear_instruction then
+            bank_instruction(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
+          end if;
         end if;
       end process;
 
@@ -121,6 +134,9 @@ begin
             bytes(data_word) <= data_request.data(8 * lane + 7 downto 8 * lane);
           else
             bank_data(bank)(8 * lane + 7 downto 8 * lane) <= bytes(data_word);
+            if clear_data then
+              bank_data(bank)(8 * lane + 7 downto 8 * lane) <= x"00";
+            end if;
           end if;
         end if;
       end process;
@@ -128,13 +144,15 @@ begin
     end generate;
 
     data_here <= is_in(bank, data_request.address);
+    upper_here <= is_in(bank, instruction_request.upper_address);
+    lower_here <= is_in(bank, instruction_request.lower_address);
 
     remember : process
     begin
       wait until rising_edge(clk);
       if instruction_request.enable then
-        upper_shown(bank) <= is_in(bank, instruction_request.upper_address);
-        lower_shown(bank) <= is_in(bank, instruction_request.lower_address);
+        upper_shown(bank) <= upper_here;
+        lower_shown(bank) <= lower_here;
       end if;
       if data_request.enable then
         data_shown(bank) <= data_here;

@@ -69,6 +69,20 @@ architecture rtl of axis_stepper is
   signal step_wanted : std_ulogic := '0';
   signal was_ready : std_ulogic := '1';
 
+  signal present_error, present_steps : ticks_t;
+  signal error_without_step : unsigned(31 downto 0);
+  signal error_with_step : unsigned(32 downto 0);
+
+  -- a + b - c in two's complement: three numbers become two without a carry, so that one carry chain is enough.
+  function difference_of(a, b, c : ticks_t) return unsigned is
+    constant less_c : unsigned(32 downto 0) := not ("00" & c);
+    constant sums : unsigned(32 downto 0) := ("00" & a) xor ("00" & b) xor less_c;
+    constant carries : unsigned(32 downto 0) := (("00" & a) and ("00" & b)) or
+      (("00" & a) and less_c) or (("00" & b) and less_c);
+  begin
+    return sums + (carries(31 downto 0) & '1');
+  end function;
+
   -- Of the pulse (step = 1) or of the pause after it (step = 0).
   signal pulse_left, pulse_clocks : guard_clocks_t;
   signal pulse_begins, pulse_over, pulse_ending : std_ulogic;
@@ -114,23 +128,20 @@ begin
       clk => clk, reset => reset, start => direction_begins, clocks => direction_clocks,
       left => direction_left, over => direction_over, ending => direction_ending);
 
+  present_error <= first_error when begin_line = '1' else error_term;
+  present_steps <= steps when begin_line = '1' else line_steps;
+  error_without_step <= ('0' & present_error) + present_steps;
+  error_with_step <= difference_of(present_error, present_steps, line_ticks);
+
   -- Computes the next tick in the clock of a tick.
   share_ticks : process
-    variable sum : unsigned(31 downto 0);
   begin
     wait until rising_edge(clk);
-    if begin_line then
-      sum := ('0' & first_error) + steps;
-    else
-      sum := ('0' & error_term) + line_steps;
-    end if;
     if begin_line or tick then
-      step_wanted <= '0';
-      if sum >= line_ticks then
-        sum := sum - line_ticks;
-        step_wanted <= '1';
-      end if;
-      error_term <= sum(30 downto 0);
+      -- Not negative: the tick brings a step.
+      step_wanted <= not error_with_step(32);
+      error_term <= error_with_step(30 downto 0) when error_with_step(32) = '0' else
+                    error_without_step(30 downto 0);
     end if;
     if begin_line then
       line_steps <= steps;

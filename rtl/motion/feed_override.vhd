@@ -102,9 +102,9 @@ architecture rtl of feed_override is
   begin
     if at_scale(33 downto 29) >= 7 then
       return to_unsigned(0, full'length);
-    elsif at_scale(31 downto 29) = 6 then
+    elsif at_scale(31) and at_scale(30) then
       return shift_right(full, 3);
-    elsif at_scale(31 downto 29) >= 4 then
+    elsif at_scale(31) then
       return shift_right(full, 2);
     end if;
     return shift_right(full, 1);
@@ -125,8 +125,8 @@ architecture rtl of feed_override is
   signal to_target : scale_t;
   signal rises : std_ulogic;
   signal slope_up, slope_down : slope_t;
-  signal up, down : scale_t;
-  signal up_stays_below, down_passes : std_ulogic;
+  signal up, down, moved : scale_t;
+  signal up_stays_below, down_passes, passes, arrives : std_ulogic;
 
 begin
 
@@ -144,17 +144,15 @@ begin
   up_stays_below <= sum_is_negative("00" & scale, x"0" & slope_up, not ("00" & to_target), '0');
   down_passes <= sum_is_negative("00" & scale, not (x"0" & slope_down), not ("00" & to_target), '1');
 
+  moved <= up when rises = '1' else down;
+  passes <= not up_stays_below when rises = '1' else down_passes;
+  -- Settles last: one multiplexer follows.
+  arrives <= passes or not moving;
+
   approach : process
   begin
     wait until rising_edge(clk);
-    scale <= to_target;
-    if moving then
-      if rises and up_stays_below then
-        scale <= up;
-      elsif not rises and not down_passes then
-        scale <= down;
-      end if;
-    end if;
+    scale <= to_target when arrives = '1' else moved;
     standing <= '1' when scale = 0 and advance = '0' else '0';
     if reset then
       scale <= scale_of_one;

@@ -60,7 +60,10 @@ architecture rtl of stop_latch is
   -- Those that started the present brake, and have kept their level since.
   signal began_brake : std_ulogic_vector(7 downto 0) := x"00";
   signal hits : std_ulogic_vector(7 downto 0);
+  signal hits_of_segment : std_ulogic_vector(7 downto 0);
   signal end_stop_hit : std_ulogic;
+  -- A stop without an end stop, and whether one that hits makes it.
+  signal without_end_stop, with_end_stop : std_ulogic;
   signal at_once, along_ramp : std_ulogic;
 
 begin
@@ -69,15 +72,16 @@ begin
 
   wanted <= end_stops xor (7 downto 0 => stop_on.on_release);
   changed <= end_stops xor end_stops_before;
-  met <= x"00" when active = '0' else
-    wanted and stop_on.mask and (changed or (7 downto 0 => not stop_on.on_change));
+  met <= wanted and stop_on.mask and (changed or (7 downto 0 => not stop_on.on_change));
   -- The switch that brakes may stay triggered; any other, and this one once more, ends all motion.
   hits <= met when braking = '0' else met and not (began_brake and not changed);
-  end_stop_hit <= or hits;
+  hits_of_segment <= hits and (7 downto 0 => active);
+  end_stop_hit <= active and (or hits);
 
-  at_once <= emergency_stop or watchdog_expired or software_stop or
-    (end_stop_hit and (braking or not stop_on.brakes)) or (braking and (standing or not active)) or
-    (no_ramp and (end_stop_hit or software_brake or braking));
+  without_end_stop <= emergency_stop or watchdog_expired or software_stop or
+    (braking and (standing or not active)) or (no_ramp and (software_brake or braking));
+  with_end_stop <= braking or no_ramp or not stop_on.brakes;
+  at_once <= without_end_stop or (end_stop_hit and with_end_stop);
   along_ramp <= end_stop_hit or software_brake;
 
   stop <= at_once or stopped;
@@ -92,14 +96,14 @@ begin
     began_brake <= began_brake and not changed;
     if hit then
       braking <= not at_once;
-      began_brake <= hits;
+      began_brake <= hits_of_segment;
       cause <= (
-        end_stops => hits, emergency_input => emergency_stop, software => software_stop,
+        end_stops => hits_of_segment, emergency_input => emergency_stop, software => software_stop,
         watchdog => watchdog_expired, software_brake => software_brake);
     elsif stop_begins then
       -- A stop that cuts the ramp short is a cause as well.
       braking <= '0';
-      cause.end_stops <= cause.end_stops or hits;
+      cause.end_stops <= cause.end_stops or hits_of_segment;
       cause.emergency_input <= cause.emergency_input or emergency_stop;
       cause.software <= cause.software or software_stop;
       cause.watchdog <= cause.watchdog or watchdog_expired;

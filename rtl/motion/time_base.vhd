@@ -55,7 +55,7 @@ entity time_base is
     axes_ready : in std_ulogic;
     tick : out std_ulogic;
 
-    -- It stalls for an axis.
+    -- It stalls for an axis; also with `stop`.
     stalled : out std_ulogic;
 
     -- A clock later: the rate rises, falls, as far as the segment says.
@@ -85,8 +85,8 @@ architecture rtl of time_base is
   signal jerk : signed(63 downto 0) := (others => '0');
   signal ends_motion : std_ulogic := '0';
   signal ticks_left : ticks_t := (others => '0');
-  -- Known from the clock after a tick on: the next tick is the segment's last.
-  signal one_left : std_ulogic;
+  -- The next tick is the segment's last; and known from the clock after a tick on.
+  signal one_left : std_ulogic := '0';
   signal last : std_ulogic := '0';
   signal count_changed : std_ulogic := '0';
 
@@ -95,8 +95,9 @@ architecture rtl of time_base is
   signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
   signal acceleration_fits : std_ulogic;
-  signal may_start : std_ulogic;
-  signal may_tick, take_with_tick, take_from_rest : std_ulogic;
+  -- As if there were no stop: a tick is possible; the head follows with it, or from rest; it does so.
+  signal may_tick, may_follow, may_start : std_ulogic;
+  signal made, loads : std_ulogic;
   -- The longest leaps that rate and floor permit.
   signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
   signal leap_of_jerk : leap_t;
@@ -193,7 +194,6 @@ begin
   acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
     next_acceleration(63) = acceleration(63) else '0';
 
-  one_left <= '1' when ticks_left = 1 else '0';
   leap_of_head <= longest(head.rate(63 downto 58));
   leap_of_rate <= longest(rate(63 downto 58));
   leap_of_floor <= longest('0' & rate_floor(30 downto 26));
@@ -202,15 +202,17 @@ begin
     shorter(shorter(leap_of_rate, leap_of_head), leap_of_floor) when one_left = '1' and head_valid = '1' else
     shorter(leap_of_rate, leap_of_floor);
 
-  -- The carry settles last in the clock: everything else is computed before it.
-  may_tick <= active and advance and not stop and axes_ready;
-  due <= active and advance and not stop and carry;
-  tick <= may_tick and carry;
-  stalled <= due and not axes_ready;
-  may_start <= run and (start or not head.waits_for_start);
-  take_with_tick <= may_tick and last and head_valid and not head.waits_for_start;
-  take_from_rest <= head_valid and not stop and not active and may_start;
-  take <= (take_with_tick and carry) or take_from_rest;
+  -- Carry and stop settle last in the clock: everything else is computed before them, and what a stop makes
+  -- void anyway does not wait for it. After a stop the base is not active, and begins with a head.
+  may_tick <= active and advance and axes_ready;
+  may_follow <= may_tick and last and head_valid and not head.waits_for_start;
+  may_start <= head_valid and not active and run and (start or not head.waits_for_start);
+  made <= may_tick and carry;
+  loads <= (may_follow and carry) or may_start;
+  due <= active and advance and carry and not stop;
+  tick <= made and not stop;
+  take <= loads and not stop;
+  stalled <= active and advance and carry and not axes_ready;
   waiting <= head_valid and head.waits_for_start and not active;
 
   integrate : process
@@ -228,7 +230,7 @@ begin
       end if;
     end if;
 
-    if take then
+    if loads then
       rate <= floored(head.rate, rate_floor);
       acceleration <= head.acceleration;
       if not active then
@@ -241,34 +243,38 @@ begin
   begin
     wait until rising_edge(clk);
 
-    count_changed <= tick or take;
+    count_changed <= made or loads;
     if count_changed then
       last <= one_left;
     end if;
 
-    if tick then
+    if made then
       ticks_left <= ticks_left - 1;
+      one_left <= ticks_left ?= 2;
       if last then
         active <= '0';
-        if not (head_valid or ends_motion) then
-          underruns <= underruns + 1;
-        end if;
       end if;
-    elsif due then
-      stalls <= stalls + 1;
     end if;
 
-    if take then
+    if loads then
       active <= '1';
-      segments <= segments + 1;
       jerk <= head.jerk;
       ticks_left <= head.ticks;
+      one_left <= head.ticks ?= 1;
       ends_motion <= head.ends_motion;
       stop_on <= head.stop_on;
     end if;
 
     if stop then
       active <= '0';
+    elsif loads then
+      segments <= segments + 1;
+    end if;
+    if tick = '1' and last = '1' and head_valid = '0' and ends_motion = '0' then
+      underruns <= underruns + 1;
+    end if;
+    if stalled and not stop then
+      stalls <= stalls + 1;
     end if;
 
     if reset then

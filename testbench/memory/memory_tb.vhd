@@ -10,7 +10,8 @@ use work.memory_pkg.all;
 
 entity memory_tb is
   generic (
-    words : positive := 64
+    words : positive := 64;
+    shows_clear : boolean := false
   );
 end entity;
 
@@ -29,7 +30,7 @@ begin
   clk <= not clk after 5 ns;
 
   uut : entity work.memory
-    generic map (size_bytes => 4 * words)
+    generic map (size_bytes => 4 * words, shows_clear => shows_clear)
     port map (
       clk => clk,
       instruction_request => instruction_request,

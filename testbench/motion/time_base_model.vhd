@@ -49,7 +49,8 @@ begin
         & " at " & to_string(acceleration) & " after leaps of " & to_string(to_integer(inputs.leap))
         & " by " & to_string(jerk)
       severity failure;
-    is_stalled_by_an_axis : assert outputs.stalled = (outputs.due and not inputs.axes_ready) severity failure;
+    is_stalled_by_an_axis : assert inputs.stop = '1' or
+      outputs.stalled = (outputs.due and not inputs.axes_ready) severity failure;
     ticks_when_due : assert outputs.tick = (outputs.due and inputs.axes_ready) severity failure;
 
     was_positive := acceleration > 0.0;
