@@ -95,9 +95,11 @@ architecture rtl of time_base is
   signal next_rate : unsigned(63 downto 0);
   signal acceleration_change, next_acceleration : signed(63 downto 0);
   signal acceleration_fits : std_ulogic;
-  -- As if there were no stop: a tick is possible; the head follows with it, or from rest; it does so.
-  signal may_tick, may_follow, may_start : std_ulogic;
-  signal made, loads : std_ulogic;
+  -- As if there were no stop: a tick is possible, or would have to wait; the head would follow with it; the
+  -- head begins from rest.
+  signal may_tick, would_stall, would_follow, starts : std_ulogic;
+  -- The same with the carry: the base goes on, makes a tick or starts, loads the head.
+  signal goes_on, counts, loads : std_ulogic;
   -- The longest leaps that rate and floor permit.
   signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
   signal leap_of_jerk : leap_t;
@@ -205,14 +207,16 @@ begin
   -- Carry and stop settle last in the clock: everything else is computed before them, and what a stop makes
   -- void anyway does not wait for it. After a stop the base is not active, and begins with a head.
   may_tick <= active and advance and axes_ready;
-  may_follow <= may_tick and last and head_valid and not head.waits_for_start;
-  may_start <= head_valid and not active and run and (start or not head.waits_for_start);
-  made <= may_tick and carry;
-  loads <= (may_follow and carry) or may_start;
+  would_stall <= active and advance and not axes_ready;
+  would_follow <= may_tick and last and head_valid and not head.waits_for_start;
+  starts <= head_valid and not active and run and (start or not head.waits_for_start);
+  goes_on <= may_tick or (would_stall and not carry);
+  counts <= starts or (may_tick and carry);
+  loads <= starts or (would_follow and carry);
+  stalled <= would_stall and carry;
   due <= active and advance and carry and not stop;
-  tick <= made and not stop;
+  tick <= may_tick and carry and not stop;
   take <= loads and not stop;
-  stalled <= active and advance and carry and not axes_ready;
   waiting <= head_valid and head.waits_for_start and not active;
 
   integrate : process
@@ -222,20 +226,19 @@ begin
     accelerating <= '1' when acceleration > 0 else '0';
     decelerating <= acceleration(63);
 
-    if active and advance and (not carry or axes_ready) then
+    if goes_on then
       phase <= phase_sum;
-      rate <= next_rate;
-      if acceleration_fits then
-        acceleration <= next_acceleration;
-      end if;
     end if;
-
+    if starts then
+      phase <= (others => '0');
+    end if;
+    if goes_on or starts then
+      rate <= floored(head.rate, rate_floor) when loads = '1' else next_rate;
+    end if;
     if loads then
-      rate <= floored(head.rate, rate_floor);
       acceleration <= head.acceleration;
-      if not active then
-        phase <= (others => '0');
-      end if;
+    elsif goes_on and acceleration_fits then
+      acceleration <= next_acceleration;
     end if;
   end process;
 
@@ -243,24 +246,19 @@ begin
   begin
     wait until rising_edge(clk);
 
-    count_changed <= made or loads;
+    count_changed <= counts;
     if count_changed then
       last <= one_left;
     end if;
 
-    if made then
-      ticks_left <= ticks_left - 1;
-      one_left <= ticks_left ?= 2;
-      if last then
-        active <= '0';
-      end if;
+    if counts then
+      ticks_left <= head.ticks when loads = '1' else ticks_left - 1;
+      one_left <= head.ticks ?= 1 when loads = '1' else ticks_left ?= 2;
+      active <= loads or not last;
     end if;
 
     if loads then
-      active <= '1';
       jerk <= head.jerk;
-      ticks_left <= head.ticks;
-      one_left <= head.ticks ?= 1;
       ends_motion <= head.ends_motion;
       stop_on <= head.stop_on;
     end if;

@@ -98,22 +98,15 @@ awk -v wire=$wire '
 [ "$(grep -c '= 1[0-9]*;' work/cells.v)" = 21 ] ||
   { echo "failed: Yosys' cells have other delays than this script knows" >&2; exit 1; }
 
-# Parts that have registers at most of their ports are mapped each by itself: the longest path of a part bounds
-# all others of it, and the processor's are longer than theirs.
-parts="step_generator* temperature_converter* heater_control*"
-
 # synth_ecp5 with a mapping of its own: a wire takes that long, and what takes less than 9.5 ns is not made
 # faster. No tables of more than four inputs: what comes out of the multiplexers that join them goes a long
 # way to a register, while a table's output has one at its side.
 step yosys.log yosys -p "read_verilog -lib -specify work/ways.v;
   read_verilog -sv work/with_ways.v $(find "$project/boards" -path "$project/boards/$board/*.v" -printf '%p ');
-  $(set -f; printf 'setattr -mod -set keep_hierarchy 1 %s; ' $parts)
   synth_ecp5 -no-rw-check -top $board -run begin:map_luts;
   techmap -map +/ecp5/latches_map.v;
   read_verilog -overwrite -lib -specify work/cells.v;
   abc9 -maxlut 4 -W $wire -D 9500;
-  setattr -mod -unset keep_hierarchy *;
-  flatten;
   techmap -map work/no_ways.v;
   clean;
   synth_ecp5 -no-rw-check -top $board -run map_cells: -json netlist.json;
