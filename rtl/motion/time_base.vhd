@@ -246,7 +246,7 @@ begin
   begin
     wait until rising_edge(clk);
 
-    count_changed <= counts;
+    count_changed <= tick or take;
     if count_changed then
       last <= one_left;
     end if;
