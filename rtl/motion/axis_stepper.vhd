@@ -129,7 +129,8 @@ begin
       left => direction_left, over => direction_over, ending => direction_ending);
 
   present_error <= first_error when begin_line = '1' else error_term;
-  present_steps <= steps when begin_line = '1' else line_steps;
+  -- Gates, since Yosys would share a multiplexer with the register and take its enable away.
+  present_steps <= (steps and (30 downto 0 => begin_line)) or (line_steps and (30 downto 0 => not begin_line));
   error_without_step <= ('0' & present_error) + present_steps;
   error_with_step <= difference_of(present_error, present_steps, line_ticks);
 
