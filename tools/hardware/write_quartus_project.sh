@@ -16,7 +16,7 @@ rm -f ./*.v ./*.mif ./*.tcl ./*.sdc
 # The memory is that of boards/cyclone; no places in the sources. A signal that only follows a register has no initial value of its own.
 awk '
   /^ *\/\* .*\.vhd:[0-9:]+ *\*\/$/ { next }
-  match($0, /^module memory_[0-9]+$/) { size = substr($0, 15); inside = 1; next }
+  /^module memory_[0-9]+_/ { name = $2; split(name, part, "_"); size = part[2]; inside = 1; next }
   inside { inside = !/^endmodule/; next }
   /^  always @\*$/ { held = $0; next }
   held != "" {
@@ -31,7 +31,7 @@ awk '
     print "  initial"
   }
   !/^  initial$/ && !/^    [a-z0-9_]+ = / { followed = "" }
-  size != "" && $1 == "memory_" size {
+  size != "" && $1 == name {
     print "  memory #("
     print "    .size_bytes(" size "))"
     print "    " $2 " ("
