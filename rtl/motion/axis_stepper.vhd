@@ -73,7 +73,7 @@ architecture rtl of axis_stepper is
   signal error_without_step : unsigned(31 downto 0);
   signal error_with_step : unsigned(32 downto 0);
 
-  -- a + b - c in two's complement: three numbers become two without a carry, so that one carry chain is enough.
+  -- a + b - c in two's complement. Three numbers become two without a carry: one carry chain is enough.
   function difference_of(a, b, c : ticks_t) return unsigned is
     constant less_c : unsigned(32 downto 0) := not ("00" & c);
     constant sums : unsigned(32 downto 0) := ("00" & a) xor ("00" & b) xor less_c;
@@ -130,7 +130,8 @@ begin
 
   present_error <= first_error when begin_line = '1' else error_term;
   -- Gates, since Yosys would share a multiplexer with the register and take its enable away.
-  present_steps <= (steps and (30 downto 0 => begin_line)) or (line_steps and (30 downto 0 => not begin_line));
+  present_steps <= (steps and (30 downto 0 => begin_line)) or
+    (line_steps and (30 downto 0 => not begin_line));
   error_without_step <= ('0' & present_error) + present_steps;
   error_with_step <= difference_of(present_error, present_steps, line_ticks);
 
