@@ -8,7 +8,8 @@ module DP16KD #(
   parameter integer DATA_WIDTH_B = 18,
   parameter REGMODE_A = "NOREG",
   parameter REGMODE_B = "NOREG",
-  // Of the resets of the outputs, which must be low here.
+  // A reset clears what is shown at an edge of the clock, whether the port is enabled or not, and blocks a write; an
+  // asynchronous one must be low here.
   parameter RESETMODE = "SYNC",
   parameter ASYNC_RESET_RELEASE = "SYNC",
   parameter CSDECODE_A = "0b000",
@@ -170,7 +171,7 @@ module DP16KD #(
     DOA3, DOA2, DOA1, DOA0
   } = shown_a;
   wire [17:0] changed_a =
-    CEA && WEA ? written_bits(DATA_WIDTH_A, address_a[3:0]) : 18'b0;
+    CEA && WEA && !RSTA ? written_bits(DATA_WIDTH_A, address_a[3:0]) : 18'b0;
 
   wire [13:0] address_b = {
     ADB13, ADB12, ADB11, ADB10, ADB9, ADB8, ADB7, ADB6, ADB5, ADB4, ADB3, ADB2, ADB1, ADB0
@@ -185,12 +186,12 @@ module DP16KD #(
     DOB3, DOB2, DOB1, DOB0
   } = shown_b;
   wire [17:0] changed_b =
-    CEB && WEB ? written_bits(DATA_WIDTH_B, address_b[3:0]) : 18'b0;
+    CEB && WEB && !RSTB ? written_bits(DATA_WIDTH_B, address_b[3:0]) : 18'b0;
 
   wire same_word = address_a[13:4] == address_b[13:4];
 
   always @(posedge CLKA) begin
-    if (RSTA || !OCEA || CSA0 || CSA1 || CSA2)
+    if ((RSTA && RESETMODE != "SYNC") || !OCEA || CSA0 || CSA1 || CSA2)
       $fatal(1, "%m: a reset, output enable or chip select that this model does not know");
     if (CEA) begin
       if (WEA)
@@ -200,10 +201,11 @@ module DP16KD #(
         shown_a <= (words[address_a[13:4]] ^ (same_word ? changed_b : 18'b0)) >>
           lowest_bit(DATA_WIDTH_A, address_a[3:0]);
     end
+    if (RSTA) shown_a <= 18'b0;
   end
 
   always @(posedge CLKB) begin
-    if (RSTB || !OCEB || CSB0 || CSB1 || CSB2)
+    if ((RSTB && RESETMODE != "SYNC") || !OCEB || CSB0 || CSB1 || CSB2)
       $fatal(1, "%m: a reset, output enable or chip select that this model does not know");
     if (CEB) begin
       if (WEB)
@@ -213,6 +215,7 @@ module DP16KD #(
         shown_b <= (words[address_b[13:4]] ^ (same_word ? changed_a : 18'b0)) >>
           lowest_bit(DATA_WIDTH_B, address_b[3:0]);
     end
+    if (RSTB) shown_b <= 18'b0;
   end
 
 endmodule
