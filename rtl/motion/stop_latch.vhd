@@ -59,6 +59,7 @@ architecture rtl of stop_latch is
   signal met : std_ulogic_vector(7 downto 0);
   -- Those that started the present brake, and have kept their level since.
   signal began_brake : std_ulogic_vector(7 downto 0) := x"00";
+  -- End stops that stop a segment if one is executed, and those that stop this one.
   signal hits : std_ulogic_vector(7 downto 0);
   signal hits_of_segment : std_ulogic_vector(7 downto 0);
   signal end_stop_hit : std_ulogic;
