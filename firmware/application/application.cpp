@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tasks in order, and the latched halt after a fault.
+// The tasks of the whole firmware, and the latched halt after a fault.
 #include "application/application.hpp"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include "application/levelling_reports.hpp"
 #include "host_link/replies.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
-#include "units/task_span.hpp"
 #include "units/text.hpp"
 
 namespace application {
@@ -21,18 +21,6 @@ constexpr units::Milliseconds count_period{100};
 constexpr units::Milliseconds cooling_period{1000};
 constexpr units::Milliseconds complaint_period{1000};
 constexpr units::Hertz fan_frequency{100};
-// A tick of the clock is a millisecond.
-constexpr std::uint32_t ticks_at_work = task_timing::sleep_at_work.count();
-constexpr std::uint32_t ticks_at_rest = task_timing::sleep_at_rest.count();
-
-using units::Task;
-
-template <Task task, class Work>
-auto run(const Work& work) {
-  const units::TaskSpan<task> span;
-  return work();
-}
-
 // "Error:Thermal Runaway, system stopped! Heater_ID: 0"
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   host_link::TextLine line;
@@ -70,6 +58,9 @@ bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
   hardware_.uart.set_line_ends(host_link::line_feed, host_link::carriage_return);
   const bool shaped = motion_.start();
+  longest_pass_ = std::min(motion_.longest_pass(), motion::Planner::horizon);
+  time_for_work_ = longest_pass_ * task_timing::part_for_work / task_timing::parts_of_a_pass;
+  time_for_look_ = longest_pass_ * task_timing::part_for_look / task_timing::parts_of_a_pass;
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);
@@ -83,54 +74,10 @@ bool Application::start(std::uint32_t baud) {
   return true;
 }
 
-bool Application::update() {
-  const units::Cycles began = hardware_.timer.now();
-  const Now now = clock_.update(began);
-  bool more = false;
-  if (halted_) {
-    serve_halted(now);
-  } else {
-    run<Task::motion>([&] { motion_.update(now); });
-    run<Task::serial_line>([&] {
-      exchange_bytes(now);
-      act_on_emergencies();
-    });
-    if (!halted_) more = run<Task::commands>([&] { return executor_.update(now); });
-    counters_.lines_withdrawn = link_.statistics().withdrawn;
-    // The host may send its next line during the rest of the pass.
-    transmit();
-    more = run<Task::refill>([&] { return refill(); }) || more || executor_.has_got_room();
-    run<Task::heat>([&] {
-      note_cooling(now);
-      heat_.update(now);
-    });
-    run<Task::faults>([&] { look_for_faults(); });
-    run<Task::reports>([&] { report(now); });
-    if (!halted_) {
-      switch_off_idle_motors(now);
-      switch_off_forgotten_heaters(now);
-    }
-  }
-  transmit();
-  heat_.complete_feed();
-  count(now);
-  const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
-  counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
-  set_alarms();
-  return more;
-}
-
-// The events that end the sleep after this pass.
-void Application::set_alarms() {
-  const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
-  hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
-  hardware_.timer.set_deadline(clock_.in_ticks(at_rest ? ticks_at_rest : ticks_at_work));
-}
-
 void Application::act_on_emergencies() {
   using Kind = host_link::EmergencyCommand::Kind;
-  // One of each kind may wait.
-  units::LoopBound<host_link::EmergencyCommand::kinds, 1> acted_on;
+  // A look takes no more than one line.
+  units::LoopBound<1, 1> acted_on;
   while (const auto command = link_.emergency()) {
     acted_on.next();
     switch (command->kind) {
@@ -187,7 +134,6 @@ void Application::note_cooling(Now now) {
 }
 
 void Application::look_for_faults() {
-  if (halted_) return;
   if (const auto fault = heat_.fault()) {
     halt(text_of(*fault).view());
   } else if (!heat_.hardware_fault().empty() && !motion_.emergency_input()) {
@@ -203,7 +149,6 @@ void Application::look_for_faults() {
 
 // Without room a report is left out: the next one is newer.
 void Application::report(Now now) {
-  if (halted_) return;
   const auto due = [now](units::Milliseconds interval, units::Milliseconds& next) {
     if (interval.count() == 0 || now.milliseconds < next) return false;
     next = now.milliseconds + interval;
@@ -215,6 +160,8 @@ void Application::report(Now now) {
     say_temperatures();
   }
   if (due(reports.position_interval(), next_position_)) say_position();
+  switch_off_idle_motors(now);
+  switch_off_forgotten_heaters(now);
 }
 
 void Application::say_temperatures() {
@@ -281,9 +228,11 @@ void Application::halt(std::string_view fault) {
 // answered with the fault again, at most once a second, so that a host that connects now
 // learns why. M999 ends it.
 void Application::serve_halted(Now now) {
-  std::array<char, most_bytes> bytes;
-  const std::size_t count = hardware_.uart.read(bytes).count;
-  static_assert(most_bytes <= units::longest_text);
+  units::EventBound<units::Event::byte_received, units::longest_text> read;
+  units::EventBound<units::Event::byte_taken, units::longest_text> taken;
+  units::EventBound<units::Event::line_taken, 1> lines;
+  std::array<char, units::longest_text> bytes;
+  const std::size_t count = hardware_.uart.read_line(bytes).count;
   restart_wanted_ = link_.restart_requested({bytes.data(), count});
   const bool line_ended = units::find({bytes.data(), count}, '\n') != std::string_view::npos;
   if (restart_wanted_ || !line_ended || now.milliseconds < next_complaint_) return;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "application/command_executor.hpp"
@@ -45,11 +46,13 @@ class Application {
   const HeatTask& heat() const { return heat_; }
 
  private:
-  void set_alarms();
+  std::optional<bool> work(Now now);
+  [[gnu::noinline]] bool in_time();
+  [[gnu::noinline]] Now time();
+  void set_alarms(Now now);
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
-  void exchange_bytes(Now now, std::size_t most = most_bytes);
-  void receive(Now now, std::size_t most);
-  bool refill();
+  void exchange_bytes(Now now);
+  void receive(Now now);
   void transmit();
   void act_on_emergencies();
   void note_cooling(Now now);
@@ -84,6 +87,10 @@ class Application {
   std::uint32_t extruder_steps_{};  // when it was looked at last
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};  // likewise
   host_link::TextLine fault_;
+  // That motion has in hand at least: what keeps it from ending, and while work or a look begins.
+  units::Microseconds longest_pass_{}, time_for_work_{}, time_for_look_{};
+  units::Microseconds ends_in_hand_{};  // where it needs lines before
+  bool work_is_late_{};
   bool halted_{};
   bool restart_wanted_{};
 };

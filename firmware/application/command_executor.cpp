@@ -4,9 +4,20 @@
 
 #include "gcode/parser.hpp"
 #include "host_link/replies.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
+namespace {
+
+// Of the texts that one update puts together: what the queue holds, a line that finds no room
+// there, and parts of them that are put together before.
+constexpr std::uint32_t most_characters =
+    host_link::TransmitQueue::capacity + 3 * host_link::TextLine::capacity;
+// Of one number.
+constexpr std::uint32_t most_long_digits = 10;
+
+}  // namespace
 
 CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& motion,
                                  HeatTask& heat, drivers::Fan& fan, host_link::HostLink& link,
@@ -19,9 +30,14 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
       query_(link) {}
 
 bool CommandExecutor::update(Now now) {
+  // None leaves the queue meanwhile; a line that finds no room there is the last.
+  units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> replies;
+  units::EventBound<units::Event::character_written, most_characters> characters;
+  units::EventBound<units::Event::long_digit, most_long_digits> digits;
+  units::EventBound<units::Event::handler_called, 1> handlers;
   active_.now = now;
   follow_position_jump();
-  answer_queries();
+  if (answer_query()) return true;
   if (groups_.handles_filament()) {
     // While it is changed it may be away, and where lines are not executed, M600 is none either.
     const bool ignores = asks_user() || groups_.files.storing() || groups_.dry_runs.asked_for();
@@ -118,7 +134,9 @@ Progress CommandExecutor::proceed() {
   if (begins()) {
     if (const auto progress = prepare()) return *progress;
   }
-  return row_->handler()(groups_, active_);
+  const Progress progress = row_->handler()(groups_, active_);
+  units::happens<units::Event::handler_called>();
+  return progress;
 }
 
 Progress CommandExecutor::refuse_unparsed() {
@@ -150,7 +168,9 @@ std::optional<Progress> CommandExecutor::prepare() {
   }
   if (const Handler report = row_->report();
       report != nullptr && !command.has_any(row_->letters())) {
-    return report(groups_, active_);
+    const Progress progress = report(groups_, active_);
+    units::happens<units::Event::handler_called>();
+    return progress;
   }
   if (!may_start()) return Progress::again;
   if (const auto* limit = violated(command, active_.limits)) return active_.refuse(*limit);
@@ -175,16 +195,15 @@ bool CommandExecutor::may_start() {
   return true;
 }
 
-// Ahead of the current line, which may have to wait long.
-void CommandExecutor::answer_queries() {
-  units::LoopBound<host_link::HostLink::most_queries> queries;
-  while (const auto code = link_.query()) {
-    queries.next();
-    const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
-    if (progress == Progress::again) return;
-    if (!link_.query_answered(query_.behind_ok.view())) return;
-    query_.begin();
-  }
+// One ahead of the current line, which may have to wait long.
+bool CommandExecutor::answer_query() {
+  const auto code = link_.query();
+  if (!code) return false;
+  const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
+  if (progress == Progress::again) return false;
+  if (!link_.query_answered(query_.behind_ok.view())) return false;
+  query_.begin();
+  return true;
 }
 
 void CommandExecutor::follow_position_jump() {

@@ -22,12 +22,7 @@ class CommandExecutor {
                   FilamentCommands* filament = nullptr);
 
   // Goes on with the line in hand, or takes the next one. True if more can be done at once.
-  bool update(Now now);
-  // Between two passes, only this: queries ahead of the current line, or whose turn it is.
-  void answer_questions(Now now) {
-    if (link_.temperatures_wanted()) update(now);
-    answer_queries();
-  }
+  [[gnu::noinline]] bool update(Now now);
 
   // M108, M410, M602, M876 and the host's actions, the moment they are received.
   void cancel_wait() {
@@ -73,7 +68,7 @@ class CommandExecutor {
   std::optional<Progress> prepare();
   bool may_start();
   Progress refuse_unparsed();
-  void answer_queries();
+  bool answer_query();
   void follow_position_jump();
 
   bool begins() const {

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "application/task_timing.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -33,7 +34,6 @@ constexpr units::Milliseconds hotend_settle{15'000};
 constexpr units::Milliseconds bed_settle{60'000};
 // Heat is requested and the supply does not close: what vetoes it at its start is not latched.
 constexpr units::Milliseconds supply_patience{2'000};
-constexpr int marlin_power_shift = 9;  // 0 .. 65535 to 0 .. 127
 
 // A bed is slow: Marlin's WATCH_BED_TEMP_PERIOD and THERMAL_PROTECTION_BED_HYSTERESIS.
 constexpr thermal::ProtectionSettings bed_protection{.watch_period = units::Milliseconds{60'000}};
@@ -137,12 +137,17 @@ void HeatTask::start() {
   control_.set_timeouts(task_timing::heater_watchdog, sensor_timeout);
 }
 
-void HeatTask::update(Now now) {
+bool HeatTask::is_due(units::Milliseconds now) const {
   constexpr units::Milliseconds period = thermal::HeaterLoop::period;
   const auto turn = static_cast<std::int64_t>(next_);
   const units::Milliseconds due =
       next_ == 0 ? period : period * turn / static_cast<std::int64_t>(parts());
-  if (round_began_ && now.milliseconds - *round_began_ < due) return;
+  if (round_began_ && now - *round_began_ < due) return false;
+  // The watchdog is fed with the last turn.
+  return next_ + 1 < parts() || now - fed_ >= task_timing::least_heat_period;
+}
+
+void HeatTask::update(Now now) {
   if (next_ == 0) {
     round_began_ = now.milliseconds;
     watch_supply(now.milliseconds);
@@ -150,6 +155,7 @@ void HeatTask::update(Now now) {
   update(part(next_++), now);
   if (next_ < parts()) return;
   next_ = 0;
+  fed_ = now.milliseconds;
   control_.feed(drivers::FeedKey::first);
   second_key_is_due_ = true;
 }
@@ -199,6 +205,8 @@ void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
 }
 
 void HeatTask::update(Part& part, Now now) {
+  // There are more turns than courses before the next window.
+  units::EventBound<units::Event::course_judged, 1> judged;
   const std::size_t gate = part.description.heater_channel;
   const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
   if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok) {
@@ -269,30 +277,6 @@ bool HeatTask::extrusion_is_cold(std::size_t tool) const {
   if (cold_extrusion_allowed_) return false;
   const auto temperature = loop(hotend_of(tool)).temperature();
   return !temperature || *temperature < least_extrusion_;
-}
-
-host_link::HeaterState HeatTask::state(Heater heater) const {
-  const Part& part = this->part(heater);
-  return {.temperature = part.temperature,
-          .target = part.loop.target(),
-          .power = static_cast<std::uint8_t>(part.loop.duty() >> marlin_power_shift)};
-}
-
-host_link::TextLine HeatTask::report() const {
-  if (units::most_tools == 1 || tools() == 1) {
-    return host_link::temperature_report(state(Heater::hotend), state(Heater::bed));
-  }
-  return host_link::temperature_report(state(hotend()), state(Heater::bed),
-                                       std::array{state(Heater::hotend), state(Heater::hotend_1)});
-}
-
-std::optional<HeatTask::NamedFault> HeatTask::fault() const {
-  units::LoopBound<most_parts> heaters;
-  for (std::size_t i = 0; i < parts(); ++i) {
-    heaters.next();
-    if (const auto fault = part(i).loop.fault()) return NamedFault{static_cast<Heater>(i), *fault};
-  }
-  return std::nullopt;
 }
 
 }  // namespace application

@@ -35,7 +35,9 @@ class HeatTask {
 
   // Starts the conversions. Once.
   void start();
-  // Every pass of the loop; works every thermal::HeaterLoop::period.
+  // The turn of the next part: each has one in every thermal::HeaterLoop::period.
+  bool is_due(units::Milliseconds now) const;
+  // That turn.
   void update(Now now);
   // At the end of a pass, after all tasks: the watchdog's second key, if update() has
   // fed the first.
@@ -127,6 +129,7 @@ class HeatTask {
   bool supply_closed_{};
   units::Milliseconds supply_missing_since_{};  // though heat is requested
   bool second_key_is_due_{};
+  units::Milliseconds fed_{-thermal::HeaterLoop::period};  // when the first key was
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> tool_{};
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "platform/boot_loader.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -85,15 +86,17 @@ Progress HostCommands::say_text(ActiveCommand& command) {
   bool action = false;
   bool echo = false;
   const auto takes = [&text](std::string_view prefix) {
-    if (!units::starts_with(text, prefix)) return false;
-    text.remove_prefix(prefix.size());
+    if (text.size() < 2 || text[0] != prefix[0] || text[1] != prefix[1]) return false;
+    text.remove_prefix(2);
     units::LoopBound<units::longest_text> blanks;
     while (!text.empty() && text.front() == ' ') {
       blanks.next();
       text.remove_prefix(1);
+      units::happens<units::Event::character_read>(text.size());
     }
     return true;
   };
+  units::EventBound<units::Event::character_read, units::longest_text> read;
   // Each takes two bytes of the line, but the last.
   units::LoopBound<units::longest_text / 2 + 1> words;
   for (bool more = true; more;) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "motion/s_curve.hpp"
+#include "units/loop_bound.hpp"
 
 namespace application {
 namespace {
@@ -152,6 +153,9 @@ bool MotionTask::set_shaping(const motion::ShapingSettings& settings) {
 void MotionTask::update(Now now) {
   step_generator_.feed_watchdog();
   pace_.update(now.microseconds, step_generator_.moving());
+}
+
+void MotionTask::plan(Now now) {
   settle_stop(now.milliseconds);
   if (!line_is_whole() && planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
   if (homing_.active() || probing()) lead_homing(now.milliseconds);
@@ -180,7 +184,9 @@ void MotionTask::settle_stop(units::Milliseconds now) {
   if (levels()) levelling_->line.cancel();
   lines_before_ = 0;
   units::PerAxis<std::int64_t> steps = planner_.position_steps();
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     steps[i] = unwrapped(stop.positions[i], steps[i] + lead(i)) - lead(i);
   }
   planner_.set_position_steps(steps);

@@ -31,17 +31,22 @@ class MotionTask {
   // Sets up guards, rate floor, end stops and shaping. Once, at rest. False where the machine's
   // shaping is out of range, and thus off.
   bool start();
-  // Every pass of the loop: the sign of life, stops, homing.
+  // Every pass of the loop, first: the sign of life, and the time of motion.
   void update(Now now);
-  // Every pass after that, until it is false: hands over the next line, or what of it the step
-  // generator has room for, if that is due.
-  bool refill();
-  // Calls of refill() in one pass; others wait for the next, so that a pass has a bound.
-  static constexpr unsigned most_refills = task_timing::lines_handed_over;
-  unsigned refills_in_a_pass() const {
-    constexpr unsigned shaped_refills = 12;
-    return shapes() && shaping_->active() ? shaped_refills : most_refills;
+  // Stops, chords, homing.
+  [[gnu::noinline]] void plan(Now now);
+  // Hands over at most so many lines, or what of them the step generator has room for, if that is
+  // due. True if there may be more.
+  bool refill(unsigned most);
+  // How long motion goes on by itself, where lines wait that must go on before it ends; very long
+  // where there is no haste.
+  [[gnu::noinline]] units::Microseconds time_in_hand() const;
+  // The lines of a start are collected before it: nothing moves, and nothing else is to be done.
+  bool collecting() const {
+    return (collecting_ || start_is_due()) && !stopping_ && !step_generator_.stopped();
   }
+  // The longest time from one look to the next at whether lines must be handed over.
+  units::Microseconds longest_pass() const { return planner_.timing().longest_pass; }
   // refill() had no more room for segments: these may be short, so less than the planner's horizon
   // may be in hand.
   bool queue_full() const { return queue_full_; }
@@ -164,6 +169,11 @@ class MotionTask {
   std::uint32_t position_jumps() const { return position_jumps_; }
 
  private:
+  bool hand_over_line();
+  // Motion goes on by other rules where it is shaped.
+  bool is_shaped() const { return shapes() && shaping_->active(); }
+  bool start_is_due() const { return !is_shaped() && planner_.start_is_due(pace_.time()); }
+  void begin_collecting();
   // All of it is with the step generator.
   [[gnu::always_inline]] bool plan_is_done() const {
     return planner_.empty() && (!shapes() || shaping_->at_rest());
@@ -222,6 +232,7 @@ class MotionTask {
   units::Milliseconds rings_until_{};  // the motor that an end stop has stopped
   bool stopping_{};
   bool queue_full_{};
+  bool collecting_{};
   bool emergency_input_{};
   bool watchdog_stop_{};
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};

@@ -4,6 +4,7 @@
 
 #include "application/motion_task.hpp"
 #include "motion/s_curve.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -12,12 +13,54 @@ namespace {
 // So much of the end of a shaped motion is handed over at a time, or what the longest pass needs.
 constexpr units::Microseconds end_at_a_time{20'000};
 
+constexpr units::Microseconds no_haste{std::int64_t{1} << 60};
+
 }  // namespace
 
-bool MotionTask::refill() {
+units::Microseconds MotionTask::time_in_hand() const {
+  // Nothing of a start moves before its lines are collected. Whatever fills the queue lasts longer
+  // than a pass.
+  const bool goes_on = !planner_.resting() && !collecting_ && !queue_full_;
+  if (!goes_on || is_shaped() || step_generator_.stopped()) return no_haste;
+  return planner_.in_hand(pace_.time());
+}
+
+bool MotionTask::refill(unsigned most) {
+  bool more = true;
+  if (is_shaped()) {
+    units::LoopBound<task_timing::shaped_refills> refills;
+    for (unsigned i = 0; more && i < task_timing::shaped_refills; ++i) {
+      refills.next();
+      more = hand_over_line();
+    }
+    return more;
+  }
+  if (start_is_due() && step_generator_.idle()) begin_collecting();
+  // Nothing is appended meanwhile.
+  units::EventBound<units::Event::looked_ahead, 1> once;
+  units::LoopBound<task_timing::lines_alone> lines;
+  for (unsigned i = 0; more && i < most; ++i) {
+    lines.next();
+    more = hand_over_line();
+  }
+  if (collecting_ && (!more || planner_.in_hand(pace_.time()) >= longest_pass())) {
+    collecting_ = false;
+    step_generator_.permit_motion(true);
+  }
+  return more;
+}
+
+// Motion begins with what the longest pass needs, or with all that there is.
+void MotionTask::begin_collecting() {
+  collecting_ = true;
+  step_generator_.permit_motion(false);
+}
+
+bool MotionTask::hand_over_line() {
   queue_full_ = false;
   if (stopping_) return false;
   units::LoopBound<motion::most_phases> segments;  // of a line: it returns between lines
+  units::EventBound<units::Event::line_begun, 1> begun;
   for (std::uint32_t free = step_generator_.free_segments(); free > 0; --free) {
     segments.next();
     const std::size_t lines = planner_.lines();

@@ -48,12 +48,10 @@ Progress ReportCommands::say_firmware(Reply& reply) const {
       .machine = machine_.name,
       .extruders = static_cast<std::uint8_t>(machine_.tools()),
       .capabilities = present};
-  // The firmware's name, then the capabilities, then nothing.
-  units::LoopBound<std::tuple_size_v<decltype(present)> + 2> lines;
-  while (const auto line = host_link::firmware_line(firmware, reply.lines_said)) {
-    lines.next();
-    if (reply.say(*line) == Progress::again) return Progress::again;
-    ++reply.lines_said;
+  // The firmware's name, then the capabilities, then nothing: one in each pass.
+  if (const auto line = host_link::firmware_line(firmware, reply.lines_said)) {
+    if (reply.say(*line) == Progress::done) ++reply.lines_said;
+    return Progress::again;
   }
   return motion_.levels() ? say_levelling(reply) : Progress::done;
 }

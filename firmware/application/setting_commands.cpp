@@ -18,9 +18,6 @@ namespace application {
 namespace {
 
 constexpr std::int64_t nanometers_per_micrometer = 1000;
-// By M503: inches, tools, backlash, a delta, a sensor of filament, and the lengths of each tool.
-constexpr std::size_t most_listed =
-    std::size(reported_settings) + shaping_reports + levelling_reports + 7 + units::most_tools;
 
 // Beyond the range of the type it becomes a value that the setting refuses.
 template <class Quantity>
@@ -208,13 +205,11 @@ std::optional<host_link::TextLine> SettingCommands::listed(std::size_t index) co
 Progress SettingCommands::list(ActiveCommand& command) {
   std::size_t& said = command.lines_said;
   said = std::max<std::size_t>(said, coordinates_.inches() ? 0 : 1);
-  units::LoopBound<most_listed> lines;
-  while (const auto line = listed(said)) {
-    lines.next();
-    if (command.say(*line) == Progress::again) return Progress::again;
-    ++said;
-  }
-  return Progress::done;
+  // One in each pass.
+  const auto line = listed(said);
+  if (!line) return Progress::done;
+  if (command.say(*line) == Progress::done) ++said;
+  return Progress::again;
 }
 
 Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
@@ -233,8 +228,9 @@ Progress SettingCommands::restore(ActiveCommand& command, bool lists) {
     coordinates_.restore_tools(machine_);
     if (handles_filament()) filament_->restore();
     command.phase = ActiveCommand::Phase::working;
+    return lists ? Progress::again : Progress::done;
   }
-  return lists ? list(command) : Progress::done;
+  return list(command);
 }
 
 }  // namespace application

@@ -37,60 +37,74 @@ struct TaskRow {
 
 // M112 has stopped motion and heat after this time, however much waits before it. What must be
 // faster has the emergency stop input, which is hardware and needs no program.
-inline constexpr units::Milliseconds stop_within{500};
+inline constexpr units::Milliseconds stop_within{1000};
 
 inline constexpr std::array<TaskRow, units::task_count> task_table{{
     {.task = units::Task::motion,
-     .name = "motion: stops, homing",
+     .name = "motion: sign of life",
      .period = {},
      .deadline = {.time = task_timing::motion_watchdog},
-     .budget = 12'000,
+     .budget = 1'000,
      .priority = 1,
      .reason = "motion's watchdog stops all axes"},
     {.task = units::Task::serial_line,
-     .name = "serial line: lines in, their answers",
+     .name = "serial line: a line in, its answer",
      .period = {},
      .deadline = {.time = host_link::HostLink::longest_silence,
                   .bytes = registers::uart::receive_depth},
      .budget = 40'000,
      .priority = 2,
      .reason = "the FIFO of received bytes is full; a host hears nothing; M112 waits"},
+    {.task = units::Task::faults,
+     .name = "faults",
+     .period = {},
+     .deadline = {.time = stop_within},
+     .budget = 6'000,
+     .priority = 3,
+     .reason = "motion and heat go on after a fault that software alone detects"},
+    {.task = units::Task::heat,
+     .name = "heat: sensors, heaters",
+     .period = thermal::HeaterLoop::period,
+     .deadline = {.time = task_timing::heater_watchdog},
+     .budget = 20'000,
+     .priority = 4,
+     .reason = "the heaters' watchdog opens their supply, also where it is fed too early"},
+    {.task = units::Task::planning,
+     .name = "planning: stops, chords, homing",
+     .period = {},
+     .deadline = {.time = stop_within},
+     .budget = 12'000,
+     .priority = 5,
+     .reason = "a stop is not settled; homing waits"},
+    {.task = units::Task::reports,
+     .name = "reports at intervals",
+     .period = units::Milliseconds(100),
+     .deadline = {},
+     .budget = 12'000,
+     .priority = 6,
+     .reason = ""},
     {.task = units::Task::commands,
      .name = "commands: one of them",
      .period = {},
      .deadline = {.time = host_link::HostLink::longest_silence},
      .budget = 40'000,
-     .priority = 3,
+     .priority = 7,
      .reason = "a host hears nothing"},
     {.task = units::Task::refill,
      .name = "refill: segments to the step generator",
      .period = {},
      .deadline = {.time = units::Milliseconds(motion::Planner::horizon.count() / 1000),
                   .clocks = task_timing::lines_of_a_pass * task_timing::least_line_clocks},
-     .budget = 60'000,
-     .priority = 4,
+     .budget = 24'000,
+     .priority = 8,
      .reason = "motion that has been handed over ends"},
-    {.task = units::Task::heat,
-     .name = "heat: sensors, heaters",
-     .period = thermal::HeaterLoop::period,
-     .deadline = {.time = task_timing::heater_watchdog},
-     .budget = 20'000,
-     .priority = 5,
-     .reason = "the heaters' watchdog opens their supply, also where it is fed too early"},
-    {.task = units::Task::faults,
-     .name = "faults",
+    {.task = units::Task::rest,
+     .name = "rest: watchdog's second key, counters",
      .period = {},
-     .deadline = {.time = stop_within},
-     .budget = 6'000,
-     .priority = 6,
-     .reason = "motion and heat go on after a fault that software alone detects"},
-    {.task = units::Task::reports,
-     .name = "reports at intervals",
-     .period = units::Milliseconds(100),
-     .deadline = {},
-     .budget = 12'000,
-     .priority = 7,
-     .reason = ""},
+     .deadline = {.time = task_timing::heater_watchdog},
+     .budget = 4'000,
+     .priority = 9,
+     .reason = "the heaters' watchdog opens their supply"},
 }};
 
 // The table is in the order of the pass, which is that of its priorities.
@@ -124,20 +138,18 @@ struct ScheduleFacts {
   std::uint64_t horizon_ms = motion::Planner::horizon.count() / 1000;
   std::uint64_t least_line_clocks = task_timing::least_line_clocks;
   std::uint64_t lines_of_a_pass = task_timing::lines_of_a_pass;
-  std::uint64_t lines_without_look = task_timing::lines_without_look;
   std::uint64_t motion_watchdog_ms = task_timing::motion_watchdog.count();
   // Heat.
   std::uint64_t heat_period_ms = thermal::HeaterLoop::period.count();
-  std::uint64_t last_heater_ms = thermal::HeaterLoop::period.count() / 2;  // after the first one
+  std::uint64_t least_heat_ms = task_timing::least_heat_period.count();
   std::uint64_t heater_watchdog_ms = task_timing::heater_watchdog.count();
   std::uint64_t early_part = 16;  // of the watchdog's time is too early (feed_watchdog.vhd)
   std::uint64_t heater_tick_clocks = registers::heater_control::tick_cycles;
 };
 
-constexpr ScheduleFacts schedule_facts(bool is_fast, std::size_t tools) {
+constexpr ScheduleFacts schedule_facts(bool is_fast) {
   ScheduleFacts facts;
   facts.least_line_clocks = static_cast<std::uint64_t>(task_timing::least_line(is_fast));
-  facts.last_heater_ms = facts.heat_period_ms * tools / (tools + 1);
   return facts;
 }
 

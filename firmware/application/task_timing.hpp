@@ -14,8 +14,9 @@ namespace application::task_timing {
 inline constexpr units::Milliseconds sleep_at_work{2};
 inline constexpr units::Milliseconds sleep_at_rest{8};
 
-// Bytes that a pass takes from the uart at most.
-inline constexpr std::size_t bytes_of_a_look = 128;
+// Bytes that a pass takes from the uart at most: those of the longest line, and its end. It takes
+// no more than one line.
+inline constexpr std::size_t bytes_of_a_look = 129;
 // The end of a line ends the sleep too, and so many bytes without one: half of that.
 inline constexpr std::size_t wake_level = bytes_of_a_look / 2;
 
@@ -28,17 +29,22 @@ constexpr std::int64_t least_line(bool is_fast) {
   return is_fast ? fast_least_line_clocks : least_line_clocks;
 }
 
-// So many lines are handed over without a look at the serial line in between: they last longer in
-// motion than it takes to receive a line, to answer it and to hand over the next, so that what has
-// begun from rest does not run dry.
-inline constexpr unsigned lines_without_look = 2;
-// Lines that a pass hands over at most.
-inline constexpr unsigned lines_handed_over = 32;
+// Lines that a pass hands over at most: behind work, and where it does no other.
+inline constexpr unsigned lines_behind_work = 1, lines_alone = 4;
+// The same of slots where motion is shaped.
+inline constexpr unsigned shaped_refills = 12;
+
+// While motion goes on into lines that wait, a pass begins work only if what is handed over
+// outlasts it and the next line: so much of the longest pass. A look at the serial line takes less.
+inline constexpr std::int64_t part_for_work = 5, part_for_look = 3, parts_of_a_pass = 6;
 
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 inline constexpr units::Milliseconds motion_watchdog{200};
 
 // The same of heat, and of sensors that are not read.
 inline constexpr units::Milliseconds heater_watchdog{1'000};
+// It is not fed sooner after the last time: a sixteenth of that would be too early for it, and what
+// the heaters' task takes comes on top.
+inline constexpr units::Milliseconds least_heat_period{90};
 
 }  // namespace application::task_timing

@@ -198,7 +198,9 @@ StepGenerator::Stop StepGenerator::stop_state() const {
   result.software = cause.software;
   result.watchdog = cause.watchdog;
   result.software_brake = cause.software_brake;
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t axis = 0; axis < units::axis_count; ++axis) {
+    axes.next();
     result.positions[axis] = platform::read<registers::StopPosition>(hardware_axis(axis)).steps;
   }
   result.clock = platform::read<registers::StopTime>().clocks;

@@ -70,6 +70,8 @@ void Uart::clear_errors() {
 bool Uart::line_waits() const { return platform::read<uart_registers::Status>().line_waits; }
 
 void Uart::set_line_ends(char first, char second) {
+  first_end_ = static_cast<unsigned char>(first);
+  second_end_ = static_cast<unsigned char>(second);
   platform::write(uart_registers::LineEnds{
       .first = static_cast<unsigned char>(first),
       .second = static_cast<unsigned char>(second),

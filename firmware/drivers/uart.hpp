@@ -62,6 +62,9 @@ class Uart {
   // Takes as many bytes as have come and as fit, but none beyond one that comes after a gap. The
   // span is no longer than the FIFO is deep (registers::uart::receive_depth).
   ReceivedBytes read(std::span<char> bytes);
+  // The same up to the end of a line, at the latest. The second end and the first behind it are one
+  // end: the first of them is taken with the next line.
+  ReceivedBytes read_line(std::span<char> bytes);
   // Hands over as many bytes as there is space for, from the first on; returns how many.
   std::size_t write(std::span<const char> bytes);
 
@@ -83,6 +86,13 @@ class Uart {
 
  private:
   static constexpr std::uint64_t fastest_increment = std::uint64_t{1} << 30;
+
+  template <bool one_line>
+  ReceivedBytes take(std::span<char> bytes);
+  bool ends_line(unsigned char byte, bool is_first) const;
+
+  unsigned char first_end_{}, second_end_{};
+  bool after_second_end_{};  // the last byte that read_line() has taken
 };
 
 }  // namespace drivers

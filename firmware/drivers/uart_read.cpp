@@ -10,28 +10,47 @@ namespace drivers {
 
 namespace uart_registers = registers::uart;
 
-[[gnu::noinline]] ReceivedBytes Uart::read(std::span<char> bytes) {
-  // By masks, in one comparison: this is done for each byte.
-  constexpr std::uint32_t flags = uart_registers::Data::valid_mask | uart_registers::Data::gap_mask;
+template <bool one_line>
+[[gnu::always_inline]] inline ReceivedBytes Uart::take(std::span<char> bytes) {
+  using Data = uart_registers::Data;
+  // In one comparison, since this is done for each byte: it is there, after no gap, and no control
+  // character, as the ends of a line are.
+  constexpr std::uint32_t least = Data::valid_mask | (one_line ? ' ' : 0);
+  constexpr std::uint32_t count = Data::valid_mask + Data::byte_max + 1 - least;
+  static_assert(Data::valid_mask == Data::byte_max + 1 && Data::gap_mask > Data::valid_mask);
   char* to = bytes.data();
   char* const end = to + bytes.size();
   bool gap = false;
   units::LoopBound<uart_registers::receive_depth> reads;
   for (; to != end; ++to) {
     reads.next();
-    const std::uint32_t word = platform::bus_read(uart_registers::Data::address);
+    const std::uint32_t word = platform::bus_read(Data::address);
     *to = static_cast<char>(word);
-    if ((word & flags) == uart_registers::Data::valid_mask) [[likely]] {
+    if (word - least < count) [[likely]] {
       units::happens<units::Event::byte_received>();
       continue;
     }
-    if ((word & uart_registers::Data::valid_mask) == 0) break;
+    if ((word & Data::valid_mask) == 0) break;
     units::happens<units::Event::byte_received>();
-    gap = true;
+    gap = (word & Data::gap_mask) != 0;
+    if (!gap && !ends_line(static_cast<unsigned char>(word), to == bytes.data())) continue;
     ++to;
     break;
   }
-  return {.count = static_cast<std::size_t>(to - bytes.data()), .gap_before_last = gap};
+  const auto taken = static_cast<std::size_t>(to - bytes.data());
+  if (one_line && taken != 0) {
+    after_second_end_ = static_cast<unsigned char>(to[-1]) == second_end_;
+  }
+  return {.count = taken, .gap_before_last = gap};
 }
+
+bool Uart::ends_line(unsigned char byte, bool is_first) const {
+  if (byte == second_end_) return true;
+  return byte == first_end_ && !(is_first && after_second_end_);
+}
+
+[[gnu::noinline]] ReceivedBytes Uart::read(std::span<char> bytes) { return take<false>(bytes); }
+
+[[gnu::noinline]] ReceivedBytes Uart::read_line(std::span<char> bytes) { return take<true>(bytes); }
 
 }  // namespace drivers

@@ -52,8 +52,10 @@ class LineParser {
   LineParser(std::string_view line, Command& command) : line_(line), command_(command) {}
 
   std::optional<ParseError> parse() {
-    // It goes back once, in M0 and M1.
-    units::EventBound<units::Event::character_read, 2 * longest_text> places;
+    // It goes back once, in M0 and M1, to a text; those in quotes are looked at once more.
+    units::EventBound<units::Event::character_read, longest_text> places;
+    units::EventBound<units::Event::text_checked, longest_text> texts;
+    units::EventBound<units::Event::comment_skipped, longest_text / 2> comments;
     if (!skip_blanks_and_comments()) return failure();
     if (at_end()) return fail(ParseFault::empty_line, position_);
     if (!read_name_of_objects() && !read_letter_and_code()) return failure();
@@ -112,6 +114,19 @@ class LineParser {
     }
   }
 
+  // To behind the next of these characters, if there is one; otherwise to the end.
+  bool skip_behind(char last) {
+    units::LoopBound<longest_text, 1> characters;
+    while (!at_end()) {
+      characters.next();
+      const bool found = here() == last;
+      ++position_;
+      units::happens<units::Event::character_read>(position_);
+      if (found) return true;
+    }
+    return false;
+  }
+
   bool skip_blanks_and_comments() {
     // Two brackets each, and the round behind the last of them.
     units::LoopBound<longest_text / 2 + 1> comments;
@@ -126,12 +141,9 @@ class LineParser {
       if (here() != '(') {
         return true;
       }
-      const std::size_t closing = units::find(line_, ')', position_);
-      if (closing == std::string_view::npos) {
-        return set_error(ParseFault::unclosed_comment, position_);
-      }
-      position_ = closing + 1;
-      units::happens<units::Event::character_read>(position_);
+      const std::size_t opening = position_;
+      if (!skip_behind(')')) return set_error(ParseFault::unclosed_comment, opening);
+      units::happens<units::Event::comment_skipped>();
     }
   }
 
@@ -191,25 +203,29 @@ class LineParser {
     const std::size_t start = position_;
     std::size_t end = position_;
     units::LoopBound<longest_text> characters;
-    for (; !at_end() && here() != ';'; ++position_) {
+    while (!at_end() && here() != ';') {
       characters.next();
-      if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
-      if (!is_blank(here())) end = position_ + 1;
+      const char c = here();
+      if (is_control(c)) return set_error(ParseFault::unprintable_byte, position_);
+      ++position_;
+      units::happens<units::Event::text_checked>(position_);
+      if (!is_blank(c)) end = position_;
     }
     command_.text = part(start, end);
     return true;
   }
   [[gnu::cold]] bool read_quoted_text() {
     const std::size_t quote = position_++;
-    const std::size_t closing = units::find(line_, '"', position_);
-    if (closing == std::string_view::npos) return set_error(ParseFault::unclosed_quote, quote);
-    command_.text = part(position_, closing);
+    if (!skip_behind('"')) return set_error(ParseFault::unclosed_quote, quote);
+    const std::size_t closing = position_ - 1;
+    command_.text = part(quote + 1, closing);
     units::LoopBound<longest_text> characters;
-    for (; position_ < closing; ++position_) {
+    for (std::size_t i = quote + 1; i < closing; ++i) {
       characters.next();
-      if (is_control(here())) return set_error(ParseFault::unprintable_byte, position_);
+      const char c = line_[i];
+      units::happens<units::Event::text_checked>(static_cast<unsigned char>(c));
+      if (is_control(c)) return set_error(ParseFault::unprintable_byte, i);
     }
-    position_ = closing + 1;
     return true;
   }
 

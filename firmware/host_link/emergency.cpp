@@ -4,6 +4,7 @@
 
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -72,11 +73,13 @@ std::uint8_t button_in(std::string_view parameters) {
 }  // namespace
 
 std::uint32_t take_code_behind_m(std::string_view& text) {
+  units::EventBound<units::Event::character_read, max_line_length> read;
   std::size_t end = 1;
   units::LoopBound<max_line_length> blanks;
   while (end < text.size() && is_blank(text[end])) {
     blanks.next();
     ++end;
+    units::happens<units::Event::character_read>(end);
   }
   std::uint32_t code = 0;
   units::LoopBound<max_line_length, 1> digits;
@@ -84,6 +87,7 @@ std::uint32_t take_code_behind_m(std::string_view& text) {
     digits.next();
     code = code * 10 + static_cast<std::uint32_t>(text[end] - '0');
     if (code > largest_code) return 0;
+    units::happens<units::Event::character_read>(code);
   }
   if (end < text.size() && text[end] == '.') return 0;
   text.remove_prefix(end);

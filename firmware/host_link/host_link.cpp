@@ -72,7 +72,10 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
     bytes = bytes.subspan(receiver_.put_text(bytes));
     if (bytes.empty()) return;
     units::happens<units::Event::byte_taken>(static_cast<unsigned char>(bytes.front()));
-    if (receiver_.put(bytes.front())) handle(receiver_.take());
+    if (receiver_.put(bytes.front())) {
+      units::happens<units::Event::line_taken>();
+      handle(receiver_.take());
+    }
     bytes = bytes.subspan(1);
   }
 }
@@ -240,12 +243,6 @@ void HostLink::work_goes_on() {
 
 bool HostLink::in_numbered_session() const {
   return framed_seen_ && now_ - last_framed_ < session_memory;
-}
-
-bool HostLink::temperatures_wanted() const {
-  if (in_hand_ || queue_.size() == 0) return false;
-  std::string_view text = queue_.front().text;
-  return take_m_code(text) == 105;
 }
 
 std::optional<AcceptedLine> HostLink::next_line() {

@@ -51,8 +51,6 @@ class HostLink {
   std::span<const char> to_send() const { return transmit_.front(); }
   void sent(std::size_t count) { transmit_.drop(count); }
 
-  // Whether the line that next_line() gives requests temperatures (M105).
-  bool temperatures_wanted() const;
   // The oldest accepted line, if none is in hand. It stays in hand, and its text valid, until
   // finished(). The text may be empty (a numbered comment): only its ok is due.
   std::optional<AcceptedLine> next_line();
@@ -67,8 +65,8 @@ class HostLink {
   bool ask_again();
 
   static constexpr std::size_t most_queries = 4;
-  // That fit into what waits to be sent: "ok" and the line's end.
-  static constexpr std::size_t most_oks = TransmitQueue::capacity / 3;
+  // That were owed and are sent at a time; others follow with the next update.
+  static constexpr std::size_t most_oks = 2;
   // The code of the oldest query (M105, M114, M115) that is answered before the lines that wait:
   // each while the user is waited for, since its host may be one that has just come; and M105 from
   // a person in the middle of a job.
@@ -93,10 +91,11 @@ class HostLink {
   void work_goes_on();
 
   // While a line waits the host hears something this often at least, until M113 sets another one:
-  // a busy message, if nothing else. It comes so much before its time, since a pass of the loop and
-  // the line take some.
+  // a busy message, if nothing else. It comes such a part of that before its time, since passes of
+  // the loop and the line take some.
   static constexpr units::Milliseconds longest_silence{2000};
-  static constexpr units::Milliseconds busy_lead{50};
+  static constexpr std::int64_t busy_lead_part = 4;
+  static constexpr units::Milliseconds busy_lead{longest_silence.count() / busy_lead_part};
   static constexpr std::size_t longest_busy_message = 28;  // with its end
 
   // M113. Zero turns the busy messages off.

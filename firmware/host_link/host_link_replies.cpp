@@ -138,21 +138,25 @@ bool HostLink::put_resend() {
 
 void HostLink::send_owed() {
   if (!owes_) return;
+  // One of the notices at a time.
+  bool notice_sent = false, more_notices = false;
   for (std::size_t index = 0; index < notice_count; ++index) {
-    if (notices_owed_[index] != 0 && !put_notice(index)) return;
+    if (notices_owed_[index] == 0) continue;
+    more_notices = notice_sent;
+    if (notice_sent) break;
+    if (!put_notice(index)) return;
+    notice_sent = true;
   }
   // After an overrun the host is asked to go on only when half of the queue is free again.
   const std::size_t room_wanted = wait_for_room_ ? LineQueue::capacity / 2 : 0;
   if (resend_owed_ && queue_.room() >= room_wanted && !put_resend()) return;
-  units::LoopBound<most_owed> oks;
-  units::EventBound<units::Event::ok_repaid, most_oks> fit;
-  while (oks_owed_ != 0) {
+  units::LoopBound<most_oks> oks;
+  for (std::size_t i = 0; i < most_oks && oks_owed_ != 0; ++i) {
     oks.next();
     if (!put_ok(std::nullopt, {})) return;
     --oks_owed_;
-    units::happens<units::Event::ok_repaid>(oks_owed_);
   }
-  owes_ = resend_owed_;
+  owes_ = resend_owed_ || oks_owed_ != 0 || more_notices;
 }
 
 void HostLink::end_unfinished_line() {
@@ -193,7 +197,9 @@ void HostLink::keep_alive(Activity activity) {
     last_busy_ = now_;
     return;
   }
-  if (busy_interval_.count() == 0 || now_ - last_busy_ < busy_interval_ - busy_lead) return;
+  if (busy_interval_.count() == 0 ||
+      now_ - last_busy_ < busy_interval_ - busy_interval_ / busy_lead_part)
+    return;
   if (transmit_.put_line({busy_begin, busy_reason(activity)})) last_busy_ = now_;
 }
 

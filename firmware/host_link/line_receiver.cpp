@@ -8,6 +8,7 @@
 
 #include "host_link/line_number.hpp"
 #include "units/digits.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
@@ -27,11 +28,13 @@ void trim(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) {
     front.next();
     text.remove_prefix(1);
+    units::happens<units::Event::character_read>(text.size());
   }
   units::LoopBound<max_line_length, 1> back;
   while (!text.empty() && is_blank(text.back())) {
     back.next();
     text.remove_suffix(1);
+    units::happens<units::Event::character_read>(text.size());
   }
 }
 
@@ -88,6 +91,7 @@ void LineReceiver::put_into_checksum(char byte) {
 }
 
 ReceivedLine LineReceiver::read() const {
+  units::EventBound<units::Event::character_read, max_line_length> trimmed;
   ReceivedLine line;
   line.too_long = length_ > max_line_length;
   line.unprintable = unprintable_;

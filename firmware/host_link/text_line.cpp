@@ -12,6 +12,7 @@ namespace host_link {
 namespace {
 
 constexpr unsigned longest_number = 20;  // digits of 2^64
+constexpr unsigned most_zeros = 6;  // that are written for places without a digit
 
 constexpr std::uint64_t power_of_ten(unsigned exponent) {
   std::uint64_t power = 1;
@@ -35,6 +36,7 @@ TextLine& TextLine::text(std::string_view part) {
       break;
     }
     buffer_[length_++] = part[i];
+    units::happens<units::Event::character_written>(length_);
   }
   return *this;
 }
@@ -77,7 +79,7 @@ TextLine& TextLine::digits(std::uint64_t value, unsigned at_least) {
     lower_digits.next();
     reversed[count++] = static_cast<char>('0' + rest % 10);
   }
-  units::LoopBound<longest_number> zeros;
+  units::LoopBound<most_zeros> zeros;
   while (count < at_least) {
     zeros.next();
     reversed[count++] = '0';

@@ -9,6 +9,7 @@
 #include "motion/line_start.hpp"
 #include "motion/s_curve.hpp"
 #include "motion/steps.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace motion {
@@ -133,6 +134,7 @@ Stock Planner::stock(units::Microseconds now) const {
 // It goes over as many lines as braking takes, so it is done for some lines at once, and in any
 // case before one is handed over whose end a fresh line may still make faster.
 void Planner::look_ahead() {
+  units::happens<units::Event::looked_ahead>(count_);
   std::size_t changed = count_ - 1;
   Line* here = &line(changed);
   SpecificEnergy exit{};
@@ -208,6 +210,7 @@ bool Planner::may_hand_over(units::Microseconds now) const {
 }
 
 void Planner::hand_over_first(units::Microseconds now) {
+  units::happens<units::Event::line_begun>(count_);
   if (fresh_ != 0 && settled_ == 0) look_ahead();
   const Line& first = line(0);
   make_profile(first, count_ > 1 ? line(1).entry : SpecificEnergy(), geometry_.clock(),

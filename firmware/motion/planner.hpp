@@ -67,6 +67,12 @@ class Planner {
   // No ramp of third order has been handed over in part.
   bool between_halves() const { return !second_half_; }
   std::size_t lines() const { return count_; }
+  // What has been handed over ends at rest.
+  bool resting() const { return resting_; }
+  // The time that what has been handed over lasts from now on.
+  units::Microseconds in_hand(units::Microseconds now) const { return busy_until_ - now; }
+  // Motion is to begin, from rest or behind what ends at rest.
+  bool start_is_due(units::Microseconds now) const { return resting_ && may_hand_over(now); }
 
   // A fault leaves everything as it was. A move that steps no axis takes no room: its distance is
   // part of the next line. Targets are not checked against the travel: see check_bounds.

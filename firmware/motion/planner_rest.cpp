@@ -50,7 +50,9 @@ void Planner::set_extruder_position(const units::Position& position) {
 
 units::PerAxis<units::Position> Planner::motor_position() const {
   units::PerAxis<units::Position> motors;
+  units::LoopBound<units::axis_count> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     motors[i] = position_of(position_steps_[i], limits().axes[i].steps_per_meter);
   }
   return motors;
@@ -61,7 +63,9 @@ void Planner::set_position_steps(const units::PerAxis<std::int64_t>& steps) {
   const units::PerAxis<std::int64_t> before = position_steps_;
   position_steps_ = steps;
   const kinematics::Place place = kinematics_.place_of(motor_position());
+  units::LoopBound<units::axis_count, 1> axes;
   for (std::size_t i = 0; i < units::axis_count; ++i) {
+    axes.next();
     const bool is_motor = kinematics_.identity() || i == units::index_of(units::Axis::e);
     if (is_motor && steps[i] == before[i]) continue;
     residual_[i] = {};

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace thermal {
@@ -190,6 +191,7 @@ bool Stillness::add(const Window& window) {
 }
 
 bool Stillness::look_further() {
+  units::happens<units::Event::course_judged>(judged_);
   return judged_ < limits().size() && is_still(limits()[judged_++]);
 }
 

@@ -14,11 +14,18 @@ namespace units {
 enum class Event : std::uint32_t {
   byte_received,  // taken from the uart
   byte_taken,  // by the host link
+  line_taken,  // likewise, complete
   byte_queued,  // of a reply
   byte_sent,  // given to the uart
-  ok_repaid,  // one that was owed is queued
   character_read,  // of a line's text by the parser, again after going back
+  text_checked,  // a character of a text within that line, by the parser
+  comment_skipped,  // likewise
+  handler_called,  // of a command, or what reports in its place
   long_digit,  // of a number that needs more than 32 bits, written
+  character_written,  // of a text that is put together
+  looked_ahead,  // over the planner's lines
+  line_begun,  // by the planner, for the step generator
+  course_judged,  // of a heater's temperature, whether it stands still
   count
 };
 

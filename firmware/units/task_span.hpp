@@ -7,8 +7,18 @@
 namespace units {
 
 // In the order of a pass.
-enum class Task : std::uint32_t { motion, serial_line, commands, refill, heat, faults, reports };
-inline constexpr std::uint32_t task_count = 7;
+enum class Task : std::uint32_t {
+  motion,
+  serial_line,
+  faults,
+  heat,
+  planning,
+  reports,
+  commands,
+  refill,
+  rest
+};
+inline constexpr std::uint32_t task_count = 9;
 
 // From here to the end of the object. No instruction, only entries in a section that is not loaded.
 template <Task task>

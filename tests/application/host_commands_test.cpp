@@ -135,7 +135,7 @@ TEST(host_commands, a_line_of_which_bytes_were_lost_is_not_executed) {
   )");
 }
 
-TEST(host_commands, says_busy_every_two_seconds_while_it_dwells) {
+TEST(host_commands, says_busy_within_two_seconds_while_it_dwells) {
   Printer printer;
   printer.send("G4 S7");
   printer.run(6.5);
@@ -145,7 +145,7 @@ TEST(host_commands, says_busy_every_two_seconds_while_it_dwells) {
        ++at) {
     ++count;
   }
-  EXPECT_EQ(count, 3u);
+  EXPECT_EQ(count, 4u);
 }
 
 }  // namespace

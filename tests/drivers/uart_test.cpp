@@ -165,4 +165,24 @@ TEST(Uart, marks_the_byte_behind_an_overrun) {
   EXPECT_EQ(text[rest.count - 1], 'z');
 }
 
+TEST(Uart, reads_no_further_than_the_end_of_a_line) {
+  Line line = fast_line();
+  line.uart.set_line_ends('\n', '\r');
+  const auto read_line = [&] {
+    std::string text(100, '\0');
+    text.resize(line.uart.read_line(text).count);
+    return text;
+  };
+  line.host.send("M105\nG1 X1\r\nG28\r\r\n\n\tM1");
+  line.finish_sending();
+  for (const char* const expected : {"M105\n", "G1 X1\r", "\nG28\r", "\r", "\n\n", "\tM1", ""}) {
+    EXPECT_EQ(read_line(), expected);
+  }
+  // The end in front was that of a line with text.
+  line.host.send("\n\n");
+  line.finish_sending();
+  EXPECT_EQ(read_line(), "\n");
+  EXPECT_EQ(read_line(), "\n");
+}
+
 }  // namespace

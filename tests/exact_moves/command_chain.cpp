@@ -116,10 +116,11 @@ void CommandChain::pass() {
   now_.microseconds += units::Microseconds(pass_ms * 1000);
   counter_.convert();
   motion_.update(now_);
+  motion_.plan(now_);
   link_.update(now_.milliseconds, executor_.activity());
   executor_.update(now_);
-  motion_.refill();
-  heat_.update(now_);
+  motion_.refill(application::task_timing::lines_behind_work);
+  if (heat_.is_due(now_.milliseconds)) heat_.update(now_);
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
     replies_.append(bytes.begin(), bytes.end());
     link_.sent(bytes.size());

@@ -45,10 +45,12 @@ class Executive {
   std::uint64_t most_bytes() const;
   Clocks sign_of_life() const;
   Clocks next_line() const;
-  // From one feeding to the next: of the first key, or of both.
-  Clocks heater_feed(bool late) const;
+  // From one feeding to the next: of both keys, or of the first.
+  Clocks late_heater_feed() const;
+  Clocks early_heater_feed() const;
 
  private:
+  Clocks floor_ms(Clocks time) const { return time / ms_; }
   // A time in parts of a clock in which the times of bytes are whole.
   std::uint64_t parts(Clocks clocks) const { return clocks * rate_.baud * fastest_percent; }
   std::uint64_t byte_parts() const { return 100 * frame_bits * rate_.clock_hz; }
@@ -113,24 +115,25 @@ Clocks Executive::next_line() const {
   return longest;
 }
 
-// The heat task: a round each period, in it each heater in its turn. Between the moments that count
+// The heat task: a round each period, and the last turn in it feeds. Between the moments that count
 // passes are as short as need be, so that one begins in the last clock before one is due.
-Clocks Executive::heater_feed(bool late) const {
-  const auto floor_ms = [&](Clocks time) { return time / ms_; };
+Clocks Executive::late_heater_feed() const {
   const Clocks gap = pass(0).length + pass(0).sleep;
+  const auto first_from = [&](Clocks due) { return gap == 0 ? due : due - 1 + gap; };
+  const Clocks half = facts_.heat_period_ms / 2;
+  const Clocks fed_0 = (floor_ms(ms_ - 1) + half) * ms_;
+  const Clocks due_1 = std::max((floor_ms(ms_ - 1) + facts_.heat_period_ms) * ms_, fed_0);
+  const Clocks turn_1 = first_from((floor_ms(first_from(due_1)) + half) * ms_);
+  return turn_1 + pass(1).length - fed_0;
+}
+
+// It looks when it begins, in the last clock of a millisecond, and feeds when it is done; the next
+// time it is at once.
+Clocks Executive::early_heater_feed() const {
   const std::size_t heat = index_of(Task::heat);
-  const auto first_from = [&](Clocks due, Clocks wait) { return wait == 0 ? due : due - 1 + wait; };
-  // Round 0 begins at the end of a millisecond or at its begin, whichever is the worse.
-  const Clocks round_0 = late ? ms_ - 1 : 0;
-  const Clocks turn_0 =
-      first_from((floor_ms(round_0) + facts_.last_heater_ms) * ms_, late ? 0 : gap);
-  const Clocks fed_0 = turn_0 + (late ? 0 : pass(1).looks[heat]);
-  const Clocks due_1 =
-      std::max((floor_ms(round_0) + facts_.heat_period_ms) * ms_, late ? turn_0 : fed_0);
-  const Clocks round_1 = first_from(due_1, late ? gap : 0);
-  const Clocks turn_1 =
-      first_from((floor_ms(round_1) + facts_.last_heater_ms) * ms_, late ? gap : 0);
-  return turn_1 + (late ? pass(1).length : 0) - fed_0;
+  const Clocks looked = ms_ - 1;
+  const Clocks fed_0 = looked + pass(1).looks[heat] - pass(1).looks[heat - 1];
+  return (floor_ms(looked) + facts_.least_heat_ms) * ms_ - fed_0;
 }
 
 }  // namespace
@@ -155,9 +158,9 @@ std::optional<std::uint64_t> longest_in(Requirement requirement, const Facts& fa
     case Requirement::queue:
       return executive.next_line();
     case Requirement::heater_watchdog:
-      return executive.heater_feed(true);
+      return executive.late_heater_feed();
     case Requirement::not_too_early:
-      return executive.heater_feed(false);
+      return executive.early_heater_feed();
     case Requirement::bits:
     case Requirement::count:
       break;

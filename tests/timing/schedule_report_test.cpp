@@ -20,8 +20,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 Schedule schedule_with(std::optional<Clocks> pass, std::optional<Clocks> each) {
-  Schedule schedule{
-      .facts = {}, .load = {.pass = pass, .begins = {}, .ends = {}, .line = {}}, .rows = {}};
+  Schedule schedule{.facts = {},
+                    .load = {.pass = pass, .begins = {}, .ends = {}, .tasks = {}, .line = {}},
+                    .rows = {}};
   schedule.rows.push_back({.name = "the pass", .bound = pass, .budget = 0, .measured = {}});
   for (const application::TaskRow& task : application::task_table) {
     schedule.rows.push_back(
@@ -34,16 +35,16 @@ TEST(ScheduleReport, names_each_task_without_a_bound) {
   Schedule schedule = schedule_with({}, 100);
   schedule.rows[1].bound.reset();
   EXPECT_THAT(missing_bounds(schedule.rows),
-              ElementsAre("\"the pass\" has no bound", "\"motion: stops, homing\" has no bound"));
+              ElementsAre("\"the pass\" has no bound", "\"motion: sign of life\" has no bound"));
   EXPECT_FALSE(is_schedulable(schedule));
   EXPECT_THAT(to_text(schedule),
-              HasSubstr("not schedulable: \"motion: stops, homing\" has no bound"));
+              HasSubstr("not schedulable: \"motion: sign of life\" has no bound"));
   EXPECT_FALSE(is_schedulable(schedule_with({}, {})));
 }
 
 TEST(ScheduleReport, refuses_what_the_tasks_with_a_bound_miss_alone) {
-  // 8 ms a task at 4 MHz.
-  EXPECT_THAT(refusals(schedule_with({}, 32'000), {4'000'000, 250'000}),
+  // 25 ms a task at 4 MHz.
+  EXPECT_THAT(refusals(schedule_with({}, 100'000), {4'000'000, 250'000}),
               testing::Contains(HasSubstr("sign of life")));
   EXPECT_THAT(refusals(schedule_with({}, 1'000), {4'000'000, 250'000}), IsEmpty());
   EXPECT_THAT(refusals(schedule_with({}, {}), {4'000'000, 3'000'000}),

@@ -92,7 +92,7 @@ PrintPlanner::PrintPlanner(const application::MachineDescription& machine, std::
   for (int round = 0; !heat_.all_measured() || heat_.extrusion_is_cold(); ++round) {
     if (round == most_rounds) throw std::logic_error("the model's hotend is not hot");
     go_on(heat_period_s);
-    heat_.update(now_);
+    if (heat_.is_due(now_.milliseconds)) heat_.update(now_);
   }
   started_ = model_.now();
 }
@@ -165,11 +165,12 @@ Plan PrintPlanner::finish() {
 void PrintPlanner::pass() {
   const std::size_t waiting = link_.waiting_lines();
   motion_.update(now_);
+  motion_.plan(now_);
   link_.update(now_.milliseconds, executor_.activity());
   executor_.update(now_);
   if (executor_.activity() == host_link::Activity::paused_for_user) executor_.prompt_answered();
   bool handed_over = false;
-  while (motion_.refill()) handed_over = true;
+  while (motion_.refill(1)) handed_over = true;
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
     replies_.append(bytes.begin(), bytes.end());
     link_.sent(bytes.size());

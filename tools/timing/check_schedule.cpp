@@ -31,8 +31,8 @@ int check(const std::filesystem::path& image, const std::filesystem::path& file,
   timing::Program program = timing::read_program(image);
   program.memory_bytes = machine.memory_bytes.value_or(memory_bytes);
   timing::Analysis analysis(program, timing::Costs{processor::TimingTable()}, has_zbb);
-  const auto schedule = timing::schedule_of(
-      program, analysis, application::schedule_facts(description.fast, description.tools()));
+  const auto schedule =
+      timing::schedule_of(program, analysis, application::schedule_facts(description.fast));
   for (const std::string& missing : timing::missing_bounds(schedule.rows)) {
     fmt::print("not checked: {}\n", missing);
   }

@@ -107,15 +107,12 @@ Wide Situation::sign_of_life() const {
 
 // What has been handed over counts from the beginning of the pass in which it was. It must last
 // until the first line of the next pass is in the queue, and from then on each line until the next
-// one; after those without a look at the serial line all the rest of the task may come at once.
+// one; all the rest of the task may come at once.
 Wide Situation::next_line() const {
   const Wide before = begin(Task::refill), all = end(Task::refill);
   const Wide line = load_.line ? thousand * *load_.line : all - before;
   const Wide least = thousand * facts_.least_line_clocks;
-  Wide latest = all - least * facts_.lines_without_look;
-  for (std::uint64_t lines = 1; lines <= facts_.lines_without_look; ++lines) {
-    latest = std::max(latest, std::min(before + line * lines, all) - least * (lines - 1));
-  }
+  const Wide latest = std::max(std::min(before + line, all), all - least);
   return pass() + sleep() + latest;
 }
 
@@ -125,12 +122,10 @@ Wide Situation::heater_feed() const {
   return at_most(facts_.heat_period_ms + 1) + 2 * (pass() + sleep()) + pass();
 }
 
-// From a first key that comes late to the next that comes at once. The next round begins a period
-// after its predecessor, and in a later pass than that key.
+// From a first key that comes late in its task to the next that comes at once. The task itself
+// looks how long ago the last one was.
 Wide Situation::early_heater_feed() const {
-  const Wide rounds = at_least(facts_.heat_period_ms - 2) - pass() - sleep() - end(Task::heat);
-  const Wide turns = at_least(facts_.last_heater_ms - 1);
-  return std::max(rounds, turns);
+  return at_least(facts_.least_heat_ms - 1) - within_pass(load_.tasks, Task::heat);
 }
 
 Response Situation::response(Requirement requirement) const {

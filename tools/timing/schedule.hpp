@@ -35,7 +35,8 @@ using Facts = application::ScheduleFacts;
 struct Load {
   std::optional<Clocks> pass;
   // From the beginning of a pass; where it has no bound, that of the pass counts.
-  std::array<std::optional<Clocks>, units::task_count> begins, ends;
+  std::array<std::optional<Clocks>, units::task_count> begins{}, ends{};
+  std::array<std::optional<Clocks>, units::task_count> tasks{};  // by themselves
   std::optional<Clocks> line;  // handed over, all its segments
 };
 

@@ -92,6 +92,7 @@ Load bounded_part(const std::vector<TaskRow>& rows) {
     load.begins[task] = sum;
     sum += rows.at(1 + task).bound.value_or(0);
     load.ends[task] = sum;
+    load.tasks[task] = rows.at(1 + task).bound.value_or(0);
   }
   load.pass = sum;
   load.line = 0;

@@ -87,10 +87,11 @@ void add_measured(std::vector<TaskRow>& rows, const Calls& calls) {
 Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows) {
   const Address main = main_of(program);
   const Address start = analysis.round_start(main);
-  Load load{.pass = rows.at(0).bound, .begins = {}, .ends = {}, .line = {}};
-  const auto handing_over = program.find("MotionTask::refill");  // where it is not inlined
+  Load load{.pass = rows.at(0).bound, .begins = {}, .ends = {}, .tasks = {}, .line = {}};
+  const auto handing_over = program.find("MotionTask::hand_over_line");  // where it is not inlined
   if (handing_over.size() == 1) load.line = analysis.bound(handing_over[0]);
   for (std::uint32_t task = 0; task < task_count; ++task) {
+    load.tasks[task] = rows.at(1 + task).bound;
     const Places places = places_of(program, task);
     // Where the compiler has not inlined the loop's body there is no way within one function.
     if (program.function_at(*places.begins.begin()) != main) continue;
