@@ -58,9 +58,8 @@ bool Application::start(std::uint32_t baud) {
   if (!hardware_.uart.configure(baud, hardware_.identity.clock)) return false;
   hardware_.uart.set_line_ends(host_link::line_feed, host_link::carriage_return);
   const bool shaped = motion_.start();
-  longest_pass_ = std::min(motion_.longest_pass(), motion::Planner::horizon);
-  time_for_work_ = longest_pass_ * task_timing::part_for_work / task_timing::parts_of_a_pass;
-  time_for_look_ = longest_pass_ * task_timing::part_for_look / task_timing::parts_of_a_pass;
+  longest_pass_us_ = static_cast<std::uint32_t>(
+      std::min(motion_.longest_pass(), motion::Planner::horizon).count());
   heat_.start();
   hardware_.fan.set_frequency(fan_frequency, hardware_.identity.clock);
   hardware_.fan.set_duty(0);

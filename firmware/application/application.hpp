@@ -18,6 +18,7 @@
 #include "application/task_timing.hpp"
 #include "application/tick_clock.hpp"
 #include "host_link/host_link.hpp"
+#include "units/task_span.hpp"
 
 namespace application {
 
@@ -46,10 +47,13 @@ class Application {
   const HeatTask& heat() const { return heat_; }
 
  private:
-  std::optional<bool> work(Now now);
-  [[gnu::noinline]] bool in_time();
+  bool work(Now now);
+  [[gnu::noinline]] bool may_begin(units::Task task);
   [[gnu::noinline]] Now time();
-  void set_alarms(Now now);
+  std::int32_t need_of(units::Task task) const;
+  [[gnu::noinline]] void note_in_hand(units::Microseconds now);
+  std::int32_t left_in_hand();
+  void set_alarms();
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
   void exchange_bytes(Now now);
   void receive(Now now);
@@ -87,10 +91,11 @@ class Application {
   std::uint32_t extruder_steps_{};  // when it was looked at last
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};  // likewise
   host_link::TextLine fault_;
-  // That motion has in hand at least: what keeps it from ending, and while work or a look begins.
-  units::Microseconds longest_pass_{}, time_for_work_{}, time_for_look_{};
-  units::Microseconds ends_in_hand_{};  // where it needs lines before
-  bool work_is_late_{};
+  std::uint32_t longest_pass_us_{};  // what a refill is to have in hand
+  // What motion has in hand, in microseconds at that time.
+  std::int32_t in_hand_{};
+  std::uint32_t in_hand_at_{};
+  units::Task next_{};  // of the round, that a pass goes on with
   bool halted_{};
   bool restart_wanted_{};
 };

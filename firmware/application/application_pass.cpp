@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pass of the loop: the tasks in order, and what waits while motion needs lines.
+// One pass of the loop: the tasks in turn, and what waits while motion needs lines.
 #include <algorithm>
+#include <array>
 
 #include "application/application.hpp"
+#include "application/task_table.hpp"
 #include "units/event_bound.hpp"
 #include "units/task_span.hpp"
 
@@ -14,6 +16,12 @@ constexpr std::int32_t ticks_at_work = task_timing::sleep_at_work.count();
 constexpr std::int32_t ticks_at_rest = task_timing::sleep_at_rest.count();
 
 using units::Task;
+
+constexpr auto needs = [] {
+  std::array<std::uint8_t, units::task_count> parts{};
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = part_of(static_cast<Task>(i));
+  return parts;
+}();
 
 template <Task task, class Work>
 auto run(const Work& work) {
@@ -33,69 +41,88 @@ struct WordsBound {
 bool Application::update() {
   const units::Cycles began = hardware_.timer.now();
   const Now now = clock_.update(began);
+  units::Microseconds refilled = now.microseconds;
   bool more = false;
   if (halted_) {
-    serve_halted(now);
-    transmit();
+    run<Task::serial_line>([&] {
+      serve_halted(now);
+      transmit();
+    });
   } else {
     run<Task::motion>([&] { motion_.update(now); });
-    const std::optional<bool> worked = work(now);
-    const unsigned most = worked ? task_timing::lines_behind_work : task_timing::lines_alone;
-    more = run<Task::refill>([&] { return motion_.refill(most); });
+    more = work(now);
+    run<Task::refill>([&] {
+      refilled = time().microseconds;
+      if (motion_.refill(refilled)) more = true;
+    });
     // What a fault has to say is sent in the next pass.
-    more = more || worked.value_or(true) || executor_.has_got_room() || halted_;
+    more = more || executor_.has_got_room() || halted_;
   }
   run<Task::rest>([&] {
     heat_.complete_feed();
     count(now);
     const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
     counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
-    if (!more) set_alarms(now);
+    if (more) return;
+    note_in_hand(refilled);
+    set_alarms();
   });
   return more;
 }
 
-// Nothing where work is put off because motion needs lines; otherwise whether there is more to do
-// at once. What has come too late goes before the serial line in a later pass.
-std::optional<bool> Application::work(Now now) {
-  const units::Microseconds in_hand = motion_.time_in_hand();
-  ends_in_hand_ = now.microseconds + in_hand;
-  if (!work_is_late_ && in_hand >= time_for_look_) {
-    run<Task::serial_line>([&] {
-      exchange_bytes(now);
-      act_on_emergencies();
-    });
-    if (halted_) return false;
+// The rest of a round: each task in its turn, until one must wait, with which the next pass begins.
+// True if there is more to do at once.
+bool Application::work(Now now) {
+  note_in_hand(now.microseconds);
+  if (motion_.collecting()) return true;
+  switch (next_) {
+    default:
+      if (!may_begin(Task::serial_line)) return true;
+      run<Task::serial_line>([&] {
+        exchange_bytes(now);
+        act_on_emergencies();
+      });
+      if (halted_) return true;
+      [[fallthrough]];
+    case Task::faults:
+      if (!may_begin(Task::faults)) return true;
+      run<Task::faults>([&] {
+        const WordsBound words;
+        look_for_faults();
+      });
+      if (halted_) return true;
+      [[fallthrough]];
+    case Task::heat:
+      if (heat_.is_due(now.milliseconds)) {
+        if (!may_begin(Task::heat)) return true;
+        run<Task::heat>([&] {
+          const Now then = time();
+          note_cooling(then);
+          heat_.update(then);
+        });
+      }
+      [[fallthrough]];
+    case Task::planning:
+      if (!may_begin(Task::planning)) return true;
+      run<Task::planning>([&] { motion_.plan(now); });
+      [[fallthrough]];
+    case Task::reports:
+      if (!may_begin(Task::reports)) return true;
+      run<Task::reports>([&] {
+        const WordsBound words;
+        report(now);
+      });
+      if (halted_) return true;
+      [[fallthrough]];
+    case Task::commands:
+      if (!may_begin(Task::commands)) return true;
   }
-  work_is_late_ = false;
-  if (motion_.collecting()) return std::nullopt;
-  if (!in_time()) return std::nullopt;
-  run<Task::faults>([&] {
-    const WordsBound words;
-    look_for_faults();
-  });
-  if (halted_) return false;
-  if (heat_.is_due(now.milliseconds)) {
-    run<Task::heat>([&] {
-      const Now then = time();
-      note_cooling(then);
-      heat_.update(then);
-    });
-    if (!in_time()) return std::nullopt;
-  }
-  run<Task::planning>([&] { motion_.plan(now); });
-  run<Task::reports>([&] {
-    const WordsBound words;
-    report(now);
-  });
-  if (halted_) return false;
-  // What has come is taken first where there is room for it: it may be a line that needs no turn.
-  if (hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity) {
-    return true;
-  }
-  if (!in_time()) return std::nullopt;
+  next_ = {};
   return run<Task::commands>([&] {
-    const bool more = executor_.update(now);
+    // What has come is taken first where there is room for it: it may be a line that needs no turn.
+    const bool looks_first =
+        hardware_.uart.line_waits() && link_.waiting_lines() < host_link::LineQueue::capacity;
+    const bool more = looks_first || executor_.update(now);
     counters_.lines_withdrawn = link_.statistics().withdrawn;
     // The host may send its next line during the rest of the pass.
     transmit();
@@ -103,20 +130,37 @@ std::optional<bool> Application::work(Now now) {
   });
 }
 
-bool Application::in_time() {
-  work_is_late_ = ends_in_hand_ - time().microseconds < time_for_work_;
-  return !work_is_late_;
+// Whether motion does not end before the task has: otherwise it is the next one.
+bool Application::may_begin(Task task) {
+  next_ = task;
+  return in_hand_ == MotionTask::no_haste || left_in_hand() >= need_of(task);
+}
+
+std::int32_t Application::need_of(Task task) const {
+  return static_cast<std::int32_t>(longest_pass_us_ * needs[static_cast<std::size_t>(task)] /
+                                   whole_need);
+}
+
+void Application::note_in_hand(units::Microseconds now) {
+  in_hand_ = motion_.time_in_hand();
+  in_hand_at_ = static_cast<std::uint32_t>(now.count());
+}
+
+std::int32_t Application::left_in_hand() {
+  const std::uint32_t passed = static_cast<std::uint32_t>(time().microseconds.count()) - in_hand_at_;
+  return in_hand_ - static_cast<std::int32_t>(passed);
 }
 
 Now Application::time() { return clock_.update(hardware_.timer.now()); }
 
 // The events that end the sleep after this pass. Motion ends it before it needs its next line.
-void Application::set_alarms(Now now) {
+void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   std::int32_t ticks = at_rest ? ticks_at_rest : ticks_at_work;
-  const units::Microseconds ends = now.microseconds + motion_.time_in_hand() - longest_pass_;
-  const std::int64_t left = (ends - time().microseconds).count();
-  if (left < ticks * 1000) ticks = left < 0 ? 0 : static_cast<std::int32_t>(left) / 1000;
+  const std::int32_t kept = motion_.queue_full() ? need_of(Task::refill)
+                                                 : static_cast<std::int32_t>(longest_pass_us_);
+  const std::int32_t left = left_in_hand() - kept;
+  if (left < ticks * 1000) ticks = left < 0 ? 0 : left / 1000;
   hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(static_cast<std::uint32_t>(ticks)));
 }

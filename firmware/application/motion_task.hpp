@@ -35,20 +35,21 @@ class MotionTask {
   void update(Now now);
   // Stops, chords, homing.
   [[gnu::noinline]] void plan(Now now);
-  // Hands over at most so many lines, or what of them the step generator has room for, if that is
-  // due. True if there may be more.
-  bool refill(unsigned most);
-  // How long motion goes on by itself, where lines wait that must go on before it ends; very long
-  // where there is no haste.
-  [[gnu::noinline]] units::Microseconds time_in_hand() const;
-  // The lines of a start are collected before it: nothing moves, and nothing else is to be done.
+  // Hands over some lines, or what of them the step generator has room for, if that is due. True
+  // if there may be more.
+  bool refill(units::Microseconds now);
+  // How long motion goes on by itself at least, where lines wait that must go on before it ends:
+  // microseconds at refill() or update(), no_haste or less.
+  static constexpr std::int32_t no_haste = 1 << 30;
+  [[gnu::noinline]] std::int32_t time_in_hand() const;
+  // The lines of a start are collected before it, while all else waits.
   bool collecting() const {
     return (collecting_ || start_is_due()) && !stopping_ && !step_generator_.stopped();
   }
   // The longest time from one look to the next at whether lines must be handed over.
   units::Microseconds longest_pass() const { return planner_.timing().longest_pass; }
-  // refill() had no more room for segments: these may be short, so less than the planner's horizon
-  // may be in hand.
+  // refill() had no more room for segments: these may be short, so no more than the longest pass
+  // needs may be in hand.
   bool queue_full() const { return queue_full_; }
 
   // Inlined as levels() is.
@@ -232,6 +233,7 @@ class MotionTask {
   units::Milliseconds rings_until_{};  // the motor that an end stop has stopped
   bool stopping_{};
   bool queue_full_{};
+  units::Microseconds queue_lasts_until_{};  // at least, where it is full
   bool collecting_{};
   bool emergency_input_{};
   bool watchdog_stop_{};

@@ -13,20 +13,20 @@ namespace {
 // So much of the end of a shaped motion is handed over at a time, or what the longest pass needs.
 constexpr units::Microseconds end_at_a_time{20'000};
 
-constexpr units::Microseconds no_haste{std::int64_t{1} << 60};
-
 }  // namespace
 
-units::Microseconds MotionTask::time_in_hand() const {
-  // Nothing of a start moves before its lines are collected. Whatever fills the queue lasts longer
-  // than a pass.
-  const bool goes_on = !planner_.resting() && !collecting_ && !queue_full_;
+std::int32_t MotionTask::time_in_hand() const {
+  // Nothing of a start moves before its lines are collected.
+  const bool goes_on = !planner_.resting() && !collecting_;
   if (!goes_on || is_shaped() || step_generator_.stopped()) return no_haste;
-  return planner_.in_hand(pace_.time());
+  units::Microseconds in_hand = planner_.in_hand(pace_.time());
+  if (queue_full_) in_hand = std::min(in_hand, queue_lasts_until_ - pace_.time());
+  return static_cast<std::int32_t>(std::min<std::int64_t>(in_hand.count(), no_haste));
 }
 
-bool MotionTask::refill(unsigned most) {
+bool MotionTask::refill(units::Microseconds now) {
   bool more = true;
+  pace_.update(now, step_generator_.moving());
   if (is_shaped()) {
     units::LoopBound<task_timing::shaped_refills> refills;
     for (unsigned i = 0; more && i < task_timing::shaped_refills; ++i) {
@@ -35,11 +35,14 @@ bool MotionTask::refill(unsigned most) {
     }
     return more;
   }
-  if (start_is_due() && step_generator_.idle()) begin_collecting();
+  if (start_is_due()) begin_collecting();
   // Nothing is appended meanwhile.
   units::EventBound<units::Event::looked_ahead, 1> once;
-  units::LoopBound<task_timing::lines_alone> lines;
-  for (unsigned i = 0; more && i < most; ++i) {
+  // Those of a line before, and of those that begin.
+  constexpr auto most_segments = (task_timing::lines_of_a_refill + 1) * motion::most_phases;
+  units::EventBound<units::Event::segment_made, most_segments> segments;
+  units::LoopBound<task_timing::lines_of_a_refill> lines;
+  for (unsigned i = 0; more && i < task_timing::lines_of_a_refill; ++i) {
     lines.next();
     more = hand_over_line();
   }
@@ -50,7 +53,8 @@ bool MotionTask::refill(unsigned most) {
   return more;
 }
 
-// Motion begins with what the longest pass needs, or with all that there is.
+// Motion begins with what the longest pass needs, or with all that there is. What is under way ends
+// at rest by itself.
 void MotionTask::begin_collecting() {
   collecting_ = true;
   step_generator_.permit_motion(false);
@@ -67,6 +71,7 @@ bool MotionTask::hand_over_line() {
     const motion::Shaping::Output next = next_segment();
     if (planner_.lines() != lines) begin_line();
     if (!next.segment) return next.again;
+    units::happens<units::Event::segment_made>(planner_.lines());
     // Refused only by a stop in this very moment; settle_stop() then voids the plan anyway.
     if (!step_generator_.append(*next.segment)) return false;
     if (next.again || planner_.between_lines()) return true;
@@ -74,6 +79,7 @@ bool MotionTask::hand_over_line() {
     if (motion::s_curve_in_image && !planner_.between_halves()) return true;
   }
   queue_full_ = true;
+  queue_lasts_until_ = pace_.time() + longest_pass();
   return false;
 }
 

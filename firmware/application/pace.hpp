@@ -39,7 +39,7 @@ class Pace {
   void set_homing(bool homing);
 
   // The time for the planner: it passes as slowly as motion does. To be called every pass.
-  units::Microseconds update(units::Microseconds now, bool moving);
+  [[gnu::noinline]] units::Microseconds update(units::Microseconds now, bool moving);
   units::Microseconds time() const;
 
  private:

@@ -29,14 +29,19 @@ constexpr std::int64_t least_line(bool is_fast) {
   return is_fast ? fast_least_line_clocks : least_line_clocks;
 }
 
-// Lines that a pass hands over at most: behind work, and where it does no other.
-inline constexpr unsigned lines_behind_work = 1, lines_alone = 4;
+// Lines that a pass hands over at most.
+inline constexpr unsigned lines_of_a_refill = 4;
 // The same of slots where motion is shaped.
 inline constexpr unsigned shaped_refills = 12;
 
-// While motion goes on into lines that wait, a pass begins work only if what is handed over
-// outlasts it and the next line: so much of the longest pass. A look at the serial line takes less.
-inline constexpr std::int64_t part_for_work = 5, part_for_look = 3, parts_of_a_pass = 6;
+// While motion goes on into lines that wait, a task begins only if what is in hand outlasts its
+// allowance (task_table.hpp) and this: until the next line is handed over, and what follows.
+inline constexpr std::int64_t refill_reserve = 22'000;
+// When a pass that has only refilled gets to the task that waits, no more than this is missing of
+// what a refill is to have in hand: the time of a line that was being handed over.
+inline constexpr std::int64_t refill_margin = 22'000;
+// Lines that the tasks of a round append at most: a chord or a move of homing, and a command's.
+inline constexpr std::int64_t lines_of_a_round = 2;
 
 // A processor that hangs stops motion after this time: longer than any pass of the loop at 4 MHz.
 inline constexpr units::Milliseconds motion_watchdog{200};

@@ -25,6 +25,7 @@ enum class Event : std::uint32_t {
   character_written,  // of a text that is put together
   looked_ahead,  // over the planner's lines
   line_begun,  // by the planner, for the step generator
+  segment_made,  // likewise
   course_judged,  // of a heater's temperature, whether it stands still
   count
 };

@@ -119,7 +119,7 @@ void CommandChain::pass() {
   motion_.plan(now_);
   link_.update(now_.milliseconds, executor_.activity());
   executor_.update(now_);
-  motion_.refill(application::task_timing::lines_behind_work);
+  motion_.refill(now_.microseconds);
   if (heat_.is_due(now_.milliseconds)) heat_.update(now_);
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
     replies_.append(bytes.begin(), bytes.end());

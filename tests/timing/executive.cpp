@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing here is taken from the analysis: events happen, tasks look, times are read off.
+// Nothing here is taken from the analysis: tasks begin where the rule lets them, lines are handed
+// over, times are read off.
 #include "tests/timing/executive.hpp"
 
 #include <algorithm>
@@ -10,201 +11,207 @@ namespace {
 
 using units::Task;
 
-// Start bit, 8 data bits, stop bit; 3 % faster than it should be is what a receiver follows.
-constexpr std::uint64_t frame_bits = 10, fastest_percent = 103;
+constexpr std::size_t heat = static_cast<std::size_t>(Task::heat);
 
-std::size_t index_of(Task task) { return static_cast<std::size_t>(task); }
+}  // namespace
 
-class Executive {
- public:
-  Executive(const Facts& facts, Rate rate, const Passes& run)
-      : facts_(facts), rate_(rate), run_(run), ms_(rate.clock_hz / 1000) {}
-
-  const Pass& pass(std::size_t k) const { return run_[std::min(k, run_.size() - 1)]; }
-
-  // From the end of one run of a task to that of the next.
-  Clocks gap(Task task) const {
-    const Clocks ends = pass(0).length + pass(0).sleep + pass(1).looks[index_of(task)];
-    return ends - pass(0).looks[index_of(task)];
-  }
-
-  // Of an event right after `first` has looked: until `last` has in the pass of the next such look
-  // but `more`.
-  Clocks response(Task first, Task last, std::size_t more) const {
-    Clocks time = 0;
-    for (std::size_t k = 0; k <= more; ++k) time += pass(k).length;
-    return time + pass(more + 1).looks[index_of(last)] - pass(0).looks[index_of(first)] - 1;
-  }
-
-  std::size_t more_looks(std::uint64_t bytes) const {
-    std::size_t more = 0;
-    for (; bytes > facts_.bytes_of_a_look; ++more) bytes -= facts_.bytes_of_a_look;
-    return more;
-  }
-
-  std::uint64_t most_bytes() const;
-  Clocks sign_of_life() const;
-  Clocks next_line() const;
-  // From one feeding to the next: of both keys, or of the first.
-  Clocks late_heater_feed() const;
-  Clocks early_heater_feed() const;
-
- private:
-  Clocks floor_ms(Clocks time) const { return time / ms_; }
-  // A time in parts of a clock in which the times of bytes are whole.
-  std::uint64_t parts(Clocks clocks) const { return clocks * rate_.baud * fastest_percent; }
-  std::uint64_t byte_parts() const { return 100 * frame_bits * rate_.clock_hz; }
-
-  const Facts& facts_;
-  Rate rate_;
-  const Passes& run_;
-  Clocks ms_;
-};
-
-// A host that sends as fast as it can, but stops with so many bytes unanswered. Its first byte has
-// come in right after a look that has left nothing.
-std::uint64_t Executive::most_bytes() const {
-  std::uint64_t next = parts(pass(0).looks[index_of(Task::serial_line)]);
-  std::uint64_t level = 0, most = 0;
-  const auto receive = [&](Clocks until) {
-    if (next > parts(until)) return;
-    const std::uint64_t bytes = (parts(until) - next) / byte_parts() + 1;
-    next += bytes * byte_parts();
-    level = std::min(level + bytes, facts_.unanswered_bytes);
-  };
-  Clocks begin = 0;
-  for (std::size_t k = 0; k < 1'000 && most < facts_.unanswered_bytes; ++k) {
-    if (k != 0) {
-      receive(begin + pass(k).looks[index_of(Task::serial_line)]);
-      most = std::max(most, level);
-      level -= std::min(level, facts_.bytes_of_a_look);
-    }
-    begin += pass(k).length;
-    receive(begin);
-    if (level >= facts_.wake_level) continue;
-    // Asleep until enough bytes have come, or so long.
-    const std::uint64_t wake = next + (facts_.wake_level - level - 1) * byte_parts();
-    begin = std::max(begin, std::min(begin + pass(k).sleep, wake / parts(1) + 1));
-  }
-  return most;
-}
-
-// Without the time after which the busy message is due.
-Clocks Executive::sign_of_life() const {
-  const Clocks due_ms = 50;  // any
-  const std::size_t more = more_looks(facts_.bytes_of_a_line);
-  Clocks accepted = 0;  // the pass's begin, which is its time
-  for (std::size_t k = 0; k <= more; ++k) accepted += pass(k).length;
-  const Clocks arrived = pass(0).looks[index_of(Task::serial_line)];
-  // A pass begins in the last clock before it is due.
-  const Clocks due = (accepted / ms_ + due_ms) * ms_;
-  const Clocks begin = due - 1 + pass(0).length + pass(0).sleep;
-  const Clocks written = begin + pass(1).refill_begins;
-  const Clocks wire = facts_.busy_message_bytes * frame_bits * rate_.clock_hz / rate_.baud;
-  return written + wire - arrived - due_ms * ms_;
-}
-
-// How long what pass 0 has handed over must last.
-Clocks Executive::next_line() const {
-  const Clocks begin = pass(0).length + pass(0).sleep;
-  Clocks longest = 0, later = 0;
-  for (const Clocks line : pass(1).lines) {
-    if (begin + line > later) longest = std::max(longest, begin + line - later);
-    later += facts_.least_line_clocks;
+Clocks Run::longest_response(Task task, std::size_t looks) const {
+  const auto& spans = tasks[static_cast<std::size_t>(task)];
+  Clocks longest = 0;
+  for (std::size_t i = 0; i + looks < spans.size(); ++i) {
+    longest = std::max(longest, spans[i + looks].end - spans[i].begin);
   }
   return longest;
 }
 
-// The heat task: a round each period, and the last turn in it feeds. Between the moments that count
-// passes are as short as need be, so that one begins in the last clock before one is due.
-Clocks Executive::late_heater_feed() const {
-  const Clocks gap = pass(0).length + pass(0).sleep;
-  const auto first_from = [&](Clocks due) { return gap == 0 ? due : due - 1 + gap; };
-  const Clocks half = facts_.heat_period_ms / 2;
-  const Clocks fed_0 = (floor_ms(ms_ - 1) + half) * ms_;
-  const Clocks due_1 = std::max((floor_ms(ms_ - 1) + facts_.heat_period_ms) * ms_, fed_0);
-  const Clocks turn_1 = first_from((floor_ms(first_from(due_1)) + half) * ms_);
-  return turn_1 + pass(1).length - fed_0;
+Clocks Run::longest_of_two_rounds() const {
+  const auto& commands = tasks[static_cast<std::size_t>(Task::commands)];
+  Clocks longest = 0;
+  for (std::size_t i = 0; i + 1 < std::min(commands.size(), looks_pass.size()); ++i) {
+    longest = std::max(longest, commands[i + 1].end - looks_pass[i]);
+  }
+  return longest;
 }
 
-// It looks when it begins, in the last clock of a millisecond, and feeds when it is done; the next
-// time it is at once.
-Clocks Executive::early_heater_feed() const {
-  const std::size_t heat = index_of(Task::heat);
-  const Clocks looked = ms_ - 1;
-  const Clocks fed_0 = looked + pass(1).looks[heat] - pass(1).looks[heat - 1];
-  return (floor_ms(looked) + facts_.least_heat_ms) * ms_ - fed_0;
+Executive::Executive(const Facts& facts, const Load& load, Rate rate, Choice choice)
+    : facts_(facts),
+      load_(load),
+      rate_(rate),
+      choice_(std::move(choice)),
+      longest_(std::min(facts.lines_of_a_pass * facts.least_line_clocks,
+                        facts.horizon_ms * (rate.clock_hz / 1000))),
+      rounding_(3 * rate.clock_hz / 1'000'000),
+      motion_ends_(facts.refill_reserve),
+      waiting_(facts.waiting_lines) {
+  queue_.push_back(motion_ends_);
 }
 
-}  // namespace
+Run Executive::rounds(std::size_t number, bool sleeps) {
+  for (std::size_t passes = 0; passes < 10'000 && rounds_ < number; ++passes) {
+    pass();
+    if (sleeps && !put_off_) sleep();
+  }
+  return run_;
+}
 
-std::optional<std::uint64_t> longest_in(Requirement requirement, const Facts& facts,
-                                        const Load& load, Rate rate, const Passes& run) {
-  const Executive executive(facts, rate, run);
-  switch (requirement) {
-    case Requirement::received_bytes:
-      return executive.most_bytes();
-    case Requirement::sign_of_life:
-      return executive.sign_of_life();
-    case Requirement::stop_by_host: {
-      const auto bytes = respond(Requirement::received_bytes, facts, load, rate).worst;
-      return executive.response(Task::serial_line, Task::serial_line, executive.more_looks(*bytes));
+Executive::Feeds Executive::feeds(std::size_t passes) {
+  heat_.is_timed = true;
+  for (; passes > 0; --passes) {
+    pass();
+    if (!put_off_) sleep();
+  }
+  Feeds feeds{.shortest = ~Clocks{0}};
+  for (std::size_t i = 0; i + 1 < heat_.second_keys.size(); ++i) {
+    feeds.longest = std::max(feeds.longest, heat_.second_keys[i + 1] - heat_.first_keys[i]);
+    feeds.shortest = std::min(feeds.shortest, heat_.first_keys[i + 1] - heat_.first_keys[i]);
+  }
+  return feeds;
+}
+
+void Executive::pass() {
+  pass_began_ = time_;
+  time_ += choice_(*load_.start);
+  run(static_cast<std::size_t>(Task::motion));
+  gap(Task::motion);
+  put_off_ = collecting_;
+  work();
+  refill();
+  gap(Task::refill);
+  run(static_cast<std::size_t>(Task::rest));
+  gap(Task::rest);
+  if (heat_.second_keys.size() < heat_.first_keys.size()) heat_.second_keys.push_back(time_);
+  run_.longest_pass = std::max(run_.longest_pass, time_ - pass_began_);
+}
+
+void Executive::gap(Task before) { time_ += choice_(*load_.gaps[static_cast<std::size_t>(before)]); }
+
+void Executive::work() {
+  for (std::size_t task = 0; task < units::task_count; ++task) {
+    if (facts_.allowances[task] == 0) continue;
+    if (task == heat && !is_due()) continue;
+    if (!may_begin(task)) continue;
+    run(task);
+    gap(static_cast<Task>(task));
+    if (task == 1) run_.looks_pass.push_back(pass_began_);
+    if (const auto room = facts_.lines_of_a_round - appended_; room > 0) {
+      const Clocks more = std::min<Clocks>(choice_(room), facts_.waiting_lines - waiting_);
+      waiting_ += more;
+      appended_ += more;
     }
-    case Requirement::emergency_stop:
-      return executive.response(Task::motion, Task::faults, 0);
-    case Requirement::motion_watchdog:
-      return executive.gap(Task::motion);
-    case Requirement::horizon:
-    case Requirement::queue:
-      return executive.next_line();
-    case Requirement::heater_watchdog:
-      return executive.late_heater_feed();
-    case Requirement::not_too_early:
-      return executive.early_heater_feed();
-    case Requirement::bits:
-    case Requirement::count:
+  }
+  if (put_off_) ++run_.put_off;
+  if (put_off_) return;
+  next_ = 0;
+  appended_ = 0;
+  ++rounds_;
+}
+
+// Each period both heaters, the second one half a period after the first. It is looked at when the
+// pass begins.
+bool Executive::is_due() {
+  if (!heat_.is_timed) return true;
+  const Clocks now = pass_began_ / (rate_.clock_hz / 1000);
+  const Clocks after = heat_.turn == 0 ? facts_.heat_period_ms : facts_.heat_period_ms / 2;
+  bool due = now - heat_.round_began_ms >= after;
+  if (heat_.turn == 1) due = due && now - heat_.fed_ms >= facts_.least_heat_ms;
+  // What has come since is no more than the planner holds.
+  if (due && !heat_.was_due) waiting_ = facts_.waiting_lines;
+  heat_.was_due = due;
+  return due;
+}
+
+bool Executive::may_begin(std::size_t task) {
+  if (put_off_ || task < next_) return false;
+  if (!in_haste()) return true;
+  const Clocks need = std::min(facts_.allowances[task] + facts_.refill_reserve,
+                               longest_ - facts_.refill_margin);
+  // Whole microseconds show it a little early or late.
+  const Clocks shown = known_in_hand() + choice_(rounding_);
+  put_off_ = shown < need + choice_(rounding_);
+  if (put_off_) next_ = task;
+  return !put_off_;
+}
+
+void Executive::run(std::size_t task) {
+  const Clocks begin = time_;
+  time_ += choice_(*load_.tasks[task]);
+  run_.tasks[task].push_back({begin, time_});
+  if (task != heat || !heat_.is_timed) return;
+  heat_.was_due = false;
+  const Clocks now = begin / (rate_.clock_hz / 1000);
+  if (heat_.turn == 0) heat_.round_began_ms = now;
+  if (heat_.turn == 1) {
+    heat_.first_keys.push_back(time_);
+    heat_.fed_ms = now;
+  }
+  heat_.turn = 1 - heat_.turn;
+}
+
+Clocks Executive::known_in_hand() const {
+  const Clocks until = full_ ? std::min(motion_ends_, full_until_) : motion_ends_;
+  return until > time_ ? until - time_ : 0;
+}
+
+void Executive::refill() {
+  const Clocks looked = time_;
+  while (!queue_.empty() && queue_.front() <= time_) queue_.pop_front();
+  full_ = false;
+  if (resting_ && waiting_ > 0) {
+    resting_ = false;
+    collecting_ = true;
+    collected_ = 0;
+  }
+  Clocks left = bound(Task::refill);
+  const Clocks fixed = choice_(std::min(*load_.refill_without_line, left));
+  time_ += fixed;
+  left -= fixed;
+  bool more = true;
+  for (std::uint64_t i = 0; more && i < facts_.lines_of_a_refill; ++i) {
+    const Clocks end = collecting_ ? looked + collected_ : motion_ends_;
+    more = waiting_ > 0 && end < looked + longest_;
+    if (!more) break;
+    if (queue_.size() > facts_.lines_of_a_pass) {
+      full_ = true;
+      full_until_ = looked + longest_;
       break;
-  }
-  return std::nullopt;
-}
-
-Passes random_run(const Facts& facts, const Load& load, Rate rate, std::mt19937& random) {
-  const auto part = [&](Clocks most) -> Clocks {
-    const unsigned choice = std::uniform_int_distribution<unsigned>(0, 3)(random);
-    if (choice < 2) return choice == 0 ? 0 : most;
-    return std::uniform_int_distribution<Clocks>(0, most)(random);
-  };
-  Passes run(6);
-  for (Pass& pass : run) {
-    Clocks time = 0;
-    for (std::size_t task = 0; task < units::task_count; ++task) {
-      const Clocks longest = *load.ends[task] - *load.begins[task];
-      const bool is_refill = task == index_of(Task::refill);
-      if (is_refill) pass.refill_begins = time;
-      const Clocks before = time;
-      time += part(longest);
-      pass.looks[task] = time;
-      for (int line = 0; is_refill && line < 5; ++line) {
-        pass.lines.push_back(pass.lines.empty()
-                                 ? before + part(time - before)
-                                 : pass.lines.back() + part(time - pass.lines.back()));
-      }
     }
-    pass.length = time + part(*load.pass - time);
-    pass.sleep = part(facts.sleep_ms * rate.clock_hz / 1000);
+    const Clocks took = choice_(std::min(*load_.line, left));
+    left -= took;
+    hand_over(took);
   }
-  return run;
+  if (collecting_ && (!more || full_ || collected_ >= longest_)) begin_motion();
 }
 
-Passes worst_run(const Facts& facts, const Load& load, Rate rate) {
-  const Clocks sleep = facts.sleep_ms * rate.clock_hz / 1000;
-  const Pass first{.length = *load.pass, .sleep = sleep};
-  Pass other{.length = *load.pass, .sleep = sleep};
-  for (std::size_t task = 0; task < units::task_count; ++task) other.looks[task] = *load.ends[task];
-  other.refill_begins = *load.begins[index_of(Task::refill)];
-  other.lines = {other.looks[index_of(Task::refill)], other.looks[index_of(Task::refill)],
-                 other.looks[index_of(Task::refill)]};
-  return {first, other};
+void Executive::hand_over(Clocks took) {
+  time_ += took;
+  const Clocks lasts = facts_.least_line_clocks + facts_.least_line_clocks - choice_(facts_.least_line_clocks);
+  --waiting_;
+  if (collecting_) {
+    collected_ += lasts;
+  } else {
+    run_.motion_has_ended = run_.motion_has_ended || time_ > motion_ends_;
+    motion_ends_ = std::max(motion_ends_, time_) + lasts;
+  }
+  queue_.push_back(motion_ends_ + collected_);
+  if (!collecting_) resting_ = waiting_ == 0;
+}
+
+void Executive::begin_motion() {
+  collecting_ = false;
+  resting_ = waiting_ == 0;
+  motion_ends_ = std::max(motion_ends_, time_) + collected_;
+  collected_ = 0;
+}
+
+// As long as motion lets it.
+void Executive::sleep() {
+  Clocks most = facts_.sleep_ms * (rate_.clock_hz / 1000);
+  if (collecting_) return;
+  if (in_haste()) {
+    const Clocks in_hand = known_in_hand();
+    most = std::min(most, in_hand > facts_.refill_reserve ? in_hand - facts_.refill_reserve : 0);
+  }
+  time_ += choice_(most);
 }
 
 }  // namespace timing

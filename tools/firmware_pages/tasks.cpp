@@ -37,10 +37,11 @@ std::string text_of(const Deadline& deadline) {
 }
 
 std::string row_of(const TaskRow& task) {
-  const bool is_each = task.period.count() == 0;
-  return fmt::format("| {} | {} | {} | {} | {} clocks | {} |\n", task.priority, task.name,
-                     is_each ? "each pass" : text_of(task.period), text_of(task.deadline),
-                     grouped(task.budget), task.reason.empty() ? "-" : task.reason);
+  const std::string each = task.allowance == 0 ? "each pass" : "each round";
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", task.priority, task.name,
+                     task.period.count() == 0 ? each : text_of(task.period), text_of(task.deadline),
+                     task.allowance == 0 ? "-" : grouped(task.allowance), grouped(task.budget),
+                     task.reason.empty() ? "-" : task.reason);
 }
 
 }  // namespace
@@ -48,13 +49,15 @@ std::string row_of(const TaskRow& task) {
 std::string tasks() {
   std::string text =
       "# Tasks\n\n"
-      "Generated from the [table of tasks](task_table.hpp): do not edit. They run in this order in "
-      "each pass of the main loop,\n"
-      "the first of them with the highest priority; nothing preempts a pass. A budget is what "
-      "[`timing --tasks`](../../tools/timing)\n"
-      "holds the measured times of a task against.\n\n"
-      "| priority | task | period | deadline | budget | if it is missed |\n"
-      "|---|---|---|---|---|---|\n";
+      "Generated from the [table of tasks](task_table.hpp): do not edit. They run in this order, "
+      "which makes a round; nothing preempts\n"
+      "them. Allowance and budget are in clocks. The allowance must be in hand before a task begins "
+      "while motion needs lines, and no bound\n"
+      "may be above it; without one the task runs in each pass. The budget is what "
+      "[`timing --tasks`](../../tools/timing) holds the measured\n"
+      "times against.\n\n"
+      "| order | task | period | deadline | allowance | budget | if it is missed |\n"
+      "|---|---|---|---|---|---|---|\n";
   std::int64_t all = 0;
   for (const TaskRow& task : application::task_table) {
     text += row_of(task);

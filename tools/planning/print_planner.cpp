@@ -170,7 +170,7 @@ void PrintPlanner::pass() {
   executor_.update(now_);
   if (executor_.activity() == host_link::Activity::paused_for_user) executor_.prompt_answered();
   bool handed_over = false;
-  while (motion_.refill(1)) handed_over = true;
+  while (motion_.refill(now_.microseconds)) handed_over = true;
   for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
     replies_.append(bytes.begin(), bytes.end());
     link_.sent(bytes.size());

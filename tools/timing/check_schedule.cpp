@@ -17,7 +17,7 @@ std::string refusal(const timing::Schedule& schedule, timing::Rate rate) {
   const auto reasons = timing::refusals(schedule, rate);
   std::string text;
   for (const std::string& reason : reasons) text += "  " + reason + "\n";
-  if (text.empty() || !schedule.load.pass) return text;
+  if (text.empty() || !schedule.load.is_whole()) return text;
   const auto range = timing::clocks_that_hold(schedule.facts, schedule.load, rate.baud);
   if (range.is_empty()) return text + "remedy: a shorter pass; no clock helps\n";
   return text + fmt::format("remedy: a clock of {} to {} Hz, or a slower serial line\n",
@@ -30,10 +30,10 @@ int check(const std::filesystem::path& image, const std::filesystem::path& file,
   const auto& description = machine.description;
   timing::Program program = timing::read_program(image);
   program.memory_bytes = machine.memory_bytes.value_or(memory_bytes);
-  timing::Analysis analysis(program, timing::Costs{processor::TimingTable()}, has_zbb);
   const auto schedule =
-      timing::schedule_of(program, analysis, application::schedule_facts(description.fast));
-  for (const std::string& missing : timing::missing_bounds(schedule.rows)) {
+      timing::schedule_of(program, timing::Costs{processor::TimingTable()}, has_zbb,
+                          application::schedule_facts(description.fast));
+  for (const std::string& missing : timing::missing_bounds(schedule)) {
     fmt::print("not checked: {}\n", missing);
   }
   if (!machine.clock_hz) {
@@ -44,7 +44,7 @@ int check(const std::filesystem::path& image, const std::filesystem::path& file,
   const std::string text = refusal(schedule, rate);
   if (text.empty()) {
     fmt::print("{}: {} at {} Hz and {} baud\n", file.string(),
-               schedule.load.pass ? "schedulable" : "nothing known is missed", rate.clock_hz,
+               schedule.load.is_whole() ? "schedulable" : "nothing known is missed", rate.clock_hz,
                rate.baud);
     return 0;
   }

@@ -17,18 +17,42 @@ using units::Task;
 
 constexpr std::array<RequirementRow, requirement_count> rows{{
     {Task::serial_line, "a bit of the serial line takes 4 clocks", "clocks of 100 bits", false},
-    {Task::serial_line, "received bytes fit into the FIFO", "bytes", false},
+    {Task::serial_line, "received bytes fit into the FIFO", "bytes", true},
     {Task::commands, "a host's line has a sign of life within 2 s", "clocks", false},
     {Task::serial_line, "M112 stops", "clocks", false},
     {Task::faults, "the emergency stop's fault is noted", "clocks", false},
     {Task::motion, "motion's watchdog is fed", "clocks", false},
-    {Task::refill, "motion goes on within the horizon", "clocks", false},
-    {Task::refill, "motion goes on within what the queue holds", "clocks", true},
+    {Task::refill, "each task keeps to its allowance", "clocks", true},
+    {Task::refill, "the reserve lasts until a line is there", "clocks", true},
+    {Task::refill, "a refill reaches each task's need", "clocks", true},
+    {Task::refill, "a refill gains time", "clocks", true},
+    {Task::refill, "the horizon is no less than the queue holds", "clocks", false},
+    {Task::refill, "the queue holds what each task needs", "clocks", true},
     {Task::heat, "the heaters' watchdog is fed", "clocks", false},
     {Task::heat, "the heaters' watchdog is not fed too early", "clocks", false},
 }};
 
 constexpr Wide thousand = 1000;
+
+constexpr std::array<Task, units::task_count> all_tasks = [] {
+  std::array<Task, units::task_count> tasks{};
+  for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i] = static_cast<Task>(i);
+  return tasks;
+}();
+
+Clocks bound_of(const Load& load, Task task) { return *load.tasks[static_cast<std::size_t>(task)]; }
+Clocks gap_of(const Load& load, Task task) { return *load.gaps[static_cast<std::size_t>(task)]; }
+
+// Of a pass that only refills, without the refill: motion, the rest, and the gaps.
+Clocks overhead(const Load& load) {
+  return *load.start + bound_of(load, Task::motion) + gap_of(load, Task::motion) +
+         gap_of(load, Task::refill) + bound_of(load, Task::rest) + gap_of(load, Task::rest);
+}
+
+// Handed over in so many rounds at most.
+std::uint64_t lines_in(std::uint64_t rounds, const Facts& facts) {
+  return facts.waiting_lines + rounds * facts.lines_of_a_round;
+}
 
 // What holds at one rate.
 class Situation {
@@ -39,38 +63,28 @@ class Situation {
   Response response(Requirement requirement) const;
 
  private:
+  Wide bound(Task task) const { return thousand * bound_of(load_, task); }
   Wide pass() const { return thousand * *load_.pass; }
-  Wide within_pass(const std::array<std::optional<Clocks>, units::task_count>& bounds,
-                   Task task) const {
-    return thousand *
-           std::min(bounds[static_cast<std::size_t>(task)].value_or(*load_.pass), *load_.pass);
+  Wide rounds(std::uint64_t number) const {
+    return thousand * time_of_rounds(number, facts_, load_);
   }
-  Wide begin(Task task) const { return within_pass(load_.begins, task); }
-  Wide end(Task task) const { return within_pass(load_.ends, task); }
+  // From the moment after a look of the task: what needs so many looks.
+  Wide served(Task task, std::uint64_t looks) const { return rounds(looks) + bound(task); }
   // As the firmware counts: a tick of its clock is a millisecond, or up to a clock less.
   Wide at_most(std::uint64_t ms) const { return Wide{ms} * rate_.clock_hz; }
   Wide at_least(std::uint64_t ms) const { return at_most(ms) - thousand * Wide{ms}; }
   Wide sleep() const { return at_most(facts_.sleep_ms); }
-
-  // Bytes that are completed in a time, at most.
-  std::uint64_t bytes_in(Wide time) const {
-    const Wide bits = time * rate_.baud * facts_.fast_sender_percent / rate_.clock_hz;
-    return static_cast<std::uint64_t>(bits / (thousand * 100 * facts_.frame_bits)) + 1;
-  }
+  // What time in hand, the time of a look and a need lose by being whole microseconds.
+  Wide rounding() const { return 3 * at_most(1) / 1000; }
   Wide time_of_bytes(std::uint64_t bytes) const {
     return (thousand * bytes * facts_.frame_bits * rate_.clock_hz + rate_.baud - 1) / rate_.baud;
   }
-  bool bytes_pile_up() const {
-    return pass() * rate_.baud * facts_.fast_sender_percent >
-           thousand * 100 * facts_.frame_bits * facts_.bytes_of_a_look * rate_.clock_hz;
-  }
-  std::uint64_t waiting_bytes() const;
-  static Wide looks_for(std::uint64_t bytes, std::uint64_t at_a_time) {
-    return (bytes + at_a_time - 1) / at_a_time;
-  }
 
   Wide sign_of_life() const;
-  Wide next_line() const;
+  Response allowances() const;
+  Wide reserve() const;
+  Wide margin() const;
+  Wide in_hand() const;
   Wide heater_feed() const;
   Wide early_heater_feed() const;
   static Response within(Wide worst, Wide allowed);
@@ -88,44 +102,64 @@ Response Situation::within(Wide worst, Wide allowed) {
           .holds = worst <= allowed};
 }
 
-std::uint64_t Situation::waiting_bytes() const {
-  if (bytes_pile_up()) return facts_.unanswered_bytes;
-  const Wide to_look = end(Task::serial_line);
-  // So many wake the loop, or all come while it sleeps.
-  const std::uint64_t asleep =
-      std::min(facts_.wake_level + bytes_in(to_look), bytes_in(pass() + sleep() + to_look));
-  return std::min(std::max(bytes_in(pass() + to_look), asleep), facts_.unanswered_bytes);
-}
-
-// A line is taken in so many looks; from then on the busy message is due `busy_lead` before 2 s,
-// seen in the next pass after that, and given to the uart before the refill.
+// It is taken in a look. From then on the busy message is due `busy_lead` before 2 s, which the
+// next look finds, and given to the uart before that round ends.
 Wide Situation::sign_of_life() const {
-  const Wide looks = looks_for(facts_.bytes_of_a_line, facts_.bytes_of_a_look);
-  return looks * pass() + pass() + sleep() + begin(Task::refill) +
+  return served(Task::serial_line, 1) + at_most(1) + rounds(2) + sleep() +
          time_of_bytes(facts_.busy_message_bytes);
 }
 
-// What has been handed over counts from the beginning of the pass in which it was. It must last
-// until the first line of the next pass is in the queue, and from then on each line until the next
-// one; all the rest of the task may come at once.
-Wide Situation::next_line() const {
-  const Wide before = begin(Task::refill), all = end(Task::refill);
-  const Wide line = load_.line ? thousand * *load_.line : all - before;
-  const Wide least = thousand * facts_.least_line_clocks;
-  const Wide latest = std::max(std::min(before + line, all), all - least);
-  return pass() + sleep() + latest;
+// The task that takes the greatest part of its allowance.
+Response Situation::allowances() const {
+  Response greatest = within(0, thousand);
+  for (const Task task : all_tasks) {
+    const auto allowance = facts_.allowances[static_cast<std::size_t>(task)];
+    if (allowance == 0) continue;
+    const Response response = within(bound(task), thousand * allowance);
+    if (Wide{*response.worst} * greatest.allowed > Wide{*greatest.worst} * response.allowed) {
+      greatest = response;
+    }
+  }
+  return greatest;
 }
 
-// The rounds of the heaters begin a period apart, but for a pass and a sleep, and so does their
-// last heater's turn; the second key comes at the end of that pass.
+// What must be in hand where no task begins: each line must be there before those before it end.
+Wide Situation::reserve() const {
+  const Wide all = bound(Task::refill), one = thousand * *load_.line;
+  Wide longest = 0;
+  for (std::uint64_t line = 0; line < facts_.lines_of_a_refill; ++line) {
+    const Wide there = std::min(all, thousand * *load_.refill_without_line + (line + 1) * one);
+    longest = std::max(longest, there - thousand * line * facts_.least_line_clocks);
+  }
+  return rounding() + thousand * overhead(load_) + longest;
+}
+
+// How much less than a refill makes sure of is in hand when the next pass gets to a task, if it has
+// begun no more than one line.
+Wide Situation::margin() const {
+  return rounding() +
+         thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
+}
+
+// What a refill must make sure of, so that the longest of all may begin.
+Wide Situation::in_hand() const {
+  Wide longest = bound(Task::refill);
+  for (const Task task : all_tasks) {
+    if (may_wait(task, facts_)) longest = std::max(longest, bound(task));
+  }
+  return longest + thousand * (facts_.refill_reserve + facts_.refill_margin);
+}
+
+// The rounds of the heaters begin a period apart, but for a round of the loop and a sleep, and so
+// does their last heater's turn; the second key comes at the end of that pass.
 Wide Situation::heater_feed() const {
-  return at_most(facts_.heat_period_ms + 1) + 2 * (pass() + sleep()) + pass();
+  return at_most(facts_.heat_period_ms + 1) + 2 * (rounds(1) + sleep()) + pass();
 }
 
 // From a first key that comes late in its task to the next that comes at once. The task itself
 // looks how long ago the last one was.
 Wide Situation::early_heater_feed() const {
-  return at_least(facts_.least_heat_ms - 1) - within_pass(load_.tasks, Task::heat);
+  return at_least(facts_.least_heat_ms - 1) - bound(Task::heat);
 }
 
 Response Situation::response(Requirement requirement) const {
@@ -138,29 +172,38 @@ Response Situation::response(Requirement requirement) const {
             .is_least = true,
             .holds = holds};
   }
-  if (!load_.pass) return {.worst = {}, .is_bounded = false};
+  if (!load_.is_whole()) return {.worst = {}, .is_bounded = false};
   const Wide tick = thousand * facts_.heater_tick_clocks;
   switch (requirement) {
     case Requirement::received_bytes: {
-      const std::uint64_t bytes = waiting_bytes();
+      const std::uint64_t bytes = facts_.unanswered_lines * facts_.bytes_of_a_line;
       return {
           .worst = bytes, .allowed = facts_.receive_depth, .holds = bytes <= facts_.receive_depth};
     }
     case Requirement::sign_of_life:
       return within(sign_of_life(), at_most(facts_.busy_lead_ms));
     case Requirement::stop_by_host:
-      return within(
-          looks_for(waiting_bytes(), facts_.bytes_of_a_look) * pass() + end(Task::serial_line),
-          at_most(facts_.stop_within_ms));
+      return within(served(Task::serial_line, facts_.unanswered_lines),
+                    at_most(facts_.stop_within_ms));
     case Requirement::emergency_stop:
-      return within(pass() + end(Task::faults), at_most(facts_.stop_within_ms));
+      return within(served(Task::faults, 1), at_most(facts_.stop_within_ms));
     case Requirement::motion_watchdog:
-      return within(pass() + sleep() + end(Task::motion) + thousand,
+      return within(pass() + sleep() + thousand * *load_.start + bound(Task::motion) + thousand,
                     at_least(facts_.motion_watchdog_ms));
+    case Requirement::allowances:
+      return allowances();
+    case Requirement::reserve:
+      return within(reserve(), thousand * facts_.refill_reserve);
+    case Requirement::margin:
+      return within(margin(), thousand * facts_.refill_margin);
+    case Requirement::gain:
+      return within(bound(Task::refill) + thousand * overhead(load_),
+                    thousand * facts_.lines_of_a_refill * facts_.least_line_clocks);
     case Requirement::horizon:
-      return within(next_line(), at_most(facts_.horizon_ms));
+      return within(thousand * facts_.least_line_clocks * facts_.lines_of_a_pass,
+                    at_most(facts_.horizon_ms));
     case Requirement::queue:
-      return within(next_line(), thousand * facts_.least_line_clocks * facts_.lines_of_a_pass);
+      return within(in_hand(), thousand * facts_.least_line_clocks * facts_.lines_of_a_pass);
     case Requirement::heater_watchdog:
       return within(heater_feed() + thousand, at_most(facts_.heater_watchdog_ms) - 2 * tick);
     case Requirement::not_too_early: {
@@ -193,6 +236,32 @@ std::uint32_t first_of(std::uint32_t low, std::uint32_t high, const Predicate& i
 }
 
 }  // namespace
+
+bool Load::is_whole() const {
+  return pass && start && line && refill_without_line &&
+         std::ranges::all_of(tasks, [](const auto& bound) { return bound.has_value(); }) &&
+         std::ranges::all_of(gaps, [](const auto& bound) { return bound.has_value(); });
+}
+
+bool may_wait(Task task, const Facts& facts) {
+  return facts.allowances[static_cast<std::size_t>(task)] != 0;
+}
+
+std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts) {
+  const auto tasks = static_cast<std::uint64_t>(
+      std::ranges::count_if(all_tasks, [&](Task task) { return may_wait(task, facts); }));
+  return lines_in(rounds, facts) / 2 + rounds * tasks;
+}
+
+Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load) {
+  Clocks work = 0;
+  for (const Task task : all_tasks) {
+    if (may_wait(task, facts)) work += bound_of(load, task) + gap_of(load, task);
+  }
+  const std::uint64_t passes = rounds + put_off_in(rounds, facts);
+  return rounds * work + passes * (overhead(load) + *load.refill_without_line) +
+         lines_in(rounds, facts) * *load.line;
+}
 
 const RequirementRow& row_of(Requirement requirement) {
   return rows[static_cast<std::size_t>(requirement)];

@@ -2,20 +2,29 @@
 // Whether the main loop meets its deadlines at a clock and a baud rate: response times of a
 // cooperative cyclic executive, from the bounds of its tasks.
 //
-// The loop begins a pass at t(k), in which each task runs once, in a fixed order; nothing preempts
-// it, so all that a task waits for is blocking by the pass. With P the bound of a pass, B and E
-// those from the beginning of a pass to the beginning and to the end of a task, and S the sleep
-// after a pass, t(k+1) - t(k) <= P, or P + S where nothing wakes the loop.
+// A round runs each task once, in a fixed order; nothing preempts it, so all that a task waits for
+// is blocking by the round (Liu, Real-Time Systems, 2000, chapters 5 and 8: cyclic executive,
+// blocking by nonpreemptivity). While motion needs lines a task is put off until more is in hand
+// than its need. Then the pass refills and ends, and the next one goes on with that task: a round
+// takes some passes.
 //
-// An event that comes right after its task has looked waits for the rest of the pass and for the
-// next pass up to the task: it is served within P + E (Liu, Real-Time Systems, 2000, chapters 5
-// and 8: cyclic executive, blocking by nonpreemptivity). Of what needs n looks the last is over
-// within n P + E. From one run of a task to the end of its next are at most P + S + E.
+// Motion never ends before its next line is there. What is in hand when a task begins outlasts its
+// allowance and the reserve, and a refill of several lines gains more time than it and the rest of
+// a pass take.
 //
-// Bytes that wait (as Le Boudec, Thiran, Network Calculus, 2001, backlog bound): in any time t at
-// most t / T + 1 bytes of the time T are completed. Where a pass brings no more than a look takes,
-// at most those of P + E wait, or those that wake the loop and those of E; otherwise they pile up
-// until the host waits for an answer.
+// No task waits for ever. A refill ends with the most lines that a pass hands over, or with all
+// that is due. When the pass behind it gets to the task, what is due has become less by the
+// overhead of a pass and the time of the lines handed over: with one line or none by no more than
+// the margin, and no need is closer to what is due than that. So a refill after which the task
+// waits again has begun two lines or more, and no more lines are begun than wait in the planner's
+// ring and come into it meanwhile. In n rounds with G tasks that can be put off, whose bounds are
+// B, the gaps behind them g, the overhead of a pass O, a refill without a line r and a line l,
+//
+//   lines <= ring + n appended,  put off <= lines / 2 + n G,
+//   T(n) = n (sum of B + g) + (n + put off) (O + r) + lines l.
+//
+// An event right after its task has looked is served within T(1) + B, and what needs n looks
+// within T(n) + B.
 #pragma once
 
 #include <array>
@@ -34,10 +43,16 @@ using Facts = application::ScheduleFacts;
 // Bounds of an image; nothing where there is none.
 struct Load {
   std::optional<Clocks> pass;
-  // From the beginning of a pass; where it has no bound, that of the pass counts.
-  std::array<std::optional<Clocks>, units::task_count> begins{}, ends{};
-  std::array<std::optional<Clocks>, units::task_count> tasks{};  // by themselves
+  std::array<std::optional<Clocks>, units::task_count> tasks{};
+  // From the beginning of a pass, or the end of a task, to the next beginning of one, or the end of
+  // the pass.
+  std::optional<Clocks> start;
+  std::array<std::optional<Clocks>, units::task_count> gaps{};
   std::optional<Clocks> line;  // handed over, all its segments
+  std::optional<Clocks> refill_without_line;  // but for what is left of one
+
+  // Nothing without a bound.
+  bool is_whole() const;
 };
 
 struct Rate {
@@ -51,6 +66,10 @@ enum class Requirement : std::uint8_t {
   stop_by_host,
   emergency_stop,
   motion_watchdog,
+  allowances,
+  reserve,
+  margin,
+  gain,
   horizon,
   queue,
   heater_watchdog,
@@ -63,7 +82,7 @@ struct RequirementRow {
   units::Task task;
   const char* name;
   const char* unit;
-  bool up_to_a_clock;  // holds up to one; all others hold from one on
+  bool up_to_a_clock;  // holds up to one, or at all; all others hold from one on
 };
 const RequirementRow& row_of(Requirement requirement);
 
@@ -79,6 +98,13 @@ struct Response {
   // "motion's watchdog is fed: 1234 of 800000 clocks".
   std::string text() const;
 };
+
+// Clocks of so many rounds at most. Only of a load that is whole.
+Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load);
+// Passes of so many rounds at most that end because a task must wait.
+std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts);
+// Put off while motion needs lines.
+bool may_wait(units::Task task, const Facts& facts);
 
 Response respond(Requirement requirement, const Facts& facts, const Load& load, Rate rate);
 std::vector<Response> respond(const Facts& facts, const Load& load, Rate rate);

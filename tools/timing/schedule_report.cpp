@@ -41,6 +41,9 @@ std::string table(const Schedule& schedule, std::uint32_t baud) {
 }
 
 std::string range_text(const ClockRange& range) {
+  if (range.is_empty() && !range.slower_fails) {
+    return fmt::format("no clock: {} at none", row_of(*range.faster_fails).name);
+  }
   if (range.is_empty()) {
     return fmt::format("no clock: {} needs {} Hz at least, {} {} Hz at most",
                        row_of(*range.slower_fails).name, range.lowest_hz,
@@ -52,6 +55,16 @@ std::string range_text(const ClockRange& range) {
     text += fmt::format(", highest {} Hz ({})", range.highest_hz, row_of(*range.faster_fails).name);
   }
   return text;
+}
+
+// Between tasks; nothing where one has no bound.
+std::optional<Clocks> longest_gap(const Load& load) {
+  std::optional<Clocks> longest = load.start;
+  for (const auto& gap : load.gaps) {
+    if (!gap || !longest) return std::nullopt;
+    longest = std::max(*longest, *gap);
+  }
+  return longest;
 }
 
 nlohmann::json to_json(const Response& response, Rate rate) {
@@ -71,17 +84,23 @@ nlohmann::json to_json(const Response& response, Rate rate) {
 
 std::vector<std::uint32_t> offered_baud_rates() { return {std::begin(rates), std::end(rates)}; }
 
-Schedule schedule_of(const Program& program, Analysis& analysis, const Facts& facts) {
+Schedule schedule_of(const Program& program, const Costs& costs, bool has_zbb, const Facts& facts) {
+  Analysis analysis(program, costs, has_zbb);
   Schedule schedule{.facts = facts, .load = {}, .rows = task_rows(program, analysis)};
   schedule.load = load_of(program, analysis, schedule.rows);
+  schedule.load.refill_without_line = refill_without_line(program, costs, has_zbb);
   return schedule;
 }
 
-std::vector<std::string> missing_bounds(const std::vector<TaskRow>& rows) {
+std::vector<std::string> missing_bounds(const Schedule& schedule) {
   std::vector<std::string> missing;
-  for (const TaskRow& row : rows) {
-    if (!row.bound) missing.push_back(fmt::format("\"{}\" has no bound", row.name));
-  }
+  const auto note = [&](const std::optional<Clocks>& bound, std::string_view name) {
+    if (!bound) missing.push_back(fmt::format("\"{}\" has no bound", name));
+  };
+  for (const TaskRow& row : schedule.rows) note(row.bound, row.name);
+  note(longest_gap(schedule.load), "a gap between tasks");
+  note(schedule.load.line, "a line handed over");
+  note(schedule.load.refill_without_line, "a refill without a line");
   return missing;
 }
 
@@ -89,18 +108,17 @@ Load bounded_part(const std::vector<TaskRow>& rows) {
   Load load;
   Clocks sum = 0;
   for (std::size_t task = 0; task < units::task_count; ++task) {
-    load.begins[task] = sum;
-    sum += rows.at(1 + task).bound.value_or(0);
-    load.ends[task] = sum;
     load.tasks[task] = rows.at(1 + task).bound.value_or(0);
+    sum += *load.tasks[task];
   }
   load.pass = sum;
-  load.line = 0;
+  load.gaps.fill(0);
+  load.start = load.line = load.refill_without_line = 0;
   return load;
 }
 
 std::vector<std::string> refusals(const Schedule& schedule, Rate rate) {
-  const bool is_whole = schedule.load.pass.has_value();
+  const bool is_whole = schedule.load.is_whole();
   const Load load = is_whole ? schedule.load : bounded_part(schedule.rows);
   std::vector<std::string> reasons;
   for (const Response& response : respond(schedule.facts, load, rate)) {
@@ -110,7 +128,7 @@ std::vector<std::string> refusals(const Schedule& schedule, Rate rate) {
 }
 
 bool is_schedulable(const Schedule& schedule) {
-  return missing_bounds(schedule.rows).empty() &&
+  return schedule.load.is_whole() &&
          std::ranges::none_of(rates, [&](std::uint32_t baud) {
            return clocks_that_hold(schedule.facts, schedule.load, baud).is_empty();
          });
@@ -118,14 +136,19 @@ bool is_schedulable(const Schedule& schedule) {
 
 std::string to_text(const Schedule& schedule) {
   std::string text;
-  for (const std::string& reason : missing_bounds(schedule.rows)) {
+  for (const std::string& reason : missing_bounds(schedule)) {
     text += "not schedulable: " + reason + "\n";
   }
-  if (!schedule.load.pass) {
+  if (!schedule.load.is_whole()) {
     text += "what follows is that of the tasks with a bound alone: a yes is no proof\n";
   }
+  if (schedule.load.is_whole()) {
+    text += fmt::format(
+        "clocks at most: a line {}, a refill without one {}, from one task to the next {}\n",
+        *schedule.load.line, *schedule.load.refill_without_line, *longest_gap(schedule.load));
+  }
   Schedule shown = schedule;
-  if (!schedule.load.pass) shown.load = bounded_part(schedule.rows);
+  if (!schedule.load.is_whole()) shown.load = bounded_part(schedule.rows);
   for (const std::uint32_t baud : rates) {
     text += "\n" + table(shown, baud);
     text += range_text(clocks_that_hold(shown.facts, shown.load, baud)) + "\n";
@@ -141,7 +164,7 @@ std::string to_json(const Schedule& schedule) {
         responses.push_back(to_json(each, {hz, baud}));
       }
     }
-    if (!schedule.load.pass) continue;
+    if (!schedule.load.is_whole()) continue;
     const ClockRange range = clocks_that_hold(schedule.facts, schedule.load, baud);
     clocks.push_back({{"baud", baud},
                       {"schedulable", !range.is_empty()},
@@ -150,7 +173,12 @@ std::string to_json(const Schedule& schedule) {
                       {"reason", range_text(range)}});
   }
   nlohmann::json all = nlohmann::json::parse(to_json(schedule.rows));
-  all["missing_bounds"] = missing_bounds(schedule.rows);
+  if (schedule.load.is_whole()) {
+    all["gap_clocks"] = *longest_gap(schedule.load);
+    all["line_clocks"] = *schedule.load.line;
+    all["refill_without_line_clocks"] = *schedule.load.refill_without_line;
+  }
+  all["missing_bounds"] = missing_bounds(schedule);
   all["responses"] = responses;
   all["clocks"] = clocks;
   return all.dump(2) + "\n";

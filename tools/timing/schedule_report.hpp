@@ -23,10 +23,11 @@ struct Schedule {
 };
 
 // Of the image. Throws std::runtime_error where it lacks marks.
-Schedule schedule_of(const Program& program, Analysis& analysis, const Facts& facts);
+Schedule schedule_of(const Program& program, const Costs& costs, bool has_zbb, const Facts& facts);
 
-// "the task reports at intervals has no bound", for each that has none, and for the pass.
-std::vector<std::string> missing_bounds(const std::vector<TaskRow>& rows);
+// "the task reports at intervals has no bound", for each that has none, for the pass, and for what
+// else the load is of.
+std::vector<std::string> missing_bounds(const Schedule& schedule);
 
 // A pass of nothing but the tasks that have a bound: what it misses, the whole one misses too.
 Load bounded_part(const std::vector<TaskRow>& rows);

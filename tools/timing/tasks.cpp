@@ -9,6 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "motion/profile.hpp"
+#include "units/event_bound.hpp"
+
 namespace timing {
 
 namespace {
@@ -87,18 +90,38 @@ void add_measured(std::vector<TaskRow>& rows, const Calls& calls) {
 Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows) {
   const Address main = main_of(program);
   const Address start = analysis.round_start(main);
-  Load load{.pass = rows.at(0).bound, .begins = {}, .ends = {}, .tasks = {}, .line = {}};
+  Load load{
+      .pass = rows.at(0).bound, .tasks = {}, .start = {}, .gaps = {}, .line = {}, .refill_without_line = {}};
   const auto handing_over = program.find("MotionTask::hand_over_line");  // where it is not inlined
   if (handing_over.size() == 1) load.line = analysis.bound(handing_over[0]);
+  std::set<Address> begins{start};
   for (std::uint32_t task = 0; task < task_count; ++task) {
     load.tasks[task] = rows.at(1 + task).bound;
     const Places places = places_of(program, task);
     // Where the compiler has not inlined the loop's body there is no way within one function.
-    if (program.function_at(*places.begins.begin()) != main) continue;
-    load.begins[task] = analysis.span(main, {start}, places.begins);
-    load.ends[task] = analysis.span(main, {start}, places.ends);
+    if (program.function_at(*places.begins.begin()) != main) return load;
+    begins.insert(places.begins.begin(), places.begins.end());
+  }
+  load.start = analysis.span(main, {start}, begins);
+  for (std::uint32_t task = 0; task < task_count; ++task) {
+    load.gaps[task] = analysis.span(main, places_of(program, task).ends, begins);
   }
   return load;
+}
+
+std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs,
+                                          bool has_zbb) {
+  Program without = program;
+  for (EventMarker& marker : without.event_markers) {
+    if (marker.event == static_cast<std::uint32_t>(units::Event::line_begun)) marker.most = 0;
+    // What is left of a line before.
+    if (marker.event == static_cast<std::uint32_t>(units::Event::segment_made)) {
+      marker.most = motion::most_phases;
+    }
+  }
+  const Places places = places_of(without, static_cast<std::uint32_t>(Task::refill));
+  const Address function = without.function_at(*places.begins.begin());
+  return Analysis(without, costs, has_zbb).span(function, places.begins, places.ends);
 }
 
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {

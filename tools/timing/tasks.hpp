@@ -25,8 +25,10 @@ void watch_tasks(const Program& program, Analysis& analysis, Calls& calls);
 std::vector<TaskRow> task_rows(const Program& program, Analysis& analysis);
 void add_measured(std::vector<TaskRow>& rows, const Calls& calls);
 
-// What schedule.hpp needs of the image.
+// What schedule.hpp needs of the image, but for the refill without a line.
 Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows);
+// The refill where no line begins: to bind it the image's facts are changed.
+std::optional<Clocks> refill_without_line(const Program& program, const Costs& costs, bool has_zbb);
 
 // At so many clocks per second.
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz);
