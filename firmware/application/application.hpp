@@ -48,6 +48,7 @@ class Application {
 
  private:
   bool work(Now now);
+  bool refill();
   [[gnu::noinline]] bool may_begin(units::Task task);
   [[gnu::noinline]] Now time();
   std::int32_t need_of(units::Task task) const;

@@ -41,7 +41,6 @@ struct WordsBound {
 bool Application::update() {
   const units::Cycles began = hardware_.timer.now();
   const Now now = clock_.update(began);
-  units::Microseconds refilled = now.microseconds;
   bool more = false;
   if (halted_) {
     run<Task::serial_line>([&] {
@@ -51,10 +50,7 @@ bool Application::update() {
   } else {
     run<Task::motion>([&] { motion_.update(now); });
     more = work(now);
-    run<Task::refill>([&] {
-      refilled = time().microseconds;
-      if (motion_.refill(refilled)) more = true;
-    });
+    if (run<Task::refill>([&] { return refill(); })) more = true;
     // What a fault has to say is sent in the next pass.
     more = more || executor_.has_got_room() || halted_;
   }
@@ -64,7 +60,6 @@ bool Application::update() {
     const auto pass = static_cast<std::uint32_t>((hardware_.timer.now() - began).count());
     counters_.longest_pass_clocks = std::max(counters_.longest_pass_clocks, pass);
     if (more) return;
-    note_in_hand(refilled);
     set_alarms();
   });
   return more;
@@ -130,6 +125,26 @@ bool Application::work(Now now) {
   });
 }
 
+// True if there may be more. By the time before each line, so that what is due at the end is in
+// hand when the next pass begins.
+bool Application::refill() {
+  // Nothing is appended meanwhile.
+  units::EventBound<units::Event::looked_ahead, 1> once;
+  // Those of a line before, and of those that begin.
+  constexpr auto most_segments = (task_timing::lines_of_a_refill + 1) * motion::most_phases;
+  units::EventBound<units::Event::segment_made, most_segments> segments;
+  units::LoopBound<task_timing::lines_of_a_refill> lines;
+  units::Microseconds now;
+  bool more = true;
+  for (unsigned i = 0; more && i < task_timing::lines_of_a_refill; ++i) {
+    lines.next();
+    now = time().microseconds;
+    more = motion_.refill(now);
+  }
+  note_in_hand(now);
+  return more;
+}
+
 // Whether motion does not end before the task has: otherwise it is the next one.
 bool Application::may_begin(Task task) {
   next_ = task;
@@ -157,10 +172,12 @@ Now Application::time() { return clock_.update(hardware_.timer.now()); }
 void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   std::int32_t ticks = at_rest ? ticks_at_rest : ticks_at_work;
-  const std::int32_t kept = motion_.queue_full() ? need_of(Task::refill)
-                                                 : static_cast<std::int32_t>(longest_pass_us_);
-  const std::int32_t left = left_in_hand() - kept;
-  if (left < ticks * 1000) ticks = left < 0 ? 0 : left / 1000;
+  if (in_hand_ != MotionTask::no_haste) {
+    const std::int32_t kept = motion_.queue_full() ? need_of(Task::refill)
+                                                   : static_cast<std::int32_t>(longest_pass_us_);
+    const std::int32_t left = left_in_hand() - kept;
+    if (left < ticks * 1000) ticks = left < 0 ? 0 : left / 1000;
+  }
   hardware_.uart.interrupt_on({.receive_level = task_timing::wake_level, .line_end = true});
   hardware_.timer.set_deadline(clock_.in_ticks(static_cast<std::uint32_t>(ticks)));
 }

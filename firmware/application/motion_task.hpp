@@ -35,8 +35,8 @@ class MotionTask {
   void update(Now now);
   // Stops, chords, homing.
   [[gnu::noinline]] void plan(Now now);
-  // Hands over some lines, or what of them the step generator has room for, if that is due. True
-  // if there may be more.
+  // Hands over a line, or what of it the step generator has room for, if that is due. True if there
+  // may be more.
   bool refill(units::Microseconds now);
   // How long motion goes on by itself at least, where lines wait that must go on before it ends:
   // microseconds at refill() or update(), no_haste or less.

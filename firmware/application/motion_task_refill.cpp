@@ -28,24 +28,15 @@ bool MotionTask::refill(units::Microseconds now) {
   bool more = true;
   pace_.update(now, step_generator_.moving());
   if (is_shaped()) {
-    units::LoopBound<task_timing::shaped_refills> refills;
-    for (unsigned i = 0; more && i < task_timing::shaped_refills; ++i) {
-      refills.next();
+    units::LoopBound<task_timing::shaped_slots> slots;
+    for (unsigned i = 0; more && i < task_timing::shaped_slots; ++i) {
+      slots.next();
       more = hand_over_line();
     }
     return more;
   }
   if (start_is_due()) begin_collecting();
-  // Nothing is appended meanwhile.
-  units::EventBound<units::Event::looked_ahead, 1> once;
-  // Those of a line before, and of those that begin.
-  constexpr auto most_segments = (task_timing::lines_of_a_refill + 1) * motion::most_phases;
-  units::EventBound<units::Event::segment_made, most_segments> segments;
-  units::LoopBound<task_timing::lines_of_a_refill> lines;
-  for (unsigned i = 0; more && i < task_timing::lines_of_a_refill; ++i) {
-    lines.next();
-    more = hand_over_line();
-  }
+  more = hand_over_line();
   if (collecting_ && (!more || planner_.in_hand(pace_.time()) >= longest_pass())) {
     collecting_ = false;
     step_generator_.permit_motion(true);

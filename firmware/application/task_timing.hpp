@@ -31,15 +31,15 @@ constexpr std::int64_t least_line(bool is_fast) {
 
 // Lines that a pass hands over at most.
 inline constexpr unsigned lines_of_a_refill = 4;
-// The same of slots where motion is shaped.
-inline constexpr unsigned shaped_refills = 12;
+// In place of each, slots where motion is shaped.
+inline constexpr unsigned shaped_slots = 3;
 
 // While motion goes on into lines that wait, a task begins only if what is in hand outlasts its
 // allowance (task_table.hpp) and this: until the next line is handed over, and what follows.
-inline constexpr std::int64_t refill_reserve = 22'000;
-// When a pass that has only refilled gets to the task that waits, no more than this is missing of
-// what a refill is to have in hand: the time of a line that was being handed over.
-inline constexpr std::int64_t refill_margin = 22'000;
+inline constexpr std::int64_t refill_reserve = 28'000;
+// When the pass behind a refill gets to the task that waits, no more than this is missing of what
+// the refill is to have in hand: the time of a line that filled the queue, and of a pass.
+inline constexpr std::int64_t refill_margin = 26'500;
 // Lines that the tasks of a round append at most: a chord or a move of homing, and a command's.
 inline constexpr std::int64_t lines_of_a_round = 2;
 

@@ -153,8 +153,7 @@ Clocks Executive::known_in_hand() const {
 }
 
 void Executive::refill() {
-  const Clocks looked = time_;
-  while (!queue_.empty() && queue_.front() <= time_) queue_.pop_front();
+  Clocks looked = time_;
   full_ = false;
   if (resting_ && waiting_ > 0) {
     resting_ = false;
@@ -167,6 +166,8 @@ void Executive::refill() {
   left -= fixed;
   bool more = true;
   for (std::uint64_t i = 0; more && i < facts_.lines_of_a_refill; ++i) {
+    looked = time_;
+    while (!queue_.empty() && queue_.front() <= time_) queue_.pop_front();
     const Clocks end = collecting_ ? looked + collected_ : motion_ends_;
     more = waiting_ > 0 && end < looked + longest_;
     if (!more) break;

@@ -110,7 +110,7 @@ TEST(Schedule, no_run_is_worse_than_the_analysis_says) {
       const Choice choice = round % 4 == 0 ? at_worst : at_random(random);
       const timing::Run run = setting.run(9, sleeps, choice);
       ASSERT_FALSE(run.motion_has_ended) << round;
-      ASSERT_LE(run.put_off, put_off_in(9, setting.facts));
+      ASSERT_LE(run.put_off, put_off_in(9, setting.facts, setting.load));
       ASSERT_LE(run.longest_pass, *setting.load.pass);
       for (const Task task : waiting_tasks) ASSERT_GE(run.tasks[index_of(task)].size(), 9u);
       if (sleeps) continue;
@@ -163,7 +163,7 @@ Misses misses_with(const std::function<void(Setting&)>& change) {
     change(setting);
     const timing::Run run = setting.run(2, round % 2 == 0, round % 4 < 2 ? at_worst : at_random(random));
     if (run.motion_has_ended) ++misses.motion;
-    if (run.put_off > put_off_in(2, setting.facts)) ++misses.tasks;
+    if (run.put_off > put_off_in(2, setting.facts, setting.load)) ++misses.tasks;
   }
   return misses;
 }
@@ -239,6 +239,8 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   facts.waiting_lines = 5;
   facts.lines_of_a_round = 1;
   facts.least_line_clocks = 400;
+  facts.refill_reserve = 1'000;
+  facts.refill_margin = 500;
   Load load{.pass = 6'000, .tasks = {}, .start = 10, .gaps = {}, .line = 500, .refill_without_line = 100};
   load.tasks.fill(0);
   load.gaps.fill(10);
@@ -247,12 +249,15 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   load.tasks[index_of(Task::commands)] = 3'000;
   load.tasks[index_of(Task::refill)] = 1'200;
   load.tasks[index_of(Task::rest)] = 200;
-  // 6 lines; 1 + 3 + 2 passes of 60 + 200 + 40 + 100 clocks; two tasks with their gaps.
-  EXPECT_EQ(time_of_rounds(1, facts, load), 4'020u + 6 * 400 + 6 * 500);
+  // Both tasks may have to wait: 3500 clocks are in hand then, of which the first leaves 2490.
+  EXPECT_EQ(waits_in(1, facts, load), 2u);
+  // Two tasks with their gaps; 6 lines, 3 in each of 3 passes at most, which take 1500 clocks each,
+  // and one that is full.
+  EXPECT_EQ(time_of_rounds(1, facts, load), 4'020u + 3 * 1'500 + 1'500);
   const auto worst = [&](Requirement requirement) {
     return *respond(requirement, facts, load, {4'000'000, 1'000'000}).worst;
   };
-  EXPECT_EQ(worst(Requirement::emergency_stop), 9'420u);
+  EXPECT_EQ(worst(Requirement::emergency_stop), 10'020u);
   EXPECT_EQ(worst(Requirement::allowances), 3'000u);
   // 3 us, a pass, and two lines behind one another, of which the first lasts 400 clocks.
   EXPECT_EQ(worst(Requirement::reserve), 12u + 300 + (100 + 1'000) - 400);
@@ -263,7 +268,7 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   // Sleep: 8 ms.
   EXPECT_EQ(worst(Requirement::motion_watchdog), 6'000u + 32'000 + 10 + 60 + 1);
   // 101 ms, twice a round and a sleep, and a pass.
-  EXPECT_EQ(worst(Requirement::heater_watchdog), 404'000u + 2 * (9'420 + 32'000) + 6'000 + 1);
+  EXPECT_EQ(worst(Requirement::heater_watchdog), 404'000u + 2 * (10'020 + 32'000) + 6'000 + 1);
   EXPECT_EQ(worst(Requirement::received_bytes), 9u * 130);
 }
 

@@ -134,8 +134,8 @@ Wide Situation::reserve() const {
   return rounding() + thousand * overhead(load_) + longest;
 }
 
-// How much less than a refill makes sure of is in hand when the next pass gets to a task, if it has
-// begun no more than one line.
+// How much less than what is due at the end of a refill is in hand when the next pass gets to a
+// task: it may have seen that before a line that has filled the queue.
 Wide Situation::margin() const {
   return rounding() +
          thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
@@ -247,10 +247,29 @@ bool may_wait(Task task, const Facts& facts) {
   return facts.allowances[static_cast<std::size_t>(task)] != 0;
 }
 
-std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts) {
-  const auto tasks = static_cast<std::uint64_t>(
-      std::ranges::count_if(all_tasks, [&](Task task) { return may_wait(task, facts); }));
-  return lines_in(rounds, facts) / 2 + rounds * tasks;
+std::uint64_t waits_in(std::uint64_t rounds, const Facts& facts, const Load& load) {
+  const Clocks reached = facts.least_line_clocks * facts.lines_of_a_pass - facts.refill_margin;
+  std::uint64_t waits = 0;
+  Clocks in_hand = 0;
+  const auto pass_time = [&in_hand](Clocks time) { in_hand -= std::min(in_hand, time); };
+  for (; rounds > 0; --rounds) {
+    for (const Task task : all_tasks) {
+      if (!may_wait(task, facts)) continue;
+      const Clocks allowance = facts.allowances[static_cast<std::size_t>(task)];
+      if (in_hand < std::min(allowance + facts.refill_reserve, reached)) {
+        ++waits;
+        in_hand = reached;
+      }
+      pass_time(bound_of(load, task) + gap_of(load, task));
+    }
+    pass_time(overhead(load) + bound_of(load, Task::refill));
+  }
+  return waits;
+}
+
+std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts, const Load& load) {
+  const std::uint64_t waits = waits_in(rounds, facts, load);
+  return (lines_in(rounds, facts) + rounds + waits) / facts.lines_of_a_refill + waits;
 }
 
 Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load) {
@@ -258,9 +277,18 @@ Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load
   for (const Task task : all_tasks) {
     if (may_wait(task, facts)) work += bound_of(load, task) + gap_of(load, task);
   }
-  const std::uint64_t passes = rounds + put_off_in(rounds, facts);
-  return rounds * work + passes * (overhead(load) + *load.refill_without_line) +
-         lines_in(rounds, facts) * *load.line;
+  const std::uint64_t most = facts.lines_of_a_refill;
+  const Clocks full = overhead(load) + bound_of(load, Task::refill);
+  const std::uint64_t lines = lines_in(rounds, facts);
+  const std::uint64_t others = rounds + waits_in(rounds, facts, load);
+  Clocks longest = 0;
+  for (std::uint64_t each = 0; each <= most; ++each) {
+    const std::uint64_t in_others = std::min(lines, others * each);
+    const Clocks other =
+        std::min(overhead(load) + *load.refill_without_line + each * *load.line, full);
+    longest = std::max(longest, others * other + (lines - in_others + others + most - 1) / most * full);
+  }
+  return rounds * work + longest;
 }
 
 const RequirementRow& row_of(Requirement requirement) {

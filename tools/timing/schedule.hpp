@@ -13,15 +13,20 @@
 // a pass take.
 //
 // No task waits for ever. A refill ends with the most lines that a pass hands over, or with all
-// that is due. When the pass behind it gets to the task, what is due has become less by the
-// overhead of a pass and the time of the lines handed over: with one line or none by no more than
-// the margin, and no need is closer to what is due than that. So a refill after which the task
-// waits again has begun two lines or more, and no more lines are begun than wait in the planner's
-// ring and come into it meanwhile. In n rounds with G tasks that can be put off, whose bounds are
-// B, the gaps behind them g, the overhead of a pass O, a refill without a line r and a line l,
+// that is due. When the pass behind it gets to the task, what is due has become less by a line that
+// has filled the queue and the overhead of a pass, which is within the margin, and no need is
+// closer to what is due than that. So a refill after which the task waits again is full: it has
+// begun the most lines; and no more lines are begun than wait in the planner's ring and come into
+// it meanwhile. All others are behind a whole round, or the last before their task begins: these
+// are no more than with tasks that begin with just what a refill makes sure of, and take their
+// bounds. In n rounds, with the bounds of tasks B, the gaps behind them g, the overhead of a pass
+// O, a refill R, one without a line r, one of k lines r + k l, or R if that is less,
 //
-//   lines <= ring + n appended,  put off <= lines / 2 + n G,
-//   T(n) = n (sum of B + g) + (n + put off) (O + r) + lines l.
+//   lines <= ring + n appended,  others <= n + waits of n rounds,
+//   T(n) = n (sum of B + g) + the greatest, for k lines in each of the others, of
+//          others (O + refill of k) + (lines - k others + others) / most lines (O + R),
+//
+// where a line that has filled the queue in one of the others is finished in a full one.
 //
 // An event right after its task has looked is served within T(1) + B, and what needs n looks
 // within T(n) + B.
@@ -101,8 +106,10 @@ struct Response {
 
 // Clocks of so many rounds at most. Only of a load that is whole.
 Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load);
-// Passes of so many rounds at most that end because a task must wait.
-std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts);
+// Waits of tasks in so many rounds at most, each of some passes.
+std::uint64_t waits_in(std::uint64_t rounds, const Facts& facts, const Load& load);
+// Passes in them at most that end because a task must wait.
+std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts, const Load& load);
 // Put off while motion needs lines.
 bool may_wait(units::Task task, const Facts& facts);
 
