@@ -52,7 +52,6 @@ class Application {
   [[gnu::noinline]] bool may_begin(units::Task task);
   [[gnu::noinline]] Now time();
   std::int32_t need_of(units::Task task) const;
-  [[gnu::noinline]] void note_in_hand(units::Microseconds now);
   std::int32_t left_in_hand();
   void set_alarms();
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
@@ -93,8 +92,8 @@ class Application {
   [[no_unique_address]] units::IfTwoTools<std::uint8_t> extruder_{};  // likewise
   host_link::TextLine fault_;
   std::uint32_t longest_pass_us_{};  // what a refill is to have in hand
-  // What motion has in hand, in microseconds at that time.
-  std::int32_t in_hand_{};
+  // What motion has in hand behind the last refill, in microseconds at that time.
+  std::int32_t in_hand_{MotionTask::no_haste};
   std::uint32_t in_hand_at_{};
   units::Task next_{};  // of the round, that a pass goes on with
   bool halted_{};

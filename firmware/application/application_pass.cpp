@@ -68,7 +68,6 @@ bool Application::update() {
 // The rest of a round: each task in its turn, until one must wait, with which the next pass begins.
 // True if there is more to do at once.
 bool Application::work(Now now) {
-  note_in_hand(now.microseconds);
   if (motion_.collecting()) return true;
   switch (next_) {
     default:
@@ -141,7 +140,8 @@ bool Application::refill() {
     now = time().microseconds;
     more = motion_.refill(now);
   }
-  note_in_hand(now);
+  in_hand_ = motion_.time_in_hand();
+  in_hand_at_ = static_cast<std::uint32_t>(now.count());
   return more;
 }
 
@@ -154,11 +154,6 @@ bool Application::may_begin(Task task) {
 std::int32_t Application::need_of(Task task) const {
   return static_cast<std::int32_t>(longest_pass_us_ * needs[static_cast<std::size_t>(task)] /
                                    whole_need);
-}
-
-void Application::note_in_hand(units::Microseconds now) {
-  in_hand_ = motion_.time_in_hand();
-  in_hand_at_ = static_cast<std::uint32_t>(now.count());
 }
 
 std::int32_t Application::left_in_hand() {

@@ -39,9 +39,9 @@ class MotionTask {
   // may be more.
   bool refill(units::Microseconds now);
   // How long motion goes on by itself at least, where lines wait that must go on before it ends:
-  // microseconds at refill() or update(), no_haste or less.
+  // microseconds at refill(), no_haste or less.
   static constexpr std::int32_t no_haste = 1 << 30;
-  [[gnu::noinline]] std::int32_t time_in_hand() const;
+  std::int32_t time_in_hand() const;
   // The lines of a start are collected before it, while all else waits.
   bool collecting() const {
     return (collecting_ || start_is_due()) && !stopping_ && !step_generator_.stopped();
