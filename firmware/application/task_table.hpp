@@ -95,7 +95,7 @@ inline constexpr std::array<TaskRow, units::task_count> task_table{{
      .period = {},
      .deadline = {.time = host_link::HostLink::longest_silence},
      .budget = 40'000,
-     .allowance = 105'000,
+     .allowance = 96'000,
      .priority = 7,
      .reason = "a host hears nothing"},
     {.task = units::Task::refill,
