@@ -157,7 +157,8 @@ std::int32_t Application::need_of(Task task) const {
 }
 
 std::int32_t Application::left_in_hand() {
-  const std::uint32_t passed = static_cast<std::uint32_t>(time().microseconds.count()) - in_hand_at_;
+  const std::uint32_t passed =
+      static_cast<std::uint32_t>(time().microseconds.count()) - in_hand_at_;
   return in_hand_ - static_cast<std::int32_t>(passed);
 }
 
@@ -168,8 +169,8 @@ void Application::set_alarms() {
   const bool at_rest = halted_ || (executor_.can_wait() && !motion_.queue_full());
   std::int32_t ticks = at_rest ? ticks_at_rest : ticks_at_work;
   if (in_hand_ != MotionTask::no_haste) {
-    const std::int32_t kept = motion_.queue_full() ? need_of(Task::refill)
-                                                   : static_cast<std::int32_t>(longest_pass_us_);
+    const std::int32_t kept =
+        motion_.queue_full() ? need_of(Task::refill) : static_cast<std::int32_t>(longest_pass_us_);
     const std::int32_t left = left_in_hand() - kept;
     if (left < ticks * 1000) ticks = left < 0 ? 0 : left / 1000;
   }

@@ -157,7 +157,7 @@ TEST(Tasks, take_at_most_their_bounds_and_together_the_pass) {
   Clocks sum = 0;
   std::size_t with_bound = 0;
   for (const TaskRow& row : rows) {
-    EXPECT_GT(row.measured.calls, 100U) << row.name;
+    EXPECT_GT(row.measured.calls, 10U) << row.name;  // heat is not due in each pass
     EXPECT_LE(row.measured.longest, pass.longest) << row.name;
     if (!row.bound) continue;
     ++with_bound;

@@ -83,7 +83,9 @@ void Executive::pass() {
   run_.longest_pass = std::max(run_.longest_pass, time_ - pass_began_);
 }
 
-void Executive::gap(Task before) { time_ += choice_(*load_.gaps[static_cast<std::size_t>(before)]); }
+void Executive::gap(Task before) {
+  time_ += choice_(*load_.gaps[static_cast<std::size_t>(before)]);
+}
 
 void Executive::work() {
   for (std::size_t task = 0; task < units::task_count; ++task) {
@@ -123,8 +125,8 @@ bool Executive::is_due() {
 bool Executive::may_begin(std::size_t task) {
   if (put_off_ || task < next_) return false;
   if (!in_haste()) return true;
-  const Clocks need = std::min(facts_.allowances[task] + facts_.refill_reserve,
-                               longest_ - facts_.refill_margin);
+  const Clocks need =
+      std::min(facts_.allowances[task] + facts_.refill_reserve, longest_ - facts_.refill_margin);
   // Whole microseconds show it a little early or late.
   const Clocks shown = known_in_hand() + choice_(rounding_);
   put_off_ = shown < need + choice_(rounding_);
@@ -185,7 +187,8 @@ void Executive::refill() {
 
 void Executive::hand_over(Clocks took) {
   time_ += took;
-  const Clocks lasts = facts_.least_line_clocks + facts_.least_line_clocks - choice_(facts_.least_line_clocks);
+  const Clocks lasts =
+      facts_.least_line_clocks + facts_.least_line_clocks - choice_(facts_.least_line_clocks);
   --waiting_;
   if (collecting_) {
     collected_ += lasts;

@@ -66,8 +66,7 @@ TEST(ScheduleReport, has_the_lowest_clock_of_each_offered_rate) {
   for (const auto& clock : json["clocks"]) {
     const Rate lowest{clock["lowest_hz"], clock["baud"]};
     EXPECT_THAT(refusals(schedule, lowest), IsEmpty());
-    EXPECT_THAT(refusals(schedule, {lowest.clock_hz - 1, lowest.baud}),
-                testing::Not(IsEmpty()));
+    EXPECT_THAT(refusals(schedule, {lowest.clock_hz - 1, lowest.baud}), testing::Not(IsEmpty()));
     EXPECT_THAT(to_text(schedule), HasSubstr("lowest clock " + clock["lowest_hz"].dump() + " Hz"));
   }
   EXPECT_EQ(json["responses"].size(),

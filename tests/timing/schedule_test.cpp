@@ -161,7 +161,8 @@ Misses misses_with(const std::function<void(Setting&)>& change) {
   for (int round = 0; round < 1'000; ++round) {
     Setting setting(random);
     change(setting);
-    const timing::Run run = setting.run(2, round % 2 == 0, round % 4 < 2 ? at_worst : at_random(random));
+    const timing::Run run =
+        setting.run(2, round % 2 == 0, round % 4 < 2 ? at_worst : at_random(random));
     if (run.motion_has_ended) ++misses.motion;
     if (run.put_off > put_off_in(2, setting.facts, setting.load)) ++misses.tasks;
   }
@@ -178,7 +179,10 @@ TEST(Schedule, each_number_of_the_rule_is_needed) {
               s.facts.refill_margin = 0;
             }).tasks,
             10);
-  EXPECT_GT(misses_with([](Setting& s) { s.facts.least_line_clocks = s.facts.least_line_clocks * 3 / 4; }).motion, 10);
+  EXPECT_GT(misses_with([](Setting& s) {
+              s.facts.least_line_clocks = s.facts.least_line_clocks * 3 / 4;
+            }).motion,
+            10);
   EXPECT_GT(misses_with([](Setting& s) {
               for (auto& allowance : s.facts.allowances) {
                 if (allowance != 0) allowance = 1;
@@ -241,7 +245,8 @@ TEST(Schedule, of_a_small_example_is_that_by_hand) {
   facts.least_line_clocks = 400;
   facts.refill_reserve = 1'000;
   facts.refill_margin = 500;
-  Load load{.pass = 6'000, .tasks = {}, .start = 10, .gaps = {}, .line = 500, .refill_without_line = 100};
+  Load load{
+      .pass = 6'000, .tasks = {}, .start = 10, .gaps = {}, .line = 500, .refill_without_line = 100};
   load.tasks.fill(0);
   load.gaps.fill(10);
   load.tasks[index_of(Task::motion)] = 60;

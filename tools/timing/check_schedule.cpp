@@ -30,9 +30,8 @@ int check(const std::filesystem::path& image, const std::filesystem::path& file,
   const auto& description = machine.description;
   timing::Program program = timing::read_program(image);
   program.memory_bytes = machine.memory_bytes.value_or(memory_bytes);
-  const auto schedule =
-      timing::schedule_of(program, timing::Costs{processor::TimingTable()}, has_zbb,
-                          application::schedule_facts(description.fast));
+  const auto schedule = timing::schedule_of(program, timing::Costs{processor::TimingTable()},
+                                            has_zbb, application::schedule_facts(description.fast));
   for (const std::string& missing : timing::missing_bounds(schedule)) {
     fmt::print("not checked: {}\n", missing);
   }

@@ -137,8 +137,7 @@ Wide Situation::reserve() const {
 // How much less than what is due at the end of a refill is in hand when the next pass gets to a
 // task: it may have seen that before a line that has filled the queue.
 Wide Situation::margin() const {
-  return rounding() +
-         thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
+  return rounding() + thousand * (overhead(load_) + *load_.refill_without_line + *load_.line);
 }
 
 // What a refill must make sure of, so that the longest of all may begin.
@@ -286,7 +285,8 @@ Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load
     const std::uint64_t in_others = std::min(lines, others * each);
     const Clocks other =
         std::min(overhead(load) + *load.refill_without_line + each * *load.line, full);
-    longest = std::max(longest, others * other + (lines - in_others + others + most - 1) / most * full);
+    longest =
+        std::max(longest, others * other + (lines - in_others + others + most - 1) / most * full);
   }
   return rounds * work + longest;
 }

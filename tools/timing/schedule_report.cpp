@@ -128,8 +128,7 @@ std::vector<std::string> refusals(const Schedule& schedule, Rate rate) {
 }
 
 bool is_schedulable(const Schedule& schedule) {
-  return schedule.load.is_whole() &&
-         std::ranges::none_of(rates, [&](std::uint32_t baud) {
+  return schedule.load.is_whole() && std::ranges::none_of(rates, [&](std::uint32_t baud) {
            return clocks_that_hold(schedule.facts, schedule.load, baud).is_empty();
          });
 }

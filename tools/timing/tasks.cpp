@@ -90,8 +90,12 @@ void add_measured(std::vector<TaskRow>& rows, const Calls& calls) {
 Load load_of(const Program& program, Analysis& analysis, const std::vector<TaskRow>& rows) {
   const Address main = main_of(program);
   const Address start = analysis.round_start(main);
-  Load load{
-      .pass = rows.at(0).bound, .tasks = {}, .start = {}, .gaps = {}, .line = {}, .refill_without_line = {}};
+  Load load{.pass = rows.at(0).bound,
+            .tasks = {},
+            .start = {},
+            .gaps = {},
+            .line = {},
+            .refill_without_line = {}};
   const auto handing_over = program.find("MotionTask::hand_over_line");  // where it is not inlined
   if (handing_over.size() == 1) load.line = analysis.bound(handing_over[0]);
   std::set<Address> begins{start};
