@@ -138,7 +138,7 @@ constexpr std::uint8_t part_of(units::Task task) {
   return part_of(allowance + task_timing::refill_reserve);
 }
 
-// No task waits for ever.
+// Each task has its turn.
 static_assert([] {
   for (const TaskRow& row : task_table) {
     const std::uint32_t part = part_of(row.task);

@@ -12,7 +12,7 @@
 // allowance and the reserve, and a refill of several lines gains more time than it and the rest of
 // a pass take.
 //
-// No task waits for ever. A refill ends with the most lines that a pass hands over, or with all
+// Each task has its turn. A refill ends with the most lines that a pass hands over, or with all
 // that is due. When the pass behind it gets to the task, what is due has become less by a line that
 // has filled the queue and the overhead of a pass, which is within the margin, and no need is
 // closer to what is due than that. So a refill after which the task waits again is full: it has
@@ -103,15 +103,6 @@ struct Response {
   // "motion's watchdog is fed: 1234 of 800000 clocks".
   std::string text() const;
 };
-
-// Clocks of so many rounds at most. Only of a load that is whole.
-Clocks time_of_rounds(std::uint64_t rounds, const Facts& facts, const Load& load);
-// Waits of tasks in so many rounds at most, each of some passes.
-std::uint64_t waits_in(std::uint64_t rounds, const Facts& facts, const Load& load);
-// Passes in them at most that end because a task must wait.
-std::uint64_t put_off_in(std::uint64_t rounds, const Facts& facts, const Load& load);
-// Put off while motion needs lines.
-bool may_wait(units::Task task, const Facts& facts);
 
 Response respond(Requirement requirement, const Facts& facts, const Load& load, Rate rate);
 std::vector<Response> respond(const Facts& facts, const Load& load, Rate rate);
