@@ -21,7 +21,8 @@ enum class Event : std::uint32_t {
   text_checked,  // a character of a text within that line, by the parser
   comment_skipped,  // likewise
   handler_called,  // of a command, or what reports in its place
-  long_digit,  // of a number that needs more than 32 bits, written
+  long_digit,  // nine digits of a number that needs more than 32 bits, written
+  digit_written,  // of any number
   character_written,  // of a text that is put together
   looked_ahead,  // over the planner's lines
   line_begun,  // by the planner, for the step generator
