@@ -81,9 +81,12 @@ void Application::act_on_emergencies() {
   while (const auto command = link_.emergency()) {
     acted_on.next();
     switch (command->kind) {
-      case Kind::kill:
-        halt({});
-        return;
+      case Kind::kill: {
+        // It has no reason to say.
+        units::EventBound<units::Event::character_written, 0> reason;
+        units::EventBound<units::Event::byte_queued, host_link::halted.size() + 1> message;
+        return halt({});
+      }
       case Kind::cancel_wait:
         executor_.cancel_wait();
         break;
@@ -231,6 +234,7 @@ void Application::serve_halted(Now now) {
   units::EventBound<units::Event::byte_received, units::longest_text> read;
   units::EventBound<units::Event::byte_taken, units::longest_text> taken;
   units::EventBound<units::Event::line_taken, 1> lines;
+  units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> answer;
   std::array<char, units::longest_text> bytes;
   const std::size_t count = hardware_.uart.read_line(bytes).count;
   restart_wanted_ = link_.restart_requested({bytes.data(), count});

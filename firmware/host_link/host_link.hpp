@@ -122,8 +122,8 @@ class HostLink {
   void handle(ReceivedLine line);
   void handle_plain(const ReceivedLine& line, bool emergency);
   void handle_framed(const ReceivedLine& line, bool emergency);
+  void framed_line_has_come();
   void handle_framed_unfinished(const ReceivedLine& line);
-  void handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement);
   void accept(const ReceivedLine& line, bool emergency);
   bool answer_ahead(const ReceivedLine& line);
   bool in_numbered_session() const;
