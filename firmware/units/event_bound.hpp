@@ -26,7 +26,6 @@ enum class Event : std::uint32_t {
   character_written,  // of a text that is put together
   looked_ahead,  // over the planner's lines
   line_begun,  // by the planner, for the step generator
-  course_judged,  // of a heater's temperature, whether it stands still
   count
 };
 
