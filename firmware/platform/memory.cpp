@@ -80,7 +80,22 @@ void* move(void* to, const void* from, std::size_t bytes) {
   }
   auto* end = static_cast<unsigned char*>(to) + bytes;
   const auto* source = static_cast<const unsigned char*>(from) + bytes;
-  for (; bytes != 0; --bytes) *--end = *--source;
+  for (std::size_t count = bytes / bytes_at_once; count != 0; --count) {
+    source -= bytes_at_once;
+    end -= bytes_at_once;
+    // The ends may be one byte from each other.
+    const unsigned char first = source[0], second = source[1], third = source[2],
+                        fourth = source[3];
+    end[3] = fourth;
+    end[2] = third;
+    end[1] = second;
+    end[0] = first;
+  }
+  TailBound bound;
+  for (bytes &= within_word; bytes != 0; --bytes) {
+    bound.next();
+    *--end = *--source;
+  }
   return to;
 }
 
