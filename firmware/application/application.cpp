@@ -25,8 +25,12 @@ constexpr units::Hertz fan_frequency{100};
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   host_link::TextLine line;
   line.text("Error:").text(thermal::name_of(fault.fault)).text(", system stopped! Heater_ID: ");
-  if (units::most_tools > 1 && fault.heater == Heater::hotend_1) return line.character('1');
-  return line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
+  if (units::most_tools > 1 && fault.heater == Heater::hotend_1) {
+    line.character('1');
+    return line;
+  }
+  line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
+  return line;
 }
 
 // Empty for M112, which needs no reason.
@@ -38,7 +42,8 @@ host_link::TextLine text_of(const Fatal& fatal, const MotionTask& motion) {
   }
   line.text("Error:Homing failed on ");
   line.character(units::axis_letters[units::index_of(fatal.axis)]);
-  return line.text(": ").text(motion::describe(fatal.fault));
+  line.text(": ").text(motion::describe(fatal.fault));
+  return line;
 }
 
 }  // namespace
