@@ -58,7 +58,7 @@ std::optional<EmergencyCommand> action_in(std::string_view text) {
 
 // S<n> anywhere after the command; a prompt has few buttons, so one or two digits count.
 std::uint8_t button_in(std::string_view arguments) {
-  units::EventBound<units::Event::character_read, max_line_length> read;
+  units::EventBound<units::Event::character_read, max_line_length - shortest_command> read;
   if (!skip_behind_letter(arguments, 'S')) return 0;
   unsigned value = 0;
   units::LoopBound<max_line_length> digits;  // zeros may lead
@@ -88,7 +88,7 @@ bool skip_behind_letter(std::string_view& text, char capital) {
 }
 
 std::uint32_t take_code_behind_m(std::string_view& text) {
-  units::EventBound<units::Event::character_read, max_line_length> read;
+  units::EventBound<units::Event::character_read, max_line_length - 1> read;
   std::size_t end = 1;
   units::LoopBound<max_line_length> blanks;
   while (end < text.size() && is_blank(text[end])) {

@@ -57,7 +57,7 @@ bool looks_like_command(std::string_view text) {
 bool sets_numbering(std::string_view text) { return take_m_code(text) == numbering_code; }
 
 std::optional<LineNumber> number_set_by(std::string_view arguments) {
-  units::EventBound<units::Event::character_read, max_line_length> read;
+  units::EventBound<units::Event::character_read, max_line_length - shortest_command> read;
   if (!skip_behind_letter(arguments, 'N')) return std::nullopt;
   return take_line_number(arguments);
 }

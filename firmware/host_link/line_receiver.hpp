@@ -15,6 +15,8 @@ namespace host_link {
 
 // With number and checksum, without line end. Marlin's is 96.
 inline constexpr std::size_t max_line_length = units::longest_text;
+// A letter and a digit, which its arguments follow.
+inline constexpr std::size_t shortest_command = 2;
 
 // Either ends a line, and so do both together.
 inline constexpr char line_feed = '\n';

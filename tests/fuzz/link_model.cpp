@@ -75,6 +75,7 @@ void LinkModel::put(char byte) {
     lost_before_next_ = false;
   }
   link_.receive({&byte, 1}, units::Milliseconds(now_ms_));
+  link_.update(units::Milliseconds(now_ms_), activity_);
   if (byte != '\n' && byte != '\r') {
     line_ += byte;
     after_return_ = false;
