@@ -283,8 +283,8 @@ void HostLink::update(units::Milliseconds now, Activity activity) {
   paused_ = activity == Activity::paused_for_user;
   end_unfinished_line();
   if (numbering_.must_ask_again(now) && !resend_owed_) request_resend(LineError::none);
-  send_owed();
   rescue_waiting_host(activity);
+  send_owed();
   keep_alive(activity);
 }
 

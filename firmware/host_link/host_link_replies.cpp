@@ -181,7 +181,7 @@ void HostLink::give_up_old_line(units::Milliseconds now) {
 // An ok or a Resend may be lost on its way, and a host without time-outs then waits forever.
 void HostLink::rescue_waiting_host(Activity activity) {
   const bool idle = activity == Activity::idle && queue_.size() == 0 && !receiver_.unfinished();
-  if (!idle || rescues_left_ == 0 || now_ - last_exchange_ < rescue_interval) return;
+  if (!idle || owes_ || rescues_left_ == 0 || now_ - last_exchange_ < rescue_interval) return;
   --rescues_left_;
   if (numbering_.awaiting_resend()) {
     request_resend(LineError::none);
