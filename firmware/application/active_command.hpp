@@ -14,6 +14,7 @@
 #include "host_link/text_line.hpp"
 #include "motion/fault.hpp"
 #include "units/axes.hpp"
+#include "units/event_bound.hpp"
 
 namespace application {
 
@@ -88,7 +89,9 @@ class ActiveCommand : public Reply {
   // Reports why the command is not executed, as its only reply.
   Progress refuse(const host_link::TextLine& line) {
     refused = true;
-    return say(line);
+    const Progress said = say(line);
+    units::happens<units::Event::refused>();
+    return said;
   }
   // Not inlined, or their lines would lie on the stack below each handler.
   [[gnu::noinline]] Progress refuse(std::string_view reason);

@@ -25,8 +25,12 @@ constexpr units::Hertz fan_frequency{100};
 host_link::TextLine text_of(const HeatTask::NamedFault& fault) {
   host_link::TextLine line;
   line.text("Error:").text(thermal::name_of(fault.fault)).text(", system stopped! Heater_ID: ");
-  if (units::most_tools > 1 && fault.heater == Heater::hotend_1) return line.character('1');
-  return line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
+  if (units::most_tools > 1 && fault.heater == Heater::hotend_1) {
+    line.character('1');
+    return line;
+  }
+  line.text(fault.heater == Heater::bed ? "bed"sv : "0"sv);
+  return line;
 }
 
 // Empty for M112, which needs no reason.
@@ -38,7 +42,8 @@ host_link::TextLine text_of(const Fatal& fatal, const MotionTask& motion) {
   }
   line.text("Error:Homing failed on ");
   line.character(units::axis_letters[units::index_of(fatal.axis)]);
-  return line.text(": ").text(motion::describe(fatal.fault));
+  line.text(": ").text(motion::describe(fatal.fault));
+  return line;
 }
 
 }  // namespace
@@ -80,9 +85,12 @@ void Application::act_on_emergencies() {
   while (const auto command = link_.emergency()) {
     acted_on.next();
     switch (command->kind) {
-      case Kind::kill:
-        halt({});
-        return;
+      case Kind::kill: {
+        // It has no reason to say.
+        units::EventBound<units::Event::character_written, 0> reason;
+        units::EventBound<units::Event::byte_queued, host_link::halted.size() + 1> message;
+        return halt({});
+      }
       case Kind::cancel_wait:
         executor_.cancel_wait();
         break;
@@ -230,6 +238,7 @@ void Application::serve_halted(Now now) {
   units::EventBound<units::Event::byte_received, units::longest_text> read;
   units::EventBound<units::Event::byte_taken, units::longest_text> taken;
   units::EventBound<units::Event::line_taken, 1> lines;
+  units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> answer;
   std::array<char, units::longest_text> bytes;
   const std::size_t count = hardware_.uart.read_line(bytes).count;
   restart_wanted_ = link_.restart_requested({bytes.data(), count});

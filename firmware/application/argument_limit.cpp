@@ -44,20 +44,24 @@ const ArgumentLimit* violated(const gcode::Command& command, ArgumentLimits limi
 host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit& limit) {
   host_link::TextLine line;
   if (!command.has(limit.letter)) {
-    return line.text("Parameter ").character(limit.letter).text(" missing");
+    line.text("Parameter ").character(limit.letter).text(" missing");
+    return line;
   }
   switch (limit.check) {
     case Check::none:
     case Check::clamped:
     case Check::number:
-      return line.text("Number missing after ").character(limit.letter);
+      line.text("Number missing after ").character(limit.letter);
+      break;
     case Check::refused:
       line.character(limit.letter).text(" not within ").integer(limit.least);
-      return line.text(" to ").integer(limit.most);
+      line.text(" to ").integer(limit.most);
+      break;
     case Check::tool:
       line.text("echo:").character(command.letter).integer(command.code);
       line.text(" Invalid extruder ");
-      return line.integer(command.integer(limit.letter).value_or(0));
+      line.integer(command.integer(limit.letter).value_or(0));
+      break;
   }
   return line;
 }

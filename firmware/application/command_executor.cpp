@@ -35,6 +35,7 @@ bool CommandExecutor::update(Now now) {
   units::EventBound<units::Event::character_written, most_characters> characters;
   units::EventBound<units::Event::long_digit, most_long_digits> digits;
   units::EventBound<units::Event::handler_called, 1> handlers;
+  units::EventBound<units::Event::refused, 1> refusals;
   active_.now = now;
   follow_position_jump();
   if (answer_query()) return true;
@@ -195,14 +196,13 @@ bool CommandExecutor::may_start() {
   return true;
 }
 
-// One ahead of the current line, which may have to wait long.
+// One ahead of the current line, which may have to wait long; it is then all that a pass does.
 bool CommandExecutor::answer_query() {
   const auto code = link_.query();
-  if (!code) return false;
+  if (!code || !link_.has_room_for_answer()) return false;
+  if (groups_.reports.must_wait(*code, active_.now.milliseconds)) return false;
   const Progress progress = groups_.reports.answer_ahead(*code, query_, active_.now.milliseconds);
-  if (progress == Progress::again) return false;
-  if (!link_.query_answered(query_.behind_ok.view())) return false;
-  query_.begin();
+  if (progress == Progress::done && link_.query_answered(query_.behind_ok.view())) query_.begin();
   return true;
 }
 

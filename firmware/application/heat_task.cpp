@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "application/task_timing.hpp"
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace application {
@@ -205,8 +204,6 @@ void HeatTask::lock_limits(Part& part, const thermal::SensorReading& reading) {
 }
 
 void HeatTask::update(Part& part, Now now) {
-  // There are more turns than courses before the next window.
-  units::EventBound<units::Event::course_judged, 1> judged;
   const std::size_t gate = part.description.heater_channel;
   const thermal::SensorReading reading = converter_.reading(part.description.sensor_channel);
   if (!part.limits_locked && hardware_fault_.empty() && reading.state == thermal::SensorState::ok) {

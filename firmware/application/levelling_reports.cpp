@@ -34,7 +34,10 @@ host_link::TextLine levelling_report(std::size_t index, const motion::Levelling&
 host_link::TextLine mesh_line(std::size_t index, const motion::BedMesh& mesh) {
   constexpr std::size_t one_digit = 10;
   host_link::TextLine line;
-  if (index == 0) return line.text("Bilinear Leveling Grid:");
+  if (index == 0) {
+    line.text("Bilinear Leveling Grid:");
+    return line;
+  }
   const bool titles = index < mesh_titles;
   const std::size_t row = titles ? 0 : index - mesh_titles;
   if (!titles) {
@@ -70,7 +73,8 @@ host_link::TextLine probing_failure(const motion::Probing& probing) {
   put(line, 'Y', probing.y(), false);
   line.text(": ");
   const auto fault = probing.fault();
-  return line.text(fault ? motion::describe(*fault) : "bed higher than 10 mm, check M851 Z");
+  line.text(fault ? motion::describe(*fault) : "bed higher than 10 mm, check M851 Z");
+  return line;
 }
 
 }  // namespace application

@@ -25,7 +25,8 @@ host_link::TextLine beyond(Axis axis, units::Nanometers travel, units::Nanometer
   } else {
     line.text(" (").decimal(offset.count(), 6, 2).text(" to ");
   }
-  return line.decimal((travel + offset).count(), 6, 2).character(')');
+  line.decimal((travel + offset).count(), 6, 2).character(')');
+  return line;
 }
 
 }  // namespace
@@ -38,13 +39,13 @@ Progress MotionCommands::move(ActiveCommand& command) {
   return progress;
 }
 
-// Until the planner has all of its chords, one with each call.
+// Until the planner has all of its chords, one with each call behind the first.
 Progress MotionCommands::arc(ActiveCommand& command, bool clockwise) {
   if (command.phase != ActiveCommand::Phase::begin) return append_chord(command);
-  const units::MicrometersPerSecond before = coordinates_.kept_feedrate();
+  feedrate_before_arc_ = coordinates_.kept_feedrate();
   coordinates_.take_feedrate(command.command);
   const Progress progress = begin_arc(command, clockwise);
-  if (command.refused) coordinates_.keep_feedrate(before);
+  if (command.refused) coordinates_.keep_feedrate(feedrate_before_arc_);
   return progress;
 }
 
@@ -68,14 +69,25 @@ Progress MotionCommands::begin_arc(ActiveCommand& command, bool clockwise) {
   arc_feedrate_ = std::min(coordinates_.feedrate(), arc_.speed_limit(limits, acceleration));
   arc_jumps_ = motion_.position_jumps();
   arc_fault_.reset();
-  // All chords are as long: where the first is refused, nothing of the line has changed anything.
+  // The chords come in passes of their own.
+  command.phase = ActiveCommand::Phase::appending;
+  return Progress::again;
+}
+
+// All chords are as long: where the first is refused, nothing of the line has changed anything.
+Progress MotionCommands::append_first_chord(ActiveCommand& command) {
   const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
-  if (!accepted) return command.refuse(motion::describe(accepted.error()));
+  if (!accepted) {
+    arc_fault_ = accepted.error();
+    coordinates_.keep_feedrate(feedrate_before_arc_);
+    return command.refuse(motion::describe(*arc_fault_));
+  }
   // Set as at the end of the last chord: after a stop on the way, the distance still to go is
   // subtracted from the position that the host sees.
+  Positions logical;
+  coordinates_.put_target_of(command.command, logical);
   coordinates_.set_logical(logical);
-  coordinates_.set_planned(machine);
-  command.phase = ActiveCommand::Phase::appending;
+  coordinates_.set_planned(arc_.target());
   return arc_.done() ? Progress::done : Progress::again;
 }
 
@@ -109,6 +121,7 @@ std::optional<Progress> MotionCommands::take_centre(ActiveCommand& command,
 Progress MotionCommands::append_chord(ActiveCommand& command) {
   if (motion_.stopping() || motion_.position_jumps() != arc_jumps_) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
+  if (!arc_.begun()) return append_first_chord(command);
   if (!arc_fault_) {
     const auto accepted = motion_.append({.target = arc_.next(), .feedrate = arc_feedrate_});
     if (accepted) return arc_.done() ? Progress::done : Progress::again;

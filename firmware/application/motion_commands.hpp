@@ -56,6 +56,7 @@ class MotionCommands {
                                       Positions& machine);
   Progress begin_arc(ActiveCommand& command, bool clockwise);
   std::optional<Progress> take_centre(ActiveCommand& command, motion::ArcRequest& request);
+  Progress append_first_chord(ActiveCommand& command);
   Progress append_chord(ActiveCommand& command);
   Progress switch_motors(const ActiveCommand& command, bool enabled);
   std::optional<units::Axis> axis_out_of_bounds(const Positions& machine) const;
@@ -64,7 +65,7 @@ class MotionCommands {
   HeatTask& heat_;
   Coordinates& coordinates_;
   motion::Arc arc_;
-  units::MicrometersPerSecond arc_feedrate_{};
+  units::MicrometersPerSecond arc_feedrate_{}, feedrate_before_arc_{};
   std::uint32_t arc_jumps_{};  // of the position, when the arc began
   std::optional<motion::Fault> arc_fault_;  // of a chord that was refused
   units::AxisSet homing_axes_;

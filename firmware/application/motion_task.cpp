@@ -156,7 +156,8 @@ void MotionTask::update(Now now) {
 }
 
 void MotionTask::plan(Now now) {
-  settle_stop(now.milliseconds);
+  // All else waits for the next pass.
+  if (settle_stop(now.milliseconds)) return;
   if (!line_is_whole() && planner_.has_room()) levelled() ? go_on_levelled() : go_on_with_chords();
   if (homing_.active() || probing()) lead_homing(now.milliseconds);
   pace_.set_homing(homing_.active() || probing());
@@ -164,19 +165,19 @@ void MotionTask::plan(Now now) {
 }
 
 // After every stop what was planned is void, and the planner learns where the axes are.
-void MotionTask::settle_stop(units::Milliseconds now) {
+bool MotionTask::settle_stop(units::Milliseconds now) {
   if (!step_generator_.stopped()) {
     stopping_ = false;
-    return;
+    return false;
   }
   const drivers::StepGenerator::Stop stop = step_generator_.stop_state();
   if (stop.emergency_input) {
     emergency_input_ = true;
-    return;
+    return true;
   }
   if (stop.watchdog) {
     watchdog_stop_ = true;
-    return;
+    return true;
   }
   planner_.clear();
   if (shapes()) shaping_->clear();
@@ -195,6 +196,7 @@ void MotionTask::settle_stop(units::Milliseconds now) {
   rings_until_ = now + ringing_time;
   ++position_jumps_;
   step_generator_.acknowledge_stop();
+  return true;
 }
 
 std::expected<void, motion::Fault> MotionTask::append(const motion::LineMove& move) {

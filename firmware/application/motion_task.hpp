@@ -188,7 +188,7 @@ class MotionTask {
     return takes_up_backlash() ? backlash().lead(motor) : 0;
   }
   motion::Shaping::Output next_segment();
-  void settle_stop(units::Milliseconds now);
+  bool settle_stop(units::Milliseconds now);
   void lead_homing(units::Milliseconds now);
   void carry_out(const motion::HomingRequest& request);
   void begin_line();

@@ -25,7 +25,10 @@ class ReportCommands {
   Progress set_position_interval(ActiveCommand& command);
   Progress set_temperature_interval(ActiveCommand& command);
 
-  // M105, M114 or M115 ahead of the line in hand.
+  // M105, M114 or M115 ahead of the line in hand, unless it must wait for a temperature.
+  bool must_wait(std::uint8_t code, units::Milliseconds now) const {
+    return code == 105 && first_temperatures_awaited(now);
+  }
   Progress answer_ahead(std::uint8_t code, Reply& reply, units::Milliseconds now);
   // The first conversions take some 100 ms; before them a temperature would be 0.
   bool first_temperatures_awaited(units::Milliseconds now) const;

@@ -69,10 +69,9 @@ Progress RetractionCommands::retract(ActiveCommand& command) {
     state.length = retraction.length;
     if (lifted) return Progress::done;
     lift_ = {.jumps = motion_.position_jumps()};
+    return retraction.lift == units::Nanometers() ? Progress::done : Progress::again;
   }
-  if (motion_.stopping() || jumped() || retraction.lift == units::Nanometers()) {
-    return Progress::done;
-  }
+  if (motion_.stopping() || jumped()) return Progress::done;
   if (!motion_.has_room()) return Progress::again;
   const Progress progress = lift(command, retraction.lift);
   if (!command.refused) lift_.height = retraction.lift;

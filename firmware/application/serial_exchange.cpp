@@ -14,6 +14,8 @@ void Application::exchange_bytes(Now now) {
   using Queue = host_link::TransmitQueue;
   units::EventBound<units::Event::byte_queued, Queue::capacity> replies;
   units::EventBound<units::Event::character_written, host_link::TextLine::capacity> characters;
+  // Nor is one given up within the time of the bytes that have ended another.
+  units::EventBound<units::Event::line_taken, 1> line;
   receive(now);
   link_.set_planner_space(static_cast<std::uint8_t>(motion_.room()));
   link_.update(now.milliseconds, executor_.activity());
@@ -22,7 +24,6 @@ void Application::exchange_bytes(Now now) {
 void Application::receive(Now now) {
   units::EventBound<units::Event::byte_received, most_bytes> read;
   units::EventBound<units::Event::byte_taken, most_bytes> taken;
-  units::EventBound<units::Event::line_taken, 1> line;
   std::array<char, most_bytes> bytes;
   const drivers::UartErrorCounts errors = hardware_.uart.error_counts();
   const auto [count, gap_before_last] = hardware_.uart.read_line(bytes);

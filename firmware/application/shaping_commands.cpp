@@ -44,12 +44,16 @@ std::uint32_t fixed(std::int64_t millionths, std::uint32_t per_unit) {
 host_link::TextLine shaping_report(std::size_t index, const motion::ShapingSettings& settings) {
   host_link::TextLine line;
   line.text("echo: M");
-  if (index >= shaped_axes) return line.text("900 K").decimal(settings.advance_microseconds, 6, 4);
+  if (index >= shaped_axes) {
+    line.text("900 K").decimal(settings.advance_microseconds, 6, 4);
+    return line;
+  }
   const motion::Shaper& shaper = settings.shapers[index];
   line.text("593 ").character(units::axis_letters[index]).text(" P\"");
   line.text(motion::shaper_names[static_cast<std::size_t>(shaper.type)]).character('"');
   if (shaper.type == motion::ShaperType::none) return line;
-  return line.text(" F").decimal(shaper.millihertz, 3, 2).text(" D").decimal(shaper.damping, 4, 4);
+  line.text(" F").decimal(shaper.millihertz, 3, 2).text(" D").decimal(shaper.damping, 4, 4);
+  return line;
 }
 
 // Of the axes that are named, or of both. F0 switches off, and F alone a ZV shaper on, as in

@@ -38,9 +38,7 @@ template <bool one_line>
     break;
   }
   const auto taken = static_cast<std::size_t>(to - bytes.data());
-  if (one_line && taken != 0) {
-    after_second_end_ = static_cast<unsigned char>(to[-1]) == second_end_;
-  }
+  if (one_line && taken != 0) after_second_end_ = static_cast<unsigned char>(to[-1]) == second_end_;
   return {.count = taken, .gap_before_last = gap};
 }
 

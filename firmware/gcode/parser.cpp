@@ -142,7 +142,9 @@ class LineParser {
         return true;
       }
       const std::size_t opening = position_;
-      if (!skip_behind(')')) return set_error(ParseFault::unclosed_comment, opening);
+      if (!skip_behind(')')) {
+        return set_error(ParseFault::unclosed_comment, opening);
+      }
       units::happens<units::Event::comment_skipped>();
     }
   }

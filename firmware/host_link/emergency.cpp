@@ -57,23 +57,38 @@ std::optional<EmergencyCommand> action_in(std::string_view text) {
 }
 
 // S<n> anywhere after the command; a prompt has few buttons, so one or two digits count.
-std::uint8_t button_in(std::string_view parameters) {
-  const std::size_t letter = units::find_first_of(parameters, "Ss");
-  if (letter == std::string_view::npos) return 0;
+std::uint8_t button_in(std::string_view arguments) {
+  units::EventBound<units::Event::character_read, max_line_length - shortest_command> read;
+  if (!skip_behind_letter(arguments, 'S')) return 0;
   unsigned value = 0;
   units::LoopBound<max_line_length> digits;  // zeros may lead
-  for (std::size_t i = letter + 1; i < parameters.size() && is_digit(parameters[i]); ++i) {
+  for (const char digit : arguments) {
+    if (!is_digit(digit)) break;
     digits.next();
-    value = value * 10 + static_cast<unsigned>(parameters[i] - '0');
+    value = value * 10 + static_cast<unsigned>(digit - '0');
     if (value > 99) return 0;
+    units::happens<units::Event::character_read>(value);
   }
   return static_cast<std::uint8_t>(value);
 }
 
 }  // namespace
 
+bool skip_behind_letter(std::string_view& text, char capital) {
+  constexpr unsigned both_cases = ~0x20u;
+  units::LoopBound<max_line_length> characters;
+  while (!text.empty()) {
+    characters.next();
+    const auto letter = static_cast<unsigned char>(text.front());
+    text.remove_prefix(1);
+    units::happens<units::Event::character_read>(text.size());
+    if ((letter & both_cases) == static_cast<unsigned char>(capital)) return true;
+  }
+  return false;
+}
+
 std::uint32_t take_code_behind_m(std::string_view& text) {
-  units::EventBound<units::Event::character_read, max_line_length> read;
+  units::EventBound<units::Event::character_read, max_line_length - 1> read;
   std::size_t end = 1;
   units::LoopBound<max_line_length> blanks;
   while (end < text.size() && is_blank(text[end])) {
@@ -94,11 +109,11 @@ std::uint32_t take_code_behind_m(std::string_view& text) {
   return code;
 }
 
-std::optional<EmergencyCommand> emergency_in(std::string_view text) {
-  if (units::starts_with(text, "//")) {
-    return action_in(text);
+std::optional<EmergencyCommand> emergency_in(const ReceivedLine& line) {
+  if (units::starts_with(line.text, "//")) {
+    return action_in(line.text);
   }
-  switch (take_m_code(text)) {
+  switch (line.m_code) {
     case 112:
       return EmergencyCommand{Kind::kill};
     case 108:
@@ -108,16 +123,17 @@ std::optional<EmergencyCommand> emergency_in(std::string_view text) {
     case 602:
       return EmergencyCommand{Kind::prompt_response};
     case 876:
-      return EmergencyCommand{Kind::prompt_response, button_in(text)};
+      return EmergencyCommand{Kind::prompt_response, button_in(line.arguments)};
     default:
       return std::nullopt;
   }
 }
 
-std::optional<EmergencyCommand> speed_in(std::string_view text) {
+std::optional<EmergencyCommand> speed_in(const ReceivedLine& line) {
   constexpr unsigned speed_code = 220;
-  if (take_m_code(text) != speed_code) return std::nullopt;
-  text = without_blanks(text.substr(0, units::find(text, ';')));
+  if (line.m_code != speed_code) return std::nullopt;
+  std::string_view text =
+      without_blanks(line.arguments.substr(0, units::find(line.arguments, ';')));
   if (text.size() < 2 || (text[0] != 'S' && text[0] != 's')) return std::nullopt;
   text.remove_prefix(1);
   unsigned percent = 0;

@@ -32,15 +32,20 @@ std::uint32_t take_code_behind_m(std::string_view& text);
   return take_code_behind_m(text);
 }
 
-// The emergency command (M112, M108, M410, M602, M876 or //action:) in a line's text (without line
-// number and checksum), if it is one. M602 answers a prompt as M876 does.
-std::optional<EmergencyCommand> emergency_in(std::string_view text);
+// To behind this letter, in either case; false where there is none.
+bool skip_behind_letter(std::string_view& text, char capital);
+
+struct ReceivedLine;
+
+// The emergency command (M112, M108, M410, M602, M876 or //action:) that a line is, if it is one.
+// M602 answers a prompt as M876 does.
+std::optional<EmergencyCommand> emergency_in(const ReceivedLine& line);
 
 // The factor of M220, in percent.
 inline constexpr std::uint16_t largest_speed_factor = 999;
 
 // M220 with an S of 1 .. largest_speed_factor and no more: it acts at once if a person sends it.
-std::optional<EmergencyCommand> speed_in(std::string_view text);
+std::optional<EmergencyCommand> speed_in(const ReceivedLine& line);
 
 // Those that wait to be acted on: one of each kind, the most urgent first.
 class EmergencyQueue {

@@ -19,8 +19,8 @@ constexpr units::Milliseconds session_memory{10'000};
 constexpr std::uint8_t rescues = 6;
 
 // Queries that hosts send between numbered lines: safe even as remnants of a line.
-bool only_asks(std::string_view text) {
-  switch (take_m_code(text)) {
+bool only_asks(const ReceivedLine& line) {
+  switch (line.m_code) {
     case 27:
     case 105:
     case 114:
@@ -69,14 +69,10 @@ void HostLink::receive(std::span<const char> bytes, units::Milliseconds now) {
   units::LoopBound<most_bytes> received;
   while (!bytes.empty()) {
     received.next();
-    bytes = bytes.subspan(receiver_.put_text(bytes));
-    if (bytes.empty()) return;
-    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(bytes.front()));
-    if (receiver_.put(bytes.front())) {
-      units::happens<units::Event::line_taken>();
-      handle(receiver_.take());
-    }
-    bytes = bytes.subspan(1);
+    const auto [count, line_ended] = receiver_.put(bytes);
+    if (!line_ended) return;
+    bytes = bytes.subspan(count);
+    handle(receiver_.take());
   }
 }
 
@@ -95,11 +91,11 @@ void HostLink::handle(ReceivedLine line) {
   // Among numbered lines it may be one that has lost its number.
   if (has_star_in_message(line) && !in_numbered_session()) drop_checksum(line);
   std::optional<EmergencyCommand> emergency;
-  if (trusted(line)) emergency = emergency_in(line.text);
-  if (trusted(line) && !emergency && comes_from_a_person(line)) emergency = speed_in(line.text);
+  if (trusted(line)) emergency = emergency_in(line);
+  if (trusted(line) && !emergency && comes_from_a_person(line)) emergency = speed_in(line);
   if (emergency) emergencies_.put(*emergency);
   if (line.torn) {
-    if (!line.framed() && !emergency && !line.text.empty() && !only_asks(line.text)) {
+    if (!line.framed() && !emergency && !line.text.empty() && !only_asks(line)) {
       return notify(Notice::unfinished);
     }
     // In a numbered session this was reported when the line was given up.
@@ -121,15 +117,15 @@ void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
     if (!line.text.empty() || !in_numbered_session()) answer_ok(std::nullopt);
     return;
   }
-  if (numbering_.within_patience(now_) && !emergency && !only_asks(line.text)) {
+  if (numbering_.within_patience(now_) && !emergency && !only_asks(line)) {
     // It comes in place of the requested line: it may be its second half.
     if (looks_like_command(line.text)) return notify(Notice::awaiting_resend);
     numbering_.ignored();
     ++statistics_.dropped;
     return;
   }
-  if (sets_numbering(line.text)) {
-    if (const auto number = number_set_by(line.text)) numbering_.restart_after(*number);
+  if (sets_numbering(line)) {
+    if (const auto number = number_set_by(line)) numbering_.restart_after(*number);
   }
   if (answer_ahead(line)) return;
   if (queue_.room() == 0) {
@@ -139,23 +135,24 @@ void HostLink::handle_plain(const ReceivedLine& line, bool emergency) {
   accept(line, emergency);
 }
 
-void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
+void HostLink::framed_line_has_come() {
   framed_seen_ = true;
   last_framed_ = now_;
   last_of_job_ = now_;
   rescues_left_ = rescues;
-  handle_judgement(line, emergency, numbering_.judge(line, now_));
 }
 
 void HostLink::handle_framed_unfinished(const ReceivedLine& line) {
-  framed_seen_ = true;
-  last_framed_ = now_;
-  last_of_job_ = now_;
-  rescues_left_ = rescues;
-  handle_judgement(line, false, numbering_.judge_broken(line, LineError::unfinished, now_));
+  framed_line_has_come();
+  const Judgement judgement = numbering_.judge_broken(line, LineError::unfinished, now_);
+  if (judgement.verdict == Verdict::refuse) return request_resend(judgement.error);
+  ++statistics_.dropped;
+  numbering_.ignored();
 }
 
-void HostLink::handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement) {
+void HostLink::handle_framed(const ReceivedLine& line, bool emergency) {
+  framed_line_has_come();
+  const Judgement judgement = numbering_.judge(line, now_);
   switch (judgement.verdict) {
     case Verdict::accept:
       if (line.too_long) {
@@ -192,12 +189,11 @@ void HostLink::accept(const ReceivedLine& line, bool emergency) {
   if (queue_.size() == 0) {
     last_busy_ = now_;  // the host's wait begins
   }
-  queue_.put(line.text, line.number, emergency);
+  queue_.put(line, emergency);
 }
 
 bool HostLink::answer_ahead(const ReceivedLine& line) {
-  std::string_view text = line.text;
-  const std::uint32_t code = take_m_code(text);
+  const std::uint32_t code = line.m_code;
   if (paused_) {
     const bool restarts = code == 110;
     const bool begins = line.number && *line.number <= 1;
@@ -278,7 +274,6 @@ bool HostLink::finished(std::string_view report) {
   queue_.drop();
   drop_withdrawn();
   in_hand_ = false;
-  send_owed();
   return true;
 }
 

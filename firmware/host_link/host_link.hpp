@@ -13,6 +13,7 @@
 #include "host_link/line_numbering.hpp"
 #include "host_link/line_queue.hpp"
 #include "host_link/line_receiver.hpp"
+#include "host_link/text_line.hpp"
 #include "host_link/transmit_queue.hpp"
 #include "units/quantity.hpp"
 
@@ -71,6 +72,8 @@ class HostLink {
   // each while the user is waited for, since its host may be one that has just come; and M105 from
   // a person in the middle of a job.
   std::optional<std::uint8_t> query() const;
+  // For any of them, without which none is begun.
+  bool has_room_for_answer() const { return transmit_.room() >= 2 * TextLine::capacity; }
   // Sends its ok; as finished().
   bool query_answered(std::string_view report = {});
 
@@ -122,8 +125,8 @@ class HostLink {
   void handle(ReceivedLine line);
   void handle_plain(const ReceivedLine& line, bool emergency);
   void handle_framed(const ReceivedLine& line, bool emergency);
+  void framed_line_has_come();
   void handle_framed_unfinished(const ReceivedLine& line);
-  void handle_judgement(const ReceivedLine& line, bool emergency, Judgement judgement);
   void accept(const ReceivedLine& line, bool emergency);
   bool answer_ahead(const ReceivedLine& line);
   bool in_numbered_session() const;

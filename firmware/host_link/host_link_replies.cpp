@@ -62,7 +62,9 @@ std::string_view HostLink::describe(Notice notice) {
 bool HostLink::say(std::string_view line) { return transmit_.put_line({line}, link_reserve); }
 
 bool HostLink::put_ok(std::optional<LineNumber> number, std::string_view report) {
+  // A line number, and two numbers of a byte.
   units::EventBound<units::Event::long_digit, 0> numbers;
+  units::EventBound<units::Event::digit_written, 10 + 3 + 3> digits;
   TextLine ok;
   ok.text("ok");
   if (advanced_ok_) {
@@ -87,7 +89,6 @@ void HostLink::notify(Notice notice) {
   ++statistics_.refused;
   count_up(notices_owed_[static_cast<std::size_t>(notice)], 1);
   owes_ = true;
-  send_owed();
 }
 
 void HostLink::request_resend(LineError error) {
@@ -96,7 +97,6 @@ void HostLink::request_resend(LineError error) {
   resend_owed_ = true;
   owes_ = true;
   if (queue_.room() == 0) wait_for_room_ = true;
-  send_owed();
 }
 
 // The wanted line has come before there was room to request it.
@@ -181,7 +181,7 @@ void HostLink::give_up_old_line(units::Milliseconds now) {
 // An ok or a Resend may be lost on its way, and a host without time-outs then waits forever.
 void HostLink::rescue_waiting_host(Activity activity) {
   const bool idle = activity == Activity::idle && queue_.size() == 0 && !receiver_.unfinished();
-  if (!idle || rescues_left_ == 0 || now_ - last_exchange_ < rescue_interval) return;
+  if (!idle || owes_ || rescues_left_ == 0 || now_ - last_exchange_ < rescue_interval) return;
   --rescues_left_;
   if (numbering_.awaiting_resend()) {
     request_resend(LineError::none);
@@ -198,8 +198,9 @@ void HostLink::keep_alive(Activity activity) {
     return;
   }
   if (busy_interval_.count() == 0 ||
-      now_ - last_busy_ < busy_interval_ - busy_interval_ / busy_lead_part)
+      now_ - last_busy_ < busy_interval_ - busy_interval_ / busy_lead_part) {
     return;
+  }
   if (transmit_.put_line({busy_begin, busy_reason(activity)})) last_busy_ = now_;
 }
 

@@ -7,6 +7,7 @@
 #include "host_link/emergency.hpp"
 #include "host_link/line_receiver.hpp"
 #include "units/digits.hpp"
+#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 #include "units/text.hpp"
 
@@ -19,18 +20,32 @@ std::optional<LineNumber> take_line_number(std::string_view& text) {
   const bool negative = !text.empty() && text.front() == '-';
   if (negative) ++position;
   if (position >= text.size() || !is_digit(text[position])) return std::nullopt;
-  const std::uint32_t limit = negative ? 1u << 31 : std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint32_t largest = std::numeric_limits<std::uint32_t>::max();
+  const std::uint32_t most_tenths = negative ? (1u << 31) / 10 : largest / 10;
+  const std::uint32_t last_digit = negative ? (1u << 31) % 10 : largest % 10;
   std::uint32_t magnitude = 0;
   units::LoopBound<max_line_length> digits;
   for (; position < text.size() && is_digit(text[position]); ++position) {
     digits.next();
     const auto digit = static_cast<std::uint32_t>(text[position] - '0');
-    const std::uint64_t longer = std::uint64_t{magnitude} * 10 + digit;
-    if (longer > limit) return std::nullopt;
-    magnitude = static_cast<std::uint32_t>(longer);
+    if (magnitude >= most_tenths && (magnitude > most_tenths || digit > last_digit)) {
+      return std::nullopt;
+    }
+    magnitude = magnitude * 10 + digit;
+    units::happens<units::Event::character_read>(magnitude);
   }
   text.remove_prefix(position);
   return negative ? 0 - magnitude : magnitude;
+}
+
+std::uint32_t fingerprint_of(std::string_view text) {
+  std::uint32_t hash = 2'166'136'261;
+  units::LoopBound<max_line_length> bound;
+  for (const char c : text) {
+    bound.next();
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
+  }
+  return hash;
 }
 
 bool looks_like_command(std::string_view text) {
@@ -39,16 +54,12 @@ bool looks_like_command(std::string_view text) {
          is_digit(text[1]);
 }
 
-bool sets_numbering(std::string_view text) {
-  constexpr std::uint32_t code = 110;
-  return take_m_code(text) == code;
-}
+bool sets_numbering(std::string_view text) { return take_m_code(text) == numbering_code; }
 
-std::optional<LineNumber> number_set_by(std::string_view text) {
-  const std::size_t letter = units::find_first_of(text, "Nn");
-  if (letter == std::string_view::npos) return std::nullopt;
-  text.remove_prefix(letter + 1);
-  return take_line_number(text);
+std::optional<LineNumber> number_set_by(std::string_view arguments) {
+  units::EventBound<units::Event::character_read, max_line_length - shortest_command> read;
+  if (!skip_behind_letter(arguments, 'N')) return std::nullopt;
+  return take_line_number(arguments);
 }
 
 }  // namespace host_link

@@ -7,21 +7,6 @@
 #include "units/loop_bound.hpp"
 
 namespace host_link {
-namespace {
-
-// FNV-1a (Fowler, Noll, Vo), 32 bits: shows whether a repeated number brings the same text.
-std::uint32_t fingerprint_of(std::string_view text) {
-  std::uint32_t hash = 2'166'136'261;
-  units::LoopBound<max_line_length> bound;
-  for (const char c : text) {
-    bound.next();
-    hash = (hash ^ static_cast<unsigned char>(c)) * 16'777'619;
-  }
-  return hash;
-}
-
-}  // namespace
-
 std::string_view describe(LineError error) {
   switch (error) {
     case LineError::none:
@@ -71,7 +56,7 @@ Judgement LineNumbering::judge(const ReceivedLine& line, units::Milliseconds now
   if (line.unprintable) {
     // A line that arrives twice unchanged is not noise: the host sends it on purpose, and the
     // parser decides.
-    const Taken seen{line.number.value_or(0), fingerprint_of(line.text)};
+    const Taken seen{line.number.value_or(0), line.fingerprint};
     if (unprintable_ != seen) {
       unprintable_ = seen;
       return judge_broken(line, LineError::unprintable, now);
@@ -106,14 +91,14 @@ bool LineNumbering::begins_numbering(const ReceivedLine& line, units::Millisecon
   if (!line.number) return false;
   const LineNumber number = *line.number;
   if (!established_ && (number == 0 || number == before_first)) return true;
-  if (!sets_numbering(line.text)) return false;
+  if (!sets_numbering(line)) return false;
   const bool is_opening = number == before_first || number <= 1;
   return !established_ || (is_opening && !may_be_sent_back(now));
 }
 
 Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseconds now) {
   const LineNumber number = *line.number;
-  if (sets_numbering(line.text)) return judge_restart(line, now);
+  if (sets_numbering(line)) return judge_restart(line, now);
   switch (state_) {
     case State::in_order:
       break;
@@ -126,7 +111,7 @@ Judgement LineNumbering::judge_number(const ReceivedLine& line, units::Milliseco
   }
   if (number == wanted()) return {Verdict::accept};
   if (number == 0 || number == 1) return judge_first_number(line, now);
-  if (taken_before(number, fingerprint_of(line.text))) return {Verdict::repeat};
+  if (taken_before(number, line.fingerprint)) return {Verdict::repeat};
   return refuse_or_ignore(now);
 }
 
@@ -157,7 +142,7 @@ Judgement LineNumbering::judge_restart(const ReceivedLine& line, units::Millisec
 // N0 or N1 out of order: a new numbering, of which the M110 is lost or was never sent.
 Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
                                             units::Milliseconds now) const {
-  const std::uint32_t fingerprint = fingerprint_of(line.text);
+  const std::uint32_t fingerprint = line.fingerprint;
   const bool taken = taken_before(*line.number, fingerprint);
   // The same opening again, after a pause: the same job started again, unless a Resend whose number
   // was corrupted on its way explains it.
@@ -173,17 +158,15 @@ Judgement LineNumbering::judge_first_number(const ReceivedLine& line,
 bool LineNumbering::start_may_be_lost(const ReceivedLine& line) const {
   if (line.number != 1 || refused_number_ == 1) return false;
   if (established_ && wanted() == 1) return false;
-  return !opened_with(1, fingerprint_of(line.text));
+  return !opened_with(1, line.fingerprint);
 }
 
 void LineNumbering::accepted(const ReceivedLine& line, units::Milliseconds now) {
   if (!line.number) return;
   last_taken_ = now;
-  if (sets_numbering(line.text)) {
-    return restart_after(number_set_by(line.text).value_or(*line.number));
-  }
+  if (sets_numbering(line)) return restart_after(number_set_by(line).value_or(*line.number));
   const LineNumber number = *line.number;
-  const std::uint32_t fingerprint = fingerprint_of(line.text);
+  const std::uint32_t fingerprint = line.fingerprint;
   if (number != wanted()) forget();
   if (number == 0 || number == 1) openings_[static_cast<std::size_t>(number)] = fingerprint;
   history_[history_next_] = {number, fingerprint};

@@ -9,10 +9,14 @@
 
 namespace host_link {
 
-void LineQueue::put(std::string_view text, std::optional<LineNumber> number, bool emergency) {
-  Slot& slot = slots_[(first_ + size_) % capacity];
-  const std::size_t length = std::min(text.size(), max_line_length);
-  const char* from = text.data();
+void LineQueue::put(const ReceivedLine& line, bool emergency) {
+  const std::size_t place = (first_ + size_) % capacity;
+  const auto bit = static_cast<std::uint8_t>(1u << place);
+  set_numbering_ = static_cast<std::uint8_t>(set_numbering_ & ~bit);
+  if (sets_numbering(line)) set_numbering_ |= bit;
+  Slot& slot = slots_[place];
+  const std::size_t length = std::min(line.text.size(), max_line_length);
+  const char* from = line.text.data();
   char* to = slot.text.data();
   units::LoopBound<max_line_length> characters;
   for (const char* const end = from + length; from != end;) {
@@ -20,8 +24,8 @@ void LineQueue::put(std::string_view text, std::optional<LineNumber> number, boo
     *to++ = *from++;
   }
   slot.length = static_cast<std::uint8_t>(length);
-  slot.number = number.value_or(0);
-  slot.numbered = number.has_value();
+  slot.number = line.number.value_or(0);
+  slot.numbered = line.number.has_value();
   slot.emergency = emergency;
   slot.withdrawn = false;
   ++size_;
@@ -46,8 +50,9 @@ std::size_t LineQueue::numbered_in_sequence() const {
   units::LoopBound<capacity> bound;
   for (std::size_t i = 0; i < size_; ++i) {
     bound.next();
-    const Slot& line = slot(i);
-    if (sets_numbering({line.text.data(), line.length})) return 0;
+    const std::size_t place = (first_ + i) % capacity;
+    const Slot& line = slots_[place];
+    if ((set_numbering_ >> place & 1u) != 0) return 0;
     if (!line.numbered) continue;
     if (line.emergency || line.withdrawn || (count != 0 && line.number != next)) return 0;
     next = line.number + 1;

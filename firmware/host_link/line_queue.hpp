@@ -27,7 +27,7 @@ class LineQueue {
   std::size_t room() const { return capacity - size_; }
 
   // Needs room() != 0.
-  void put(std::string_view text, std::optional<LineNumber> number, bool emergency);
+  void put(const ReceivedLine& line, bool emergency);
   // Needs size() != 0. The text is valid until drop().
   AcceptedLine front() const;
   void drop();
@@ -57,12 +57,12 @@ class LineQueue {
   const Slot* slots() const { return slots_.data(); }
 
  private:
-  const Slot& slot(std::size_t place) const { return slots_[(first_ + place) % capacity]; }
-
   std::array<Slot, capacity> slots_{};
   std::size_t first_{};
   std::size_t size_{};
   std::size_t withdrawn_{};  // of these
+  std::uint8_t set_numbering_{};  // a bit for each slot
+  static_assert(capacity <= 8);
 };
 
 }  // namespace host_link

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Line assembly. Checksum and its digits are followed byte by byte, so that even a line that is
-// longer than the buffer is known to be whole or not.
+// Reads the framing of a line.
 #include "host_link/line_receiver.hpp"
 
-#include <algorithm>
-#include <limits>
-
+#include "host_link/emergency.hpp"
 #include "host_link/line_number.hpp"
-#include "units/digits.hpp"
 #include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace host_link {
 namespace {
 
-using units::is_digit;
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
-constexpr bool is_text(char c) { return c == '\t' || (c >= ' ' && c <= '~'); }
 
 // Noise that leaves the checksum intact mostly corrupts this.
 constexpr bool may_follow_number(char c) {
@@ -40,18 +34,8 @@ void trim(std::string_view& text) {
 
 }  // namespace
 
-bool LineReceiver::put(char byte) {
-  if (byte != line_feed && byte != carriage_return) {
-    after_carriage_return_ = false;
-    put_into_line(byte);
-    return false;
-  }
-  const bool line_feed_of_pair = byte == line_feed && after_carriage_return_;
-  after_carriage_return_ = byte == carriage_return;
-  return !line_feed_of_pair;
-}
-
 ReceivedLine LineReceiver::take() {
+  units::happens<units::Event::line_taken>();
   const ReceivedLine line = read();
   clear();
   return line;
@@ -60,34 +44,6 @@ ReceivedLine LineReceiver::take() {
 void LineReceiver::give_up() {
   clear();
   torn_ = true;
-}
-
-void LineReceiver::put_into_line(char byte) {
-  if (length_ < max_line_length) buffer_[length_] = byte;
-  if (byte == '*') {
-    star_seen_ = true;
-    last_star_ = length_;
-    exclusive_or_before_star_ = exclusive_or_;
-    checksum_value_ = 0;
-    checksum_digits_ = 0;
-    checksum_malformed_ = false;
-  } else if (star_seen_) {
-    put_into_checksum(byte);
-  }
-  exclusive_or_ = static_cast<std::uint8_t>(exclusive_or_ ^ static_cast<std::uint8_t>(byte));
-  if (!is_text(byte)) unprintable_ = true;
-  if (length_ < std::numeric_limits<std::uint32_t>::max()) ++length_;
-}
-
-void LineReceiver::put_into_checksum(char byte) {
-  if (is_digit(byte) && checksum_digits_ < 3 && !checksum_malformed_) {
-    checksum_value_ = static_cast<std::uint16_t>(checksum_value_ * 10 + (byte - '0'));
-    ++checksum_digits_;
-  } else if (is_blank(byte) && checksum_digits_ > 0) {
-    checksum_digits_ = 3;  // blanks may follow, digits no more
-  } else {
-    checksum_malformed_ = true;
-  }
 }
 
 ReceivedLine LineReceiver::read() const {
@@ -117,6 +73,9 @@ ReceivedLine LineReceiver::read() const {
     trim(text);
   }
   line.text = text;
+  if (line.framed()) line.fingerprint = fingerprint_of(text);
+  line.arguments = text;
+  line.m_code = take_m_code(line.arguments);
   return line;
 }
 

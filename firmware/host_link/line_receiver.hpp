@@ -15,6 +15,8 @@ namespace host_link {
 
 // With number and checksum, without line end. Marlin's is 96.
 inline constexpr std::size_t max_line_length = units::longest_text;
+// A letter and a digit, which its arguments follow.
+inline constexpr std::size_t shortest_command = 2;
 
 // Either ends a line, and so do both together.
 inline constexpr char line_feed = '\n';
@@ -32,17 +34,26 @@ struct ReceivedLine {
   bool unprintable{};  // holds a byte outside 0x20 .. 0x7e that is no tab
   bool corrupted{};  // the uart saw an error in it
   bool torn{};  // after a line that was given up: it may be the rest of that
+  std::uint32_t m_code{};  // of the M command that the text is; 0 where it is none
+  std::string_view arguments{};  // what stands behind that code
+  std::uint32_t fingerprint{};  // of the text, where it is framed
   // Number or checksum is there: the host keeps it for a resend.
   bool framed() const { return starts_with_n || checksum != Checksum::none; }
 };
 
+inline bool sets_numbering(const ReceivedLine& line) { return line.m_code == numbering_code; }
+inline std::optional<LineNumber> number_set_by(const ReceivedLine& line) {
+  return number_set_by(line.arguments);
+}
+
 class LineReceiver {
  public:
-  // True where `byte` ends a line (\n, \r or \r\n), which is then to be taken. Empty
-  // lines are lines.
-  bool put(char byte);
-  // Puts the first of these bytes, as long as they are mere text: returns how many, perhaps none.
-  std::size_t put_text(std::span<const char> bytes);
+  struct Taken {
+    std::size_t count;
+    bool line_ended;  // by the last of them: the line is then to be taken
+  };
+  // Takes bytes up to the end of a line (\n, \r or \r\n). Empty lines are lines.
+  Taken put(std::span<const char> bytes);
   // The incomplete line, which is then discarded.
   ReceivedLine take();
 
@@ -59,13 +70,12 @@ class LineReceiver {
   bool unfinished_is_framed() const;
 
  private:
-  void put_into_line(char byte);
-  void put_into_checksum(char byte);
+  void follow_checksum(unsigned char byte, std::uint32_t length, std::uint32_t exclusive_or);
   ReceivedLine read() const;
   void clear();
 
   std::array<char, max_line_length> buffer_{};
-  std::uint32_t length_{};  // counts on beyond the buffer
+  std::uint32_t length_{};  // one more than the buffer holds where the line is longer
   // The checksum is that after the last '*', so a '*' in a text is allowed.
   std::uint32_t last_star_{};
   std::uint16_t checksum_value_{};

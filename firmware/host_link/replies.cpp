@@ -32,7 +32,8 @@ TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
   TextLine line;
   add_heater(line, " T:", hotend);
   add_heater(line, " B:", bed);
-  return line.text(" @:").integer(hotend.power).text(" B@:").integer(bed.power);
+  line.text(" @:").integer(hotend.power).text(" B@:").integer(bed.power);
+  return line;
 }
 
 TextLine temperature_report(const HeaterState& active, const HeaterState& bed,
@@ -107,7 +108,8 @@ std::optional<TextLine> end_stop_line(std::span<const EndStopState> end_stops, s
 
 TextLine unknown_command(std::string_view command) {
   TextLine line;
-  return line.text("echo:Unknown command: \"").text(command).character('"');
+  line.text("echo:Unknown command: \"").text(command).character('"');
+  return line;
 }
 
 TextLine not_executed(std::string_view reason, std::uint32_t position, std::string_view command) {

@@ -10,15 +10,14 @@ bool HostLink::restart_requested(std::span<const char> bytes) {
   constexpr std::uint32_t restart_code = 999;
   bool requested = false;
   units::LoopBound<most_bytes> received;
-  for (const char byte : bytes) {
+  while (!bytes.empty()) {
     received.next();
-    units::happens<units::Event::byte_taken>(static_cast<unsigned char>(byte));
-    if (!receiver_.put(byte)) continue;
-    units::happens<units::Event::line_taken>();
+    const auto [count, line_ended] = receiver_.put(bytes);
+    bytes = bytes.subspan(count);
+    if (!line_ended) break;
     const ReceivedLine line = receiver_.take();
-    std::string_view text = line.text;
     requested |= line.checksum != Checksum::wrong && !line.corrupted && !line.unprintable &&
-                 take_m_code(text) == restart_code;
+                 line.m_code == restart_code;
   }
   return requested;
 }

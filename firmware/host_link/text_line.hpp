@@ -25,7 +25,7 @@ class TextLine {
   void clear();
 
  private:
-  TextLine& digits(std::uint64_t value, unsigned at_least);
+  TextLine& digits(std::uint64_t value, unsigned places);
 
   std::array<char, capacity> buffer_;
   std::size_t length_{};

@@ -8,6 +8,11 @@
 #include "units/loop_bound.hpp"
 
 namespace host_link {
+namespace {
+
+constexpr bool is_printable(unsigned char c) { return unsigned{c} - ' ' <= '~' - ' '; }
+
+}  // namespace
 
 bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std::size_t spare) {
   std::size_t length = 1;
@@ -17,17 +22,23 @@ bool TransmitQueue::put_line(std::initializer_list<std::string_view> parts, std:
     length += part.size();
   }
   if (length + spare > room()) return false;
-  units::EventBound<units::Event::byte_queued, capacity> fits;
+  std::size_t at = first_ + size_;
+  size_ += length;
   units::LoopBound<most_parts, 1> copied;
   for (const std::string_view part : parts) {
     copied.next();
+    if (part.empty()) continue;
+    const char* from = part.data();
+    const char* const end = from + part.size();
     units::LoopBound<capacity> characters;
-    for (const char c : part) {
+    do {
       characters.next();
-      put(c >= ' ' && c <= '~' ? c : '?');
-    }
+      const auto c = static_cast<unsigned char>(*from++);
+      units::happens<units::Event::byte_queued>(reinterpret_cast<std::uintptr_t>(from));
+      bytes_[at++ % capacity] = is_printable(c) ? static_cast<char>(c) : '?';
+    } while (from != end);
   }
-  put('\n');
+  bytes_[at % capacity] = '\n';
   return true;
 }
 
@@ -38,12 +49,6 @@ std::span<const char> TransmitQueue::front() const {
 void TransmitQueue::drop(std::size_t count) {
   first_ = (first_ + count) % capacity;
   size_ -= count;
-}
-
-void TransmitQueue::put(char c) {
-  bytes_[(first_ + size_) % capacity] = c;
-  ++size_;
-  units::happens<units::Event::byte_queued>(size_);
 }
 
 }  // namespace host_link

@@ -28,8 +28,6 @@ class TransmitQueue {
   void drop(std::size_t count);
 
  private:
-  void put(char c);
-
   std::array<char, capacity> bytes_{};
   std::size_t first_{};
   std::size_t size_{};

@@ -62,7 +62,10 @@ class Arc {
   // After a fault there is no arc.
   std::expected<void, Fault> begin(const ArcRequest& request);
 
+  // Of next().
+  bool begun() const { return made_ != 0; }
   bool done() const { return made_ == chords_; }
+  const units::PerAxis<units::Position>& target() const { return request_.target; }
   std::uint32_t chords() const { return chords_; }
   // The end of the next chord; of the last one exactly the target. Not if done().
   units::PerAxis<units::Position> next();

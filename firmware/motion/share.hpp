@@ -12,8 +12,8 @@ class Share {
  public:
   constexpr Share() = default;
   constexpr Share(std::int64_t total, std::uint32_t parts) {
-    std::int64_t rest = total % parts;
     whole_step_ = total / parts;
+    std::int64_t rest = total - whole_step_ * parts;
     if (rest < 0) {
       rest += parts;
       --whole_step_;

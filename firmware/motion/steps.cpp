@@ -68,8 +68,9 @@ StepPosition steps_at(const units::Position& position, units::StepsPerMeter step
   std::uint64_t parts = distance * factor + nanometers_per_meter / 2;  // 10^-9 of a step
   if (size.femtometers() != 0) {
     // What is below such a part decides nothing: halves of a step are whole numbers of parts.
-    parts += static_cast<std::uint32_t>(size.femtometers()) * std::uint64_t{factor} /
-             units::Position::femtometers_per_nanometer;
+    constexpr std::uint32_t billionths = 1'000'000'000 / units::Position::femtometers_per_nanometer;
+    const auto above = static_cast<std::uint32_t>(size.femtometers()) * billionths;
+    parts += divide_by_billion(std::uint64_t{above} * factor).whole;
   }
   const Quotient rounded = divide_by_billion(parts);
   const std::int32_t residual = static_cast<std::int32_t>(rounded.rest) - one_step.count() / 2;
@@ -83,7 +84,7 @@ units::Nanometers position_of(std::int64_t steps, units::StepsPerMeter steps_per
   if (per_meter == 0) return {};
   const std::uint64_t count = units::magnitude(steps);
   const std::uint64_t meters = count / per_meter;
-  const std::uint64_t rest = count % per_meter * nanometers_per_meter;
+  const std::uint64_t rest = (count - meters * per_meter) * nanometers_per_meter;
   const std::uint64_t distance = meters * nanometers_per_meter + (rest + per_meter / 2) / per_meter;
   return units::Nanometers(with_sign_of(steps, distance));
 }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <span>
 
-#include "units/event_bound.hpp"
 #include "units/loop_bound.hpp"
 
 namespace thermal {
@@ -175,24 +174,20 @@ void accumulate(Values course, Gain gain) {
 }  // namespace
 
 bool Stillness::add(const Window& window) {
-  bool still = false;
-  units::LoopBound<std::tuple_size_v<LimitTable>> judged;
-  while (judged_ < limits().size()) {
-    judged.next();
-    still = look_further() || still;
-  }
   std::shift_left(windows_.begin(), windows_.end(), 1);
   windows_.back() = window;
   seen_ = std::min(seen_ + 1, longest);
   undisturbed_ = std::min(undisturbed_ + 1, longest);
   still_ = is_still_for_now() ? std::min(still_ + 1, lasting_length) : 0;
-  judged_ = 0;
-  return look_further() || still || still_ >= lasting_length;
+  unjudged_ = limits().size();
+  return still_ >= lasting_length;
 }
 
 bool Stillness::look_further() {
-  units::happens<units::Event::course_judged>(judged_);
-  return judged_ < limits().size() && is_still(limits()[judged_++]);
+  if (unjudged_ == 0) return false;
+  --unjudged_;
+  judged_ = judged_ + 1 < limits().size() ? judged_ + 1 : 0;
+  return is_still(limits()[judged_]);
 }
 
 bool Stillness::is_still_for_now() const {

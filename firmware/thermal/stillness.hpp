@@ -33,8 +33,9 @@ class Stillness {
   explicit constexpr Stillness(std::int32_t rhythm)
       : is_slow_(2 * rhythm > static_cast<std::int32_t>(slow[0].length)) {}
 
-  // True if the reading is of a frozen sensor. This looks at the shortest time alone, and each call
-  // of look_further() at a longer one, for all of them at once take a processor long.
+  // True if the reading is of a frozen sensor. This does not look at the courses: each call of
+  // look_further() does at one of them, in turn, for all of them at once take a processor long.
+  // Where there are fewer calls before the next window, they go on with the course that is next.
   bool add(const Window& window);
   bool look_further();
   // There is no rhythm.
@@ -72,7 +73,8 @@ class Stillness {
   std::size_t seen_ = 0;  // windows since the rhythm began, at most `longest`, as the following
   std::size_t undisturbed_ = 0;  // since disturb()
   std::size_t still_ = 0;  // in a row
-  std::size_t judged_ = std::tuple_size_v<LimitTable>;  // of limits(), with the last window
+  std::size_t unjudged_ = 0;  // of limits(), with the last window
+  std::size_t judged_ = std::tuple_size_v<LimitTable> - 1;  // the last one of them
   std::array<Window, longest> windows_{};
 };
 

@@ -20,13 +20,14 @@ enum class Event : std::uint32_t {
   character_read,  // of a line's text by the parser, again after going back
   text_checked,  // a character of a text within that line, by the parser
   comment_skipped,  // likewise
+  refused,  // a command, with its reason
   handler_called,  // of a command, or what reports in its place
-  long_digit,  // of a number that needs more than 32 bits, written
+  long_digit,  // nine digits of a number that needs more than 32 bits, written
+  digit_written,  // of any number
   character_written,  // of a text that is put together
   looked_ahead,  // over the planner's lines
   line_begun,  // by the planner, for the step generator
   segment_made,  // likewise
-  course_judged,  // of a heater's temperature, whether it stands still
   count
 };
 

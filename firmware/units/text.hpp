@@ -34,7 +34,8 @@ inline std::size_t find(std::string_view text, char wanted, std::size_t start = 
 
 inline bool starts_with(std::string_view text, std::string_view prefix) {
   if (text.size() < prefix.size()) return false;
-  LoopBound<longest_text> characters;
+  constexpr std::size_t longest_prefix = 16;
+  LoopBound<longest_prefix> characters;
   for (std::size_t i = 0; i < prefix.size(); ++i) {
     characters.next();
     if (text[i] != prefix[i]) return false;

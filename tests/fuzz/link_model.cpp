@@ -75,6 +75,7 @@ void LinkModel::put(char byte) {
     lost_before_next_ = false;
   }
   link_.receive({&byte, 1}, units::Milliseconds(now_ms_));
+  link_.update(units::Milliseconds(now_ms_), activity_);
   if (byte != '\n' && byte != '\r') {
     line_ += byte;
     after_return_ = false;
@@ -242,7 +243,11 @@ void LinkModel::require_that_a_new_host_is_served() {
       if (!link_.query_answered(" T:20.00")) break;
     }
     finish_lines(8);
-    pause(1000);
+    // With each update some of what is owed is sent: of a flood of lines some hundred oks.
+    for (int step = 0; step < 10; ++step) {
+      pause(100);
+      hear(10'000);
+    }
     check();
   }
   hear(10'000);

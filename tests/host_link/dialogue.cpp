@@ -2,6 +2,7 @@
 // The dialogue player.
 #include "tests/host_link/dialogue.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <span>
 
@@ -100,8 +101,10 @@ std::string Dialogue::step(const DialogueStep& next) {
     pass(std::stol(argument), Activity::paused_for_user);
   } else if (verb == "done") {
     if (!link_.finished(argument.empty() ? "" : " " + argument)) return "no room for the ok";
+    link_.update(now_, activity_);
   } else if (next.text() == "again" || next.text() == "not again") {
     if (link_.ask_again() != (verb == "again")) return "the other one";
+    link_.update(now_, activity_);
   } else if (verb == "answer") {
     if (!link_.query_answered(argument.empty() ? "" : " " + argument)) return "no room for the ok";
   } else if (verb == "say") {
@@ -178,10 +181,21 @@ std::string Dialogue::set(const std::string& argument) {
   return "";
 }
 
-void Dialogue::send(const std::string& bytes) { link_.receive(std::span(bytes), now_); }
+// As the application does: a line at a time, and what is owed is sent with the update behind it.
+void Dialogue::send(const std::string& bytes) {
+  for (std::span rest(bytes); !rest.empty();) {
+    const auto end = std::ranges::find_if(rest, [](char c) { return c == '\n' || c == '\r'; });
+    const auto length = static_cast<std::size_t>(end - rest.begin());
+    const std::size_t count = std::min(length + 1, rest.size());
+    link_.receive(rest.first(count), now_);
+    link_.update(now_, activity_);
+    rest = rest.subspan(count);
+  }
+}
 
 void Dialogue::pass(long milliseconds, Activity activity) {
   constexpr long step_length = 10;
+  activity_ = activity;
   for (long passed = 0; passed < milliseconds; passed += step_length) {
     now_ += units::Milliseconds(step_length);
     link_.update(now_, activity);

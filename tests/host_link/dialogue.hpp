@@ -49,6 +49,7 @@ class Dialogue {
 
   HostLink link_;
   units::Milliseconds now_{1000};
+  Activity activity_{Activity::idle};  // in the last pass
   std::string partial_;
   std::deque<std::string> lines_;
 };

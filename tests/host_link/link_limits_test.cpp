@@ -30,6 +30,7 @@ class Link : public testing::Test {
 
   std::string read() {
     std::string text;
+    link_.update(now_, Activity::idle);
     for (auto bytes = link_.to_send(); !bytes.empty(); bytes = link_.to_send()) {
       text.append(bytes.data(), bytes.size());
       link_.sent(bytes.size());

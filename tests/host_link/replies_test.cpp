@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <regex>
 #include <string>
 
@@ -47,6 +48,19 @@ TEST(text_line, writes_integers_of_any_size) {
   EXPECT_EQ(integer(-17), "-17");
   EXPECT_EQ(integer(4'294'967'296), "4294967296");
   EXPECT_EQ(integer(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
+}
+
+TEST(text_line, writes_numbers_of_any_size_with_any_number_of_places) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const auto value = static_cast<std::int64_t>(random() >> (1 + random() % 63));
+    const auto places = static_cast<unsigned>(random() % 7);
+    std::string digits = std::to_string(value);
+    if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+    if (places != 0) digits.insert(digits.size() - places, ".");
+    ASSERT_EQ(decimal(value, places, places), digits);
+    ASSERT_EQ(decimal(-value, places, places), value == 0 ? digits : "-" + digits);
+  }
 }
 
 TEST(text_line, reports_what_does_not_fit) {
