@@ -21,7 +21,11 @@ struct QueueStatistics {
 struct ProcessorStatistics {
   std::uint64_t sleeping_clocks{};
   std::uint64_t instructions{};
-  std::uint32_t program_counter{};  // of the next instruction; of the processor's model only
+  // Of the processor's model only, and of the next instruction: its address, the clock in which it
+  // begins, whether it is an access of the bus.
+  std::uint32_t program_counter{};
+  std::uint64_t begins{};
+  bool accesses{};
 };
 
 class Chip {

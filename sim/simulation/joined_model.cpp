@@ -222,9 +222,12 @@ void JoinedModel::write_memory(std::uint32_t address, std::uint32_t word) {
 
 ProcessorStatistics JoinedModel::processor_statistics() const {
   if (started_) processor_->bring_to(now_);
+  const processor::MachineState& state = processor_->state();
   return {.sleeping_clocks = processor_->sleeping_clocks(now_),
-          .instructions = processor_->instructions(),
-          .program_counter = processor_->state().program_counter};
+          .instructions = state.instructions,
+          .program_counter = state.program_counter,
+          .begins = static_cast<std::uint64_t>(state.begins),
+          .accesses = state.accesses};
 }
 
 // After some clocks, and permanently.

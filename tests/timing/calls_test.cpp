@@ -5,12 +5,15 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/devices/file_host.hpp"
 #include "sim/processor/timing_table.hpp"
 #include "sim/simulation/verilated_chip.hpp"
 #include "tests/loaded_printer.hpp"
 #include "tools/timing/calls.hpp"
+#include "tools/timing/cost_sum.hpp"
 #include "tools/timing/stack.hpp"
 #include "tools/timing/tasks.hpp"
 #include "units/event_bound.hpp"
@@ -20,6 +23,27 @@ namespace {
 
 constexpr std::uint32_t clock_hz = 4'000'000;
 constexpr sim::Clock most_clocks = 3 * clock_hz;
+// Instructions of all kinds are among those of this time.
+constexpr sim::Clock clocks_with_wrong_costs = clock_hz;
+
+// All but those that this firmware never executes.
+const std::vector<std::pair<const char*, unsigned Costs::*>> all_costs{
+    {"simple", &Costs::simple},
+    {"multiplication", &Costs::multiplication},
+    {"division", &Costs::division},
+    {"load", &Costs::load},
+    {"store", &Costs::store},
+    {"bus load", &Costs::bus_load},
+    {"bus store", &Costs::bus_store},
+    {"not taken", &Costs::not_taken},
+    {"taken", &Costs::taken},
+    {"predicted, not taken", &Costs::predicted_not_taken},
+    {"predicted, taken", &Costs::predicted_taken},
+    {"jump", &Costs::jump},
+    {"jump to a register", &Costs::jump_register},
+    {"CSR instruction", &Costs::csr},
+    {"wait for interrupt", &Costs::wait},
+    {"late result", &Costs::hazard}};
 
 // Moves of all kinds, settings, reports and mistakes, with heat.
 const std::string gcode =
@@ -30,10 +54,15 @@ const std::string gcode =
 
 class Run {
  public:
-  Run() : program_(read_program(tests::firmware_file)), calls_(program_, costs_, CHIP_HAS_ZBB) {
+  Run() : program_(read_program(tests::firmware_file)), calls_(program_, CHIP_HAS_ZBB) {
     program_.memory_bytes = CHIP_MEMORY_BYTES;
     Analysis analysis(program_, costs_, CHIP_HAS_ZBB);
     watch_tasks(program_, analysis, calls_);
+    for (const auto& [name, cost] : all_costs) {
+      Costs costs = costs_;
+      costs.*cost += 1;
+      wrong_sums_.emplace_back(program_, costs, CHIP_HAS_ZBB);
+    }
     sim::VerilatedChip chip(clock_hz);
     tests::LoadedPrinter loaded(chip, clock_hz, 200, 60);
     sim::Simulation& simulation = loaded.simulation;
@@ -42,11 +71,11 @@ class Run {
     simulation.attach(host, {});
     while (simulation.now() < most_clocks && !host.ended()) {
       simulation.run_until(simulation.now() + 1);
-      const sim::ProcessorStatistics now = chip.processor_statistics();
-      calls_.take({.clock = simulation.now(),
-                   .instructions = now.instructions,
-                   .slept = now.sleeping_clocks,
-                   .program_counter = now.program_counter});
+      const Sample sample = sample_of(chip.processor_statistics());
+      calls_.take(sample);
+      sum_.take(sample);
+      if (simulation.now() > clocks_with_wrong_costs) continue;
+      for (CostSum& wrong : wrong_sums_) wrong.take(sample);
     }
     // start.S has painted it.
     const Address top = program_.addresses.at("_stack_top");
@@ -89,6 +118,8 @@ class Run {
   const Costs costs_{processor::TimingTable()};
   Program program_;
   Calls calls_;
+  CostSum sum_{program_, costs_, CHIP_HAS_ZBB};
+  std::vector<CostSum> wrong_sums_;  // as `all_costs`
   std::uint32_t stack_bytes_ = 0;
 };
 
@@ -107,6 +138,22 @@ TEST(Calls, take_at_most_the_bound_of_their_function) {
              result.functions, result.closest, result.farthest);
 }
 
+TEST(CostSum, is_what_mcycle_counts) {
+  fmt::print("{}", run().sum_.text());
+  EXPECT_GT(run().sum_.instructions(), 500'000U);
+  EXPECT_GT(run().sum_.slept(), 0U);
+  EXPECT_LT(run().sum_.outside(), 1'000U);
+  EXPECT_EQ(run().sum_.costs(), run().sum_.clocks());
+  EXPECT_EQ(run().sum_.differences(), 0U);
+}
+
+TEST(CostSum, finds_each_wrong_cost) {
+  for (std::size_t i = 0; i < all_costs.size(); ++i) {
+    EXPECT_GT(run().wrong_sums_[i].differences(), 0U) << all_costs[i].first;
+    EXPECT_GT(run().wrong_sums_[i].costs(), run().wrong_sums_[i].clocks()) << all_costs[i].first;
+  }
+}
+
 TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {
   Stack stack(run().program_, CHIP_HAS_ZBB);
   const auto bound = stack.depth(run().program_.find("main").at(0));
@@ -116,9 +163,9 @@ TEST(Calls, take_no_more_stack_than_main_is_said_to_take) {
   EXPECT_GT(run().stack_bytes_, *bound / 2);
 }
 
-// Those of a division and of a branch predicted and taken are not among them: no call in this run
-// comes so near to its bound by these that a clock less would show, nor by accesses to addresses on
-// the bus that are known. bound_test tries them all.
+// By how long calls take. Those of a division and of a branch predicted and taken are not among
+// them: no call in this run comes so near to its bound by these that a clock less would show, nor
+// by accesses to addresses on the bus that are known. bound_test tries them all.
 TEST(Calls, a_wrong_cost_is_found) {
   const std::vector<std::pair<const char*, unsigned Costs::*>> rows{
       {"simple", &Costs::simple},       {"multiplication", &Costs::multiplication},

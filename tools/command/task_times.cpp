@@ -18,8 +18,8 @@ constexpr std::size_t lines_in_flight = 4;
 
 }  // namespace
 
-std::vector<timing::TaskRow> task_times(const timing::Program& program, const timing::Costs& costs,
-                                        const std::filesystem::path& file, double seconds) {
+TaskTimes task_times(const timing::Program& program, const timing::Costs& costs,
+                     const std::filesystem::path& file, double seconds) {
   const auto commands = devices::read_gcode_file(file);
   if (!commands) throw std::runtime_error(commands.error());
   PrinterChoices choices;
@@ -32,22 +32,21 @@ std::vector<timing::TaskRow> task_times(const timing::Program& program, const ti
   simulation.attach(host, {}, sim::Activity::host_and_report);
 
   timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
-  timing::Calls calls(program, costs, CHIP_HAS_ZBB);
+  timing::Calls calls(program, CHIP_HAS_ZBB);
   timing::watch_tasks(program, analysis, calls);
+  timing::CostSum sum(program, costs, CHIP_HAS_ZBB);
   const sim::Clock until = simulation.rate().clocks(seconds);
   while (simulation.now() < until && !host.ended()) {
     simulation.run_until(simulation.now() + 1);
-    const sim::ProcessorStatistics now = setup.chip().processor_statistics();
-    calls.take({.clock = simulation.now(),
-                .instructions = now.instructions,
-                .slept = now.sleeping_clocks,
-                .program_counter = now.program_counter});
+    const timing::Sample sample = timing::sample_of(setup.chip().processor_statistics());
+    calls.take(sample);
+    sum.take(sample);
     end_if_interrupted();
   }
   if (calls.strays() != 0) throw std::runtime_error("a function returned to no call of it");
   auto rows = timing::task_rows(program, analysis);
   timing::add_measured(rows, calls);
-  return rows;
+  return {.rows = std::move(rows), .sum = sum};
 }
 
 }  // namespace command

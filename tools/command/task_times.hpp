@@ -4,15 +4,21 @@
 
 #include <filesystem>
 
+#include "tools/timing/cost_sum.hpp"
 #include "tools/timing/tasks.hpp"
 
 namespace command {
 
 inline constexpr std::uint32_t tasks_clock_hz = 4'000'000;
 
+struct TaskTimes {
+  std::vector<timing::TaskRow> rows;
+  timing::CostSum sum;
+};
+
 // The first `seconds` of a print, from warm heaters on. Throws std::runtime_error where the file
 // cannot be read, or where the processor does what the analysis does not know.
-std::vector<timing::TaskRow> task_times(const timing::Program& program, const timing::Costs& costs,
-                                        const std::filesystem::path& file, double seconds);
+TaskTimes task_times(const timing::Program& program, const timing::Costs& costs,
+                     const std::filesystem::path& file, double seconds);
 
 }  // namespace command

@@ -14,7 +14,7 @@ void Calls::take(const Sample& sample) {
     throw std::runtime_error("two instructions in a clock");
   }
   if (sample.instructions != last_.instructions) {
-    if (places_.contains(sample.program_counter)) pass_spans(last_, sample);
+    if (places_.contains(sample.program_counter)) pass_spans(sample);
     jump(last_, sample);
   }
   last_ = sample;
@@ -27,24 +27,17 @@ void Calls::watch(std::uint32_t number, const std::set<Address>& begins,
   places_.insert(ends.begin(), ends.end());
 }
 
-void Calls::pass_spans(const Sample& before, const Sample& behind) {
+void Calls::pass_spans(const Sample& behind) {
   const Address place = behind.program_counter;
-  const auto instruction =
-      processor::decode(program_.word_at(before.program_counter), before.program_counter, has_zbb_);
-  const bool jumps = place != before.program_counter + instruction.bytes;
-  // Whether an access was on the bus is not known here: the span is then taken for shorter.
-  const std::uint64_t latest = behind.clock + costs_.of(instruction, jumps, true);
-  const std::uint64_t earliest = behind.clock + costs_.of(instruction, jumps, false);
   for (auto& [number, span] : spans_) {
     if (span.began && span.ends.contains(place)) {
-      const std::uint64_t slept = behind.slept - span.slept;
-      const std::uint64_t clocks = earliest - std::min(*span.began + slept, earliest);
+      const std::uint64_t clocks = behind.begins - *span.began - (behind.slept - span.slept);
       ++span.measured.calls;
       span.measured.longest = std::max(span.measured.longest, clocks);
       span.began.reset();
     }
     if (!span.began && span.begins.contains(place)) {
-      span.began = latest;
+      span.began = behind.begins;
       span.slept = behind.slept;
     }
   }
@@ -57,18 +50,17 @@ void Calls::jump(const Sample& before, const Sample& behind) {
   const bool is_jump = instruction.operation == Operation::jump;
   if (!is_jump && instruction.operation != Operation::jump_register) return;
   const unsigned link = instruction.destination;
-  const std::uint64_t begins = behind.clock + costs_.of(instruction, false, false);
   const Address target = behind.program_counter;
   if (link == return_register || link == second_link) {
-    frames_.push_back({target, address + instruction.bytes, begins, behind.slept});
+    frames_.push_back({target, address + instruction.bytes, behind.begins, behind.slept});
   } else if (is_jump) {
     // In place of a return.
     const bool is_function = program_.symbols.contains(target);
     if (is_function && !frames_.empty() && frames_.back().function != target) {
-      frames_.push_back({target, frames_.back().back, begins, behind.slept});
+      frames_.push_back({target, frames_.back().back, behind.begins, behind.slept});
     }
   } else if (!frames_.empty() && instruction.immediate == 0) {
-    end(target, begins, behind.slept);
+    end(target, behind.begins, behind.slept);
   }
 }
 

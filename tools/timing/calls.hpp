@@ -9,16 +9,9 @@
 #include <vector>
 
 #include "tools/timing/analysis.hpp"
+#include "tools/timing/sample.hpp"
 
 namespace timing {
-
-// What the processor shows after a clock.
-struct Sample {
-  std::uint64_t clock{};
-  std::uint64_t instructions{};  // that it has executed
-  std::uint64_t slept{};
-  Address program_counter{};
-};
 
 class Calls {
  public:
@@ -27,8 +20,7 @@ class Calls {
     std::uint64_t calls{};
   };
 
-  Calls(const Program& program, const Costs& costs, bool has_zbb)
-      : program_(program), costs_(costs), has_zbb_(has_zbb) {}
+  Calls(const Program& program, bool has_zbb) : program_(program), has_zbb_(has_zbb) {}
 
   // Spans from a place of some to the next of others, which may be the same; under a number.
   void watch(std::uint32_t number, const std::set<Address>& begins, const std::set<Address>& ends);
@@ -47,12 +39,11 @@ class Calls {
     std::uint64_t begins{}, slept{};
   };
 
-  void pass_spans(const Sample& before, const Sample& behind);
+  void pass_spans(const Sample& behind);
   void jump(const Sample& before, const Sample& behind);
   void end(Address back, std::uint64_t begins, std::uint64_t slept);
 
   const Program& program_;
-  Costs costs_;
   bool has_zbb_;
   Sample last_;
   std::vector<Frame> frames_;

@@ -51,6 +51,19 @@ std::string ratio_of(const TaskRow& row) {
                      static_cast<double>(*row.bound) / static_cast<double>(row.measured.longest));
 }
 
+nlohmann::json list_of(const std::vector<TaskRow>& rows) {
+  auto list = nlohmann::json::array();
+  for (const TaskRow& row : rows) {
+    nlohmann::json task{{"name", row.name},
+                        {"measured_clocks", row.measured.longest},
+                        {"times", row.measured.calls},
+                        {"budget_clocks", row.budget}};
+    if (row.bound) task["bound_clocks"] = *row.bound;
+    list.push_back(task);
+  }
+  return list;
+}
+
 }  // namespace
 
 void watch_tasks(const Program& program, Analysis& analysis, Calls& calls) {
@@ -142,16 +155,15 @@ std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz) {
 }
 
 std::string to_json(const std::vector<TaskRow>& rows) {
-  auto list = nlohmann::json::array();
-  for (const TaskRow& row : rows) {
-    nlohmann::json task{{"name", row.name},
-                        {"measured_clocks", row.measured.longest},
-                        {"times", row.measured.calls},
-                        {"budget_clocks", row.budget}};
-    if (row.bound) task["bound_clocks"] = *row.bound;
-    list.push_back(task);
-  }
-  return nlohmann::json{{"tasks", list}}.dump(2) + "\n";
+  return nlohmann::json{{"tasks", list_of(rows)}}.dump(2) + "\n";
+}
+
+std::string to_json(const std::vector<TaskRow>& rows, const CostSum& sum) {
+  const nlohmann::json costs{{"instructions", sum.instructions()},
+                             {"costs_clocks", sum.costs()},
+                             {"mcycle_clocks", sum.clocks()},
+                             {"instructions_that_differ", sum.differences()}};
+  return nlohmann::json{{"tasks", list_of(rows)}, {"costs", costs}}.dump(2) + "\n";
 }
 
 }  // namespace timing

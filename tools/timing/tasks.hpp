@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/timing/calls.hpp"
+#include "tools/timing/cost_sum.hpp"
 #include "tools/timing/schedule.hpp"
 
 namespace timing {
@@ -33,5 +34,7 @@ std::optional<Clocks> refill_without_line(const Program& program, const Costs& c
 // At so many clocks per second.
 std::string to_text(const std::vector<TaskRow>& rows, std::uint32_t clock_hz);
 std::string to_json(const std::vector<TaskRow>& rows);
+// With what the instructions of the run cost.
+std::string to_json(const std::vector<TaskRow>& rows, const CostSum& sum);
 
 }  // namespace timing
