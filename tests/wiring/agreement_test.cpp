@@ -81,8 +81,11 @@ TEST(InterfaceBoard, has_each_part_in_its_schematic) {
   }
 }
 
-// Its wires' words name what its data say, and both are as the tables have it.
-void expect_as_tables(const std::string& board, const std::string& column) {
+// Its wires' words name what its data say, and both are as the tables have it. Positions lead to
+// the interface board, or to a printer of its own.
+enum class Leads { to_the_interface_board, to_a_printer };
+void expect_as_tables(const std::string& board, const std::string& column,
+                      Leads leads = Leads::to_the_interface_board) {
   SCOPED_TRACE(board);
   std::map<std::string, std::string> pins, positions;
   for (const files::Row& row : files::read_table(boards / board / "pins.csv")) {
@@ -97,7 +100,9 @@ void expect_as_tables(const std::string& board, const std::string& column) {
   for (const DrawnWire& wire : wiring_files::read_picture(boards / board / "wiring.svg")) {
     if (wire.position != 0) {
       const std::string pin = fmt::format("J1.{}", wire.position);
-      EXPECT_EQ(netlist().net_of(pin), net_of(wire.net)) << pin;
+      if (leads == Leads::to_the_interface_board) {
+        EXPECT_EQ(netlist().net_of(pin), net_of(wire.net)) << pin;
+      }
       EXPECT_THAT(wire.words, HasSubstr(fmt::format("{}\n", wire.position)));
     }
     EXPECT_THAT(wire.words, HasSubstr(wire.net));
@@ -124,7 +129,25 @@ void expect_as_tables(const std::string& board, const std::string& column) {
 TEST(WiringPicture, of_each_board_is_as_its_tables) {
   expect_as_tables("de2_115", "de2_115_JP5_GPIO");
   expect_as_tables("de2_70", "de2_70_J4_pin");
+  expect_as_tables("de2_70_reprap_2012", "de2_70_J4_pin", Leads::to_a_printer);
   expect_as_tables("ulx3s", "");
+}
+
+TEST(WiringPicture, names_each_signal_of_the_printer_of_2012) {
+  std::map<int, std::string> words;
+  for (const DrawnWire& wire :
+       wiring_files::read_picture(boards / "de2_70_reprap_2012/wiring.svg")) {
+    words[wire.position] += wire.words;
+  }
+  int signals = 0;
+  for (const files::Row& row : files::read_table(boards / "de2_70/reprap_2012_pins.csv")) {
+    if (row.at("header_pin").empty()) continue;
+    EXPECT_THAT(words[std::stoi(row.at("header_pin"))], HasSubstr(row.at("signal")));
+    ++signals;
+  }
+  EXPECT_EQ(signals, 22);
+  for (const int supply : {12, 30}) EXPECT_THAT(words[supply], HasSubstr("ground"));
+  EXPECT_THAT(words[11], HasSubstr("5 V"));
 }
 
 // From the header's pin, or behind its series resistor, to ground or 3.3 V.

@@ -115,6 +115,11 @@ TEST_F(WiringMistake, a_board_that_is_wired_otherwise_is_found) {
                "de2_70: end_stop[7] does not come from the board");
   expect_found("boards/ulx3s/connections.csv", "step[4],gp[4]\n", "step[5],gp[4]\n",
                "ulx3s: step[5] is not on the interface board");
+  const char* const of_2012 = "boards/de2_70_reprap_2012/connections.csv";
+  expect_found(of_2012, "step[0],GPIO_0[6]\n", "",
+               "nothing leads to M2(X)_step of the printer, position 9");
+  expect_found("boards/de2_70/reprap_2012_pins.csv", "M3(Y)_step,12,F30,17", "M3(Y)_step,12,F30,18",
+               "step[1] is at position 17, where the printer has");
 }
 
 TEST_F(WiringMistake, a_file_that_is_not_as_the_description_is_found) {

@@ -34,6 +34,15 @@ std::vector<Wire> wires_of(const std::filesystem::path& project, const Board& bo
   return wires;
 }
 
+PrinterSignals printer_signals_of(const std::filesystem::path& project, const Board& board) {
+  PrinterSignals signals;
+  if (board.printer.empty()) return signals;
+  for (const files::Row& row : files::read_table(project / "boards" / board.printer)) {
+    signals[row.at("pin")] = row.at("signal");
+  }
+  return signals;
+}
+
 std::string printed_name(const std::string& signal) {
   std::string name;
   for (const char c : signal) {

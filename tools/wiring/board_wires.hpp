@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct Wire {
 
 // Of the tables in boards. Throws std::runtime_error where one is missing or a signal has no pin.
 std::vector<Wire> wires_of(const std::filesystem::path& project, const Board& board);
+
+// What the board's printer calls each pin of the FPGA; empty where it has none.
+using PrinterSignals = std::map<std::string, std::string>;
+PrinterSignals printer_signals_of(const std::filesystem::path& project, const Board& board);
 
 // "GP3" of "gp[3]": what stands on the board.
 std::string printed_name(const std::string& signal);

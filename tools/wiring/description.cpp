@@ -76,10 +76,11 @@ Value value_of(const TomlReader& reader) {
 }
 
 Board board_of(const TomlReader& reader) {
-  reader.only({"name", "title", "header", "column", "pattern"});
+  reader.only({"name", "title", "header", "column", "pattern", "printer"});
   if (reader.has("column") == reader.has("pattern")) reader.fail("a column or a pattern is wanted");
-  return {reader.text("name"), reader.text("title"), reader.text("header"),
-          reader.text_or("column", ""), reader.text_or("pattern", "")};
+  return {reader.text("name"),           reader.text("title"),
+          reader.text("header"),         reader.text_or("column", ""),
+          reader.text_or("pattern", ""), reader.text_or("printer", "")};
 }
 
 toml::table parsed(const std::filesystem::path& file) {

@@ -111,6 +111,8 @@ struct Board {
   std::string header;
   std::string column;  // of boards/header40.csv
   std::string pattern;  // or of the signals that a cable of single wires begins at
+  // Table of pins in boards, of a printer that has no interface board; else empty.
+  std::string printer;
 };
 
 struct Description {

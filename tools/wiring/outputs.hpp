@@ -19,9 +19,10 @@ std::string netlist(const Description& description);
 std::string schematic_page(const Description& description);
 // The circuits as a picture (SVG).
 std::string schematic_picture(const Description& description);
-// Which pin of the board leads to which position of the interface board (SVG).
+// Which pin of the board leads to which position of the interface board, or to which signal of a
+// printer that has none (SVG).
 std::string wiring_picture(const Description& description, const Board& board,
-                           const std::vector<Wire>& wires);
+                           const std::vector<Wire>& wires, const PrinterSignals& printer_signals);
 
 // All files by their path in the project.
 std::map<std::filesystem::path, std::string> outputs_of(const std::filesystem::path& project,

@@ -172,7 +172,28 @@ class Search {
     return 0;
   }
 
+  // Each pin that the printer had still leads to the header, at the same position.
+  void check_printer(const Board& board) {
+    try {
+      const std::vector<Wire> wires = wires_of(project_, board);
+      for (const files::Row& row : files::read_table(project_ / "boards" / board.printer)) {
+        if (row.at("header_pin").empty()) continue;
+        const auto wire = std::ranges::find(wires, row.at("pin"), &Wire::fpga_pin);
+        if (wire == wires.end()) {
+          say(fmt::format("{}: nothing leads to {} of the printer, position {}", board.name,
+                          row.at("signal"), row.at("header_pin")));
+        } else if (fmt::format("{}", wire->position) != row.at("header_pin")) {
+          say(fmt::format("{}: {} is at position {}, where the printer has {} at {}", board.name,
+                          wire->port, wire->position, row.at("signal"), row.at("header_pin")));
+        }
+      }
+    } catch (const std::exception& error) {
+      say(error.what());
+    }
+  }
+
   void check_board(const Board& board) {
+    if (!board.printer.empty()) return check_printer(board);
     std::set<std::string> connected;
     const auto& nets = description_.header.nets;
     try {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string_view>
 
 #include "tools/wiring/drawing.hpp"
 #include "tools/wiring/outputs.hpp"
@@ -54,16 +56,24 @@ const Wire* wire_of(const std::vector<Wire>& wires, const std::string& port) {
 
 class Picture {
  public:
-  Picture(const Description& description, const Board& board, const std::vector<Wire>& wires)
-      : description_(description), board_(board), wires_(wires), drawing_(page_width, height()) {}
+  Picture(const Description& description, const Board& board, const std::vector<Wire>& wires,
+          const PrinterSignals& printer_signals)
+      : description_(description),
+        board_(board),
+        wires_(wires),
+        printer_signals_(printer_signals),
+        nets_(nets()),
+        drawing_(page_width, height()) {}
 
   std::string draw() {
     const bool is_header = board_.pattern.empty();
     drawing_.text({2, 2.5}, fmt::format("{}, header {}", board_.title, board_.header),
                   {.size = 14, .is_bold = true});
     drawing_.text({2, 4.2},
-                  is_header ? "By ribbon cable to J1 of the interface board, position to position."
-                            : "By single wires to J1 of the interface board.",
+                  !board_.printer.empty() ? "To the electronics of the printer, as in 2012."
+                  : is_header
+                      ? "By ribbon cable to J1 of the interface board, position to position."
+                      : "By single wires to J1 of the interface board.",
                   {});
     drawing_.text({2, 5.5}, "Nothing tolerates 5 V. Check supply and ground with a meter first.",
                   {.color = "#a00"});
@@ -75,8 +85,29 @@ class Picture {
  private:
   bool is_elsewhere(const Wire& wire) const { return wire.position == 0 && !wire.is_on_cable; }
   // On the header, but of an adapter.
-  bool is_unused(const Wire& wire) const {
-    return std::ranges::count(description_.header.nets, wire.port) == 0;
+  bool is_unused(const Wire& wire) const { return std::ranges::count(nets_, wire.port) == 0; }
+  // By position: the interface board's, or what the board itself has there.
+  std::vector<std::string> nets() const {
+    std::vector<std::string> list = description_.header.nets;
+    if (board_.printer.empty()) return list;
+    for (std::string& net : list) {
+      if (!is_supply(net)) net.clear();
+    }
+    for (const Wire& wire : wires_) {
+      if (wire.position != 0) list.at(static_cast<std::size_t>(wire.position) - 1) = wire.port;
+    }
+    return list;
+  }
+  Destination destination(const std::string& net, const Wire* wire) const {
+    // RESET has the place of ENABLE.
+    constexpr std::string_view reset = "motor_reset_n", enable = "motor_enable_n";
+    const std::string twin =
+        net.starts_with(reset) ? std::string(enable) + net.substr(reset.size()) : net;
+    Destination found = destination_of(description_, twin);
+    if (board_.printer.empty() || wire == nullptr) return found;
+    const auto signal = printer_signals_.find(wire->fpga_pin);
+    found.words = signal == printer_signals_.end() ? "not there in 2012" : signal->second;
+    return found;
   }
   std::vector<const Wire*> others() const {
     std::vector<const Wire*> list;
@@ -86,7 +117,7 @@ class Picture {
     return list;
   }
   double main_rows() const {
-    const auto positions = description_.header.nets.size();
+    const auto positions = nets_.size();
     return static_cast<double>(board_.pattern.empty() ? positions / 2 : positions);
   }
   double height() const {
@@ -97,27 +128,27 @@ class Picture {
   void draw_header() {
     const double middle = page_width / 2;
     drawing_.rectangle({middle - 3, head_height - 1}, {6, row_height * main_rows() + 0.6}, "#eee");
-    for (std::size_t i = 0; i < description_.header.nets.size(); ++i) {
+    for (std::size_t i = 0; i < nets_.size(); ++i) {
       const int position = static_cast<int>(i) + 1;
       const bool is_left = position % 2 == 1;
       const double side = is_left ? -1 : 1,
                    y = head_height + row_height * static_cast<double>(i / 2);
-      const std::string& net = description_.header.nets[i];
+      const std::string& net = nets_[i];
       const Wire* wire = wire_of(wires_, net);
-      const Destination destination = destination_of(description_, net);
+      const Destination to = destination(net, wire);
+      const bool is_5_volts = std::ranges::count(description_.header.unconnected, position) != 0;
       drawing_.begin_group(attributes(position, net, wire));
-      drawing_.circle({middle + side * 1.4, y}, 0.75, destination.color);
-      drawing_.text({middle + side * 1.4, y + 0.35}, fmt::format("{}", position),
-                    {.anchor = Anchor::middle,
-                     .size = 8,
-                     .color = destination.color == "#fff" ? "#222" : "white"});
-      drawing_.line({{middle + side * 2.2, y}, {middle + side * 4, y}}, destination.color, 2);
+      drawing_.circle({middle + side * 1.4, y}, 0.75, to.color);
+      drawing_.text(
+          {middle + side * 1.4, y + 0.35}, fmt::format("{}", position),
+          {.anchor = Anchor::middle, .size = 8, .color = to.color == "#fff" ? "#222" : "white"});
+      drawing_.line({{middle + side * 2.2, y}, {middle + side * 4, y}}, to.color, 2);
       const std::string pin =
           wire == nullptr ? "" : fmt::format(" ({} {})", wire->signal, wire->fpga_pin);
       const Anchor anchor = is_left ? Anchor::end : Anchor::start;
-      drawing_.text({middle + side * 4.5, y}, (net.empty() ? "5 V" : net) + pin,
+      drawing_.text({middle + side * 4.5, y}, (is_5_volts ? "5 V" : net) + pin,
                     {.anchor = anchor, .size = 9, .is_bold = true});
-      drawing_.text({middle + side * 4.5, y + 0.85}, destination.words,
+      drawing_.text({middle + side * 4.5, y + 0.85}, to.words,
                     {.anchor = anchor, .size = 8, .color = "#555"});
       drawing_.end_group();
     }
@@ -126,12 +157,12 @@ class Picture {
   // In the order of the positions at the interface board.
   void draw_cable() {
     constexpr double left = 18, right = 44;
-    for (std::size_t i = 0; i < description_.header.nets.size(); ++i) {
+    for (std::size_t i = 0; i < nets_.size(); ++i) {
       const int position = static_cast<int>(i) + 1;
       const double y = head_height + row_height * static_cast<double>(i);
-      const std::string& net = description_.header.nets[i];
+      const std::string& net = nets_[i];
       const Wire* wire = wire_of(wires_, net);
-      const Destination destination = destination_of(description_, net);
+      const Destination to = destination(net, wire);
       drawing_.begin_group(attributes(position, net, wire));
       const std::string from =
           wire != nullptr ? fmt::format("{} ({})", printed_name(wire->signal), wire->fpga_pin)
@@ -140,22 +171,23 @@ class Picture {
                           : "";
       if (!from.empty()) {
         drawing_.text({left, y + 0.35}, from, {.anchor = Anchor::end, .size = 9, .is_bold = true});
-        drawing_.line({{left + 0.8, y}, {right - 1.6, y}}, destination.color, 2);
+        drawing_.line({{left + 0.8, y}, {right - 1.6, y}}, to.color, 2);
       }
-      drawing_.circle({right - 0.8, y}, 0.75, destination.color);
-      drawing_.text({right - 0.8, y + 0.35}, fmt::format("{}", position),
-                    {.anchor = Anchor::middle,
-                     .size = 8,
-                     .color = destination.color == "#fff" ? "#222" : "white"});
+      drawing_.circle({right - 0.8, y}, 0.75, to.color);
+      drawing_.text(
+          {right - 0.8, y + 0.35}, fmt::format("{}", position),
+          {.anchor = Anchor::middle, .size = 8, .color = to.color == "#fff" ? "#222" : "white"});
       drawing_.text({right + 1, y + 0.35}, net, {.size = 9, .is_bold = true});
-      drawing_.text({right + 16, y + 0.35}, destination.words, {.size = 9, .color = "#555"});
+      drawing_.text({right + 16, y + 0.35}, to.words, {.size = 9, .color = "#555"});
       drawing_.end_group();
     }
   }
 
   void draw_others() {
     const double top = head_height + row_height * (main_rows() + 1.5);
-    drawing_.text({2, top - row_height}, "Not on the interface board:", {.is_bold = true});
+    drawing_.text({2, top - row_height},
+                  board_.printer.empty() ? "Not on the interface board:" : "Not on the header:",
+                  {.is_bold = true});
     const std::vector<const Wire*> list = others();
     for (std::size_t i = 0; i < list.size(); ++i) {
       const Wire& wire = *list[i];
@@ -171,14 +203,16 @@ class Picture {
   const Description& description_;
   const Board& board_;
   const std::vector<Wire>& wires_;
+  const PrinterSignals& printer_signals_;
+  const std::vector<std::string> nets_;
   Drawing drawing_;
 };
 
 }  // namespace
 
 std::string wiring_picture(const Description& description, const Board& board,
-                           const std::vector<Wire>& wires) {
-  return Picture(description, board, wires).draw();
+                           const std::vector<Wire>& wires, const PrinterSignals& printer_signals) {
+  return Picture(description, board, wires, printer_signals).draw();
 }
 
 std::map<std::filesystem::path, std::string> outputs_of(const std::filesystem::path& project,
@@ -190,8 +224,8 @@ std::map<std::filesystem::path, std::string> outputs_of(const std::filesystem::p
       {folder / "schematic.md", schematic_page(description)},
       {folder / "schematic.svg", schematic_picture(description)}};
   for (const Board& board : description.boards) {
-    outputs[std::filesystem::path("boards") / board.name / "wiring.svg"] =
-        wiring_picture(description, board, wires_of(project, board));
+    outputs[std::filesystem::path("boards") / board.name / "wiring.svg"] = wiring_picture(
+        description, board, wires_of(project, board), printer_signals_of(project, board));
   }
   return outputs;
 }
