@@ -49,8 +49,13 @@ Progress ActiveCommand::refuse(std::string_view reason) {
 }
 
 Progress ActiveCommand::refuse(const ArgumentLimit& violated) {
-  const auto line = describe(command, violated);
-  return violated.check == Check::tool ? refuse(line) : refuse(line.view());
+  auto line = describe(command, violated);
+  return violated.check == Check::tool ? refuse(line) : refuse_for(line);
+}
+
+Progress ActiveCommand::refuse_for(host_link::TextLine& line) {
+  host_link::add_refused_command(line, text);
+  return refuse(line);
 }
 
 Progress ActiveCommand::report_not_fitted() {

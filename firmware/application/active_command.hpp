@@ -96,6 +96,8 @@ class ActiveCommand : public Reply {
   // Not inlined, or their lines would lie on the stack below each handler.
   [[gnu::noinline]] Progress refuse(std::string_view reason);
   [[gnu::noinline]] Progress refuse(const ArgumentLimit& violated);
+  // `line` is "echo:" and the reason; a second line for it would need as much stack again.
+  [[gnu::noinline]] Progress refuse_for(host_link::TextLine& line);
   [[gnu::noinline]] Progress refuse_unknown();
   // "echo:M906 not fitted"; G-codes would have moved, so they are refused.
   [[gnu::noinline]] Progress report_not_fitted();

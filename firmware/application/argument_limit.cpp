@@ -43,6 +43,7 @@ const ArgumentLimit* violated(const gcode::Command& command, ArgumentLimits limi
 
 host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit& limit) {
   host_link::TextLine line;
+  line.text("echo:");
   if (!command.has(limit.letter)) {
     line.text("Parameter ").character(limit.letter).text(" missing");
     return line;
@@ -58,7 +59,7 @@ host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit&
       line.text(" to ").integer(limit.most);
       break;
     case Check::tool:
-      line.text("echo:").character(command.letter).integer(command.code);
+      line.character(command.letter).integer(command.code);
       line.text(" Invalid extruder ");
       line.integer(command.integer(limit.letter).value_or(0));
       break;

@@ -17,16 +17,18 @@ using units::index_of;
 constexpr units::Nanometers longest_extrusion{200'000'000};
 
 // "Move beyond the end of X (0.00 to 200.00)", of the nozzle in use.
-host_link::TextLine beyond(Axis axis, units::Nanometers travel, units::Nanometers offset) {
+// Not inlined, or its line would lie on the stack below other refusals.
+[[gnu::noinline]] Progress refuse_beyond(ActiveCommand& command, Axis axis,
+                                         units::Nanometers travel, units::Nanometers offset) {
   host_link::TextLine line;
-  line.text("Move beyond the end of ").character(units::axis_letters[index_of(axis)]);
+  line.text("echo:Move beyond the end of ").character(units::axis_letters[index_of(axis)]);
   if (units::most_tools == 1) {
     line.text(" (0.00 to ");
   } else {
     line.text(" (").decimal(offset.count(), 6, 2).text(" to ");
   }
   line.decimal((travel + offset).count(), 6, 2).character(')');
-  return line;
+  return command.refuse_for(line);
 }
 
 }  // namespace
@@ -185,7 +187,7 @@ std::optional<Progress> MotionCommands::refuse_beyond_limits(ActiveCommand& comm
   if (!representable(machine)) return command.refuse("Number out of range");
   if (const auto axis = axis_out_of_bounds(machine)) {
     const units::Nanometers offset = coordinates_.tool_offset(index_of(*axis));
-    return command.refuse(beyond(*axis, motion_.limits().of(*axis).travel, offset).view());
+    return refuse_beyond(command, *axis, motion_.limits().of(*axis).travel, offset);
   }
   return std::nullopt;
 }

@@ -21,11 +21,11 @@ void add_heater(TextLine& line, std::string_view name, const HeaterState& heater
       .decimal(heater.target.count(), millicelsius_digits, places);
 }
 
+}  // namespace
+
 void add_refused_command(TextLine& line, std::string_view command) {
   line.text(", not executed: \"").text(command).character('"');
 }
-
-}  // namespace
 
 TextLine temperature_report(const HeaterState& hotend, const HeaterState& bed) {
   units::EventBound<units::Event::long_digit, 0> numbers;

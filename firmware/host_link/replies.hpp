@@ -70,6 +70,8 @@ TextLine unknown_command(std::string_view command);
 TextLine not_executed(std::string_view reason, std::uint32_t position, std::string_view command);
 // echo:Move beyond the end of X, not executed: "G1 X900"
 TextLine not_executed(std::string_view reason, std::string_view command);
+// The second half of it, behind "echo:" and the reason.
+void add_refused_command(TextLine& line, std::string_view command);
 // Error:Printer halted. kill() called! (the last words after M112: hosts disconnect on it)
 inline constexpr std::string_view halted = "Error:Printer halted. kill() called!";
 

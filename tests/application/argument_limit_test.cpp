@@ -25,7 +25,7 @@ std::string refusal(std::string_view line, application::ArgumentLimits limits) {
 TEST(argument_limit, refuses_what_is_out_of_range_with_letter_and_range) {
   constexpr ArgumentLimit limits[]{
       {.letter = 'S', .check = Check::refused, .least = -2, .most = 30}};
-  constexpr const char* text = "S not within -2 to 30";
+  constexpr const char* text = "echo:S not within -2 to 30";
   EXPECT_EQ(refusal("M1000 S-3", limits), text);
   EXPECT_EQ(refusal("M1000 S31", limits), text);
   EXPECT_EQ(refusal("M1000 S", limits), text);
@@ -37,15 +37,15 @@ TEST(argument_limit, refuses_what_is_out_of_range_with_letter_and_range) {
 TEST(argument_limit, refuses_a_letter_that_lacks_its_number) {
   constexpr ArgumentLimit limits[]{{.letter = 'X', .check = Check::number},
                                    {.letter = 'Y', .check = Check::number}};
-  EXPECT_EQ(refusal("G1 X1 Y", limits), "Number missing after Y");
-  EXPECT_EQ(refusal("G1 X Y", limits), "Number missing after X");
+  EXPECT_EQ(refusal("G1 X1 Y", limits), "echo:Number missing after Y");
+  EXPECT_EQ(refusal("G1 X Y", limits), "echo:Number missing after X");
   EXPECT_EQ(refusal("G1 X1 Z", limits), "");
 }
 
 TEST(argument_limit, refuses_a_command_that_lacks_what_it_requires) {
   constexpr ArgumentLimit limits[]{{.letter = 'R', .check = Check::number, .required = true}};
-  EXPECT_EQ(refusal("G2 X1", limits), "Parameter R missing");
-  EXPECT_EQ(refusal("G2 X1 R", limits), "Number missing after R");
+  EXPECT_EQ(refusal("G2 X1", limits), "echo:Parameter R missing");
+  EXPECT_EQ(refusal("G2 X1 R", limits), "echo:Number missing after R");
   EXPECT_EQ(refusal("G2 X1 R5", limits), "");
 }
 
