@@ -36,8 +36,11 @@ struct TaskRow {
   std::string_view reason;  // of the deadline
 };
 
-// M112 has stopped motion and heat after this time, however much waits before it. What must be
-// faster has the emergency stop input, which is hardware and needs no program.
+// M112 has stopped motion and heat after this time at the slowest clock, however many lines come
+// before it. What must be faster has the emergency stop input, which is hardware and needs no
+// program.
+inline constexpr units::Milliseconds stop_by_host_within{1500};
+// Faults that software alone detects; stops are settled.
 inline constexpr units::Milliseconds stop_within{1000};
 
 inline constexpr std::array<TaskRow, units::task_count> task_table{{
@@ -122,6 +125,7 @@ static_assert([] {
   for (std::size_t i = 0; i < task_table.size(); ++i) {
     if (static_cast<std::size_t>(task_table[i].task) != i) return false;
     if (task_table[i].priority != i + 1) return false;
+    if (!task_table[i].name.starts_with(units::task_names[i])) return false;
   }
   return true;
 }());
@@ -161,6 +165,7 @@ struct ScheduleFacts {
   std::uint64_t unanswered_lines = host_link::LineQueue::capacity + 1;
   std::uint64_t busy_message_bytes = host_link::HostLink::longest_busy_message;
   std::uint64_t busy_lead_ms = host_link::HostLink::busy_lead.count();
+  std::uint64_t stop_by_host_within_ms = stop_by_host_within.count();
   std::uint64_t stop_within_ms = stop_within.count();
   // The loop's sleep.
   std::uint64_t sleep_ms = task_timing::sleep_at_rest.count();

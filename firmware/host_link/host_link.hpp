@@ -97,7 +97,7 @@ class HostLink {
   // a busy message, if nothing else. It comes such a part of that before its time, since passes of
   // the loop and the line take some.
   static constexpr units::Milliseconds longest_silence{2000};
-  static constexpr std::int64_t busy_lead_part = 4;
+  static constexpr std::int64_t busy_lead_part = 2;
   static constexpr units::Milliseconds busy_lead{longest_silence.count() / busy_lead_part};
   static constexpr std::size_t longest_busy_message = 28;  // with its end
 

@@ -68,7 +68,7 @@ TEST(pace, a_factor_in_a_job_holds_for_the_lines_behind_it) {
   EXPECT_NEAR(way(printer, 8), 80, 1);
   printer.run(1.2);
   EXPECT_NEAR(way(printer, 2), 10, 0.2);
-  printer.run(1.8);
+  printer.run(1.88);
   EXPECT_NEAR(way(printer, 0.8), 16, 0.3);
   job.line("M400");
   EXPECT_EQ(printer.chip.position[x], 11'200);

@@ -116,7 +116,9 @@ TEST(parser_properties, reads_back_what_was_written) {
   Random random(3);
   for (int round = 0; round < 50'000; ++round) {
     const Written written = write_command(random);
-    if (written.line.size() > units::longest_text) continue;  // no longer line is parsed
+    if (written.line.size() > units::longest_text) {
+      continue;  // no longer line is parsed
+    }
     const auto command = parse(written.line);
     ASSERT_TRUE(command.has_value()) << written.line << ": " << describe(command.error());
     ASSERT_TRUE(command->is(written.letter, static_cast<std::uint16_t>(written.code)))

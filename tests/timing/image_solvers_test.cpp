@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All functions of the firmware: the proved bound, HiGHS in fractions and GLPK in whole numbers
-// are the same.
+// are the same, but for a few whose best fractions are no whole numbers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,6 +22,8 @@ namespace {
 
 // Of sums of some ten thousand columns in floating point.
 constexpr double relative_error = 1e-9;
+// How much of a bound may be owed to fractions.
+constexpr double most_in_fractions = 0.01;
 
 // The clocks of a solution rounded to whole numbers, if it keeps to all rows exactly.
 std::optional<Wide> clocks_in_whole_numbers(const LinearProgram& program,
@@ -45,7 +47,7 @@ TEST(Solvers, agree_on_all_functions_of_the_firmware) {
   Program program = read_program(BUILD_DIRECTORY "/firmware/firmware.elf");
   program.memory_bytes = CHIP_MEMORY_BYTES;
   Analysis analysis(program, Costs{processor::TimingTable()}, CHIP_HAS_ZBB);
-  std::size_t compared = 0, with_facts = 0, most_columns = 0;
+  std::size_t compared = 0, in_fractions = 0, with_facts = 0, most_columns = 0;
   for (const auto& [function, symbol] : program.symbols) {
     const auto bound = symbol.size != 0 ? analysis.bound(function) : std::nullopt;
     if (!bound) continue;
@@ -56,17 +58,26 @@ TEST(Solvers, agree_on_all_functions_of_the_firmware) {
     const double error = std::max(1.0, clocks) * relative_error;
     const Solution first = solve(linear);
     ASSERT_EQ(first.kind, Solution::Kind::optimal) << symbol.name;
+    const auto second = optimum_in_integers(linear);
+    ASSERT_TRUE(second) << symbol.name;
+    ++compared;
+    if (std::abs(first.clocks - std::round(first.clocks)) > error) {
+      // The bound is this without its fraction; no path takes as long, but one nearly so.
+      EXPECT_EQ(static_cast<double>(*bound), std::floor(first.clocks)) << symbol.name;
+      EXPECT_LE(*second, clocks + error) << symbol.name;
+      EXPECT_GE(*second, clocks * (1 - most_in_fractions)) << symbol.name;
+      ++in_fractions;
+      continue;
+    }
     EXPECT_NEAR(first.clocks, clocks, error) << symbol.name;
     // So the bound is the least: a path of the program takes as long.
     EXPECT_TRUE(clocks_in_whole_numbers(linear, first.passes) == Wide{*bound}) << symbol.name;
-    const auto second = optimum_in_integers(linear);
-    ASSERT_TRUE(second) << symbol.name;
     EXPECT_NEAR(*second, clocks, error) << symbol.name;
-    ++compared;
     with_facts += networks->facts.empty() ? 0U : 1U;
     most_columns = std::max(most_columns, linear.columns.size());
   }
   EXPECT_GT(compared, 250U);
+  EXPECT_LE(in_fractions, 3U);
   fmt::print("{} functions, {} of them with facts; up to {} columns\n", compared, with_facts,
              most_columns);
 }

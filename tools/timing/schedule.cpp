@@ -164,7 +164,7 @@ Response Situation::response(Requirement requirement) const {
       return within(sign_of_life(), at_most(facts_.busy_lead_ms));
     case Requirement::stop_by_host:
       return within(served(Task::serial_line, facts_.unanswered_lines),
-                    at_most(facts_.stop_within_ms));
+                    at_most(facts_.stop_by_host_within_ms));
     case Requirement::emergency_stop:
       return within(served(Task::faults, 1), at_most(facts_.stop_within_ms));
     case Requirement::motion_watchdog:
