@@ -11,6 +11,7 @@
 #include "tools/command/exit_status.hpp"
 #include "tools/command/output.hpp"
 #include "tools/command/task_times.hpp"
+#include "tools/command/worst_inputs_job.hpp"
 #include "tools/timing/report.hpp"
 #include "tools/timing/schedule_report.hpp"
 
@@ -39,6 +40,14 @@ void add_options(CLI::App& app, TimingOptions& options) {
       ->check(CLI::Range(0.1, 100'000.0))
       ->capture_default_str()
       ->needs(tasks);
+  CLI::Option* const search =
+      job.add_option("--search", options.inputs,
+                     "co-simulate so many inputs of a host, bred to make the tasks take long, and "
+                     "list the longest time of each with its input")
+          ->check(CLI::PositiveNumber)
+          ->excludes(functions)
+          ->excludes(tasks);
+  job.add_option("--seed", options.seed, "of the search")->capture_default_str()->needs(search);
   job.footer(
       R"(Clocks from the first instruction to the return, with all that is called, without sleep.
 A function without a bound is listed with the place, the reason and a remedy.
@@ -64,6 +73,16 @@ int tasks_of(const timing::Program& program, const timing::Costs& costs,
   return holds && sum.differences() == 0 ? success : failure;
 }
 
+int search(const timing::Program& program, const timing::Costs& costs,
+           const TimingOptions& options) {
+  const WorstInputs found = search_worst_inputs(program, costs, options.inputs, options.seed);
+  say("{}", options.json ? to_json(found) : to_text(found));
+  const bool holds = std::ranges::all_of(found.rows, [](const timing::TaskRow& row) {
+    return row.bound && row.measured.longest <= *row.bound + between_tasks;
+  });
+  return holds ? success : failure;
+}
+
 int schedule_of(const timing::Program& program, const timing::Costs& costs, bool json) {
   const auto& machine = machine::machine;
   const auto schedule =
@@ -80,6 +99,7 @@ int timing_of(const TimingOptions& options) {
   program.memory_bytes = CHIP_MEMORY_BYTES;
   const timing::Costs costs{processor::TimingTable()};
   if (options.schedule) return schedule_of(program, costs, options.json);
+  if (options.inputs != 0) return search(program, costs, options);
   if (!options.tasks.empty()) return tasks_of(program, costs, options);
   const auto rows = timing::bounds(program, costs, CHIP_HAS_ZBB, options.functions);
   say("{}", options.json ? timing::to_json(rows) : timing::to_text(rows));

@@ -2,6 +2,7 @@
 // `timing`: bounds of the execution times of the firmware's functions.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct TimingOptions {
   std::filesystem::path tasks;  // the print in which they are measured; empty: none
   bool schedule = false;
   double seconds = 20;  // of that print
+  std::uint64_t inputs = 0;  // to be searched for bad ones; 0: no search
+  std::uint64_t seed = 1;
 };
 
 // Adds the job to the program.

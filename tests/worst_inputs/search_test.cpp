@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search finds what is bad, the same with the same seed, within the limits of an input.
+#include "tools/worst_inputs/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace worst_inputs {
+namespace {
+
+std::string joined(const SerialInput& input) {
+  std::string bytes;
+  for (const Piece& piece : input) bytes += piece.bytes;
+  return bytes;
+}
+
+// As if the first task took long for digits, the last one for pauses.
+Slices of_digits_and_pauses(const SerialInput& input) {
+  Slices slices{};
+  const std::string bytes = joined(input);
+  slices.front() = static_cast<std::uint32_t>(
+      std::ranges::count_if(bytes, [](char byte) { return byte >= '0' && byte <= '9'; }));
+  for (const Piece& piece : input) slices.back() += piece.pause_us / 1'000;
+  return slices;
+}
+
+TEST(Search, finds_worse_inputs_than_chance) {
+  constexpr int steps = 3'000;
+  Search search(1, of_digits_and_pauses);
+  Breeder chance(1);
+  std::uint32_t by_chance = 0;
+  for (int i = 0; i < steps; ++i) {
+    search.step();
+    by_chance = std::max(by_chance, of_digits_and_pauses(chance.random()).front());
+  }
+  EXPECT_EQ(search.inputs(), static_cast<std::uint64_t>(steps));
+  EXPECT_GT(search.worst(0).clocks, by_chance + by_chance / 4);
+  EXPECT_EQ(of_digits_and_pauses(search.worst(0).input).front(), search.worst(0).clocks);
+  EXPECT_GT(search.worst(units::task_count - 1).clocks, 60U);
+}
+
+TEST(Search, is_the_same_with_the_same_seed) {
+  Search one(7, of_digits_and_pauses), same(7, of_digits_and_pauses),
+      other(8, of_digits_and_pauses);
+  for (int i = 0; i < 200; ++i) {
+    for (Search* search : {&one, &same, &other}) search->step();
+  }
+  EXPECT_EQ(one.worst(0).input, same.worst(0).input);
+  EXPECT_NE(one.worst(0).input, other.worst(0).input);
+}
+
+TEST(Search, keeps_the_worst_of_each_task) {
+  std::uint32_t calls = 0, longest = 0;
+  Search search(1, [&](const SerialInput&) {
+    Slices slices{};
+    slices[3] = ++calls * 7'919 % 1'000;
+    longest = std::max(longest, slices[3]);
+    return slices;
+  });
+  for (int i = 0; i < 100; ++i) {
+    search.step();
+    EXPECT_EQ(search.worst(3).clocks, longest);
+  }
+}
+
+TEST(Breeder, keeps_to_the_longest_input_and_reaches_every_command) {
+  Breeder breeder(3);
+  SerialInput input = breeder.random();
+  std::set<std::string> words;
+  for (int i = 0; i < 20'000; ++i) {
+    input = breeder.one_in(20)  ? breeder.random()
+            : breeder.one_in(5) ? breeder.crossed(input, breeder.random())
+                                : breeder.changed(input);
+    ASSERT_FALSE(input.empty());
+    ASSERT_LE(bytes_of(input), most_bytes);
+    for (const Piece& piece : input) ASSERT_FALSE(piece.bytes.empty());
+    const std::string bytes = joined(breeder.random());
+    words.insert(bytes.substr(0, bytes.find_first_of(" \nXYZEFSPTIJKRDLNWOHABCMQUV-*(", 1)));
+  }
+  for (const char* word : {"G1", "G2", "G28", "M105", "M503", "M112", "M999", "T0"}) {
+    EXPECT_TRUE(words.contains(word)) << word;
+  }
+}
+
+TEST(SerialInput, is_shown_on_one_line) {
+  EXPECT_EQ(text_of({{.pause_us = 0, .bytes = "G1\n"}, {.pause_us = 250, .bytes = "M\x07\xff"}}),
+            "G1\\n <250 us> M\\x07\\xff");
+}
+
+}  // namespace
+}  // namespace worst_inputs

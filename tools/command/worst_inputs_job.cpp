@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/command/worst_inputs_job.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/command/build.hpp"
+#include "tools/command/printer_setup.hpp"
+#include "tools/command/progress.hpp"
+#include "tools/command/signals.hpp"
+#include "tools/command/task_times.hpp"
+#include "tools/worst_inputs/search.hpp"
+
+namespace command {
+
+WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
+                                std::uint64_t inputs, std::uint64_t seed) {
+  timing::Analysis analysis(program, costs, CHIP_HAS_ZBB);
+  WorstInputs found;
+  found.rows = timing::task_rows(program, analysis);
+  found.rows.erase(found.rows.begin());  // the pass
+  const sim::ElfImage firmware = sim::read_elf(build_folder() / "firmware" / "firmware.elf");
+  const machine::Description description = description_of({});
+  worst_inputs::Rig rig(firmware, description, tasks_clock_hz);
+  worst_inputs::Search search(
+      seed, [&](const worst_inputs::SerialInput& input) { return rig.measure(input); });
+  while (search.inputs() < inputs) {
+    search.step();
+    end_if_interrupted();
+  }
+  found.inputs = search.inputs();
+  found.resets = rig.resets();
+  for (std::size_t task = 0; task < found.rows.size(); ++task) {
+    const worst_inputs::Found& worst = search.worst(task);
+    found.rows[task].measured = {.longest = worst.clocks, .calls = found.inputs};
+    found.worst.push_back(worst_inputs::text_of(worst.input));
+  }
+  return found;
+}
+
+std::string to_text(const WorstInputs& found) {
+  std::string text = timing::to_text(found.rows, tasks_clock_hz);
+  text += fmt::format("{} inputs, {} resets; the worst input of each task:\n", found.inputs,
+                      found.resets);
+  for (std::size_t task = 0; task < found.rows.size(); ++task) {
+    text += fmt::format("{}: {}\n", found.rows[task].name, found.worst[task]);
+  }
+  return text;
+}
+
+std::string to_json(const WorstInputs& found) {
+  auto all = nlohmann::json::parse(timing::to_json(found.rows));
+  for (std::size_t task = 0; task < found.rows.size(); ++task) {
+    all["tasks"][task]["input"] = found.worst[task];
+  }
+  all["inputs"] = found.inputs;
+  all["resets"] = found.resets;
+  return all.dump(2) + "\n";
+}
+
+}  // namespace command

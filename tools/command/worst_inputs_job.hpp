@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A search for inputs of the host that make the tasks of the firmware's main loop take long.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/timing/tasks.hpp"
+
+namespace command {
+
+struct WorstInputs {
+  std::uint64_t inputs{};
+  std::uint64_t resets{};  // of the printer, where an input had stopped it
+  std::vector<timing::TaskRow>
+      rows;  // the tasks, without the pass; measured by the firmware itself
+  std::vector<std::string> worst;  // by task, readable
+};
+
+// Co-simulates so many inputs, one after the other, on one printer. The same seed finds the same.
+WorstInputs search_worst_inputs(const timing::Program& program, const timing::Costs& costs,
+                                std::uint64_t inputs, std::uint64_t seed);
+
+// What a task was measured to take is at most this longer than its bound allows: the firmware's own
+// measurement of a task begins where that of the task before has read the timer.
+inline constexpr timing::Clocks between_tasks = 100;
+
+std::string to_text(const WorstInputs& found);
+std::string to_json(const WorstInputs& found);
+
+}  // namespace command

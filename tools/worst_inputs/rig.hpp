@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chip with its firmware, which measures its tasks itself, on a simulated printer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/machine/printer.hpp"
+#include "sim/simulation/elf_image.hpp"
+#include "sim/simulation/verilated_chip.hpp"
+#include "tools/worst_inputs/serial_input.hpp"
+#include "units/task_span.hpp"
+
+namespace worst_inputs {
+
+// In clocks, by task.
+using Slices = std::array<std::uint32_t, units::task_count>;
+
+class Rig {
+ public:
+  // The heaters are warm. The description must outlive the rig.
+  Rig(const sim::ElfImage& firmware, const machine::Description& description,
+      std::uint32_t clock_hz);
+
+  // The longest time of each task from the first byte of the input on, until nothing of it is left
+  // to be done, or for a while. The printer stays as it then is; after a halt, or where it would
+  // not go on soon, it is reset.
+  Slices measure(const SerialInput& input);
+
+  std::uint64_t resets() const { return resets_; }
+
+ private:
+  std::uint32_t word(std::uint32_t index) const;
+  bool is_idle();
+  void run_for(double seconds);
+  bool settle();
+  void reset();
+
+  const sim::ElfImage& firmware_;
+  std::uint32_t statistics_;
+  sim::VerilatedChip chip_;
+  sim::Simulation simulation_;
+  machine::Printer printer_;
+  std::uint64_t resets_ = 0;
+};
+
+}  // namespace worst_inputs
