@@ -53,6 +53,7 @@ Application::Application(const MachineDescription& machine, const ThermalTables&
     : machine_(machine),
       hardware_(hardware),
       counters_(counters),
+      task_watch_(hardware.timer, counters.tasks),
       clock_(hardware.identity.clock),
       motion_(machine, hardware.identity.clock, hardware.step_generator, hardware.end_stops, parts),
       heat_(machine, tables, hardware.identity.clock, hardware.temperature_converter,

@@ -16,6 +16,7 @@
 #include "application/motion_task.hpp"
 #include "application/statistics.hpp"
 #include "application/task_timing.hpp"
+#include "application/task_watch.hpp"
 #include "application/tick_clock.hpp"
 #include "host_link/host_link.hpp"
 #include "units/task_span.hpp"
@@ -56,11 +57,13 @@ class Application {
   void set_alarms();
   static constexpr std::size_t most_bytes = task_timing::bytes_of_a_look;
   void exchange_bytes(Now now);
-  void receive(Now now);
+  [[gnu::noinline]] void receive(Now now);
   void transmit();
   void act_on_emergencies();
   void note_cooling(Now now);
   void look_for_faults();
+  template <units::Task task, class Work>
+  auto run(const Work& work);
   void report(Now now);
   // Not inlined, or their lines would lie on the stack below each task.
   [[gnu::noinline]] void say_temperatures();
@@ -74,6 +77,7 @@ class Application {
   const MachineDescription& machine_;
   Hardware& hardware_;
   Statistics& counters_;
+  TaskWatch task_watch_;
   TickClock clock_;
   MotionTask motion_;
   HeatTask heat_;

@@ -23,12 +23,6 @@ constexpr auto needs = [] {
   return parts;
 }();
 
-template <Task task, class Work>
-auto run(const Work& work) {
-  const units::TaskSpan<task> span;
-  return work();
-}
-
 // What a task says: the queue's bytes, and the texts that they come from.
 struct WordsBound {
   units::EventBound<units::Event::byte_queued, host_link::TransmitQueue::capacity> bytes;
@@ -38,15 +32,27 @@ struct WordsBound {
 
 }  // namespace
 
+template <units::Task task, class Work>
+auto Application::run(const Work& work) {
+  struct Slice {
+    ~Slice() { watch.end(task); }
+    TaskWatch& watch;
+  };
+  const units::TaskSpan<task> span;
+  const Slice slice{task_watch_};
+  return work();
+}
+
 bool Application::update() {
   const units::Cycles began = hardware_.timer.now();
+  task_watch_.begin_pass(began);
   const Now now = clock_.update(began);
   bool more = false;
   if (halted_) {
-    run<Task::serial_line>([&] {
-      serve_halted(now);
-      transmit();
-    });
+    serve_halted(now);
+    transmit();
+    // No task's time: nothing waits for any.
+    task_watch_.begin_pass(hardware_.timer.now());
   } else {
     run<Task::motion>([&] { motion_.update(now); });
     more = work(now);

@@ -25,7 +25,7 @@ CommandExecutor::CommandExecutor(const MachineDescription& machine, MotionTask& 
     : motion_(motion),
       link_(link),
       counters_(counters),
-      groups_(machine, motion, heat, fan, link, filament),
+      groups_(machine, motion, heat, fan, link, counters, filament),
       active_(link),
       query_(link) {}
 

@@ -25,7 +25,8 @@ namespace application {
 
 struct CommandGroups {
   CommandGroups(const MachineDescription& machine, MotionTask& motion_task, HeatTask& heat_task,
-                drivers::Fan& fan, host_link::HostLink& link, FilamentCommands* filament)
+                drivers::Fan& fan, host_link::HostLink& link, const Statistics& counters,
+                FilamentCommands* filament)
       : motion(motion_task, heat_task, coordinates),
         retraction(motion_task, heat_task, motion, coordinates),
         places(motion_task, motion, coordinates),
@@ -35,7 +36,7 @@ struct CommandGroups {
         shaping(motion_task),
         factors(motion_task, coordinates),
         heat(heat_task, fan, timer),
-        reports(machine, motion_task, heat_task, coordinates),
+        reports(machine, motion_task, heat_task, coordinates, counters),
         host(link, machine.host_silence),
         levelling(motion_task, coordinates),
         filament_(filament) {

@@ -93,6 +93,18 @@ Progress ReportCommands::report_end_stops(ActiveCommand& command) {
   return command.say(is_out ? "filament: TRIGGERED" : "filament: open");
 }
 
+// "echo:Task overruns 1:0 2:0 3:1 ...": by their priority.
+Progress ReportCommands::report_tasks(ActiveCommand& command) {
+  host_link::TextLine line;
+  line.text("echo:Task overruns");
+  units::LoopBound<units::task_count> tasks;
+  for (std::uint32_t task = 0; task < units::task_count; ++task) {
+    tasks.next();
+    line.character(' ').integer(task + 1).character(':').integer(counters_.tasks[task].overruns);
+  }
+  return command.say(line);
+}
+
 Progress ReportCommands::set_position_interval(ActiveCommand& command) {
   return set(position_interval_, command);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that report: M105 M114 M115 M119, and how often unasked: M154 M155.
+// The commands that report: M105 M114 M115 M119 M122, and how often unasked: M154 M155.
 #pragma once
 
 #include "application/active_command.hpp"
@@ -7,14 +7,19 @@
 #include "application/heat_task.hpp"
 #include "application/machine_description.hpp"
 #include "application/motion_task.hpp"
+#include "application/statistics.hpp"
 
 namespace application {
 
 class ReportCommands {
  public:
   ReportCommands(const MachineDescription& machine, MotionTask& motion, HeatTask& heat,
-                 const Coordinates& coordinates)
-      : machine_(machine), motion_(motion), heat_(heat), coordinates_(coordinates) {}
+                 const Coordinates& coordinates, const Statistics& counters)
+      : machine_(machine),
+        motion_(motion),
+        heat_(heat),
+        coordinates_(coordinates),
+        counters_(counters) {}
 
   Progress report_temperature(ActiveCommand& command) {
     return say_temperature(command, command.now.milliseconds);
@@ -22,6 +27,7 @@ class ReportCommands {
   Progress report_position(ActiveCommand& command) { return say_position(command); }
   Progress report_firmware(ActiveCommand& command) { return say_firmware(command); }
   Progress report_end_stops(ActiveCommand& command);
+  Progress report_tasks(ActiveCommand& command);
   Progress set_position_interval(ActiveCommand& command);
   Progress set_temperature_interval(ActiveCommand& command);
 
@@ -49,6 +55,7 @@ class ReportCommands {
   MotionTask& motion_;
   HeatTask& heat_;
   const Coordinates& coordinates_;
+  const Statistics& counters_;
   units::Milliseconds position_interval_{};
   units::Milliseconds temperature_interval_{};
 };

@@ -3,14 +3,23 @@
 // the symbol `statistics`.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "units/task_span.hpp"
+
 namespace application {
+
+// Of a task of the main loop, since the reset.
+struct TaskTimes {
+  std::uint32_t longest_clocks{};
+  std::uint32_t overruns{};  // of its budget
+};
 
 // The layout is a contract with the simulation: words only, new ones at the end, and then
 // a new version.
 struct Statistics {
-  static constexpr std::uint32_t current_version = 3;
+  static constexpr std::uint32_t current_version = 4;
 
   std::uint32_t version{};  // word 0; 0 until the firmware has started
   std::uint32_t commands_executed{};  // word 1: G-code commands carried out; not those refused
@@ -30,6 +39,8 @@ struct Statistics {
   // 2 more bytes.
   std::uint32_t accepted_lines{};
   std::uint32_t lines_withdrawn{};  // word 13: accepted, but requested again instead of executed
+  // Words 14 on, two for each task in the order of a pass.
+  std::array<TaskTimes, units::task_count> tasks{};
 };
 
 }  // namespace application

@@ -2,7 +2,9 @@
 // Where a task of the main loop begins and ends: for tools/timing, which bounds and measures it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace units {
 
@@ -19,6 +21,8 @@ enum class Task : std::uint32_t {
   rest
 };
 inline constexpr std::uint32_t task_count = 9;
+inline constexpr std::array<std::string_view, task_count> task_names{
+    "motion", "serial line", "faults", "heat", "planning", "reports", "commands", "refill", "rest"};
 
 // From here to the end of the object. No instruction, only entries in a section that is not loaded.
 template <Task task>

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "firmware/units/task_span.hpp"
+
 namespace report {
 
 namespace {
 
 // Versions of the block that have the words read here.
-constexpr std::uint32_t least_version = 3;
+constexpr std::uint32_t least_version = 4;
 constexpr std::uint32_t ring_slots = 8;
 constexpr std::uint32_t slot_bytes = 136;
 constexpr std::uint32_t text_bytes = 128;
@@ -55,8 +57,18 @@ FirmwareWatch::FirmwareWatch(const sim::ElfImage& firmware, const sim::Chip& chi
   next_wake_ = interval_clocks;
 }
 
-std::uint32_t FirmwareWatch::word(Word which) const {
-  return chip_.read_memory(block_ + 4 * static_cast<std::uint32_t>(which));
+std::uint32_t FirmwareWatch::word(Word which, std::uint32_t behind) const {
+  return chip_.read_memory(block_ + 4 * (static_cast<std::uint32_t>(which) + behind));
+}
+
+std::vector<TaskResult> FirmwareWatch::tasks() const {
+  std::vector<TaskResult> results;
+  for (std::uint32_t task = 0; task < units::task_count; ++task) {
+    results.push_back({.name = std::string(units::task_names[task]),
+                       .longest_clocks = word(Word::tasks, 2 * task),
+                       .overruns = word(Word::tasks, 2 * task + 1)});
+  }
+  return results;
 }
 
 AcceptedLine FirmwareWatch::line(std::uint32_t index) const {

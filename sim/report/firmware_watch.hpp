@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/task_result.hpp"
 #include "sim/simulation/chip.hpp"
 #include "sim/simulation/device.hpp"
 #include "sim/simulation/elf_image.hpp"
@@ -43,6 +44,8 @@ class FirmwareWatch : public sim::Device {
   std::uint64_t commands_executed() const { return word(Word::commands_executed); }
   // Longest time from a wake-up of the processor to its next sleep, in clocks.
   std::uint64_t longest_pass_clocks() const { return word(Word::longest_pass_clocks); }
+  // Of the main loop, in the order of a pass.
+  std::vector<TaskResult> tasks() const;
   // How often the counts had gone on by more than the ring holds: lines were missed.
   std::uint64_t gaps() const { return gaps_; }
   // How often another program has taken the firmware's place.
@@ -65,13 +68,14 @@ class FirmwareWatch : public sim::Device {
     longest_pass_clocks = 11,
     accepted_lines,
     lines_withdrawn,
+    tasks,
   };
   struct CodeWord {
     std::uint32_t address;
     std::uint32_t value;
   };
 
-  std::uint32_t word(Word which) const;
+  std::uint32_t word(Word which, std::uint32_t behind = 0) const;
   AcceptedLine line(std::uint32_t index) const;
   bool is_unchanged(const CodeWord& code) const;
   void compare_some(sim::Clock now);

@@ -16,6 +16,16 @@ void add_heater_row(Page& page, const char* name, const TemperatureResult& heate
       heater.band_c > 0 ? fmt::format("± {:.2f} °C", heater.band_c) : "–");
 }
 
+// "heat 2, commands 1"
+std::string overruns(const Results& results) {
+  std::string text;
+  for (const TaskResult& task : results.tasks) {
+    if (task.overruns == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", task.name, grouped(task.overruns));
+  }
+  return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
 void add_heaters(Page& page, const Results& results) {
@@ -80,6 +90,7 @@ void add_chip(Page& page, const Results& results) {
   row("clocks", grouped(results.cycles));
   row("instructions", grouped(results.instructions));
   row("longest pass of the firmware's loop", grouped(results.longest_pass_clocks) + " clocks");
+  row("its tasks that took longer than their budget", overruns(results));
   row("queue of the step generator, deepest", grouped(results.max_queue_depth));
   row("clocks for which the guard delayed steps", grouped(results.guard_stalls_cycles));
   row("firmware: code and constants", grouped(results.firmware.text_bytes) + " bytes");

@@ -55,6 +55,16 @@ Json messages_json(const Results& results) {
   return messages;
 }
 
+Json tasks_json(const Results& results) {
+  Json tasks = Json::array();
+  for (const TaskResult& task : results.tasks) {
+    tasks.push_back({{"name", task.name},
+                     {"longest_clocks", task.longest_clocks},
+                     {"overruns", task.overruns}});
+  }
+  return tasks;
+}
+
 Json counts_json(const std::array<std::uint64_t, motor_count>& counts, std::size_t motors) {
   Json json;
   for (std::size_t i = 0; i < motors; ++i) json[axis_names[i]] = counts[i];
@@ -141,7 +151,8 @@ std::string to_json(const Results& results) {
   json["processor"] = {{"busy_percent", rounded(results.processor_busy_percent)},
                        {"saturated_seconds", rounded(results.processor_saturated_seconds)},
                        {"instructions", results.instructions},
-                       {"longest_pass_clocks", results.longest_pass_clocks}};
+                       {"longest_pass_clocks", results.longest_pass_clocks},
+                       {"tasks", tasks_json(results)}};
   json["serial"] = {{"bytes_corrupted", results.serial_bytes_corrupted}};
   json["messages"] = messages_json(results);
   json["messages_dropped"] = results.messages_dropped;

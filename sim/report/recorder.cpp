@@ -239,6 +239,7 @@ Results Recorder::results(const sim::ElfImage& firmware) const {
     const FirmwareWatch watch(firmware, chip);
     if (watch.firmware_is_in_memory()) {
       results.longest_pass_clocks = watch.longest_pass_clocks();
+      results.tasks = watch.tasks();
     } else {
       results.firmware.stack_peak_bytes = 0;  // of another program nothing is known
     }

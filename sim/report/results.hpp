@@ -13,6 +13,7 @@
 #include "sim/report/message_log.hpp"
 #include "sim/report/requested_path.hpp"
 #include "sim/report/step_statistics.hpp"
+#include "sim/report/task_result.hpp"
 #include "sim/report/temperature_record.hpp"
 #include "sim/report/tool_path.hpp"
 
@@ -78,6 +79,7 @@ struct Results {
   double moving_seconds{};
   double processor_saturated_seconds{};  // of those, in which it hardly slept
   std::uint64_t instructions{};
+  std::vector<TaskResult> tasks;  // of the firmware's loop; empty of another program
   std::uint64_t longest_pass_clocks{};  // of the firmware's loop, from waking up to sleeping
   std::uint64_t other_programs{};  // that took the firmware's place
   std::uint64_t gaps{};  // in what is known of the lines that the firmware took

@@ -106,6 +106,7 @@ bool FakeChip::wakes() const {
 
 std::uint32_t FakeChip::read(std::uint32_t address) {
   time += 2;
+  if (address == slow_address) time += slow_clocks;
   using namespace registers;
   if (address == identity::Magic::address) {
     return identity::Magic{identity::Magic::Word::stepfabric}.encode();

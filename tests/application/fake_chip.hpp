@@ -70,6 +70,8 @@ class FakeChip {
   bool filament_is_out{};
   std::array<double, 3> steps_per_mm{};  // for it
   std::uint32_t clocks_per_status_read{};  // for which motion goes on: the pass of a slow processor
+  // Time that a read of this register takes in addition: a task that is slow.
+  std::uint32_t slow_address{}, slow_clocks{};
   std::array<std::int32_t, axes> position{};  // the hardware's counters
   std::uint32_t motors{};
   std::uint32_t fan_duty{};

@@ -154,9 +154,9 @@ const std::set<std::string> codes{"G0",
 
 // Of no machine, with the parts that some machines have.
 std::set<std::string> not_fitted(const application::MachineDescription& machine) {
-  std::set<std::string> list{"M42",    "M122",   "M143",   "M226",   "M240", "M280",   "M301",
-                             "M303",   "M304",   "M413",   "M569",   "M575", "M862.1", "M862.2",
-                             "M862.3", "M862.4", "M862.5", "M862.6", "M906", "M914"};
+  std::set<std::string> list{"M42",    "M143",   "M226",   "M240", "M280",   "M301",   "M303",
+                             "M304",   "M413",   "M569",   "M575", "M862.1", "M862.2", "M862.3",
+                             "M862.4", "M862.5", "M862.6", "M906", "M914"};
   const auto needs = [&list](bool fitted, std::initializer_list<const char*> of_part) {
     if (!fitted) list.insert(of_part.begin(), of_part.end());
   };

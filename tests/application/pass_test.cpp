@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "application/task_budgets.hpp"
+#include "registers/temperature_converter_registers.hpp"
 #include "tests/application/dialogue.hpp"
 
 namespace application_test {
@@ -56,6 +58,44 @@ TEST_F(Pass, says_one_line_of_a_list) {
   EXPECT_THAT(printer.chip.from_firmware, HasSubstr("ok\n"));
   EXPECT_GT(before, 8u);
   EXPECT_LE(longest, 2u);  // the last one with its ok
+}
+
+const application::TaskTimes& times_of(const Printer& printer, units::Task task) {
+  return printer.counters.tasks[static_cast<std::size_t>(task)];
+}
+
+TEST_F(Pass, measures_each_task) {
+  printer.talk("-> G92 X0\n<- ok\n-> G1 X5 F3000\n<- ok\n-> M155 S1\n<- ok\n");
+  printer.run(3);
+  printer.talk("-> M155 S0\n<- ok\n");
+  for (std::uint32_t task = 0; task < units::task_count; ++task) {
+    EXPECT_GT(printer.counters.tasks[task].longest_clocks, 0u) << units::task_names[task];
+    EXPECT_EQ(printer.counters.tasks[task].overruns, 0u) << units::task_names[task];
+  }
+  printer.talk("-> M122\n<- echo:Task overruns 1:0 2:0 3:0 4:0 5:0 6:0 7:0 8:0 9:0\n<- ok\n");
+}
+
+TEST_F(Pass, counts_the_task_that_takes_longer_than_its_budget) {
+  // Only heat reads this.
+  printer.chip.slow_address = registers::temperature_converter::Status::address_of(0);
+  const std::uint32_t budget =
+      application::task_budgets[static_cast<std::size_t>(units::Task::heat)];
+  printer.chip.slow_clocks = budget;
+  printer.run(1);
+  EXPECT_GT(times_of(printer, units::Task::heat).longest_clocks, budget);
+  const std::uint32_t overruns = times_of(printer, units::Task::heat).overruns;
+  EXPECT_GT(overruns, 1u);
+  for (std::uint32_t task = 0; task < units::task_count; ++task) {
+    if (static_cast<units::Task>(task) == units::Task::heat) continue;
+    EXPECT_EQ(printer.counters.tasks[task].overruns, 0u) << units::task_names[task];
+  }
+  printer.chip.slow_clocks = 0;
+  printer.run(1);
+  EXPECT_EQ(times_of(printer, units::Task::heat).overruns, overruns);
+  EXPECT_GT(times_of(printer, units::Task::heat).longest_clocks, budget);
+  printer.send("M122");
+  EXPECT_THAT(printer.reply(),
+              testing::Optional(HasSubstr(" 4:" + std::to_string(overruns) + " 5:0")));
 }
 
 }  // namespace

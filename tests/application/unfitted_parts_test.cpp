@@ -38,9 +38,9 @@ TEST(unfitted_parts, are_named_and_the_print_goes_on) {
 TEST(unfitted_parts, of_all_kinds_are_answered_in_the_same_way) {
   Printer printer;
   for (const std::string code :
-       {"G29",  "G30",  "M42",  "M122", "M143", "M217", "M218", "M226", "M240", "M280", "M301",
-        "M303", "M304", "M412", "M413", "M420", "M425", "M569", "M572", "M575", "M593", "M603",
-        "M605", "M665", "M666", "M701", "M702", "M851", "M900", "M906", "M907", "M913", "M914"}) {
+       {"G29",  "G30",  "M42",  "M143", "M217", "M218", "M226", "M240", "M280", "M301", "M303",
+        "M304", "M412", "M413", "M420", "M425", "M569", "M572", "M575", "M593", "M603", "M605",
+        "M665", "M666", "M701", "M702", "M851", "M900", "M906", "M907", "M913", "M914"}) {
     printer.talk("-> " + code + " S200 X10 Y10 Z5 E1 P0\n<- echo:" + code + " not fitted\n<- ok");
   }
   EXPECT_EQ(printer.counters.commands_refused, 2u);  // G29 and G30 would have moved

@@ -25,7 +25,7 @@ constexpr std::uint32_t ring = tests::FakeChip::memory_start + 0x1000;
 class Firmware {
  public:
   void start() {
-    set(0, 3);
+    set(0, 4);
     set(12, ring);
   }
   void accept(const std::string& text, std::optional<std::int32_t> number) {
@@ -52,6 +52,20 @@ class Firmware {
  private:
   std::uint32_t accepted_ = 0, executed_ = 0, refused_ = 0, withdrawn_ = 0;
 };
+
+TEST(FirmwareWatch, names_the_tasks_with_their_times) {
+  Firmware firmware;
+  report::FirmwareWatch watch(firmware.image, firmware.chip);
+  firmware.start();
+  for (std::uint32_t word = 0; word < 18; ++word) firmware.set(14 + word, 100 + word);
+  const auto tasks = watch.tasks();
+  ASSERT_EQ(tasks.size(), 9U);
+  EXPECT_EQ(tasks[0].name, "motion");
+  EXPECT_EQ(tasks[0].longest_clocks, 100U);
+  EXPECT_EQ(tasks[0].overruns, 101U);
+  EXPECT_EQ(tasks[8].name, "rest");
+  EXPECT_EQ(tasks[8].overruns, 117U);
+}
 
 TEST(FirmwareWatch, reports_every_accepted_line_once_and_in_order) {
   Firmware firmware;

@@ -35,9 +35,7 @@ struct Judge {
                                   .answer = rounded(answer_at(now)),
                                   .given = rounded(given),
                                   .taken = rounded(taken(now))});
-      for (int look = 0; look < looks; ++look) {
-        still = stillness.look_further() || still;
-      }
+      for (int look = 0; look < looks; ++look) still = stillness.look_further() || still;
       if (still) return i;
       now += 1;
     }
