@@ -36,8 +36,8 @@ inline constexpr std::size_t most_limits = 9;  // of a row
 // The first that the command does not keep; null where it keeps all.
 const ArgumentLimit* violated(const gcode::Command& command, ArgumentLimits limits);
 
-// Why that refuses the command, for the host, behind "echo:": all that is said of the line with
-// Check::tool.
+// Why that refuses the command, behind "echo:": with Check::tool all that is said of
+// the line.
 host_link::TextLine describe(const gcode::Command& command, const ArgumentLimit& limit);
 
 // `value` cut to the range of the letter, in `units_per_one` of a whole.

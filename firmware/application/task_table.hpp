@@ -37,8 +37,7 @@ struct TaskRow {
 };
 
 // M112 has stopped motion and heat after this time at the slowest clock, however many lines come
-// before it. What must be faster has the emergency stop input, which is hardware and needs no
-// program.
+// before it. What must be faster has the emergency stop input: hardware, which needs no program.
 inline constexpr units::Milliseconds stop_by_host_within{1500};
 // Faults that software alone detects; stops are settled.
 inline constexpr units::Milliseconds stop_within{1000};

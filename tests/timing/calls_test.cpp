@@ -182,16 +182,17 @@ TEST(Calls, a_wrong_cost_is_found) {
 }
 
 TEST(Calls, an_event_bound_that_is_too_small_is_found) {
-  // Others are so small a part of their function's bound that host tests alone find them.
-  Program program = run().program_;
-  bool is_declared = false;
-  for (EventMarker& marker : program.event_markers) {
-    if (marker.event != static_cast<std::uint32_t>(units::Event::byte_queued)) continue;
-    is_declared = is_declared || marker.kind == EventMarker::begin;
-    marker.most = 0;
+  // Some are so small a part of their function's bound that host tests alone find them.
+  int found = 0;
+  for (std::uint32_t event = 0; event < static_cast<std::uint32_t>(units::Event::count); ++event) {
+    Program program = run().program_;
+    for (EventMarker& marker : program.event_markers) {
+      if (marker.event == event) marker.most = 0;
+    }
+    found += run().compare(program, run().costs_).too_long.empty() ? 0 : 1;
   }
-  EXPECT_TRUE(is_declared);
-  EXPECT_NE(run().compare(program, run().costs_).too_long, "");
+  fmt::print("{} of {} events\n", found, static_cast<std::uint32_t>(units::Event::count));
+  EXPECT_GE(found, 2);
 }
 
 TEST(Tasks, take_at_most_their_bounds_and_together_the_pass) {
