@@ -72,7 +72,7 @@ inline constexpr std::array<TaskRow, units::task_count> task_table{{
      .name = "heat: sensors, heaters",
      .period = thermal::HeaterLoop::period,
      .deadline = {.time = task_timing::heater_watchdog},
-     .budget = 20'000,
+     .budget = 32'000,
      .allowance = 80'000,
      .priority = 4,
      .reason = "the heaters' watchdog opens their supply, also where it is fed too early"},
