@@ -55,6 +55,7 @@ architecture rtl of segment_queue is
   signal count : natural range 0 to depth := 0;
   signal highest_count : natural range 0 to depth := 0;
   signal fetch : std_ulogic;
+  signal one_more, one_less, next_count : unsigned(7 downto 0);
 
   function slot_after(slot : slot_t) return slot_t is
   begin
@@ -113,24 +114,28 @@ begin
     head_steps(axis) <= unsigned(words(steps_lane + axis)(30 downto 0));
   end generate;
 
+  -- Both sums are computed before it is known which one counts. Gates choose: of a multiplexer synthesis
+  -- would make one sum behind it again.
+  one_more <= to_unsigned(count, 8) + 1;
+  one_less <= to_unsigned(count, 8) - 1;
+  next_count <= (one_more and (7 downto 0 => append and not take)) or
+                (one_less and (7 downto 0 => take and not append)) or
+                (to_unsigned(count, 8) and (7 downto 0 => append xnor take));
+
   count_segments : process
-    variable next_count : natural range 0 to depth;
   begin
     wait until rising_edge(clk);
-    next_count := count;
     if append then
       last <= slot_after(last);
-      next_count := next_count + 1;
     end if;
     if take then
-      next_count := next_count - 1;
       head_valid <= '0';
     end if;
     if fetch then
       unread <= slot_after(unread);
       head_valid <= '1';
     end if;
-    count <= next_count;
+    count <= to_integer(next_count);
     -- A clock later: `take` settles late in the clock.
     if count > highest_count then
       highest_count <= count;
