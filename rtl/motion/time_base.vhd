@@ -90,9 +90,12 @@ architecture rtl of time_base is
   signal last : std_ulogic := '0';
   signal count_changed : std_ulogic := '0';
 
-  signal phase_sum : unsigned(63 downto 0);
+  -- The phase after leaps of 1, 2 and 4, and after the leap of this clock.
+  signal single_sum, double_sum, fourfold_sum, phase_sum : unsigned(63 downto 0);
+  signal is_single, is_double, is_fourfold : std_ulogic;
   signal carry : std_ulogic;
-  signal next_rate : unsigned(63 downto 0);
+  signal rate_change, rate_sum, next_rate : unsigned(63 downto 0);
+  signal rate_falls : std_ulogic;
   signal acceleration_change, next_acceleration : signed(63 downto 0);
   signal acceleration_fits : std_ulogic;
   -- As if there were no stop: a tick is possible, or would have to wait; the head would follow with it; the
@@ -100,8 +103,11 @@ architecture rtl of time_base is
   signal may_tick, would_stall, would_follow, starts : std_ulogic;
   -- The same with the carry: the base goes on, makes a tick or starts, loads the head.
   signal goes_on, counts, loads : std_ulogic;
+  -- Phase and rate change; the acceleration does.
+  signal moves, accelerates : std_ulogic;
   -- The longest leaps that rate and floor permit.
   signal leap_of_head, leap_of_rate, leap_of_floor : leap_t;
+  -- As far as it can be shifted: larger ones are far beyond any machine. Of 3 only the upper bit counts.
   signal leap_of_jerk : leap_t;
 
   -- What a leap makes of a change per clock.
@@ -134,17 +140,6 @@ architecture rtl of time_base is
     return other;
   end function;
 
-  -- The longest leap by which a change can be shifted. Larger changes are far beyond any machine.
-  function longest(change : signed(63 downto 0)) return leap_t is
-  begin
-    if change(62) /= change(63) then
-      return to_unsigned(0, 2);
-    elsif change(61) /= change(63) then
-      return to_unsigned(1, 2);
-    end if;
-    return to_unsigned(2, 2);
-  end function;
-
   -- A rate below the floor is held at it.
   function floored(value : unsigned(63 downto 0); floor : unsigned(30 downto 0)) return unsigned is
   begin
@@ -168,30 +163,32 @@ architecture rtl of time_base is
     return difference(63) and difference(62);
   end function;
 
-  -- A sum above the highest rate is one below 3/4.
-  function integrated(value : unsigned(63 downto 0); change : unsigned(63 downto 0);
-    floor : unsigned(30 downto 0)) return unsigned is
-    constant sum : unsigned(63 downto 0) := value + change;
-  begin
-    if falls_below(value, change, floor) then
-      return '0' & floor & x"00000000";
-    elsif sum(63 downto 62) = "10" then
-      return highest_rate;
-    end if;
-    return sum;
-  end function;
-
 begin
 
-  phase_sum <= phase + doubled(rate, leap);
+  -- All leaps are added up at the same time: `leap` has many loads, and comes after the carry chains. Gates
+  -- choose the carry: of multiplexers synthesis would make one chain behind them again.
+  single_sum <= phase + rate;
+  double_sum <= phase + (rate(62 downto 0) & '0');
+  fourfold_sum <= phase + (rate(61 downto 0) & "00");
+  phase_sum <= fourfold_sum when leap(1) = '1' else double_sum when leap(0) = '1' else single_sum;
+  is_fourfold <= leap(1);
+  is_double <= leap(0) and not leap(1);
+  is_single <= leap(0) nor leap(1);
   -- With a rate of at most 1/2 a carry leaves less than 1/2 behind, and only comes from more than 1/2.
-  carry <= phase(63) and not phase_sum(63);
-  next_rate <= integrated(rate,
-    doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap), rate_floor);
+  carry <= phase(63) and not ((is_single and single_sum(63)) or (is_double and double_sum(63)) or
+    (is_fourfold and fourfold_sum(63)));
+  rate_change <= doubled(unsigned(resize(acceleration(63 downto 20), 64)), leap);
+  rate_sum <= rate + rate_change;
+  rate_falls <= falls_below(rate, rate_change, rate_floor);
+  -- A sum above the highest rate is one below 3/4.
+  next_rate <= '0' & rate_floor & x"00000000" when rate_falls = '1' else
+               highest_rate when rate_sum(63 downto 62) = "10" else
+               rate_sum;
 
   -- It stays where the change would take it out of its range.
   acceleration_change <= signed(doubled(unsigned(jerk), leap_of_jerk));
-  leap_of_jerk <= shorter(leap, longest(jerk));
+  leap_of_jerk(1) <= leap(1) and (jerk(61) xnor jerk(63)) and (jerk(62) xnor jerk(63));
+  leap_of_jerk(0) <= (leap(0) or leap(1)) and (jerk(62) xnor jerk(63));
   next_acceleration <= acceleration + acceleration_change;
   acceleration_fits <= '1' when acceleration(63) /= acceleration_change(63) or
     next_acceleration(63) = acceleration(63) else '0';
@@ -213,6 +210,8 @@ begin
   goes_on <= may_tick or (would_stall and not carry);
   counts <= starts or (may_tick and carry);
   loads <= starts or (would_follow and carry);
+  moves <= goes_on or starts;
+  accelerates <= starts or (would_follow and carry) or (goes_on and acceleration_fits);
   stalled <= would_stall and carry;
   due <= active and advance and carry and not stop;
   tick <= may_tick and carry and not stop;
@@ -226,19 +225,15 @@ begin
     accelerating <= '1' when acceleration > 0 else '0';
     decelerating <= acceleration(63);
 
-    if goes_on then
+    if moves then
       phase <= phase_sum;
+      rate <= floored(head.rate, rate_floor) when loads = '1' else next_rate;
     end if;
     if starts then
       phase <= (others => '0');
     end if;
-    if goes_on or starts then
-      rate <= floored(head.rate, rate_floor) when loads = '1' else next_rate;
-    end if;
-    if loads then
-      acceleration <= head.acceleration;
-    elsif goes_on and acceleration_fits then
-      acceleration <= next_acceleration;
+    if accelerates then
+      acceleration <= head.acceleration when loads = '1' else next_acceleration;
     end if;
   end process;
 
